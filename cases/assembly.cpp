@@ -1,0 +1,128 @@
+#include "cases/assembly.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include "geometry/seeding.hpp"
+
+namespace cases {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+std::string free_motion(const plate::Piece& piece) {
+  return fmt::format("the piece of {} point{} about ({:g}, {:g}) can move as a rigid body in {} of 3 ways",
+                     piece.points, piece.points == 1 ? "" : "s", piece.position.x(), piece.position.y(),
+                     piece.free_modes);
+}
+
+/// Statics: nothing may move freely. Dynamics: a loose piece is allowed, and said.
+void check_held(const CaseFile& file, const plate::Boundary& boundary, const geometry::Families& families,
+                std::vector<std::string>& warnings) {
+  const auto pieces = plate::pieces(boundary, families);
+  std::vector<Problem> problems;
+  for (const auto& piece : pieces) {
+    if (piece.free_modes == 0) continue;
+    const bool whole = pieces.size() == 1;
+    const std::string key = whole ? "support" : "geometry.cracks";
+    const std::string what = whole ? "the plate is not held: " + free_motion(piece) +
+                                         "; hold an edge, or pin three points that are not on one line"
+                                   : "cracks cut the plate into pieces, and " + free_motion(piece);
+    problems.push_back({file.place(key), key, what});
+  }
+  if (problems.empty()) return;
+  if (file.content.analysis.kind == Analysis::Kind::static_) throw CaseError(problems);
+  if (pieces.size() > 1)
+    for (const auto& problem : problems) warnings.push_back(problem.what);
+}
+
+void check_edges_fit(const plate::Boundary& boundary, double spacing, std::vector<std::string>& warnings) {
+  for (const auto& side : boundary.sides) {
+    const int axis = side.normal_axis();
+    if (axis < 0 || side.along_lattice() || side.kind == plate::SupportKind::free) continue;
+    const double cells = side.edge.from[axis];
+    warnings.push_back(
+        fmt::format("edge '{}' lies {:.3f} spacings from the lattice's origin, not on a boundary between "
+                    "cells: spacing {:.6g} would put it there",
+                    side.name, cells, spacing * cells / std::round(cells)));
+  }
+}
+
+std::vector<plate::TimedLoad> timed_loads(const Case& c, const geometry::Cloud& cloud) {
+  std::vector<plate::TimedLoad> loads;
+  for (const auto& load : c.loads) loads.push_back({plate::nodal_forces(load, cloud, c.outline), load.history});
+  return loads;
+}
+
+}  // namespace
+
+void Stopwatch::lap(const std::string& stage) {
+  const auto now = std::chrono::steady_clock::now();
+  const double spent = Seconds(now - last_).count();
+  last_ = now;
+  const auto entry = std::find_if(seconds_.begin(), seconds_.end(), [&](const auto& s) { return s.first == stage; });
+  if (entry == seconds_.end())
+    seconds_.emplace_back(stage, spent);
+  else
+    entry->second += spent;
+}
+
+double Stopwatch::seconds(const std::string& stage) const {
+  for (const auto& [name, spent] : seconds_)
+    if (name == stage) return spent;
+  return 0;
+}
+
+double Stopwatch::total() const {
+  double sum = 0;
+  for (const auto& [stage, seconds] : seconds_) sum += seconds;
+  return sum;
+}
+
+std::size_t Assembly::bonds() const {
+  const auto& families = plate.families();
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < boundary.cloud.plate_points; ++k)
+    for (auto b = families.first[k]; b < families.first[k + 1]; ++b) count += boundary.is_plate(families.neighbour[b]);
+  return count;
+}
+
+std::size_t Assembly::fictitious_bonds() const {
+  return plate.families().bonds() - bonds();
+}
+
+Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
+  const Case& c = file.content;
+  const auto& d = c.discretization;
+  const auto [low, high] = geometry::bounding_box(c.outline);
+  const auto paths = geometry::crack_paths(c.outline, c.cracks, 1e-9 * (high - low).norm());
+
+  auto cloud = geometry::lattice(c.outline, d.spacing);
+  const auto outline = geometry::to_lattice(c.outline, cloud.units);
+  auto boundary = plate::boundary(std::move(cloud), outline, c.supports, d);
+  std::vector<std::string> warnings = boundary.warnings;
+  check_edges_fit(boundary, d.spacing, warnings);
+  stopwatch.lap("geometry");
+
+  const auto whole = geometry::families(boundary.cloud, d.horizon(), plate::sees(boundary, outline, d.horizon_ratio));
+  auto families = fracture::sever(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
+  check_held(file, boundary, families, warnings);
+  stopwatch.lap("families");
+
+  auto shapes = plate::bond_shapes(families.vectors, c.section, d);
+  auto cut = fracture::cut_share(whole, families, shapes, boundary.cloud.plate_points);
+  const auto& areas = boundary.cloud.areas;
+  const auto parameters = plate::horizon_parameters(families, shapes, areas, boundary.active, c.section, d);
+  plate::FamilyOperator plate(std::move(families), std::move(shapes), areas, parameters);
+  auto loads = timed_loads(c, boundary.cloud);
+  stopwatch.lap("parameters");
+
+  return {paths,
+          geometry::tips(paths),
+          std::move(boundary),
+          std::move(cut),
+          std::move(plate),
+          std::move(loads),
+          std::move(warnings)};
+}
+
+}  // namespace cases

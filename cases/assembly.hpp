@@ -1,0 +1,42 @@
+#pragma once
+#include <chrono>
+#include <utility>
+#include "cases/case_file.hpp"
+#include "fracture/precrack.hpp"
+#include "plate/dynamics.hpp"
+#include "plate/pieces.hpp"
+
+namespace cases {
+
+/// Seconds spent in the stages of a run, in order.
+class Stopwatch {
+public:
+  /// Time since the last call (or construction) goes to `stage`.
+  void lap(const std::string& stage);
+  const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
+  double seconds(const std::string& stage) const;
+  double total() const;
+
+private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  std::vector<std::pair<std::string, double>> seconds_;
+};
+
+/// A case turned into points, bonds and loads: everything that a solver asks for, and nothing has been solved yet.
+struct Assembly {
+  std::vector<geometry::CrackPath> paths;  // [length]
+  std::vector<geometry::Tip> tips;
+  plate::Boundary boundary;
+  std::vector<double> cut;  // per plate point: share of the family severed by cracks
+  plate::FamilyOperator plate;
+  std::vector<plate::TimedLoad> loads;
+  std::vector<std::string> warnings;
+
+  std::size_t bonds() const;             // directed, between points of the plate
+  std::size_t fictitious_bonds() const;  // directed, all others
+};
+
+/// Throws CaseError where the plate is not held in statics, in whole or in a piece that cracks cut off.
+Assembly assemble(const CaseFile& file, Stopwatch& stopwatch);
+
+}  // namespace cases

@@ -1,0 +1,47 @@
+#pragma once
+#include "geometry/crack_path.hpp"
+#include "plate/discretization.hpp"
+#include "plate/loads.hpp"
+#include "plate/section.hpp"
+#include "plate/supports.hpp"
+#include "post/srif.hpp"
+#include <map>
+#include <optional>
+
+/// The application: case files in, results out.
+namespace cases {
+
+struct Analysis {
+  enum class Kind { static_, dynamic };
+  enum class Method { adr, cg, central_difference };
+  Kind kind = Kind::static_;
+  Method method = Method::adr;
+  double tolerance = 1e-6;                // static: residual / load
+  std::size_t max_iterations = 200000;    // static
+  double duration = 0;                    // dynamic [time]
+  std::optional<double> time_step;        // dynamic; absent: from the computed bound
+  double safety = 0.95;                   // dynamic: share of the stable step that is used
+};
+
+struct Output {
+  bool vtk = true, hdf5 = true;
+  std::optional<double> every;            // dynamic: time between frames; absent: first and last only
+  std::optional<double> history_every;    // dynamic: time between rows of history, probes and SRIFs; absent: duration / 400
+  std::map<std::string, geometry::Point> probes;
+};
+
+/// One whole simulation, as plain data.
+struct Case {
+  std::string title, source, units = "none";
+  plate::Section section;
+  geometry::Outline outline;
+  std::vector<geometry::Polyline> cracks;
+  plate::Discretization discretization;
+  std::vector<plate::Support> supports;
+  std::vector<plate::Load> loads;
+  Analysis analysis;
+  std::optional<post::SrifOptions> srif;
+  Output output;
+};
+
+}  // namespace cases

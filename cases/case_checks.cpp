@@ -1,0 +1,141 @@
+#include "cases/keys.hpp"
+
+namespace cases {
+
+namespace {
+
+using geometry::Edge;
+using geometry::Point;
+using plate::SupportKind;
+
+/// A length that counts as nothing beside the plate.
+double tolerance(const geometry::Outline& outline) {
+  const auto [low, high] = geometry::bounding_box(outline);
+  return 1e-9 * (high - low).norm();
+}
+
+double distance_to_boundary(const geometry::Outline& outline, const Point& point) {
+  double nearest = INFINITY;
+  for (const Edge& edge : geometry::straight_edges(outline))
+    nearest = std::min(nearest, geometry::distance({edge.from, edge.to}, point));
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
+      nearest = std::min(nearest, std::abs((point - circle->centre).norm() - circle->radius));
+  return nearest;
+}
+
+bool on_plate(const geometry::Outline& outline, const Point& point) {
+  return geometry::contains(outline, point) || distance_to_boundary(outline, point) <= tolerance(outline);
+}
+
+/// Does the name stand for straight edges parallel to the axes only?
+bool axis_parallel(const geometry::Outline& outline, const std::string& name) {
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name) return false;
+  for (const Edge& edge : geometry::straight_edges(outline))
+    if (edge.name == name && (edge.to - edge.from).cwiseAbs().minCoeff() > tolerance(outline)) return false;
+  return true;
+}
+
+bool needs_axis_parallel(SupportKind kind) {
+  using enum SupportKind;
+  return kind == symmetry || kind == simply_supported_hard || kind == clamped_layer || kind == simply_supported_layer ||
+         kind == simply_supported_hard_layer;
+}
+
+/// Shape and cracks; true where edges and points can be checked against the shape.
+bool check_geometry(const Case& content, Reading& reading) {
+  for (const char* key : {"geometry.outline", "geometry.holes"})
+    if (!reading.sound(key)) return false;
+  if (content.outline.outer.vertices.empty()) return false;
+  const auto shape_faults = geometry::faults(content.outline);
+  for (const auto& fault : shape_faults) reading.complain("geometry." + fault.where, fault.what);
+  if (!shape_faults.empty()) return false;
+  if (!reading.sound("geometry.cracks")) return true;
+  for (const auto& fault : geometry::faults(content.outline, content.cracks, tolerance(content.outline)))
+    reading.complain("geometry." + fault.where, fault.what);
+  return true;
+}
+
+void check_names(const std::vector<std::string>& names, const std::vector<std::string>& existing,
+                 const std::string& key, Reading& reading) {
+  for (const auto& name : names)
+    if (std::find(existing.begin(), existing.end(), name) == existing.end())
+      reading.complain(key, fmt::format("the plate has no edge \"{}\"{}; its edges: {}", name,
+                                        did_you_mean(name, existing), listed(existing)));
+}
+
+void check_supports(const Case& content, Reading& reading) {
+  const auto existing = geometry::edge_names(content.outline);
+  std::map<std::string, std::size_t> holder;
+  for (std::size_t i = 0; i < content.supports.size(); ++i) {
+    const auto& support = content.supports[i];
+    const std::string entry = fmt::format("support[{}]", i);
+    check_names(support.edges, existing, entry + ".edges", reading);
+    for (const auto& edge : support.edges) {
+      const auto [first, fresh] = holder.emplace(edge, i);
+      if (!fresh && first->second != i)
+        reading.complain(entry + ".edges",
+                         fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second));
+      if (needs_axis_parallel(support.kind) && reading.sound(entry + ".kind") && !axis_parallel(content.outline, edge))
+        reading.complain(entry + ".edges",
+                         fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
+                                     "of support needs because it mirrors or extends the lattice there",
+                                     edge));
+    }
+    for (const auto& point : support.points)
+      if (!on_plate(content.outline, point))
+        reading.complain(entry + ".points", text_of(point) + " given, must lie in the plate or on its boundary");
+  }
+}
+
+void check_loads(const Case& content, Reading& reading) {
+  const auto existing = geometry::edge_names(content.outline);
+  for (std::size_t i = 0; i < content.loads.size(); ++i) {
+    const auto& load = content.loads[i];
+    const std::string entry = fmt::format("load[{}]", i);
+    check_names(load.edges, existing, entry + ".edges", reading);
+    const std::string position = entry + ".position";
+    if (reading.given(position) && reading.sound(position) && !geometry::contains(content.outline, load.position))
+      reading.complain(position, text_of(load.position) + " given, must lie inside the plate");
+  }
+}
+
+void check_spacing(const Case& content, Reading& reading) {
+  const double spacing = content.discretization.spacing;
+  const auto [low, high] = geometry::bounding_box(content.outline);
+  const double largest = (high - low).minCoeff() / 4;  // four cells: fewer have no interior
+  if (reading.sound("discretization.spacing") && spacing > largest * (1 + 1e-9))
+    reading.complain("discretization.spacing",
+                     fmt::format("{} given, must be at most {}, a quarter of the plate's smaller side",
+                                 number_text(spacing), number_text(largest)));
+}
+
+void check_probes(const Case& content, Reading& reading) {
+  for (const auto& [name, point] : content.output.probes)
+    if (!on_plate(content.outline, point))
+      reading.complain("output.probes." + name, text_of(point) + " given, must lie in the plate or on its boundary");
+}
+
+void check_tips(const Case& content, Reading& reading) {
+  if (!content.srif || !reading.sound("geometry")) return;
+  const auto paths = geometry::crack_paths(content.outline, content.cracks, tolerance(content.outline));
+  if (geometry::tips(paths).empty())
+    reading.complain("srif",
+                     "there is no crack tip to find intensity factors at: remove [srif] or give geometry.cracks");
+}
+
+}  // namespace
+
+void check_case(const Case& content, Reading& reading) {
+  if (content.loads.empty() && reading.sound("load"))
+    reading.complain("load", "nothing loads the plate: give at least one [[load]]");
+  if (!check_geometry(content, reading)) return;
+  check_spacing(content, reading);
+  check_supports(content, reading);
+  check_loads(content, reading);
+  check_probes(content, reading);
+  check_tips(content, reading);
+}
+
+}  // namespace cases

@@ -1,0 +1,143 @@
+#include "cases/keys.hpp"
+
+namespace cases {
+
+namespace {
+
+Fields<plate::Section> section_fields() {
+  using plate::Section;
+  return {
+      number<Section>("young", "force/length^2", &Section::young, positive, "Young's modulus").required(),
+      number<Section>("poisson", "-", &Section::poisson, {-1, 0.5, true, true}, "Poisson's ratio").required(),
+      number<Section>("thickness", "length", &Section::thickness, positive, "thickness of the plate").required(),
+      number<Section>("shear_correction", "-", &Section::shear_correction, {0, 1, true},
+                      "factor of the transverse shear stiffness"),
+      number<Section>("density", "mass/length^3", &Section::density, positive,
+                      "mass density; without effect in statics")
+          .required(Needed::in_dynamics),
+  };
+}
+
+/// The only formulation of this version; others are known by name.
+Field<plate::Discretization> formulation() {
+  static const Words<int> words{{{"ordinary", 0}},
+                                {{"galerkin", "this version has only the ordinary state-based plate"}}};
+  return value<plate::Discretization>(
+      {"formulation", "-", "one of " + words.text(), "", "bonds of the ordinary state-based plate"},
+      [](const Value& given, plate::Discretization&) {
+        if (const auto text = given.text()) words.find(given, *text);
+      },
+      [](const plate::Discretization&) { return words.text(); });
+}
+
+Fields<plate::Discretization> discretization_fields() {
+  using namespace plate;
+  using D = Discretization;
+  return {
+      number<D>("spacing", "length", &D::spacing, positive, "distance of the points; at least 4 across the plate")
+          .required(),
+      number<D>("horizon_ratio", "-", &D::horizon_ratio, {1.5, 20}, "horizon / spacing"),
+      formulation(),
+      choice<D, Influence>("influence", &D::influence,
+                           {{{"inverse", Influence::inverse}, {"constant", Influence::constant}}},
+                           "influence function: horizon / length, or 1"),
+      choice<D, VolumeCorrection>(
+          "volume_correction", &D::volume_correction,
+          {{{"none", VolumeCorrection::none},
+            {"linear", VolumeCorrection::linear},
+            {"lattice_fitted", VolumeCorrection::lattice_fitted}}},
+          "share of a neighbour's cell inside the horizon; lattice_fitted: isotropic in bending"),
+      choice<D, SurfaceCorrection>("surface_correction", &D::surface_correction,
+                                   {{{"none", SurfaceCorrection::none},
+                                     {"volume", SurfaceCorrection::volume},
+                                     {"arbitrary_horizon", SurfaceCorrection::arbitrary_horizon}},
+                                    {{"position_aware", "not in this version"}}},
+                                   "how bond constants follow a family cut by edges and cracks"),
+      choice<D, FullHorizon>("full_horizon", &D::full_horizon,
+                             {{{"continuum", FullHorizon::continuum}, {"lattice", FullHorizon::lattice}}},
+                             "constants of a full family: integrals over the disc, or sums over the lattice"),
+      choice<D, TwistMatch>("twist_match", &D::twist_match,
+                            {{{"frame_invariant", TwistMatch::frame_invariant}, {"paper", TwistMatch::paper}}},
+                            "calibration of the twist constant: independent of the axes, or as in Dai et al., Eq. 35"),
+  };
+}
+
+Field<Case> text(const std::string& name, std::string Case::*member, const std::string& standard,
+                 const std::string& help) {
+  return value<Case>(
+      {name, "-", "a string", standard, help},
+      [=](const Value& given, Case& content) {
+        if (const auto words = given.text()) content.*member = *words;
+      },
+      [=](const Case& content) { return quoted(content.*member); });
+}
+
+/// Known, and refused: no crack grows in this version.
+Field<Case> growth() {
+  return value<Case>(
+      {"growth", "-", "absent", "", "not in this version: cracks stay as they are"},
+      [](const Value& given, Case&) {
+        given.complain("[growth] is not available: this version keeps cracks as they are; remove the table");
+      },
+      [](const Case&) { return std::string(); });
+}
+
+}  // namespace
+
+const Fields<Case>& case_fields() {
+  static const Fields<Case> fields{
+      text("title", &Case::title, "the file's name", "title of the case"),
+      text("source", &Case::source, "\"\"", "where the case comes from"),
+      choice<Case, std::string>("units", &Case::units, {{{"none", "none"}, {"SI", "SI"}}},
+                                "unit system named in the results"),
+      table<Case, plate::Section>("section", Layout::block, &Case::section, section_fields()),
+      table<Case, Case>("geometry", Layout::block, std::identity{}, geometry_fields(), name_holes),
+      table<Case, plate::Discretization>("discretization", Layout::block, &Case::discretization,
+                                         discretization_fields()),
+      tables<Case, plate::Support>("support", Layout::block, &Case::supports, support_fields()),
+      tables<Case, plate::Load>("load", Layout::block, &Case::loads, load_fields(), check_load),
+      table<Case, Analysis>("analysis", Layout::block, &Case::analysis, analysis_fields(), check_analysis),
+      growth(),
+      table<Case, post::SrifOptions>("srif", Layout::block, &Case::srif, srif_fields(), check_srif),
+      table<Case, Output>("output", Layout::block, &Case::output, output_fields()),
+  };
+  return fields;
+}
+
+const std::vector<Key>& keys() {
+  static const std::vector<Key> rows = [] {
+    std::vector<Key> result;
+    for (const auto& field : case_fields()) result.insert(result.end(), field.rows.begin(), field.rows.end());
+    return result;
+  }();
+  return rows;
+}
+
+std::string key_table_markdown() {
+  std::string text = "| key | unit | allowed | default | meaning |\n|---|---|---|---|---|\n";
+  for (const auto& key : keys())
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, key.unit, key.allowed, key.standard, key.help);
+  return text;
+}
+
+std::string Bounds::text(bool whole) const {
+  const char* number = whole ? "an integer" : "a number";
+  if (std::isinf(low) && std::isinf(high)) return "a finite number";
+  if (std::isinf(high)) return fmt::format("{} {} {}", number, low_open ? ">" : ">=", low);
+  return fmt::format("{} in {}{}, {}{}", number, low_open ? '(' : '[', low, high, high_open ? ')' : ']');
+}
+
+void complain_about_unknown(const Value& table, const std::vector<std::string>& names) {
+  for (const auto& [name, node] : *table.table()) {
+    const std::string word(name.str());
+    if (std::find(names.begin(), names.end(), word) != names.end()) continue;
+    std::string hint = did_you_mean(word, names);
+    for (const auto& key : keys())
+      if (hint.empty() && key.name.ends_with("." + word)) hint = fmt::format(" (did you mean '{}'?)", key.name);
+    if (hint.empty()) hint = fmt::format("; known here: {}", fmt::join(names, ", "));
+    const Value unknown(node, table.below(word), table.reading());
+    unknown.complain(fmt::format("unknown key '{}'{}", word, hint));
+  }
+}
+
+}  // namespace cases

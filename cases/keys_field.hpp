@@ -1,0 +1,129 @@
+#pragma once
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include "cases/toml_reader.hpp"
+
+/// The table of keys is a tree of fields. A field names one key of a table that is read into a T, documents it, reads
+/// it and writes it; a table is a field whose reading reads the fields below it.
+namespace cases {
+
+enum class When { always, statics, dynamics };
+enum class Needed { no, in_dynamics, always };
+
+/// What must hold of its table for a key to be used: another key (`selector`) has one of some values, in words
+/// "kind = pinned".
+template <class T>
+struct Condition {
+  std::string selector, words;
+  std::function<bool(const T&)> holds;
+};
+
+template <class T>
+struct Field {
+  std::string name;
+  std::vector<Key> rows;  // a table has those of its fields
+  std::function<void(const Value&, T&)> read;
+  std::function<std::string(const T&, bool dynamic)> write;  // "name = value"; empty: absent
+  When when = When::always;
+  Needed needed = Needed::no;
+  bool reads_absent = false;  // a table whose keys are missed where it is absent
+  std::optional<Condition<T>> condition = std::nullopt;
+
+  Field required(Needed in = Needed::always) && {
+    needed = in;
+    rows.front().standard = in == Needed::always ? "required" : "required in dynamics";
+    return std::move(*this);
+  }
+  Field in_statics() && { return std::move(*this).only(When::statics, "static: "); }
+  Field in_dynamics() && { return std::move(*this).only(When::dynamics, "dynamic: "); }
+  Field with(Condition<T> c) && {
+    for (auto& row : rows) row.help = fmt::format("{}: {}", c.words, row.help);
+    condition = std::move(c);
+    return std::move(*this);
+  }
+  Field standard(const std::string& text) && {
+    rows.front().standard = text;
+    return std::move(*this);
+  }
+
+private:
+  Field only(When w, const std::string& prefix) && {
+    when = w;
+    for (auto& row : rows) row.help = prefix + row.help;
+    return std::move(*this);
+  }
+};
+
+template <class T>
+using Fields = std::vector<Field<T>>;
+
+/// An interval; a bound that is infinite is none.
+struct Bounds {
+  double low = -INFINITY, high = INFINITY;
+  bool low_open = false, high_open = false;
+
+  bool contain(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
+  std::string text(bool whole) const;
+};
+inline const Bounds finite{}, positive{0, INFINITY, true};
+
+void complain_about_unknown(const Value& table, const std::vector<std::string>& names);
+
+/// Why a key of a table is not used beside the others; empty where it is.
+template <class T>
+std::string unused(const Field<T>& field, const Value& table, const T& object) {
+  const auto dynamic = table.reading().dynamic;
+  if (dynamic && field.when == When::dynamics && !*dynamic) return "in dynamics";
+  if (dynamic && field.when == When::statics && *dynamic) return "in statics";
+  const auto& condition = field.condition;
+  if (!condition || !table.reading().sound(table.below(condition->selector)) || condition->holds(object)) return "";
+  return "with " + condition->words;
+}
+
+/// Is the key missed where it is absent? Not where the key that decides about it is itself wrong.
+template <class T>
+bool missed(const Field<T>& field, const Value& table) {
+  const auto& reading = table.reading();
+  if (field.condition && !reading.sound(table.below(field.condition->selector))) return false;
+  if (field.when != When::always && !reading.dynamic) return false;
+  return field.needed == Needed::always || (field.needed == Needed::in_dynamics && reading.dynamic.value_or(false));
+}
+
+template <class T>
+void read_fields(const Fields<T>& fields, const Value& table, T& object) {
+  const toml::table* entries = table.table();
+  if (!entries) return;
+  std::vector<std::string> names;
+  for (const auto& field : fields) names.push_back(field.name);
+  complain_about_unknown(table, names);
+  static const toml::table nothing;
+  for (const auto& field : fields) {
+    const toml::node* node = entries->get(field.name);
+    const std::string key = table.below(field.name), only = unused(field, table, object);
+    if (node && only.empty())
+      field.read(Value(*node, key, table.reading()), object);
+    else if (node)
+      Value(*node, key, table.reading()).complain(fmt::format("{} is used {} only: remove it", key, only));
+    else if (field.reads_absent)
+      field.read(Value(nothing, key, table.reading()), object);
+    else if (only.empty() && missed(field, table))
+      table.reading().complain(key, fmt::format("is missing, must be {}", field.rows.front().allowed));
+  }
+}
+
+template <class T>
+std::string write_fields(const Fields<T>& fields, const T& object, bool dynamic, const char* separator) {
+  std::vector<std::string> texts;
+  for (const auto& field : fields) {
+    if (field.when != When::always && (field.when == When::dynamics) != dynamic) continue;
+    if (field.condition && !field.condition->holds(object)) continue;
+    if (auto text = field.write(object, dynamic); !text.empty()) texts.push_back(std::move(text));
+  }
+  return fmt::format("{}", fmt::join(texts, separator));
+}
+
+}  // namespace cases

@@ -1,0 +1,193 @@
+#include "cases/keys.hpp"
+
+namespace cases {
+
+namespace {
+
+using post::Normalization;
+using post::SrifOptions;
+
+const Words<Analysis::Method> methods{{{"adr", Analysis::Method::adr},
+                                       {"cg", Analysis::Method::cg},
+                                       {"central_difference", Analysis::Method::central_difference}},
+                                      {{"direct", "not in this version"}}};
+
+Field<Analysis> time_step() {
+  return value<Analysis>(
+      {"time_step", "time", "\"auto\" or a number > 0", "\"auto\"", "time step; auto: safety times the stable step"},
+      [](const Value& given, Analysis& analysis) {
+        if (given.is_text() && *given.text() == "auto") return;
+        const auto step = given.is_text() ? std::nullopt : given.number();
+        if (step && *step > 0)
+          analysis.time_step = *step;
+        else if (given.is_text() || step)
+          given.refuse("\"auto\" or a number > 0");
+      },
+      [](const Analysis& analysis) { return analysis.time_step ? number_text(*analysis.time_step) : quoted("auto"); });
+}
+
+Fields<Normalization> normalization_fields() {
+  using N = Normalization;
+  return {
+      number<N>("pressure", "force/length^2", &N::pressure, positive,
+                "with width: F = K / (pressure (width/2)^2 sqrt(half_length))"),
+      number<N>("width", "length", &N::width, positive, "width of the plate, with pressure"),
+      number<N>("moment", "force", &N::moment, positive,
+                "F = K / (moment sqrt(half_length)), instead of pressure and width"),
+  };
+}
+
+void check_normalization(const Value& given, Normalization& n) {
+  if (!given.reading().sound(given.key())) return;
+  const bool pressure = n.pressure && n.width && !n.moment, moment = n.moment && !n.pressure && !n.width;
+  if (!pressure && !moment) given.refuse("either { pressure = .., width = .. } or { moment = .. }");
+}
+
+/// A list of words without repetition.
+std::vector<std::string> chosen(const Value& given, const Words<int>& words) {
+  std::vector<std::string> result;
+  const auto names = given.texts();
+  if (!names) return result;
+  for (const auto& name : *names) {
+    if (!words.find(given, name)) continue;
+    if (std::find(result.begin(), result.end(), name) == result.end())
+      result.push_back(name);
+    else
+      given.complain(fmt::format("\"{}\" is named twice", name));
+  }
+  return result;
+}
+
+Field<SrifOptions> srif_methods() {
+  static const Words<int> words{{{"displacement_extrapolation", 0}}};
+  return value<SrifOptions>(
+      {"methods", "-", "a list of " + words.text(), "", "how the intensity factors are found"},
+      [](const Value& given, SrifOptions& options) {
+        const auto found = chosen(given, words);
+        if (!found.empty())
+          options.methods = found;
+        else if (given.reading().sound(given.key()))
+          given.refuse("a list of at least one of " + words.text());
+      },
+      [](const SrifOptions& options) { return text_of(options.methods); });
+}
+
+Field<Output> fields() {
+  static const Words<int> words{{{"vtk", 0}, {"hdf5", 1}}};
+  return value<Output>(
+      {"fields", "-", "a list of " + words.text(), "", "files of fields: for ParaView, for HDF5"},
+      [](const Value& given, Output& output) {
+        const auto found = chosen(given, words);
+        output.vtk = std::find(found.begin(), found.end(), "vtk") != found.end();
+        output.hdf5 = std::find(found.begin(), found.end(), "hdf5") != found.end();
+      },
+      [](const Output& output) {
+        std::vector<std::string> names;
+        if (output.vtk) names.push_back("vtk");
+        if (output.hdf5) names.push_back("hdf5");
+        return text_of(names);
+      });
+}
+
+bool bare(const std::string& name) {
+  return !name.empty() &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+}
+
+Field<Output> probes() {
+  return value<Output>(
+      {"probes", "length", "{ name = [x, y], ... } in the plate", "", "points whose w and rotations are recorded"},
+      [](const Value& given, Output& output) {
+        const auto* entries = given.table();
+        if (!entries) return;
+        for (const auto& [name, node] : *entries) {
+          const Value probe(node, given.below(std::string(name.str())), given.reading());
+          if (!bare(std::string(name.str()))) probe.complain("the name of a probe has letters, digits, _ and - only");
+          if (const auto point = probe.point()) output.probes[std::string(name.str())] = *point;
+        }
+      },
+      [](const Output& output) {
+        std::vector<std::string> texts;
+        for (const auto& [name, point] : output.probes) texts.push_back(name + " = " + text_of(point));
+        return texts.empty() ? "" : fmt::format("{{ {} }}", fmt::join(texts, ", "));
+      });
+}
+
+}  // namespace
+
+Fields<Analysis> analysis_fields() {
+  using A = Analysis;
+  return {
+      choice<A, A::Kind>("kind", &A::kind, {{{"static", A::Kind::static_}, {"dynamic", A::Kind::dynamic}}},
+                         "static or dynamic analysis")
+          .required(),
+      choice<A, A::Method>("method", &A::method, methods,
+                           "static: adaptive dynamic relaxation or conjugate gradients; dynamic: central differences")
+          .standard("static: \"adr\"; dynamic: \"central_difference\""),
+      number<A>("tolerance", "-", &A::tolerance, {1e-14, 0.1}, "residual / load at which the solution is accepted")
+          .in_statics(),
+      number<A>("max_iterations", "-", &A::max_iterations, {1, 1e9}, "limit of iterations").in_statics(),
+      number<A>("duration", "time", &A::duration, positive, "simulated time").required().in_dynamics(),
+      time_step().in_dynamics(),
+      number<A>("safety", "-", &A::safety, {0, 1, true}, "share of the stable step that is used").in_dynamics(),
+  };
+}
+
+void check_analysis(const Value& given, Analysis& analysis) {
+  const auto dynamic = given.reading().dynamic;
+  if (!dynamic) return;
+  const std::string key = given.below("method");
+  if (!given.reading().given(key))
+    analysis.method = *dynamic ? Analysis::Method::central_difference : Analysis::Method::adr;
+  if (!given.reading().sound(key) || *dynamic == (analysis.method == Analysis::Method::central_difference)) return;
+  given.reading().complain(
+      key, fmt::format("\"{}\" given, must be {}", methods.name(analysis.method),
+                       *dynamic ? "\"central_difference\" in dynamics" : "\"adr\" or \"cg\" in statics"));
+}
+
+Fields<SrifOptions> srif_fields() {
+  using S = SrifOptions;
+  auto horizons = number<S>("window_horizons", "horizon", &S::window_horizons, positive,
+                            "the fit uses points up to this distance from the tip");
+  horizons.write = [write = horizons.write](const S& options, bool dynamic) {
+    return options.window ? std::string() : write(options, dynamic);
+  };
+  return {
+      srif_methods(),
+      std::move(horizons),
+      number<S>("window", "length", &S::window, positive, "the same as a length, instead of window_horizons"),
+      number<S>("skip", "-", &S::skip, {0, 1000000}, "samples next to the tip left out"),
+      number<S>("rows", "-", &S::rows, {1, 2},
+                "rows of points on each side: 1 nearest row, 2 extrapolated to the crack"),
+      table<S, Normalization>("normalize", Layout::inline_, &S::normalize, normalization_fields(), check_normalization),
+      number<S>("half_length", "length", &S::half_length, positive,
+                "the a of the normalisation; required with normalize"),
+  };
+}
+
+void check_srif(const Value& given, SrifOptions& options) {
+  auto& reading = given.reading();
+  const bool normalize = reading.given(given.below("normalize")), length = reading.given(given.below("half_length"));
+  if (normalize && !length)
+    reading.complain(given.below("half_length"), "is missing, must be a number > 0 beside normalize");
+  if (length && !normalize)
+    reading.complain(given.below("half_length"), "'half_length' is used with normalize only: remove it");
+  if (options.window && reading.given(given.below("window_horizons")))
+    reading.complain(given.below("window_horizons"),
+                     "'window_horizons' is given beside 'window', which replaces it: remove one");
+}
+
+Fields<Output> output_fields() {
+  using O = Output;
+  return {
+      fields(),
+      number<O>("every", "time", &O::every, positive, "time between frames; absent: first and last only").in_dynamics(),
+      number<O>("history_every", "time", &O::history_every, positive,
+                "time between rows of histories, probes and intensity factors")
+          .standard("duration / 400")
+          .in_dynamics(),
+      probes(),
+  };
+}
+
+}  // namespace cases

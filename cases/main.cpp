@@ -1,0 +1,124 @@
+#include "cases/run.hpp"
+#include "plate/numerical_error.hpp"
+#include "post/compare.hpp"
+#include "post/table.hpp"
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <omp.h>
+
+namespace {
+
+enum ExitCode { done = 0, wrong_case = 2, failed_numbers = 3, failed_machine = 4 };
+
+void print_result(const post::Summary& summary, const std::filesystem::path& folder) {
+  const auto& a = summary.analysis;
+  fmt::print("{}: {} points, {} bonds, {} {} in {:.1f} s, {}\n", summary.title, summary.points, summary.bonds,
+             a.iterations ? *a.iterations : a.steps.value_or(0), a.iterations ? "iterations" : "steps",
+             summary.seconds.back().second, a.stop_reason);
+  if (!summary.srif.empty()) {
+    const bool normalized = summary.srif.front().F1.has_value();
+    fmt::print("{:>4} {:>9} {:>9} {:>13} {:>13} {:>13}{}  {:>8}\n", "tip", "x", "y", "K1", "K2", "K3",
+               normalized ? fmt::format(" {:>9} {:>9} {:>9}", "F1", "F2", "F3") : "", "error");
+    for (const auto& s : summary.srif)
+      fmt::print("{:>4} {:>9.4g} {:>9.4g} {:>13.6g} {:>13.6g} {:>13.6g}{}  {:>8}\n", s.tip, s.position.x(),
+                 s.position.y(), s.K1, s.K2, s.K3,
+                 normalized ? fmt::format(" {:>9.5f} {:>9.5f} {:>9.5f}", *s.F1, *s.F2, *s.F3) : "",
+                 s.estimated_error ? fmt::format("{:.1f} %", 100 * *s.estimated_error) : "");
+  }
+  for (const auto& warning : summary.warnings) fmt::print("warning: {}\n", warning);
+  fmt::print("results in {}\n", folder.string());
+}
+
+void print_keys(const std::string& wanted) {
+  std::size_t shown = 0;
+  for (const auto& key : cases::keys()) {
+    if (!wanted.empty() && key.name.find(wanted) == std::string::npos) continue;
+    fmt::print("{:<36} {:<16} {}; {}\n{:36}   {}\n", key.name, "[" + key.unit + "]", key.allowed, key.standard, "", key.help);
+    ++shown;
+  }
+  if (shown == 0) throw cases::CaseError({{"keys", wanted, "no key contains this; see pdplate keys"}});
+}
+
+void print_table(const post::Table& table) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) fmt::print("{}{}", i ? "," : "", table.columns[i]);
+  fmt::print("\n");
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      fmt::print("{}", i ? "," : "");
+      if (const auto* number = std::get_if<double>(&row[i])) fmt::print("{}", *number);
+      if (const auto* word = std::get_if<std::string>(&row[i])) fmt::print("{}", *word);
+    }
+    fmt::print("\n");
+  }
+}
+
+struct Arguments {
+  std::string file, folder, key, reference;
+  std::vector<std::string> settings, methods;
+  int threads = 0;
+  bool quiet = false;
+};
+
+void add_case(CLI::App& command, Arguments& a) {
+  command.add_option("case", a.file, "case file (TOML)")->required();
+  command.add_option("--set", a.settings, "override a key: section.thickness=0.05")->allow_extra_args(false);
+  command.add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::PositiveNumber);
+}
+
+int execute(const CLI::App& app, Arguments& a) {
+  if (a.threads > 0) omp_set_num_threads(a.threads);
+  if (app.got_subcommand("run")) {
+    const auto file = cases::read_case(a.file, a.settings);
+    const std::filesystem::path folder =
+        a.folder.empty() ? std::filesystem::path("results") / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
+    const auto summary = cases::run(file, {folder, a.quiet});
+    if (!a.quiet) print_result(summary, folder);
+  } else if (app.got_subcommand("check")) {
+    fmt::print("{}", cases::cost(cases::read_case(a.file, a.settings)));
+  } else if (app.got_subcommand("keys")) {
+    print_keys(a.key);
+  } else if (app.got_subcommand("srif")) {
+    print_table(cases::srif_again(a.folder, a.methods));
+  } else if (app.got_subcommand("compare")) {
+    fmt::print("{}", post::to_text(post::compare(a.folder, a.reference)));
+  }
+  return done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Cracked Mindlin plates in ordinary state-based peridynamics");
+  app.require_subcommand(1);
+  Arguments a;
+  auto* run = app.add_subcommand("run", "run a case");
+  add_case(*run, a);
+  run->add_option("--out", a.folder, "folder of the results (default: results/CASE)");
+  run->add_flag("--quiet", a.quiet, "no progress and no table");
+  add_case(*app.add_subcommand("check", "validate a case and say what it would cost"), a);
+  app.add_subcommand("keys", "the keys of a case file")->add_option("key", a.key, "only keys that contain this");
+  auto* srif = app.add_subcommand("srif", "extract intensity factors again from a finished run");
+  srif->add_option("folder", a.folder, "folder of the results")->required();
+  srif->add_option("--method", a.methods, "method (default: those of the case)");
+  auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
+  compare->add_option("folder", a.folder, "folder of the results")->required();
+  compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : wrong_case;
+  }
+  try {
+    return execute(app, a);
+  } catch (const cases::CaseError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return wrong_case;
+  } catch (const plate::NumericalError& error) {
+    fmt::print(stderr, "the numbers failed: {}\n", error.what());
+    return failed_numbers;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "failed: {}\n", error.what());
+    return failed_machine;
+  }
+}

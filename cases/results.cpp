@@ -1,0 +1,144 @@
+#include "cases/results.hpp"
+
+#include "post/mesh.hpp"
+#include "post/whole_file.hpp"
+#include <fmt/format.h>
+
+namespace cases {
+namespace {
+
+/// The points of the plate about a place that no crack parts from it.
+std::vector<post::Share> probe(const Assembly& assembly, const geometry::Point& at) {
+  const auto& boundary = assembly.boundary;
+  const geometry::Point u = boundary.cloud.units.to_lattice(at);
+  const auto paths = geometry::to_lattice(assembly.paths, boundary.cloud.units);
+  std::vector<std::pair<std::uint32_t, geometry::Point>> near;
+  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) {
+    if ((boundary.lattice[k] - u).norm() > 1.6) continue;
+    bool parted = false;
+    for (const auto& path : paths) parted = parted || geometry::severs(path, u, boundary.lattice[k]);
+    if (!parted) near.emplace_back(k, boundary.lattice[k]);
+  }
+  if (near.empty()) near.emplace_back(geometry::nearest_plate_point(boundary.cloud, at), u);
+  return post::interpolation(near, u);
+}
+
+std::vector<geometry::Point> plate_positions(const Assembly& assembly) {
+  const auto& cloud = assembly.boundary.cloud;
+  return {cloud.positions.begin(), cloud.positions.begin() + std::ptrdiff_t(cloud.plate_points)};
+}
+
+/// 64-bit FNV-1a of a text, as hexadecimal: the same settings have the same digest on every machine.
+std::string digest(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const unsigned char c : text) hash = (hash ^ c) * 1099511628211ULL;
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace
+
+std::vector<post::DisplacementExtrapolation> extrapolations(const CaseFile& file,
+                                                            const std::vector<geometry::Point>& positions,
+                                                            const std::vector<geometry::CrackPath>& paths) {
+  const Case& c = file.content;
+  std::vector<post::DisplacementExtrapolation> result;
+  std::vector<Problem> problems;
+  if (!c.srif) return result;
+  for (const auto& tip : geometry::tips(paths)) {
+    try {
+      result.emplace_back(positions, paths[tip.crack], tip,
+                          post::PlateScale{c.section, c.discretization.spacing, c.discretization.horizon()}, *c.srif);
+    } catch (const std::invalid_argument& error) {
+      problems.push_back({file.place("srif"), "srif",
+                          fmt::format("tip at ({:g}, {:g}): {}", tip.position.x(), tip.position.y(), error.what())});
+    }
+  }
+  if (!problems.empty()) throw CaseError(problems);
+  return result;
+}
+
+Results::Results(const CaseFile& file, const Assembly& assembly, std::filesystem::path folder)
+    : case_(file.content), assembly_(assembly), folder_(std::move(folder)), resolved_(resolved_toml(file.content)),
+      extrapolations_(extrapolations(file, plate_positions(assembly), assembly.paths)) {
+  for (const auto& [name, position] : case_.output.probes) probes_.emplace_back(name, probe(assembly, position));
+  history_.columns = {"time", "step", "strain_energy", "kinetic_energy", "external_work", "fracture_energy", "max_abs_w"};
+  probe_table_.columns = {"time", "probe", "x", "y", "w", "theta_x", "theta_y"};
+  srif_table_.columns = post::srif_columns();
+
+  std::filesystem::create_directories(folder_);
+  post::write_whole(folder_ / "case.resolved.toml", resolved_);
+  if (!case_.output.vtk && !case_.output.hdf5) return;
+  const auto mesh = post::mesh(assembly.boundary, assembly.plate.families(), assembly.cut, case_.section.thickness);
+  if (case_.output.vtk) vtk_.emplace(folder_, mesh);
+  if (case_.output.hdf5) hdf5_.emplace(folder_ / "state.h5", mesh, resolved_, PDPLATE_VERSION);
+}
+
+void Results::sample(const plate::Instant& now) {
+  strain_energy_ = assembly_.plate.energies(now.state).sum();
+  const auto plate_points = Eigen::Index(assembly_.boundary.cloud.plate_points);
+  history_.rows.push_back({now.time, double(now.step), strain_energy_, now.kinetic_energy, now.external_work, 0.0,
+                           now.state.row(0).head(plate_points).cwiseAbs().maxCoeff()});
+  sample_probes(now);
+  sample_srifs(now);
+}
+
+void Results::sample_probes(const plate::Instant& now) {
+  for (const auto& [name, shares] : probes_) {
+    Eigen::Vector3d u = Eigen::Vector3d::Zero();
+    for (const auto& share : shares) u += share.weight * now.state.col(share.point);
+    const auto& x = case_.output.probes.at(name);
+    probe_table_.rows.push_back({now.time, name, x.x(), x.y(), u[0], u[1], u[2]});
+  }
+}
+
+void Results::sample_srifs(const plate::Instant& now) {
+  latest_.clear();
+  for (std::size_t tip = 0; tip < extrapolations_.size(); ++tip) {
+    auto srif = extrapolations_[tip](now.state);
+    srif.tip = tip;
+    post::normalize(srif, *case_.srif, case_.section.thickness);
+    latest_.push_back(srif);
+  }
+  post::append(srif_table_, now.time, latest_);
+}
+
+void Results::frame(const plate::Instant& now) {
+  if (!vtk_ && !hdf5_) return;
+  const auto plate_points = assembly_.boundary.cloud.plate_points;
+  post::Frame frame{now.time, now.step, now.state.leftCols(Eigen::Index(plate_points)), {}, {}};
+  if (vtk_) {
+    frame.resultants = plate::resultants(now.state, assembly_.plate.families(), assembly_.plate.shapes(),
+                                         assembly_.boundary.cloud.areas, plate_points, case_.section);
+    frame.damage.assign(plate_points, 0);
+    vtk_->write(frame);
+  }
+  if (hdf5_) {
+    const bool dynamic = case_.analysis.kind == Analysis::Kind::dynamic;
+    const plate::State velocity = dynamic ? plate::State(now.velocity.leftCols(Eigen::Index(plate_points))) : plate::State();
+    hdf5_->write(frame, dynamic ? &velocity : nullptr);
+  }
+}
+
+post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
+  post::write_csv(folder_ / "history.csv", history_);
+  if (!probes_.empty()) post::write_csv(folder_ / "probes.csv", probe_table_);
+  if (!extrapolations_.empty()) post::write_csv(folder_ / "srif.csv", srif_table_);
+  if (hdf5_) {
+    hdf5_->write("history", history_);
+    if (!probes_.empty()) hdf5_->write("probes", probe_table_);
+    if (!extrapolations_.empty()) hdf5_->write("srif", srif_table_);
+    hdf5_->close();
+  }
+  stopwatch.lap("output");
+  summary.srif = latest_;
+  summary.version = PDPLATE_VERSION;
+  summary.digest = digest(resolved_);
+  summary.seconds = stopwatch.seconds();
+  summary.seconds.emplace_back("total", stopwatch.total());
+  for (auto& part : summary.scene) part.time_share = stopwatch.seconds(part.stage) / stopwatch.total();
+  summary.peak_memory_bytes = post::peak_memory_bytes();
+  post::write_whole(folder_ / "summary.json", post::to_json(summary));
+  return summary;
+}
+
+}  // namespace cases

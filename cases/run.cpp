@@ -1,0 +1,145 @@
+#include "cases/run.hpp"
+
+#include "cases/assembly.hpp"
+#include "cases/progress.hpp"
+#include "cases/results.hpp"
+#include "cases/scene.hpp"
+#include "plate/numerical_error.hpp"
+#include "plate/statics.hpp"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace cases {
+namespace {
+
+post::Summary about(const Case& c, const Assembly& assembly) {
+  post::Summary summary;
+  summary.title = c.title;
+  summary.points = assembly.boundary.cloud.plate_points;
+  summary.bonds = assembly.bonds();
+  summary.fictitious_points = assembly.boundary.fictitious.size();
+  summary.fictitious_bonds = assembly.fictitious_bonds();
+  summary.spacing = c.discretization.spacing;
+  summary.horizon = c.discretization.horizon();
+  summary.scene = scene(c, assembly);
+  summary.warnings = assembly.warnings;
+  summary.analysis.kind = c.analysis.kind == Analysis::Kind::static_ ? "static" : "dynamic";
+  return summary;
+}
+
+/// Work of loads that grow slowly from zero.
+double slow_work(const Assembly& assembly, const plate::State& state) {
+  double work = 0;
+  for (const auto& load : assembly.loads) work += load.forces.cwiseProduct(state).sum() / 2;
+  return work;
+}
+
+void solve_static(const Case& c, const Assembly& assembly, Results& results, post::Summary& summary, bool quiet,
+                  Stopwatch& stopwatch) {
+  plate::Forces load = assembly.loads.front().forces;
+  for (std::size_t i = 1; i < assembly.loads.size(); ++i) load += assembly.loads[i].forces;
+  const bool adr = c.analysis.method == Analysis::Method::adr;
+  Progress progress(quiet, adr ? "adaptive dynamic relaxation" : "conjugate gradients");
+  const plate::StaticOptions options{c.analysis.tolerance, c.analysis.max_iterations, [&](std::size_t i, double residual) {
+                                       progress.update(std::log(residual) / std::log(c.analysis.tolerance),
+                                                       fmt::format("iteration {}, residual {:.1e}", i, residual));
+                                     }};
+  const auto& constraints = assembly.boundary.constraints;
+  const auto solution = adr ? plate::adaptive_dynamic_relaxation(assembly.plate, constraints, load, options)
+                            : plate::conjugate_gradients(assembly.plate, constraints, load, options);
+  progress.done();
+  stopwatch.lap("solve");
+
+  summary.analysis.method = adr ? "adr" : "cg";
+  summary.analysis.iterations = solution.iterations;
+  summary.analysis.residual = solution.residual;
+  summary.analysis.tolerance = c.analysis.tolerance;
+  summary.analysis.stop_reason = solution.stop_reason;
+  const plate::State at_rest;
+  const plate::Instant end{solution.iterations, 0, solution.state, at_rest, 0, slow_work(assembly, solution.state)};
+  results.sample(end);
+  stopwatch.lap("srif");
+  results.frame(end);
+  summary.energy = {{"strain", results.strain_energy()}, {"external_work", end.external_work}};
+  if (!solution.converged)
+    throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
+                                            solution.stop_reason, solution.residual, c.analysis.tolerance));
+}
+
+void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& results, post::Summary& summary, bool quiet,
+                   Stopwatch& stopwatch) {
+  const Case& c = file.content;
+  const auto& constraints = assembly.boundary.constraints;
+  const auto mass = plate::mass(c.section, assembly.boundary.cloud.areas, summary.points, constraints);
+  const double limit = plate::stable_time_step(assembly.plate, constraints, mass);
+  const TimeGrid grid = time_grid(file, limit);
+  summary.analysis.method = "central_difference";
+  summary.analysis.time_step = grid.time_step;
+  summary.analysis.time_step_limit = limit;
+  summary.analysis.duration = c.analysis.duration;
+
+  Progress progress(quiet, "central differences");
+  double next_frame = 0;
+  const auto observe = [&](const plate::Instant& now) {
+    stopwatch.lap("solve");
+    progress.update(now.time / c.analysis.duration, fmt::format("t = {:.4g}", now.time));
+    results.sample(now);
+    stopwatch.lap("srif");
+    const bool last = now.step == grid.steps;
+    if (last || now.time >= next_frame - grid.time_step / 2) {
+      results.frame(now);
+      next_frame = c.output.every ? next_frame + *c.output.every : INFINITY;
+    }
+    stopwatch.lap("output");
+    summary.analysis.steps = now.step;
+    summary.energy = {{"strain", results.strain_energy()},
+                      {"kinetic", now.kinetic_energy},
+                      {"external_work", now.external_work}};
+  };
+  plate::central_differences(assembly.plate, constraints, mass, assembly.loads,
+                             {grid.time_step, grid.steps, grid.steps_per_row}, observe);
+  summary.analysis.stop_reason = "end of the duration";
+}
+
+}  // namespace
+
+TimeGrid time_grid(const CaseFile& file, double limit) {
+  const Case& c = file.content;
+  const double row = c.output.history_every.value_or(c.analysis.duration / 400);
+  if (c.analysis.time_step) {
+    const double dt = *c.analysis.time_step;
+    if (dt > limit)
+      throw CaseError({{file.place("analysis.time_step"), "analysis.time_step",
+                        fmt::format("{:g} is above the stable limit {:.6g} of this plate", dt, limit)}});
+    return {dt, static_cast<std::size_t>(std::ceil(c.analysis.duration / dt - 1e-9)),
+            std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(row / dt)))};
+  }
+  // whole steps between rows, whole rows in the duration
+  const auto rows = std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(c.analysis.duration / row)));
+  const double between = c.analysis.duration / double(rows);
+  const auto steps = static_cast<std::size_t>(std::ceil(between / (c.analysis.safety * limit)));
+  return {between / double(steps), rows * steps, steps};
+}
+
+post::Summary run(const CaseFile& file, const RunOptions& options) {
+  Stopwatch stopwatch;
+  const Assembly assembly = assemble(file, stopwatch);
+  post::Summary summary = about(file.content, assembly);
+  Results results(file, assembly, options.folder);
+  stopwatch.lap("output");
+  try {
+    if (file.content.analysis.kind == Analysis::Kind::static_)
+      solve_static(file.content, assembly, results, summary, options.quiet, stopwatch);
+    else
+      solve_dynamic(file, assembly, results, summary, options.quiet, stopwatch);
+    summary.outcome = "done";
+  } catch (const plate::NumericalError& error) {
+    summary.outcome = fmt::format("failed: {}", error.what());
+    summary.analysis.stop_reason = error.what();
+    results.finish(summary, stopwatch);
+    throw;
+  }
+  return results.finish(std::move(summary), stopwatch);
+}
+
+}  // namespace cases

@@ -1,0 +1,47 @@
+#include "cases/scene.hpp"
+
+namespace cases {
+namespace {
+
+constexpr double vector_bytes = 3 * sizeof(double);  // one state or force
+
+std::string name_of(plate::SurfaceCorrection correction) {
+  switch (correction) {
+    case plate::SurfaceCorrection::none: return "none";
+    case plate::SurfaceCorrection::volume: return "volume";
+    case plate::SurfaceCorrection::arbitrary_horizon: return "arbitrary horizon";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
+  const double points = double(assembly.boundary.cloud.plate_points), all = double(assembly.boundary.cloud.size());
+  const auto& families = assembly.plate.families();
+  const double list = double(families.bonds()) * 2 * sizeof(std::uint32_t) + all * sizeof(std::size_t);
+  const double loads = double(assembly.loads.size()) * vector_bytes * all / points;
+  const bool dynamic = c.analysis.kind == Analysis::Kind::dynamic;
+  const bool adr = c.analysis.method == Analysis::Method::adr;
+
+  std::vector<post::ScenePart> parts{
+      {"points", "geometry", all * (2 * sizeof(geometry::Point) + sizeof(double)) / points, 0},
+      {"family list", "families", list / points, 0},
+      {"parameters, surface correction " + name_of(c.discretization.surface_correction), "parameters",
+       all * (sizeof(plate::PointParameters) + 64) / points, 0}};
+  if (!assembly.boundary.fictitious.empty())
+    parts.push_back({"fictitious points (part of the points)", "", double(assembly.boundary.fictitious.size()) *
+                     (sizeof(plate::FictitiousPoint) + 3 * sizeof(plate::Constraints::Tie)) / points, 0});
+  parts.push_back({"loads", "", loads, 0});
+  if (dynamic)
+    parts.push_back({"central differences: state, velocity, force, load, mass and its inverse", "solve", 6 * vector_bytes * all / points, 0});
+  else if (adr)
+    parts.push_back({"adaptive dynamic relaxation: 7 vectors", "solve", 7 * vector_bytes * all / points, 0});
+  else
+    parts.push_back({"conjugate gradients: 5 vectors", "solve", 5 * vector_bytes * all / points, 0});
+  if (c.srif) parts.push_back({"intensity factors, probes, energies", "srif", 0, 0});
+  parts.push_back({"output", "output", (c.output.vtk ? 2 : 1) * 3 * vector_bytes, 0});
+  return parts;
+}
+
+}  // namespace cases

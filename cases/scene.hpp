@@ -1,0 +1,10 @@
+#pragma once
+#include "cases/assembly.hpp"
+#include "post/summary.hpp"
+
+namespace cases {
+
+/// The parts of the program that this case uses, each with the memory that it takes. What is not listed is not there.
+std::vector<post::ScenePart> scene(const Case& content, const Assembly& assembly);
+
+}  // namespace cases

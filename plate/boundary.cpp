@@ -1,0 +1,308 @@
+#include "plate/boundary.hpp"
+
+#include "plate/cell_index.hpp"
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+bool is_layer(SupportKind kind) {
+  return kind == SupportKind::clamped_layer || kind == SupportKind::simply_supported_layer ||
+         kind == SupportKind::simply_supported_hard_layer;
+}
+
+bool mirrors(SupportKind kind) {
+  return kind == SupportKind::clamped || kind == SupportKind::simply_supported_hard || kind == SupportKind::symmetry;
+}
+
+/// +1 or -1 for w, theta_x, theta_y across an edge with the given normal axis.
+std::array<int, 3> parity(SupportKind kind, int normal_axis) {
+  if (kind == SupportKind::clamped) return {-1, -1, -1};
+  const int normal_rotation = normal_axis == 0 ? 2 : 1;  // psi_n is -theta_y or theta_x
+  std::array<int, 3> signs{1, 1, 1};
+  if (kind == SupportKind::symmetry) {
+    signs[static_cast<std::size_t>(normal_rotation)] = -1;
+  } else {
+    signs = {-1, -1, -1};
+    signs[static_cast<std::size_t>(normal_rotation)] = 1;
+  }
+  return signs;
+}
+
+std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports) {
+  std::vector<Side> sides;
+  for (const auto& edge : geometry::straight_edges(outline)) sides.push_back({edge.name, false, edge, {0, 0}, 0, {}});
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
+      sides.push_back({circle->name, true, {}, circle->centre, circle->radius, {}});
+  for (auto& side : sides)
+    for (const auto& support : supports)
+      if (std::find(support.edges.begin(), support.edges.end(), side.name) != support.edges.end())
+        side.kind = support.kind;
+  return sides;
+}
+
+/// Builds the fictitious points and ties of one plate.
+class Builder {
+public:
+  Builder(Boundary& target, double reach, double spacing)
+      : b_(target), reach_(reach * (1 + 1e-9)), spacing_(spacing), cells_(target.lattice) {}
+
+  void mirror_images();
+  void general_images();
+  void outermost_rows();
+  void layers();
+  void pins(const std::vector<Support>& supports);
+
+private:
+  void add(const Point& u, double area, FictitiousPoint what) {
+    b_.cloud.positions.push_back(b_.cloud.units.from_lattice(u));
+    b_.cloud.areas.push_back(area);
+    b_.lattice.push_back(u);
+    b_.fictitious.push_back(what);
+  }
+  std::uint32_t last() const { return static_cast<std::uint32_t>(b_.lattice.size() - 1); }
+  void tie_image(std::uint32_t leader, const std::array<double, 3>& factors) {
+    for (std::uint32_t c = 0; c < 3; ++c) b_.constraints.tie(3 * last() + c, 3 * leader + c, factors[c]);
+  }
+  bool within(const Side& side, const Point& u) const;
+  void mirror_at_corners();
+  void follow(std::uint32_t k, const Side& side);
+  void outside_cell(const Point& u, const std::vector<int>& candidates);
+
+  Boundary& b_;
+  double reach_, spacing_;
+  CellIndex cells_;
+};
+
+bool Builder::within(const Side& side, const Point& u) const {
+  const double d = side.inside(u);
+  if (d <= 0 || d > reach_) return false;
+  const Point along = (side.edge.to - side.edge.from).normalized();
+  const double s = along.dot(u - side.edge.from), length = (side.edge.to - side.edge.from).norm();
+  return s > -reach_ && s < length + reach_;
+}
+
+void Builder::mirror_images() {
+  for (std::size_t s = 0; s < b_.sides.size(); ++s) {
+    const Side& side = b_.sides[s];
+    if (!mirrors(side.kind) || !side.along_lattice()) continue;
+    const auto signs = parity(side.kind, side.normal_axis());
+    for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
+      if (!within(side, b_.lattice[k])) continue;
+      add(side.mirrored(b_.lattice[k]), b_.cloud.areas[k], {{static_cast<int>(s), -1}, false, true});
+      tie_image(k, {double(signs[0]), double(signs[1]), double(signs[2])});
+    }
+  }
+  mirror_at_corners();
+}
+
+/// Convex right-angled corners between two mirrors: the image of the image.
+void Builder::mirror_at_corners() {
+  for (std::size_t s = 0; s < b_.sides.size(); ++s)
+    for (std::size_t t = 0; t < b_.sides.size(); ++t) {
+      const Side &first = b_.sides[s], &second = b_.sides[t];
+      const bool both = mirrors(first.kind) && mirrors(second.kind) && first.along_lattice() && second.along_lattice();
+      if (!both || first.edge.to != second.edge.from || first.normal_axis() == second.normal_axis()) continue;
+      const Point a = first.edge.to - first.edge.from, c = second.edge.to - second.edge.from;
+      if (a.x() * c.y() - a.y() * c.x() <= 0) continue;
+      const auto p = parity(first.kind, first.normal_axis()), q = parity(second.kind, second.normal_axis());
+      for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
+        if (!within(first, b_.lattice[k]) || !within(second, b_.lattice[k])) continue;
+        add(second.mirrored(first.mirrored(b_.lattice[k])), b_.cloud.areas[k],
+            {{static_cast<int>(s), static_cast<int>(t)}, false, true});
+        tie_image(k, {double(p[0] * q[0]), double(p[1] * q[1]), double(p[2] * q[2])});
+      }
+    }
+}
+
+/// Sides that mirror but do not lie along the lattice: lattice points outside, next to the side.
+void Builder::general_images() {
+  std::map<std::pair<long, long>, std::vector<int>> outside;
+  for (std::size_t s = 0; s < b_.sides.size(); ++s) {
+    const Side& side = b_.sides[s];
+    if (!mirrors(side.kind) || side.along_lattice()) continue;
+    const auto window = static_cast<long>(std::ceil(reach_));
+    for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
+      const Point& u = b_.lattice[k];
+      if (side.inside(u) > reach_ || (!side.circle && !within(side, u))) continue;
+      for (long y = -window; y <= window; ++y)
+        for (long x = -window; x <= window; ++x) {
+          const Point v = u + Point(double(x), double(y));
+          const double d = side.inside(v);
+          if (d > 0 || -d > reach_ || (v - u).norm() > reach_ || cells_.at(v)) continue;
+          auto& list = outside[{std::lround(2 * v.x()), std::lround(2 * v.y())}];
+          if (std::find(list.begin(), list.end(), int(s)) == list.end()) list.push_back(static_cast<int>(s));
+        }
+    }
+  }
+  for (const auto& [key, candidates] : outside)
+    outside_cell(Point(double(key.first) / 2, double(key.second) / 2), candidates);
+}
+
+void Builder::outside_cell(const Point& u, const std::vector<int>& candidates) {
+  const int s = *std::min_element(candidates.begin(), candidates.end(), [&](int a, int c) {
+    return -b_.sides[static_cast<std::size_t>(a)].inside(u) < -b_.sides[static_cast<std::size_t>(c)].inside(u);
+  });
+  const Side& side = b_.sides[static_cast<std::size_t>(s)];
+  const double depth = std::max(-side.inside(u), 0.0);
+  const Point image = u - 2 * depth * side.outward(u);
+  std::optional<std::uint32_t> leader;
+  double best = 4;  // cells around the image
+  for (int y = -2; y <= 2; ++y)
+    for (int x = -2; x <= 2; ++x) {
+      const auto k = cells_.at(image + Point(x, y));
+      if (!k || side.inside(b_.lattice[*k]) < std::max(0.25, depth / 2)) continue;
+      const double away = (b_.lattice[*k] - image).norm();
+      if (away < best) best = away, leader = k;
+    }
+  add(u, spacing_ * spacing_, {{s, -1}, false, false});
+  if (!leader) {
+    for (std::uint32_t c = 0; c < 3; ++c) b_.constraints.fix(3 * last() + c);
+    return;
+  }
+  const auto signs = parity(side.kind, side.normal_axis());
+  const double ratio = depth / side.inside(b_.lattice[*leader]);
+  std::array<double, 3> factors{};
+  for (std::size_t c = 0; c < 3; ++c) factors[c] = signs[c] > 0 ? 1 : -ratio;
+  tie_image(*leader, factors);
+}
+
+void Builder::outermost_rows() {
+  for (const Side& side : b_.sides) {
+    if (side.kind != SupportKind::simply_supported) continue;
+    for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k)
+      if (side.inside(b_.lattice[k]) < 1.5) follow(k, side);
+  }
+}
+
+/// w of a point in the outermost row: w = 0 on the line, linear between.
+void Builder::follow(std::uint32_t k, const Side& side) {
+  const Point& u = b_.lattice[k];
+  const Point normal = side.outward(u);
+  Point step(0, 0);
+  step[std::abs(normal.x()) >= std::abs(normal.y()) ? 0 : 1] = 1;
+  if (step.dot(normal) < 0) step = -step;
+  const bool outermost = side.circle ? (u + step - side.centre).norm() <= side.radius
+                                     : geometry::meet(u, u + step, side.edge.from, side.edge.to);
+  if (!outermost) return;
+  const auto inner = cells_.at(u - step);
+  const double own = side.inside(u), further = inner ? side.inside(b_.lattice[*inner]) : 0;
+  if (inner && further > own)
+    b_.constraints.tie(3 * k, 3 * *inner, own / further);
+  else
+    b_.constraints.fix(3 * k);
+}
+
+/// Strips one horizon wide outside the plate, with the corner squares between two of them.
+void Builder::layers() {
+  std::map<std::pair<long, long>, std::vector<int>> cells;
+  for (std::size_t s = 0; s < b_.sides.size(); ++s) {
+    const Side& side = b_.sides[s];
+    if (!is_layer(side.kind)) continue;
+    Point low = side.edge.from.cwiseMin(side.edge.to), high = side.edge.from.cwiseMax(side.edge.to);
+    const Point out = side.outward(low) * std::floor(reach_);
+    low = low.cwiseMin(low + out), high = high.cwiseMax(high + out);
+    for (const Side& other : b_.sides)
+      if (is_layer(other.kind) && (other.edge.to == side.edge.from || other.edge.from == side.edge.to)) {
+        const Point more = other.outward(low) * std::floor(reach_);
+        low = low.cwiseMin(low + more), high = high.cwiseMax(high + more);
+      }
+    for (double y = std::floor(low.y()) + 0.5; y < high.y(); ++y)
+      for (double x = std::floor(low.x()) + 0.5; x < high.x(); ++x)
+        if (x > low.x() && y > low.y() && !cells_.at(Point(x, y)))
+          cells[{std::lround(2 * x), std::lround(2 * y)}].push_back(static_cast<int>(s));
+  }
+  for (const auto& [key, list] : cells) {
+    add(Point(double(key.first) / 2, double(key.second) / 2), spacing_ * spacing_,
+        {{list[0], list.size() > 1 ? list[1] : -1}, true, false});
+    for (const int s : list) {
+      const Side& side = b_.sides[static_cast<std::size_t>(s)];
+      b_.constraints.fix(3 * last());
+      if (side.kind == SupportKind::clamped_layer) b_.constraints.fix(3 * last() + 1), b_.constraints.fix(3 * last() + 2);
+      if (side.kind == SupportKind::simply_supported_hard_layer)
+        b_.constraints.fix(3 * last() + (side.normal_axis() == 0 ? 1 : 2));
+    }
+  }
+}
+
+void Builder::pins(const std::vector<Support>& supports) {
+  for (const auto& support : supports)
+    for (const auto& point : support.points)
+      b_.constraints.fix(static_cast<std::uint32_t>(3 * geometry::nearest_plate_point(b_.cloud, point)));
+}
+
+}  // namespace
+
+double Side::inside(const Point& u) const {
+  if (circle) return (u - centre).norm() - radius;
+  return -outward(u).dot(u - edge.from);
+}
+
+Point Side::outward(const Point& u) const {
+  if (circle) return (centre - u).normalized();
+  const Point along = (edge.to - edge.from).normalized();
+  return {along.y(), -along.x()};
+}
+
+int Side::normal_axis() const {
+  if (circle) return -1;
+  if (edge.from.x() == edge.to.x()) return 0;
+  return edge.from.y() == edge.to.y() ? 1 : -1;
+}
+
+bool Side::along_lattice() const {
+  const int axis = normal_axis();
+  return axis >= 0 && edge.from[axis] == std::round(edge.from[axis]);
+}
+
+Point Side::mirrored(const Point& u) const {
+  Point image = u;
+  image[normal_axis()] = 2 * edge.from[normal_axis()] - u[normal_axis()];
+  return image;
+}
+
+bool Boundary::any_image(std::uint32_t k, std::uint32_t j,
+                         const std::function<bool(const Point&, const Point&)>& test) const {
+  Point p = lattice[k], q = lattice[j];
+  if (test(p, q)) return true;
+  const auto outer = std::max(k, j);
+  if (is_plate(outer)) return false;
+  const FictitiousPoint& point = fictitious[outer - cloud.plate_points];
+  if (!point.exact) return false;
+  const auto mirror = [&](int side, const Point& u) { return sides[static_cast<std::size_t>(side)].mirrored(u); };
+  for (const int side : point.sides)
+    if (side >= 0 && test(mirror(side, p), mirror(side, q))) return true;
+  if (point.sides[1] < 0) return false;
+  return test(mirror(point.sides[1], mirror(point.sides[0], p)), mirror(point.sides[1], mirror(point.sides[0], q)));
+}
+
+Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
+                  const Discretization& discretization) {
+  Boundary result;
+  for (const auto& x : cloud.positions) result.lattice.push_back(cloud.units.to_lattice(x));
+  result.cloud = std::move(cloud);
+  result.sides = sides_of(outline, supports);
+  for (const auto& side : result.sides)
+    if (mirrors(side.kind) && !side.along_lattice())
+      result.warnings.push_back("edge '" + side.name +
+                                "' does not lie on a boundary between lattice cells: it is held by points outside that "
+                                "follow their nearest image, which is less accurate than mirror images");
+  Builder builder(result, discretization.horizon_ratio, discretization.spacing);
+  builder.pins(supports);
+  builder.outermost_rows();
+  builder.mirror_images();
+  builder.general_images();
+  builder.layers();
+  result.constraints.resolve();
+  result.active.assign(result.cloud.size(), 1);
+  for (std::size_t i = 0; i < result.fictitious.size(); ++i)
+    result.active[result.cloud.plate_points + i] = result.fictitious[i].layer;
+  return result;
+}
+
+}  // namespace plate

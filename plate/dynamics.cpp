@@ -1,0 +1,153 @@
+#include "plate/dynamics.hpp"
+
+#include "plate/numerical_error.hpp"
+#include "plate/reduction.hpp"
+#include <cmath>
+
+namespace plate {
+namespace {
+
+Forces inverse_of(const Forces& mass) {
+  return mass.unaryExpr([](double m) { return m > 0 ? 1 / m : 0.0; });
+}
+
+double dot(const Forces& a, const State& b) {
+  return ordered_sum<1>(static_cast<std::size_t>(a.size()), [&](std::size_t i) {
+    return std::array<double, 1>{a.data()[i] * b.data()[i]};
+  })[0];
+}
+
+/// The loads at one time, and the work that they have done.
+class External {
+public:
+  External(const std::vector<TimedLoad>& loads, const Constraints& constraints) : loads_(loads) {
+    for (auto& load : loads_) constraints.fold(load.forces);
+    total_ = Forces::Zero(3, loads_.front().forces.cols());
+    work_.assign(loads_.size(), 0);
+    last_.assign(loads_.size(), {0, 0});
+    for (const auto& load : loads_) varies_ = varies_ || !load.history.constant();
+    assemble(0);
+  }
+
+  const Forces& at(double time) {
+    if (varies_) assemble(time);
+    return total_;
+  }
+
+  /// Work up to now. A load that varies needs a call each step (trapezoidal rule), a constant one does not.
+  double work(double time, const State& state) {
+    double sum = 0;
+    for (std::size_t i = 0; i < loads_.size(); ++i) {
+      const double share = dot(loads_[i].forces, state), now = factor(loads_[i].history, time);
+      auto& [share_before, factor_before] = last_[i];
+      work_[i] = loads_[i].history.constant() ? share : work_[i] + (now + factor_before) / 2 * (share - share_before);
+      last_[i] = {share, now};
+      sum += work_[i];
+    }
+    return sum;
+  }
+  bool varies() const { return varies_; }
+
+private:
+  void assemble(double time) {
+    total_.setZero();
+    for (const auto& load : loads_) total_ += factor(load.history, time) * load.forces;
+  }
+
+  std::vector<TimedLoad> loads_;
+  Forces total_;
+  std::vector<double> work_;
+  std::vector<std::pair<double, double>> last_;  // F . u and factor of the call before
+  bool varies_ = false;
+};
+
+void require_finite(const State& state, std::size_t step, double time) {
+  const auto size = static_cast<std::size_t>(state.cols());
+  std::size_t first = size;
+#pragma omp parallel for schedule(static) reduction(min : first)
+  for (std::size_t k = 0; k < size; ++k)
+    if (!state.col(static_cast<Eigen::Index>(k)).allFinite()) first = std::min(first, k);
+  if (first < size)
+    throw NumericalError("the state is not finite at step " + std::to_string(step) + ", time " + std::to_string(time) +
+                         ", first at point " + std::to_string(first));
+}
+
+}  // namespace
+
+Forces mass(const Section& section, const std::vector<double>& areas, std::size_t plate_points,
+            const Constraints& constraints) {
+  Forces result = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
+  const double translation = section.density * section.thickness;
+  const double rotation = translation * section.thickness * section.thickness / 12;
+  for (std::size_t k = 0; k < plate_points; ++k)
+    result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
+  constraints.fold_diagonal(result);
+  return result;
+}
+
+double stable_time_step(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass) {
+  constexpr int improvements = 20;
+  const Forces inverse_mass = inverse_of(mass);
+  State scale = inverse_mass.cwiseSqrt();
+  Forces product;
+  double smallest_bound = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= improvements; ++i) {
+    for (const auto& tie : constraints.ties())
+      scale.data()[tie.follower] = std::abs(tie.factor) * scale.data()[tie.leader];
+    plate.absolute_product(scale, product);
+    constraints.fold_absolute(product);
+    const State next = product.cwiseProduct(inverse_mass);
+    double bound = 0, largest = 0;
+    for (Eigen::Index n = 0; n < next.size(); ++n)
+      if (mass.data()[n] > 0) {
+        bound = std::max(bound, next.data()[n] / scale.data()[n]);
+        largest = std::max(largest, next.data()[n] * std::sqrt(mass.data()[n]));
+      }
+    smallest_bound = std::min(smallest_bound, bound);
+    scale = next / largest;
+  }
+  return 2 / std::sqrt(smallest_bound);
+}
+
+void central_differences(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass,
+                         const std::vector<TimedLoad>& loads, const DynamicOptions& options,
+                         const std::function<void(const Instant&)>& observe) {
+  const double dt = options.time_step;
+  const auto size = static_cast<std::size_t>(mass.size());
+  const Forces inverse_mass = inverse_of(mass);
+  External external(loads, constraints);
+  State state = State::Zero(3, mass.cols()), velocity = state;  // velocity at half steps
+  Forces force;
+
+  for (std::size_t step = 0;; ++step) {
+    const double time = static_cast<double>(step) * dt;
+    plate.internal_force(state, force);
+    constraints.fold(force);
+    const Forces& load = external.at(time);
+    const bool observed = step % options.observe_every == 0 || step == options.steps;
+    const double work = observed || external.varies() ? external.work(time, state) : 0;
+    if (observed) {
+      // velocity at the full step: half a step on from the one before, none at the start
+      const double half = step == 0 ? 0 : dt / 2;
+      State full_step(3, state.cols());
+      const auto [kinetic] = ordered_sum<1>(size, [&](std::size_t i) {
+        const double a = (force.data()[i] + load.data()[i]) * inverse_mass.data()[i];
+        const double v = full_step.data()[i] = velocity.data()[i] + half * a;
+        return std::array<double, 1>{mass.data()[i] * v * v / 2};
+      });
+      require_finite(state, step, time);
+      constraints.impose(full_step);
+      observe({step, time, state, full_step, kinetic, work});
+    }
+    if (step == options.steps) return;
+    const double share = step == 0 ? dt / 2 : dt;
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < size; ++i) {
+      velocity.data()[i] += share * (force.data()[i] + load.data()[i]) * inverse_mass.data()[i];
+      state.data()[i] += dt * velocity.data()[i];
+    }
+    constraints.impose(state);
+  }
+}
+
+}  // namespace plate

@@ -1,0 +1,48 @@
+#pragma once
+#include "plate/constraints.hpp"
+#include "plate/family_operator.hpp"
+#include "plate/history.hpp"
+#include "plate/section.hpp"
+#include <functional>
+
+namespace plate {
+
+/// A load case: generalised nodal forces times a factor of time.
+struct TimedLoad {
+  Forces forces;
+  History history;
+};
+
+/// Mass per degree of freedom, diag(rho h, rho h^3 / 12, rho h^3 / 12) times the area (Eq. 9), carried over to the
+/// free ones; zero at held degrees of freedom and at fictitious points.
+Forces mass(const Section& section, const std::vector<double>& areas, std::size_t plate_points,
+            const Constraints& constraints);
+
+/// 2 / omega with omega^2 >= the largest eigenvalue of M^-1 K: max over i of (|K| s)_i / (M_i s_i) for a positive s
+/// (Collatz). Starts from s = M^(-1/2) (scaled Gershgorin) and improves s by a few products.
+double stable_time_step(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass);
+
+/// What the observer of a dynamic run sees.
+struct Instant {
+  std::size_t step;
+  double time;
+  const State& state;
+  const State& velocity;
+  double kinetic_energy;
+  double external_work;
+};
+
+struct DynamicOptions {
+  double time_step = 0;
+  std::size_t steps = 0;
+  std::size_t observe_every = 1;
+};
+
+/// Central differences (Eqs. 21-23) from rest, started with half a step's acceleration: u(dt) = a dt^2 / 2.
+/// Calls `observe` at step 0, every `observe_every` steps and at the end.
+/// Throws NumericalError where the deflection is not finite, with step, time and point.
+void central_differences(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass,
+                         const std::vector<TimedLoad>& loads, const DynamicOptions& options,
+                         const std::function<void(const Instant&)>& observe);
+
+}  // namespace plate

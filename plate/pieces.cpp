@@ -1,0 +1,77 @@
+#include "plate/pieces.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace plate {
+namespace {
+
+class DisjointSets {
+public:
+  explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  std::uint32_t root(std::uint32_t k) {
+    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+    return k;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
+
+private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// The three rigid motions at one degree of freedom: w = 1; w = x, theta_y = -1; w = y, theta_x = 1.
+Eigen::Vector3d rigid(std::uint32_t dof, const geometry::Point& x) {
+  switch (dof % 3) {
+    case 0: return {1, x.x(), x.y()};
+    case 1: return {0, 0, 1};
+    default: return {0, -1, 0};
+  }
+}
+
+}  // namespace
+
+std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families) {
+  DisjointSets sets(families.points());
+  for (std::uint32_t k = 0; k < families.points(); ++k)
+    for (auto b = families.first[k]; b < families.first[k + 1]; ++b)
+      if (families.neighbour[b] < k) sets.join(k, families.neighbour[b]);
+  for (const auto& tie : boundary.constraints.ties()) sets.join(tie.follower / 3, tie.leader / 3);
+
+  std::map<std::uint32_t, Piece> found;
+  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) {
+    Piece& piece = found[sets.root(k)];
+    if (piece.points++ == 0) piece.position = boundary.cloud.positions[k], piece.first_point = k;
+  }
+
+  // a rigid motion survives where it meets every condition of the piece: rows of conditions, their Gram matrix
+  std::map<std::uint32_t, Eigen::Matrix3d> gram;
+  for (const auto& [root, piece] : found) gram[root].setZero();
+  const auto add = [&](std::uint32_t dof, const Eigen::Vector3d& row) {
+    if (const auto entry = gram.find(sets.root(dof / 3)); entry != gram.end())
+      entry->second += row * row.transpose();
+  };
+  const auto at = [&](std::uint32_t dof) {  // in lattice units about the piece's first point
+    return rigid(dof, boundary.lattice[dof / 3] - boundary.lattice[found[sets.root(dof / 3)].first_point]);
+  };
+  for (const auto dof : boundary.constraints.fixed())
+    if (found.contains(sets.root(dof / 3))) add(dof, at(dof));
+  for (const auto& tie : boundary.constraints.ties())
+    if (found.contains(sets.root(tie.follower / 3))) add(tie.follower, at(tie.follower) - tie.factor * at(tie.leader));
+
+  std::vector<Piece> result;
+  for (auto& [root, piece] : found) {
+    // scaled to a unit diagonal, because rows in lattice units grow with the size of the plate
+    const Eigen::Matrix3d& g = gram[root];
+    const Eigen::Vector3d scale = g.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0; });
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scale.asDiagonal() * g * scale.asDiagonal());
+    piece.free_modes = static_cast<int>((eigen.eigenvalues().array() < 1e-9).count());
+    result.push_back(piece);
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Piece& a, const Piece& b) { return a.points > b.points; });
+  return result;
+}
+
+}  // namespace plate

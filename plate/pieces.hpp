@@ -1,0 +1,17 @@
+#pragma once
+#include "plate/boundary.hpp"
+
+namespace plate {
+
+/// A part of the plate that no bond connects to the rest.
+struct Piece {
+  std::size_t points = 0;
+  geometry::Point position{0, 0};  // of its first point [length]
+  std::uint32_t first_point = 0;
+  int free_modes = 0;  // of its three rigid motions, how many no support prevents
+};
+
+/// All pieces, largest first. Bonds, mirror images and ties connect.
+std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families);
+
+}  // namespace plate

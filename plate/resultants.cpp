@@ -1,0 +1,61 @@
+#include "plate/resultants.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace plate {
+namespace {
+
+struct Gradients {
+  Eigen::Matrix2d theta = Eigen::Matrix2d::Zero();  // row: theta_x, theta_y; column: d/dx, d/dy
+  Eigen::Vector2d shear = Eigen::Vector2d::Zero();  // gamma_xz, gamma_yz
+};
+
+Gradients gradients(std::size_t k, const State& state, const geometry::Families& families,
+                    const std::vector<BondShape>& shapes, const std::vector<double>& areas) {
+  const auto kinematics = [&](std::size_t i) {
+    const auto u = state.col(static_cast<Eigen::Index>(i));
+    return Kinematics{u[0], u[1], u[2]};
+  };
+  const Kinematics own = kinematics(k);
+  Gradients sum;
+  Eigen::Matrix2d shape = Eigen::Matrix2d::Zero();
+  for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
+    const BondShape& bond = shapes[families.vector_id[b]];
+    const auto j = families.neighbour[b];
+    const Kinematics other = kinematics(j);
+    const Eigen::Vector2d xi = families.vectors[families.vector_id[b]] * (bond.weight * areas[j]);
+    shape += xi * families.vectors[families.vector_id[b]].transpose();
+    sum.theta += Eigen::Vector2d(other.theta_x - own.theta_x, other.theta_y - own.theta_y) * xi.transpose();
+    sum.shear += xi * shear_difference(bond, own, other);
+  }
+  // a family on one line has no gradient across it: the least-norm inverse leaves it zero
+  const Eigen::Matrix2d inverse = shape.completeOrthogonalDecomposition().pseudoInverse();
+  return {sum.theta * inverse, inverse * sum.shear};
+}
+
+double von_mises(const Eigen::Vector3d& stress) {
+  return std::sqrt(stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] +
+                   3 * stress[2] * stress[2]);
+}
+
+}  // namespace
+
+Resultants resultants(const State& state, const geometry::Families& families, const std::vector<BondShape>& shapes,
+                      const std::vector<double>& areas, std::size_t plate_points, const Section& section) {
+  const auto count = static_cast<Eigen::Index>(plate_points);
+  Resultants result{Eigen::Matrix3Xd(3, count), Eigen::Matrix2Xd(2, count), Eigen::VectorXd(count)};
+  const double D = section.bending_stiffness(), nu = section.poisson, h = section.thickness;
+#pragma omp parallel for schedule(static)
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Gradients g = gradients(static_cast<std::size_t>(k), state, families, shapes, areas);
+    // strains at z: z * (theta_y,x , -theta_x,y , theta_y,y - theta_x,x)
+    const double xx = g.theta(1, 0), yy = -g.theta(0, 1), twice_xy = g.theta(1, 1) - g.theta(0, 0);
+    result.moments.col(k) << D * (xx + nu * yy), D * (yy + nu * xx), D * (1 - nu) / 2 * twice_xy;
+    result.shear.col(k) = section.shear_stiffness() * g.shear;
+    result.von_mises[k] = von_mises(result.moments.col(k) * (6 / (h * h)));
+  }
+  return result;
+}
+
+}  // namespace plate

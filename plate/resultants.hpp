@@ -1,0 +1,22 @@
+#pragma once
+#include "geometry/families.hpp"
+#include "plate/bond_law.hpp"
+#include "plate/section.hpp"
+#include "plate/state.hpp"
+
+namespace plate {
+
+/// Section forces per length and the equivalent stress at z = +h/2. M > 0 is tension on the z > 0 face.
+struct Resultants {
+  Eigen::Matrix3Xd moments;    // Mxx, Myy, Mxy [force]
+  Eigen::Matrix2Xd shear;      // Qx, Qy [force/length]
+  Eigen::VectorXd von_mises;   // [force/length^2]
+};
+
+/// Resultants at the first `plate_points` points from weighted least-squares gradients over each family: curvatures
+/// from the differences of the rotations, shear angles from the bond shear (exact for quadratic w with linear
+/// rotations, so that thin plates show no spurious shear). `state` includes fictitious points.
+Resultants resultants(const State& state, const geometry::Families& families, const std::vector<BondShape>& shapes,
+                      const std::vector<double>& areas, std::size_t plate_points, const Section& section);
+
+}  // namespace plate

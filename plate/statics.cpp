@@ -1,0 +1,157 @@
+#include "plate/statics.hpp"
+
+#include "plate/numerical_error.hpp"
+#include "plate/reduction.hpp"
+#include <cmath>
+
+namespace plate {
+namespace {
+
+constexpr std::size_t report_every = 50;
+
+/// 1 / diag(P^T K P) at free degrees of freedom that have stiffness, 0 at all others.
+Forces inverse_diagonal(const FamilyOperator& plate, const Constraints& constraints) {
+  Forces diagonal;
+  plate.diagonal(diagonal);
+  constraints.fold_diagonal(diagonal);
+  return diagonal.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
+}
+
+/// 1 / lambda of Eq. 14 with lambda_i = (1/4) sum_j |K_ij| s_j / s_i, so that no frequency exceeds 2 with time step 1
+/// (Gershgorin). The scale s = K_ii^(-1/2) makes the bound the same in all units.
+Forces inverse_fictitious_mass(const FamilyOperator& plate, const Constraints& constraints,
+                               const Forces& inverse_diagonal) {
+  State scale = inverse_diagonal.cwiseSqrt();
+  Forces bound;
+  for (const auto& tie : constraints.ties())
+    scale.data()[tie.follower] = std::abs(tie.factor) * scale.data()[tie.leader];
+  plate.absolute_product(scale, bound);
+  constraints.fold_absolute(bound);
+  return bound.binaryExpr(scale, [](double b, double s) { return b > 0 && s > 0 ? 4 * s / b : 0.0; });
+}
+
+double weighted_norm(const Forces& forces, const Forces& weight) {
+  const auto [sum] = ordered_sum<1>(static_cast<std::size_t>(forces.size()), [&](std::size_t i) {
+    return std::array<double, 1>{forces.data()[i] * forces.data()[i] * weight.data()[i]};
+  });
+  return std::sqrt(sum);
+}
+
+void require_finite(double value, const char* method, std::size_t iteration) {
+  if (!std::isfinite(value))
+    throw NumericalError(std::string(method) + ": the residual is not finite at iteration " +
+                         std::to_string(iteration));
+}
+
+std::string reason(bool converged, const StaticOptions& options) {
+  return converged ? "residual below tolerance" : "not converged in " + std::to_string(options.max_iterations) +
+                                                      " iterations";
+}
+
+}  // namespace
+
+StaticSolution adaptive_dynamic_relaxation(const FamilyOperator& plate, const Constraints& constraints,
+                                           const Forces& load, const StaticOptions& options) {
+  const auto size = static_cast<std::size_t>(load.size());
+  const Forces weight = inverse_diagonal(plate, constraints);
+  const Forces inverse_mass = inverse_fictitious_mass(plate, constraints, weight);
+  Forces external = load;
+  constraints.fold(external);
+  const double load_norm = weighted_norm(external, weight);
+
+  StaticSolution result;
+  result.state = State::Zero(3, load.cols());
+  if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
+  State velocity = State::Zero(3, load.cols());
+  Forces force, previous = Forces::Zero(3, load.cols());
+  double* u = result.state.data();
+  double* v = velocity.data();
+  double* a_before = previous.data();  // acceleration F / lambda of the step before
+
+  for (result.iterations = 0;; ++result.iterations) {
+    plate.internal_force(result.state, force);
+    constraints.fold(force);
+    const double* f = force.data();
+    // squared residual; u K u and u u of Eq. 19 with the fictitious mass, so that w and rotations may be added
+    const auto [residual, stiffness, mass] = ordered_sum<3>(size, [&](std::size_t i) {
+      const double total = f[i] + external.data()[i];
+      const double inverse = inverse_mass.data()[i];
+      if (inverse == 0) return std::array<double, 3>{0, 0, 0};
+      const double local = v[i] == 0 ? 0 : -(total * inverse - a_before[i]) / v[i];  // Eq. 20
+      const double square = u[i] * u[i] / inverse;
+      return std::array<double, 3>{total * total * weight.data()[i], square * local, square};
+    });
+    result.residual = std::sqrt(residual) / load_norm;
+    require_finite(result.residual, "adaptive dynamic relaxation", result.iterations);
+    if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
+    result.converged = result.residual <= options.tolerance;
+    if (result.converged || result.iterations == options.max_iterations) break;
+
+    const bool first = result.iterations == 0;
+    const double c = stiffness > 0 && mass > 0 ? std::min(2 * std::sqrt(stiffness / mass), 1.9) : 0;  // Eq. 19
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < size; ++i) {
+      const double a = (f[i] + external.data()[i]) * inverse_mass.data()[i];
+      v[i] = first ? a / 2 : ((2 - c) * v[i] + 2 * a) / (2 + c);  // Eqs. 18, 16
+      u[i] += v[i];                                               // Eq. 17
+      a_before[i] = a;
+    }
+    constraints.impose(result.state);
+  }
+  result.stop_reason = reason(result.converged, options);
+  return result;
+}
+
+StaticSolution conjugate_gradients(const FamilyOperator& plate, const Constraints& constraints, const Forces& load,
+                                   const StaticOptions& options) {
+  const auto size = static_cast<std::size_t>(load.size());
+  const Forces weight = inverse_diagonal(plate, constraints);
+  Forces residual = load;
+  constraints.fold(residual);
+  const double load_norm = weighted_norm(residual, weight);
+
+  StaticSolution result;
+  result.state = State::Zero(3, load.cols());
+  if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
+  State direction = residual.cwiseProduct(weight);
+  Forces product;
+  double* u = result.state.data();
+  double* r = residual.data();
+  double* p = direction.data();
+  double rho = load_norm * load_norm;
+
+  for (result.iterations = 0;; ++result.iterations) {
+    result.residual = std::sqrt(rho) / load_norm;
+    require_finite(result.residual, "conjugate gradients", result.iterations);
+    if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
+    result.converged = result.residual <= options.tolerance;
+    if (result.converged || result.iterations == options.max_iterations) break;
+
+    constraints.impose(direction);
+    plate.internal_force(direction, product);
+    constraints.fold(product);
+    const double* minus_kp = product.data();
+    const auto [curvature] = ordered_sum<1>(size, [&](std::size_t i) {
+      return std::array<double, 1>{weight.data()[i] > 0 ? -p[i] * minus_kp[i] : 0};
+    });
+    if (!(curvature > 0))
+      throw NumericalError("conjugate gradients: the stiffness is not positive at iteration " +
+                           std::to_string(result.iterations));
+    const double alpha = rho / curvature;
+    const auto [rho_next] = ordered_sum<1>(size, [&](std::size_t i) {
+      if (weight.data()[i] == 0) return std::array<double, 1>{0};
+      u[i] += alpha * p[i];
+      r[i] += alpha * minus_kp[i];
+      return std::array<double, 1>{r[i] * r[i] * weight.data()[i]};
+    });
+    const double beta = rho_next / rho;
+    rho = rho_next;
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < size; ++i) p[i] = weight.data()[i] * r[i] + beta * p[i];
+  }
+  constraints.impose(result.state);
+  result.stop_reason = reason(result.converged, options);
+  return result;
+}
+
+}  // namespace plate

@@ -1,0 +1,38 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include "post/frame.hpp"
+#include "post/table.hpp"
+
+namespace post {
+
+/// state.h5: points (positions, areas, cut), every written frame (time, step, state), tables (history, probes, srif),
+/// the text of the resolved case; each dataset with attributes `unit` and `description`. Written as
+/// state.h5.partial and renamed by close().
+/// Throws std::runtime_error where HDF5 fails.
+class StateFile {
+public:
+  /// `velocity`: dynamics also stores the velocities, so that a run could go on from any frame.
+  StateFile(std::filesystem::path path, const Mesh& mesh, const std::string& resolved_case, const std::string& version);
+  ~StateFile();
+  StateFile(StateFile&&) noexcept;
+
+  void write(const Frame& frame, const plate::State* velocity);
+  void write(const std::string& name, const Table& table);
+  void close();
+
+private:
+  struct Handle;
+  std::unique_ptr<Handle> handle_;
+};
+
+/// What `pdplate srif` needs of a finished run.
+struct StoredRun {
+  std::vector<Eigen::Vector2d> positions;
+  std::vector<double> times;
+  std::vector<plate::State> states;
+};
+
+StoredRun read_run(const std::filesystem::path& path);
+
+}  // namespace post

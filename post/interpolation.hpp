@@ -1,0 +1,20 @@
+#pragma once
+#include "geometry/outline.hpp"
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace post {
+
+/// A point's weight in an interpolated value.
+struct Share {
+  std::uint32_t point;
+  double weight;
+};
+
+/// Linear moving least squares with weight 1/distance^2 over the points given: exact for linear fields where the
+/// points span the plane, the point's own value where `at` is one of them, empty without points. Lengths in spacings.
+std::vector<Share> interpolation(const std::vector<std::pair<std::uint32_t, geometry::Point>>& points,
+                                 const geometry::Point& at);
+
+}  // namespace post

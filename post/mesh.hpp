@@ -1,0 +1,12 @@
+#pragma once
+#include "plate/boundary.hpp"
+#include "post/frame.hpp"
+
+namespace post {
+
+/// The points of the plate, and quadrilaterals and triangles between neighbouring lattice points whose sides are all
+/// bonds: a crack appears as a gap one cell wide.
+Mesh mesh(const plate::Boundary& boundary, const geometry::Families& families, std::vector<double> cut,
+          double thickness);
+
+}  // namespace post

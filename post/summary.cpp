@@ -1,0 +1,112 @@
+#include "post/summary.hpp"
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "post/table.hpp"
+
+namespace post {
+namespace {
+
+using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
+
+template <typename Value>
+void add(Json& json, const char* name, const std::optional<Value>& value) {
+  if (value) json[name] = *value;
+}
+
+Json json_of(const Summary::Analysis& analysis) {
+  Json json{{"kind", analysis.kind}, {"method", analysis.method}};
+  add(json, "iterations", analysis.iterations);
+  add(json, "steps", analysis.steps);
+  add(json, "time_step", analysis.time_step);
+  add(json, "time_step_limit", analysis.time_step_limit);
+  add(json, "residual", analysis.residual);
+  add(json, "tolerance", analysis.tolerance);
+  add(json, "duration", analysis.duration);
+  json["stop_reason"] = analysis.stop_reason;
+  return json;
+}
+
+Json json_of(const Srif& srif) {
+  Json json{{"tip", srif.tip}, {"x", srif.position.x()}, {"y", srif.position.y()}, {"method", srif.method},
+            {"K1", srif.K1},   {"K2", srif.K2},          {"K3", srif.K3}};
+  add(json, "F1", srif.F1);
+  add(json, "F2", srif.F2);
+  add(json, "F3", srif.F3);
+  add(json, "estimated_error", srif.estimated_error);
+  json["fit_residual"] = srif.fit_residual;
+  json["samples"] = srif.samples;
+  return json;
+}
+
+Json json_of(const ScenePart& part) {
+  return {{"name", part.name}, {"bytes_per_point", part.bytes_per_point}, {"time_share", part.time_share}};
+}
+
+Json json_of(const std::vector<std::pair<std::string, double>>& values) {
+  Json json = Json::object();
+  for (const auto& [name, value] : values) json[name] = value;
+  return json;
+}
+
+template <typename Element>
+Json list_of(const std::vector<Element>& elements) {
+  Json json = Json::array();
+  for (const Element& element : elements) json.push_back(json_of(element));
+  return json;
+}
+
+Cell cell(const std::optional<double>& value) {
+  return value ? Cell(*value) : Cell();
+}
+
+}  // namespace
+
+std::string to_json(const Summary& summary) {
+  Json json;
+  json["title"] = summary.title;
+  json["outcome"] = summary.outcome;
+  json["points"] = summary.points;
+  json["bonds"] = summary.bonds;
+  json["fictitious_points"] = summary.fictitious_points;
+  json["fictitious_bonds"] = summary.fictitious_bonds;
+  json["spacing"] = summary.spacing;
+  json["horizon"] = summary.horizon;
+  json["analysis"] = json_of(summary.analysis);
+  json["seconds"] = json_of(summary.seconds);
+  json["peak_memory_bytes"] = summary.peak_memory_bytes;
+  json["srif"] = list_of(summary.srif);
+  json["energy"] = json_of(summary.energy);
+  json["scene"] = list_of(summary.scene);
+  json["warnings"] = summary.warnings;
+  json["version"] = summary.version;
+  json["digest"] = summary.digest;
+  constexpr int indent = 2;
+  // a title that is not UTF-8 is no reason to lose the results: its odd bytes are replaced
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::vector<std::string> srif_columns() {
+  return {"time", "tip", "x",  "y",  "method",          "K1",           "K2",
+          "K3",   "F1",  "F2", "F3", "estimated_error", "fit_residual", "samples"};
+}
+
+void append(Table& table, double time, const std::vector<Srif>& srifs) {
+  if (table.columns.empty()) table.columns = srif_columns();
+  for (const Srif& srif : srifs) {
+    table.rows.push_back({time, static_cast<double>(srif.tip), srif.position.x(), srif.position.y(), srif.method,
+                          srif.K1, srif.K2, srif.K3, cell(srif.F1), cell(srif.F2), cell(srif.F3),
+                          cell(srif.estimated_error), srif.fit_residual, static_cast<double>(srif.samples)});
+  }
+}
+
+std::size_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  constexpr std::size_t bytes_per_kib = 1024;  // Linux counts ru_maxrss in KiB
+  return static_cast<std::size_t>(usage.ru_maxrss) * bytes_per_kib;
+}
+
+}  // namespace post

@@ -1,0 +1,47 @@
+#pragma once
+#include "post/srif.hpp"
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace post {
+
+/// A part of the program that a scene uses, and what it costs.
+struct ScenePart {
+  std::string name;
+  std::string stage;           // the entry of `seconds` that its time is in; not written
+  double bytes_per_point = 0;
+  double time_share = 0;       // of the total run time
+};
+
+/// What summary.json holds; cases/README.md documents every field.
+struct Summary {
+  std::string title, outcome, version, digest;
+  std::size_t points = 0, bonds = 0;                        // of the plate; bonds counted from both ends, intact at the end
+  std::size_t fictitious_points = 0, fictitious_bonds = 0;  // outside the plate, for supports
+  double spacing = 0, horizon = 0;
+  struct Analysis {
+    std::string kind, method, stop_reason;
+    std::optional<std::size_t> iterations, steps;
+    std::optional<double> residual, tolerance, time_step, time_step_limit, duration;
+  } analysis;
+  std::vector<std::pair<std::string, double>> seconds;      // geometry, families, parameters, solve, srif, output, total
+  std::size_t peak_memory_bytes = 0;
+  std::vector<Srif> srif;
+  std::vector<std::pair<std::string, double>> energy;       // strain, kinetic, external_work, fracture
+  std::vector<ScenePart> scene;
+  std::vector<std::string> warnings;
+};
+
+std::string to_json(const Summary& summary);
+
+/// The rows of srif.csv: time,tip,x,y,method,K1,K2,K3,F1,F2,F3,estimated_error,fit_residual,samples
+struct Table;
+void append(Table& table, double time, const std::vector<Srif>& srifs);
+std::vector<std::string> srif_columns();
+
+/// Peak resident memory of this process [bytes].
+std::size_t peak_memory_bytes();
+
+}  // namespace post

@@ -1,0 +1,27 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace post {
+
+/// A cell of a table: empty, a number (written so that reading gives the same double) or a word.
+using Cell = std::variant<std::monostate, double, std::string>;
+
+/// Rows under named columns; what history.csv, probes.csv and srif.csv are made of.
+struct Table {
+  std::vector<std::string> columns;
+  std::vector<std::vector<Cell>> rows;
+
+  /// Index of a column; throws std::out_of_range with the columns that exist.
+  std::size_t column(const std::string& name) const;
+};
+
+void write_csv(const std::filesystem::path& path, const Table& table);
+
+/// Reads comma-separated text with a header line; lines that begin with # are comments.
+/// Throws std::runtime_error with file:line where a row does not fit the header.
+Table read_csv(const std::filesystem::path& path);
+
+}  // namespace post

@@ -1,0 +1,13 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace post {
+
+/// Writes `path` whole or not at all: `write` fills a file beside it, which is then renamed.
+/// Throws std::filesystem::filesystem_error or std::runtime_error (disk full, no permission); nothing is left then.
+void write_whole(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
+void write_whole(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace post

@@ -1,0 +1,208 @@
+#include "case_text.hpp"
+
+using namespace case_text;
+
+TEST_CASE("unknown keys are named with the nearest known one") {
+  expect(with_line(plain, 9, "spacing = 0.05\nhorizn = 3"), ":10", "discretization.horizn",
+         "did you mean 'horizon_ratio'?");
+  expect(with_line(plain, 9, "spacing = 0.05\nspcing = 3"), ":10", "discretization.spcing", "did you mean 'spacing'?");
+  expect(with_line(plain, 4, "thickness = 0.1\nhorizon_ratio = 3"), ":5", "section.horizon_ratio",
+         "did you mean 'discretization.horizon_ratio'?");
+  expect(with_line(plain, 4, "thickness = 0.1\nqqqqqq = 3"), ":5", "section.qqqqqq", "known here: young, poisson");
+  expect("titel = 1\n" + plain, ":1", "titel", "did you mean 'title'?");
+}
+
+TEST_CASE("values out of their bounds or of another type are refused") {
+  expect(with_line(plain, 3, "poisson = 0.7"), ":3", "section.poisson", "0.7 given, must be a number in (-1, 0.5)");
+  expect(with_line(plain, 2, "young = \"stiff\""), ":2", "section.young", "\"stiff\" given, must be a finite number");
+  expect(with_line(plain, 2, "young = 0"), ":2", "section.young", "0 given, must be a number > 0");
+  expect(with_line(plain, 2, "young = inf"), ":2", "section.young", "inf given, must be a finite number");
+  expect(with_line(plain, 4, "thickness = 0.1\nshear_correction = 1.5"), ":5", "section.shear_correction", "in (0, 1]");
+  expect(with_line(plain, 15, "value = nan"), ":15", "load[0].value", "nan given");
+  expect(with_line(plain, 9, "spacing = 0.05\nhorizon_ratio = 1.2"), ":10", "discretization.horizon_ratio",
+         "in [1.5, 20]");
+  expect(with_line(plain, 9, "spacing = 0.6"), ":9", "discretization.spacing", "0.6 given, must be at most 0.5");
+  expect(with_line(plain, 17, "kind = \"static\"\ntolerance = 1"), ":18", "analysis.tolerance", "in [1e-14, 0.1]");
+  expect(with_line(plain, 17, "kind = \"static\"\nmax_iterations = 1.5"), ":18", "analysis.max_iterations",
+         "an integer");
+  expect("units = \"si\"\n" + plain, ":1", "units", "did you mean 'SI'?");
+  expect("section = 3\n" + with_line(with_line(with_line(with_line(plain, 1, ""), 2, ""), 3, ""), 4, ""), ":1",
+         "section", "must be a table");
+  expect(plain, "--set load[0]", "load[0]", "3 given, must be a table", {"load[0]=3"});
+  expect(plain, "--set load", "load", "3 given, must be [[load]]", {"load=3"});
+}
+
+TEST_CASE("what is not in this version is refused with the reason") {
+  const auto discretization = [](const std::string& line) { return with_line(plain, 9, "spacing = 0.05\n" + line); };
+  expect(discretization("formulation = \"galerkin\""), ":10", "discretization.formulation",
+         "only the ordinary state-based plate");
+  expect(discretization("surface_correction = \"position_aware\""), ":10", "discretization.surface_correction",
+         "not in this version");
+  expect(discretization("influence = \"invers\""), ":10", "discretization.influence", "did you mean 'inverse'?");
+  expect(with_line(plain, 17, "kind = \"static\"\nmethod = \"direct\""), ":18", "analysis.method",
+         "not in this version");
+  expect(plain + "[growth]\ncriterion = \"energy_release\"\n", ":18", "growth", "keeps cracks as they are");
+  expect(plain + "[srif]\nmethods = [\"j_integral\"]\n", ":19", "srif.methods",
+         "must be one of \"displacement_extrapolation\"");
+}
+
+TEST_CASE("missing keys are reported at their table") {
+  expect(with_line(plain, 2, ""), ":1", "section.young", "is missing, must be a number > 0");
+  expect(with_line(plain, 6, ""), ":5", "geometry.outline", "is missing");
+  expect(with_line(plain, 9, ""), ":8", "discretization.spacing", "is missing");
+  expect(with_line(plain, 12, ""), ":10", "support[0].edges", "is missing");
+  expect(with_line(plain, 15, ""), ":13", "load[0].value", "is missing");
+  expect(with_line(plain, 17, ""), ":16", "analysis.kind", "is missing");
+}
+
+TEST_CASE("keys of the other kind of analysis are refused") {
+  const auto analysis = [](const std::string& lines) { return with_line(plain, 17, lines); };
+  expect(analysis("kind = \"static\"\nduration = 1"), ":18", "analysis.duration",
+         "analysis.duration is used in dynamics only");
+  expect(analysis("kind = \"static\"\nmethod = \"central_difference\""), ":18", "analysis.method",
+         "must be \"adr\" or \"cg\"");
+  expect(with_line(plain, 15, "value = 1\nhistory = \"step\""), ":16", "load[0].history", "in dynamics only");
+  expect(plain + "[output]\nevery = 1\n", ":19", "output.every", "in dynamics only");
+  const std::string dynamic =
+      with_line(analysis("kind = \"dynamic\"\nduration = 1"), 4, "thickness = 0.1\ndensity = 1");
+  CHECK(problems(dynamic).empty());
+  expect(dynamic, "--set analysis.tolerance", "analysis.tolerance", "in statics only", {"analysis.tolerance=1e-6"});
+  expect(dynamic, "--set analysis.method", "analysis.method", "must be \"central_difference\"",
+         {"analysis.method=adr"});
+  expect(analysis("kind = \"dynamic\"\nduration = 1"), ":1", "section.density", "is missing");
+  expect(with_line(dynamic, 19, ""), ":17", "analysis.duration", "is missing");
+  expect(dynamic, "--set load[0].rise_time", "load[0].rise_time", "with history = ramp only", {"load[0].rise_time=1"});
+  expect(dynamic, ":14", "load[0].rise_time", "is missing", {"load[0].history=ramp"});
+  expect(dynamic, "--set load[0].history", "load[0].history", "must ascend", {"load[0].history=[[0, 1], [0, 2]]"});
+  expect(dynamic, "--set load[0].history", "load[0].history", "did you mean 'step'?", {"load[0].history=stop"});
+  expect(dynamic, "--set analysis.time_step", "analysis.time_step", "\"auto\" or a number > 0",
+         {"analysis.time_step=0"});
+}
+
+TEST_CASE("supports are checked against the plate") {
+  const auto support = [](const std::string& lines) { return plain + "[[support]]\n" + lines + "\n"; };
+  expect(with_line(plain, 12, "edges = [\"lefd\"]"), ":12", "support[0].edges", "did you mean 'left'?");
+  expect(with_line(plain, 12, "edges = [\"lefd\"]"), ":12", "support[0].edges", "its edges:");
+  expect(with_line(plain, 11, "kind = \"clampd\""), ":11", "support[0].kind", "did you mean 'clamped'?");
+  expect(with_line(plain, 12, "edges = []"), ":12", "support[0].edges", "at least one");
+  expect(with_line(plain, 12, "edges = [\"left\", \"left\"]"), ":12", "support[0].edges", "named twice");
+  expect(support("kind = \"free\"\nedges = [\"top\", \"left\"]"), ":20", "support[1].edges",
+         "already held by support[0]");
+  expect(support("kind = \"pinned\"\nedges = [\"top\"]\npoints = [[0, 0.5]]"), ":20", "support[1].edges",
+         "other than pinned only");
+  expect(support("kind = \"free\"\nedges = [\"top\"]\npoints = [[0, 0.5]]"), ":21", "support[1].points",
+         "kind = pinned only");
+  expect(support("kind = \"pinned\"\npoints = [[1, 1], [2, 0]]"), ":20", "support[1].points", "[2, 0] given");
+  CHECK(problems(support("kind = \"pinned\"\npoints = [[1, 1], [0, 0.5]]")).empty());
+}
+
+TEST_CASE("supports that mirror need edges parallel to the axes") {
+  const std::string slanted = with_line(
+      with_line(plain, 6, "outline = { polygon = [[-1, -1], [1, -1], [1, 1], [-0.9, 1]] }"), 12, "edges = [\"edge3\"]");
+  CHECK(problems(slanted).empty());
+  for (const char* kind : {"symmetry", "simply_supported_hard", "clamped_layer", "simply_supported_layer",
+                           "simply_supported_hard_layer"}) {
+    expect(with_line(slanted, 11, "kind = \"" + std::string(kind) + "\""), ":12", "support[0].edges",
+           "parallel to x or y");
+    CHECK(problems(with_line(plain, 11, "kind = \"" + std::string(kind) + "\"")).empty());
+  }
+  const std::string holed =
+      with_line(with_line(plain, 6, "outline = { rectangle = [-1, -1, 1, 1] }\nholes = [{ circle = [0.5, 0.5, 0.1] }]"),
+                13, "edges = [\"hole0\"]");
+  CHECK(problems(holed).empty());
+  expect(with_line(holed, 12, "kind = \"symmetry\""), ":13", "support[0].edges", "parallel to x or y");
+}
+
+TEST_CASE("loads are checked against the plate and against themselves") {
+  const auto load = [](const std::string& lines) { return plain + "[[load]]\n" + lines + "\n"; };
+  expect(with_line(with_line(with_line(plain, 13, ""), 14, ""), 15, ""), "", "load", "nothing loads the plate");
+  expect(load("kind = \"edge_shear\"\nvalue = 1"), ":18", "load[1].edges", "is missing");
+  expect(load("kind = \"edge_shear\"\nvalue = 1\nedges = [\"tob\"]"), ":21", "load[1].edges", "did you mean 'top'?");
+  expect(load("kind = \"pressure\"\nvalue = 1\nedges = [\"top\"]"), ":21", "load[1].edges",
+         "kind = edge_moment or edge_shear only");
+  expect(load("kind = \"presure\"\nvalue = 1"), ":19", "load[1].kind", "did you mean 'pressure'?");
+  expect(load("kind = \"point_force\"\nvalue = 1"), ":18", "load[1].position", "is missing");
+  expect(load("kind = \"point_force\"\nvalue = 1\nposition = [1, 0]"), ":21", "load[1].position",
+         "[1, 0] given, must lie inside");
+  expect(load("kind = \"edge_shear\"\nvalue = 1\nedges = [\"top\"]\ntwist = 1"), ":22", "load[1].twist",
+         "kind = edge_moment only");
+  expect(load("kind = \"edge_moment\"\nvalue = 1\nedges = [\"top\"]\ntensor = [1, 2, 3]"), ":20", "load[1].value",
+         "beside 'tensor'");
+  expect(load("kind = \"edge_moment\"\nedges = [\"top\"]\ntensor = [1, 2]"), ":21", "load[1].tensor",
+         "[Mxx, Myy, Mxy]");
+  CHECK(problems(load("kind = \"edge_moment\"\nedges = [\"top\"]\ntensor = [1, 2, 3]")).empty());
+}
+
+TEST_CASE("shapes and cracks are checked") {
+  const auto outline = [](const std::string& line) { return with_line(plain, 6, line); };
+  expect(outline("outline = { rectangle = [1, -1, -1, 1] }"), ":6", "geometry.outline.rectangle", "xmin < xmax");
+  expect(outline("outline = { rectangle = [-1, -1, 1] }"), ":6", "geometry.outline.rectangle",
+         "[xmin, ymin, xmax, ymax]");
+  expect(outline("outline = { edges = [\"a\"] }"), ":6", "geometry.outline", "either { rectangle");
+  expect(outline("outline = { rectangle = [-1, -1, 1, 1], edges = [\"a\"] }"), ":6", "geometry.outline.edges",
+         "with a polygon only");
+  expect(outline("outline = { polygon = [[-1, -1], [1, -1], [1, 1]], edges = [\"left\"] }"), ":6",
+         "geometry.outline.edges", "1 names given, must be one for each of the 3 edges");
+  expect(outline("outline = { rectangle = [-1, -1, 1, 1] }\nholes = [{ circle = [0, 0.5, -0.1] }]"), ":7",
+         "geometry.holes[0]", "");
+  expect(outline("outline = { rectangle = [-1, -1, 1, 1] }\nholes = [{ }]"), ":7", "geometry.holes[0]",
+         "either { circle");
+  const auto outside = problems(with_line(plain, 7, "cracks = [\n[[0, 0], [0, 0.1]],\n[[5, 0], [6, 0]]]"));
+  REQUIRE_FALSE(outside.empty());
+  for (const auto& problem : outside) {
+    CHECK(problem.place == ":9");
+    CHECK(problem.key == "geometry.cracks[1]");
+  }
+  expect(with_line(plain, 7, "cracks = [[[0, 0, 1]]]"), ":7", "geometry.cracks[0]", "[[x, y], ...]");
+  expect(outline("outline = { polygon = [] }"), ":6", "geometry.outline.polygon", "at least three points");
+  expect(with_line(plain, 7, "cracks = [[]]"), ":7", "geometry.cracks[0]", "");
+  expect(with_line(plain, 7, "cracks = [[[0, 0]]]"), ":7", "geometry.cracks[0]", "");
+  expect(with_line(plain, 7, "cracks = 3"), ":7", "geometry.cracks", "a list of polylines");
+  const auto clockwise = problems(
+      outline("outline = { polygon = [[-1, -1], [-1, 1], [1, 1], [1, -1]], edges = [\"left\", \"b\", \"c\", \"d\"] }"));
+  REQUIRE(clockwise.size() == 1);
+  CHECK(clockwise[0].key == "geometry.outline");
+}
+
+TEST_CASE("intensity factors need tips and a whole normalisation") {
+  const auto srif = [](const std::string& lines) { return plain + "[srif]\n" + lines + "\n"; };
+  CHECK(problems(srif("")).empty());
+  expect(with_line(srif(""), 7, ""), ":18", "srif", "no crack tip");
+  expect(srif("normalize = { moment = 1 }"), ":18", "srif.half_length", "is missing");
+  expect(srif("half_length = 1"), ":19", "srif.half_length", "with normalize only");
+  expect(srif("normalize = { pressure = 1 }\nhalf_length = 1"), ":19", "srif.normalize", "either { pressure");
+  expect(srif("normalize = { pressure = 1, width = 1, moment = 1 }\nhalf_length = 1"), ":19", "srif.normalize",
+         "either { pressure");
+  expect(srif("rows = 3"), ":19", "srif.rows", "an integer in [1, 2]");
+  expect(srif("window = 0.1\nwindow_horizons = 2"), ":20", "srif.window_horizons", "beside 'window'");
+}
+
+TEST_CASE("output is checked") {
+  const auto output = [](const std::string& lines) { return plain + "[output]\n" + lines + "\n"; };
+  expect(output("fields = [\"vtk\", \"hdf\"]"), ":19", "output.fields", "did you mean 'hdf5'?");
+  expect(output("probes = { far = [3, 0] }"), ":19", "output.probes.far", "[3, 0] given");
+  expect(output("probes = { far = 3 }"), ":19", "output.probes.far", "[x, y]");
+}
+
+TEST_CASE("all problems of a file are reported together, in the order of its lines") {
+  std::string text = with_line(with_line(plain, 3, "poisson = 0.7"), 9, "spacing = 0.05\nhorizn = 3");
+  text = with_line(with_line(text, 13, "edges = [\"lefd\"]"), 18, "kind = \"static\"\nduration = 1");
+  const auto found = problems(text, {"section.young=-1"});
+  REQUIRE(found.size() == 5);
+  CHECK(found[0].place == "--set section.young");
+  CHECK(found[1].place == ":3");
+  CHECK(found[2].place == ":10");
+  CHECK(found[3].place == ":13");
+  CHECK(found[4].place == ":19");
+  const cases::CaseError error({{"a.toml:3", "section.poisson", "0.7 given"}, {"a.toml:10", "", "what"}});
+  CHECK(std::string(error.what()) == "a.toml:3: section.poisson: 0.7 given\na.toml:10: what");
+}
+
+TEST_CASE("files that cannot be read and syntax errors name the place") {
+  CHECK_THROWS_WITH(cases::read_case("/no/such/case.toml", {}), Catch::Contains("/no/such/case.toml: no such file"));
+  CHECK_THROWS_WITH(cases::read_case(std::filesystem::temp_directory_path(), {}), Catch::Contains("cannot be read"));
+  const auto found = problems(with_line(plain, 3, "poisson = "));
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0].place, Catch::StartsWith(":3:"));
+  CHECK_FALSE(found[0].what.empty());
+}

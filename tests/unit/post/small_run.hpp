@@ -1,0 +1,93 @@
+#pragma once
+#include <stdlib.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include "post/frame.hpp"
+
+/// What the tests of the writers share: a folder of their own, a full disk, a plate of six points.
+namespace small_run {
+
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "pdplate_test_XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder: " + name);
+    path_ = name;
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+  std::size_t entries() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+/// While it lives, no file can grow beyond `bytes`: to the writers, a disk that is full.
+class FullDisk {
+public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A square of four points, a triangle beside it, and a point that no cell uses.
+inline post::Mesh mesh() {
+  post::Mesh mesh;
+  mesh.positions = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0.5}, {5, 5}};
+  mesh.areas = {1, 1, 1, 1, 0.5, 0.25};
+  mesh.cut = {0, 0.1, 0.2, 0.3, 0.4, 0.5};
+  mesh.quads = {{0, 1, 3, 2}};
+  mesh.triangles = {{1, 4, 3}};
+  mesh.spacing = 1;
+  mesh.thickness = 0.1;
+  return mesh;
+}
+
+/// Numbers that differ from each other, so that a mixed-up component shows.
+inline post::Frame frame(double time, std::size_t step, Eigen::Index points = 6) {
+  post::Frame frame;
+  frame.time = time;
+  frame.step = step;
+  const auto numbers = [&](Eigen::Index rows, double first) {
+    const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(rows * points, first, first + 1) / 3;
+    return Eigen::MatrixXd(values.reshaped(rows, points));
+  };
+  frame.state = numbers(3, 1 + time);
+  frame.resultants.moments = numbers(3, 10);
+  frame.resultants.shear = numbers(2, 20);
+  frame.resultants.von_mises = numbers(1, 30).transpose();
+  frame.damage.assign(static_cast<std::size_t>(points), 0.125);
+  return frame;
+}
+
+}  // namespace small_run
