@@ -1,4 +1,4 @@
-#include "cases/run.hpp"
+#include "cases/study.hpp"
 #include "plate/numerical_error.hpp"
 #include "post/compare.hpp"
 #include "post/table.hpp"
@@ -65,6 +65,15 @@ void add_case(CLI::App& command, Arguments& a) {
   command.add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::PositiveNumber);
 }
 
+int run_study(const Arguments& a) {
+  const auto study = cases::read_study(a.file);
+  const auto folder = a.folder.empty() ? "results" / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
+  const auto outcome = cases::run_study(study, {folder, a.quiet});
+  if (!a.quiet) fmt::print("{}\n{}results in {}\n", study.title, post::to_text(outcome.table), folder.string());
+  if (outcome.failed_numbers > 0) return failed_numbers;
+  return outcome.wrong_cases > 0 ? wrong_case : done;
+}
+
 int execute(const CLI::App& app, Arguments& a) {
   if (a.threads > 0) omp_set_num_threads(a.threads);
   if (app.got_subcommand("run")) {
@@ -81,6 +90,8 @@ int execute(const CLI::App& app, Arguments& a) {
     print_table(cases::srif_again(a.folder, a.methods));
   } else if (app.got_subcommand("compare")) {
     fmt::print("{}", post::to_text(post::compare(a.folder, a.reference)));
+  } else if (app.got_subcommand("study")) {
+    return run_study(a);
   }
   return done;
 }
@@ -103,6 +114,11 @@ int main(int argc, char** argv) {
   auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
+  auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
+  study->add_option("study", a.file, "study file (TOML)")->required();
+  study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");
+  study->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::PositiveNumber);
+  study->add_flag("--quiet", a.quiet, "no lines on runs that succeed and no table");
 
   try {
     app.parse(argc, argv);

@@ -1,23 +1,15 @@
 #include "geometry/crack_path.hpp"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
+
+#include "geometry/predicates.hpp"
 
 namespace geometry {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
 constexpr double closure = 1.0 / 1024;  // how far a mouth or a junction is extended straight ahead
-
-/// +1 where c lies to the left of the line from a to b, 0 on it, -1 to the right. Exact.
-int side(const Point& a, const Point& b, const Point& c) {
-  return CGAL::orientation(Kernel::Point_2(a.x(), a.y()), Kernel::Point_2(b.x(), b.y()), Kernel::Point_2(c.x(), c.y()));
-}
 
 /// The side of a vector to which the infinitesimal (e, e^2) points: +1 left, -1 right.
 int side_of_shift(const Point& d) {
@@ -58,13 +50,6 @@ bool crosses(const CrackPath& crack, std::size_t i, const Point& p, const Point&
   return side_of_bond(p, q, from, front_tip) * side_of_bond(p, q, to, back_tip) < 0;
 }
 
-double distance_to_segment(const Point& a, const Point& b, const Point& x) {
-  const Point d = b - a;
-  const double square = d.squaredNorm();
-  const double t = square > 0 ? std::clamp((x - a).dot(d) / square, 0.0, 1.0) : 0.0;
-  return (x - a - t * d).norm();
-}
-
 double distance_to_boundary(const Outline& outline, const Point& x) {
   double least = std::numeric_limits<double>::infinity();
   for (const Edge& edge : straight_edges(outline)) least = std::min(least, distance_to_segment(edge.from, edge.to, x));
@@ -83,21 +68,6 @@ bool joins(const std::vector<Polyline>& polylines, std::size_t crack, bool at_ba
   for (std::size_t other = 0; other < polylines.size(); ++other)
     if (other != crack && distance(polylines[other], end) <= tolerance) return true;
   return false;
-}
-
-template <class... Parts>
-std::string text(const Parts&... parts) {
-  std::ostringstream out;
-  (out << ... << parts);
-  return out.str();
-}
-
-std::string at(const Point& x) {
-  return text("(", x.x(), ", ", x.y(), ")");
-}
-
-double cross(const Point& a, const Point& b) {
-  return a.x() * b.y() - a.y() * b.x();
 }
 
 bool outside(const Outline& outline, const Point& x, double tolerance) {

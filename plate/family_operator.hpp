@@ -1,23 +1,14 @@
 #pragma once
-#include "geometry/families.hpp"
+#include "geometry/family_runs.hpp"
 #include "plate/horizon_parameters.hpp"
 #include "plate/state.hpp"
-#include <concepts>
 
 namespace plate {
 
-/// What the solvers ask of a plate: state -> internal force, and two bounds that come from the same bonds.
-template <typename T>
-concept PlateOperator = requires(T op, const State& state, Forces& forces) {
-  { op.points() } -> std::convertible_to<std::size_t>;
-  op.internal_force(state, forces);  // forces = -dU/d(state)
-  op.absolute_product(state, forces);  // forces >= |K| state, for state >= 0
-  op.diagonal(forces);  // forces = diag K
-};
-
-/// The ordinary state-based plate on the families of any cloud: geometry by bond vector, parameters by point, forces
-/// gathered point by point, so that the result does not depend on the number of threads. Any number of threads gives
-/// the same bits.
+/// The ordinary state-based plate on the families of any cloud: state -> internal force, and the bounds that the
+/// solvers need, which come from the same bonds. Parameters by point; bonds by patterns that runs of points share, so
+/// that a vector of points is treated at once where they follow each other. Forces are gathered point by point: any number
+/// of threads gives the same bits. One call at a time.
 class FamilyOperator {
 public:
   FamilyOperator(geometry::Families families, std::vector<BondShape> shapes, const std::vector<double>& areas,
@@ -32,7 +23,7 @@ public:
   void absolute_product(const State& state, Forces& forces) const;
 
   /// The diagonal of K [3 x points].
-  void diagonal(Forces& forces) const;
+  Forces diagonal() const;
 
   /// Strain energy of every point, W_k A_k [points] (Eqs. 1 and 2).
   Eigen::VectorXd energies(const State& state) const;
@@ -41,24 +32,20 @@ public:
   const std::vector<BondShape>& shapes() const { return shapes_; }
 
 private:
-  /// Everything that a bond asks of one of its two points, in one cache line.
-  struct alignas(64) Packed {
-    Kinematics u;
-    double q;     // 2 a_b d_b theta_b
-    double area;
-    double b;     // b_b
-    double half_shear;  // C_s / 2
-  };
-
   template <bool absolute>
   void product(const State& state, Forces& forces) const;
+  template <bool absolute, typename Value>
+  void dilatations(std::size_t k, std::uint32_t pattern, const std::vector<BondShape>& shapes) const;
+  template <bool absolute, typename Value>
+  void gather(std::size_t k, std::uint32_t pattern, const std::vector<BondShape>& shapes, Forces& forces) const;
+  template <typename Value>
+  Kinematics<Value> kinematics(std::size_t k) const;
 
   geometry::Families families_;
+  geometry::FamilyRuns runs_;
   std::vector<BondShape> shapes_;
-  std::vector<PointParameters> parameters_;
-  mutable std::vector<Packed> packed_;
+  Eigen::ArrayXd area_, a_, b_, d_, half_shear_;            // by point: A, a_b, b_b, d_b, C_s / 2
+  mutable Eigen::ArrayXd w_, theta_x_, theta_y_, q_;        // by point, of the state in hand; q = 2 a_b d_b theta_b
 };
-
-static_assert(PlateOperator<FamilyOperator>);
 
 }  // namespace plate

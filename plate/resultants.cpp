@@ -15,15 +15,15 @@ Gradients gradients(std::size_t k, const State& state, const geometry::Families&
                     const std::vector<BondShape>& shapes, const std::vector<double>& areas) {
   const auto kinematics = [&](std::size_t i) {
     const auto u = state.col(static_cast<Eigen::Index>(i));
-    return Kinematics{u[0], u[1], u[2]};
+    return Kinematics<>{u[0], u[1], u[2]};
   };
-  const Kinematics own = kinematics(k);
+  const Kinematics<> own = kinematics(k);
   Gradients sum;
   Eigen::Matrix2d shape = Eigen::Matrix2d::Zero();
   for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
     const BondShape& bond = shapes[families.vector_id[b]];
     const auto j = families.neighbour[b];
-    const Kinematics other = kinematics(j);
+    const Kinematics<> other = kinematics(j);
     const Eigen::Vector2d xi = families.vectors[families.vector_id[b]] * (bond.weight * areas[j]);
     shape += xi * families.vectors[families.vector_id[b]].transpose();
     sum.theta += Eigen::Vector2d(other.theta_x - own.theta_x, other.theta_y - own.theta_y) * xi.transpose();

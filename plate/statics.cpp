@@ -11,8 +11,7 @@ constexpr std::size_t report_every = 50;
 
 /// 1 / diag(P^T K P) at free degrees of freedom that have stiffness, 0 at all others.
 Forces inverse_diagonal(const FamilyOperator& plate, const Constraints& constraints) {
-  Forces diagonal;
-  plate.diagonal(diagonal);
+  Forces diagonal = plate.diagonal();
   constraints.fold_diagonal(diagonal);
   return diagonal.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
 }

@@ -96,15 +96,19 @@ DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& p
   int skipped = 0;
   for (const double r : distances(beside, upper, window, scale.spacing)) {
     if (skipped++ < options.skip) continue;
-    Sample sample{r, {}};
+    Sample sample{r, {}, {}};
     for (const int face : {1, -1})
       for (int row = 0; row < options.rows; ++row) {
         // with two rows: 3/2 of the first less 1/2 of the second, for rows 1/2 and 3/2 spacings off the crack
         const double first = face > 0 ? upper : lower, second = first + scale.spacing;
         const double share = options.rows == 1 ? 1 : row == 0 ? second / scale.spacing : -first / scale.spacing;
-        const auto values = face_value(beside, face, r, face * (row == 0 ? first : second), scale.spacing);
-        if (values.empty()) throw std::invalid_argument("no points beside the crack near tip");
-        for (const auto& [point, weight] : values) sample.jump.push_back({point, face * share * weight});
+        const double y = face * (row == 0 ? first : second);
+        const auto values = face_value(beside, face, r, y, scale.spacing);
+        if (values.empty()) throw std::invalid_argument("no points beside the crack behind the tip");
+        for (const auto& [point, weight] : values) {
+          sample.jump.push_back({point, face * share * weight});
+          sample.lever.push_back({point, face * share * weight * y});
+        }
       }
     samples_.push_back(std::move(sample));
   }
@@ -125,8 +129,11 @@ Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
     Eigen::Vector3d jump = Eigen::Vector3d::Zero();
     for (const Share& share : sample.jump) jump += share.weight * state.col(share.point);
     const Point rotation(jump[1], jump[2]);
+    double deflection = jump[0];
+    for (const Share& share : sample.lever)
+      deflection -= share.weight * (state(1, share.point) * ahead.x() + state(2, share.point) * ahead.y());
     K.row(static_cast<Eigen::Index>(r.size())) =
-        Eigen::RowVector3d(-bending * rotation.dot(ahead), bending * rotation.dot(left), shear * jump[0]) /
+        Eigen::RowVector3d(-bending * rotation.dot(ahead), bending * rotation.dot(left), shear * deflection) /
         std::sqrt(sample.r);
     r.push_back(sample.r);
   }

@@ -44,7 +44,8 @@ struct PlateScale {
 
 /// Crack-surface displacement extrapolation (Dai et al. 2021, section 3.2, Eqs. 39-41): the jump of w and the
 /// rotations across the crack at distances r behind the tip gives K(r); the straight line through K(r) by least squares
-/// gives K at r = 0. Built once per tip, evaluated at any number of times.
+/// gives K at r = 0. The deflection is carried from the rows of points to the crack line by the rotation there,
+/// w - y' theta_x': without it a mere inclination of the plate would pass for K3. Built once per tip, evaluated at any number of times.
 class DisplacementExtrapolation {
 public:
   /// `positions`: points of the plate. `path`: the tip's crack. Throws std::invalid_argument where the window holds
@@ -57,8 +58,9 @@ public:
 
 private:
   struct Sample {
-    double r;                                 // distance behind the tip [length]
-    std::vector<Share> jump;                  // upper face minus lower face
+    double r;                            // distance behind the tip [length]
+    std::vector<Share> jump;             // upper face minus lower face
+    std::vector<Share> lever;            // the same shares times their distance y' from the crack [length]
   };
 
   geometry::Tip tip_;

@@ -1,0 +1,83 @@
+#pragma once
+#include <Eigen/Dense>
+#include <random>
+
+#include "geometry/seeding.hpp"
+#include "plate/boundary.hpp"
+#include "plate/family_operator.hpp"
+
+/// Plates small enough for dense matrices.
+namespace small_plate {
+
+inline const plate::Section section{1000, 0.3, 0.25, 5.0 / 6, 2};
+
+/// One plate with everything that the solvers need.
+struct Model {
+  geometry::Outline outline, cells;  // [length], in lattice units
+  plate::Discretization discretization;
+  plate::Boundary boundary;
+  plate::FamilyOperator plate;
+
+  Eigen::Index points() const { return static_cast<Eigen::Index>(plate.points()); }
+};
+
+/// `cracks` in lattice units; without mirror images of the cracks.
+inline Model model(const geometry::Outline& outline, const std::vector<plate::Support>& supports,
+                   const plate::Discretization& d, const std::vector<geometry::CrackPath>& cracks = {}) {
+  auto cloud = geometry::lattice(outline, d.spacing);
+  const auto cells = geometry::to_lattice(outline, cloud.units);
+  auto boundary = plate::boundary(std::move(cloud), cells, supports, d);
+  auto families = geometry::families(boundary.cloud, d.horizon(), plate::sees(boundary, cells, d.horizon_ratio));
+  if (!cracks.empty())
+    families = geometry::without(families, [&](std::uint32_t k, std::uint32_t j) {
+      for (const auto& crack : cracks)
+        if (geometry::severs(crack, boundary.lattice[k], boundary.lattice[j])) return true;
+      return false;
+    });
+  auto shapes = plate::bond_shapes(families.vectors, section, d);
+  const auto& areas = boundary.cloud.areas;
+  const auto parameters = plate::horizon_parameters(families, shapes, areas, boundary.active, section, d);
+  plate::FamilyOperator op(std::move(families), std::move(shapes), areas, parameters);
+  return {outline, cells, d, std::move(boundary), std::move(op)};
+}
+
+inline plate::Discretization spaced(double spacing) {
+  plate::Discretization d;
+  d.spacing = spacing;
+  return d;
+}
+
+inline plate::State random_state(Eigen::Index points, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  return plate::State::NullaryExpr(3, points, [&] { return uniform(random); });
+}
+
+/// K of all degrees of freedom, column by column: forces = -K state.
+inline Eigen::MatrixXd stiffness(const plate::FamilyOperator& op) {
+  const auto points = static_cast<Eigen::Index>(op.points());
+  Eigen::MatrixXd K(3 * points, 3 * points);
+  plate::State unit = plate::State::Zero(3, points);
+  plate::Forces forces;
+  for (Eigen::Index n = 0; n < K.cols(); ++n) {
+    unit.data()[n] = 1;
+    op.internal_force(unit, forces);
+    unit.data()[n] = 0;
+    K.col(n) = -forces.reshaped();
+  }
+  return K;
+}
+
+/// P of u = P q, one column for every free degree of freedom, from the lists of the constraints.
+inline Eigen::MatrixXd prolongation(const plate::Constraints& constraints, Eigen::Index dofs) {
+  Eigen::MatrixXd all = Eigen::MatrixXd::Identity(dofs, dofs);
+  for (const auto dof : constraints.fixed()) all(dof, dof) = 0;
+  for (const auto& tie : constraints.ties())
+    all(tie.follower, tie.follower) = 0, all(tie.follower, tie.leader) = tie.factor;
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index n = 0; n < dofs; ++n)
+    if (all(n, n) == 1) free.push_back(n);
+  return all(Eigen::all, free);
+}
+
+}  // namespace small_plate

@@ -1,0 +1,278 @@
+#include "plate/boundary.hpp"
+
+#include <catch2/catch.hpp>
+#include <numeric>
+#include <set>
+
+#include "tests/unit/plate/small_plate.hpp"
+
+using namespace plate;
+using geometry::Point;
+
+namespace {
+
+/// 8 x 7 cells, all sides named, horizon 3.015.
+Boundary held(const std::vector<Support>& supports,
+              const geometry::Outline& outline = geometry::rectangle(0, 0, 8, 7)) {
+  const auto d = small_plate::spaced(1);
+  return boundary(geometry::lattice(outline, 1), outline, supports, d);
+}
+
+Support all_round(SupportKind kind) {
+  return {kind, {"left", "right", "bottom", "top"}, {}};
+}
+
+std::optional<std::uint32_t> point_at(const Boundary& b, const Point& u) {
+  for (std::uint32_t k = 0; k < b.lattice.size(); ++k)
+    if ((b.lattice[k] - u).norm() < 1e-9) return k;
+  return std::nullopt;
+}
+
+/// How a degree of freedom follows: (leader, factor); nothing where it is free.
+std::optional<std::pair<std::uint32_t, double>> tie_of(const Boundary& b, std::uint32_t dof) {
+  for (const auto& tie : b.constraints.ties())
+    if (tie.follower == dof) return std::pair{tie.leader, tie.factor};
+  return std::nullopt;
+}
+
+bool is_fixed(const Boundary& b, std::uint32_t dof) {
+  const auto& all = b.constraints.fixed();
+  return std::find(all.begin(), all.end(), dof) != all.end();
+}
+
+/// The image at `u` follows the point at `original` with these three signs.
+void check_image(const Boundary& b, const Point& u, const Point& original, const std::array<double, 3>& signs) {
+  const auto image = point_at(b, u), k = point_at(b, original);
+  REQUIRE(image);
+  REQUIRE(k);
+  CHECK_FALSE(b.is_plate(*image));
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    const auto tie = tie_of(b, 3 * *image + c);
+    REQUIRE(tie);
+    CHECK(tie->first == 3 * *k + c);
+    CHECK(tie->second == signs[c]);
+  }
+}
+
+/// Points along pq, ends included.
+template <typename Test>
+bool any_on(const Point& p, const Point& q, const Test& test) {
+  for (int i = 0; i <= 400; ++i)
+    if (test(Point(p + (q - p) * (i / 400.0)))) return true;
+  return false;
+}
+
+geometry::Outline angle_shape() {  // an L, its re-entrant corner at (5, 4)
+  return {{{{0, 0}, {10, 0}, {10, 4}, {5, 4}, {5, 9}, {0, 9}}, {"south", "east", "step", "wall", "north", "west"}}, {}};
+}
+
+}  // namespace
+
+TEST_CASE("mirror images: one per point within the horizon, squares at the corners") {
+  CHECK(held({}).fictitious.empty());
+  CHECK(held({{SupportKind::clamped, {"left"}, {}}}).fictitious.size() == 3 * 7);
+  CHECK(held({{SupportKind::clamped, {"bottom"}, {}}}).fictitious.size() == 3 * 8);
+  CHECK(held({{SupportKind::clamped, {"left", "bottom"}, {}}}).fictitious.size() == 3 * 7 + 3 * 8 + 9);
+  CHECK(held({{SupportKind::clamped, {"left", "right"}, {}}}).fictitious.size() == 2 * 3 * 7);
+  const auto kind = GENERATE(SupportKind::clamped, SupportKind::simply_supported_hard, SupportKind::symmetry);
+  const Boundary b = held({all_round(kind)});
+  CHECK(b.fictitious.size() == 2 * (3 * 7 + 3 * 8) + 4 * 9);
+  CHECK(b.cloud.size() == 56 + b.fictitious.size());
+  CHECK(b.cloud.plate_points == 56);
+  CHECK(b.warnings.empty());
+  std::set<std::pair<double, double>> places;
+  for (std::size_t i = 0; i < b.lattice.size(); ++i) places.insert({b.lattice[i].x(), b.lattice[i].y()});
+  CHECK(places.size() == b.lattice.size());  // no two at one place
+  CHECK(places.size() == (8 + 6) * (7 + 6));
+  for (std::size_t i = 0; i < b.fictitious.size(); ++i) {
+    CHECK(b.fictitious[i].exact);
+    CHECK_FALSE(b.active[56 + i]);
+  }
+}
+
+TEST_CASE("signs of the images by kind") {
+  const auto on = [](SupportKind kind, const char* edge) { return held({{kind, {edge}, {}}}); };
+  const Point left(-1.5, 2.5), of_left(1.5, 2.5), top(3.5, 8.5), of_top(3.5, 5.5);
+  check_image(on(SupportKind::clamped, "left"), left, of_left, {-1, -1, -1});
+  // hard: w and the rotation along the edge odd; on a vertical edge psi_s = theta_x
+  check_image(on(SupportKind::simply_supported_hard, "left"), left, of_left, {-1, -1, 1});
+  check_image(on(SupportKind::simply_supported_hard, "top"), top, of_top, {-1, 1, -1});
+  // a mirror: the rotation across it odd; on a vertical edge psi_n = -theta_y
+  check_image(on(SupportKind::symmetry, "left"), left, of_left, {1, 1, -1});
+  check_image(on(SupportKind::symmetry, "top"), top, of_top, {1, -1, 1});
+}
+
+TEST_CASE("corners: the image of the image, signs multiplied") {
+  const Boundary b = held({{SupportKind::clamped, {"left"}, {}}, {SupportKind::symmetry, {"bottom"}, {}}});
+  check_image(b, {-2.5, -0.5}, {2.5, 0.5}, {-1, 1, -1});
+  CHECK_FALSE(point_at(b, {8.5, -0.5}));  // the free right edge has no corner square
+}
+
+TEST_CASE("soft support: the first row's deflection is a third of the second's, a ninth at a corner") {
+  const Boundary b = held({{SupportKind::simply_supported, {"left", "bottom"}, {}}});
+  CHECK(b.fictitious.empty());
+  const auto check = [&](const Point& u, const Point& leader, double factor) {
+    const auto tie = tie_of(b, 3 * *point_at(b, u));
+    REQUIRE(tie);
+    CHECK(tie->first == 3 * *point_at(b, leader));
+    CHECK(tie->second == Approx(factor).epsilon(1e-14));  // measured: 0
+  };
+  check({0.5, 4.5}, {1.5, 4.5}, 1.0 / 3);
+  check({4.5, 0.5}, {4.5, 1.5}, 1.0 / 3);
+  check({0.5, 0.5}, {1.5, 1.5}, 1.0 / 9);
+  CHECK(b.constraints.ties().size() == 8 + 7 - 1);  // w only
+  CHECK(b.constraints.fixed().empty());
+}
+
+TEST_CASE("soft support on a plate one cell wide holds its points at zero") {
+  const Boundary b = held({{SupportKind::simply_supported, {"left"}, {}}}, geometry::rectangle(0, 0, 1, 4));
+  CHECK(b.constraints.fixed().size() == 4);
+}
+
+TEST_CASE("pins fix the deflection of the nearest point") {
+  const Boundary b = held({{SupportKind::pinned, {}, {{1.6, 2.4}, {7.9, 6.9}}}});
+  CHECK(b.constraints.fixed() == std::vector<std::uint32_t>{3 * 17, 3 * 55});
+}
+
+TEST_CASE("layers: three cells outside a held edge, with the squares between two") {
+  using enum SupportKind;
+  CHECK(held({{clamped_layer, {"left"}, {}}}).fictitious.size() == 3 * 7);
+  CHECK(held({{clamped_layer, {"left", "top"}, {}}}).fictitious.size() == 3 * 7 + 3 * 8 + 9);
+  CHECK(held({{clamped_layer, {"left", "right"}, {}}}).fictitious.size() == 2 * 3 * 7);
+  const auto kind = GENERATE(clamped_layer, simply_supported_layer, simply_supported_hard_layer);
+  const Boundary b = held({all_round(kind)});
+  REQUIRE(b.fictitious.size() == (8 + 6) * (7 + 6) - 8 * 7);
+  CHECK(b.constraints.ties().empty());
+  const auto fixes = [&](const Point& u) {
+    const auto k = point_at(b, u);
+    REQUIRE(k);
+    CHECK(b.active[*k]);  // stores energy
+    CHECK(b.cloud.areas[*k] == 1);
+    return std::array<bool, 3>{is_fixed(b, 3 * *k), is_fixed(b, 3 * *k + 1), is_fixed(b, 3 * *k + 2)};
+  };
+  const bool clamp = kind == clamped_layer, hard = kind == simply_supported_hard_layer;
+  CHECK(fixes({-2.5, 3.5}) == std::array<bool, 3>{true, clamp || hard, clamp});  // vertical edge: theta_x is tangential
+  CHECK(fixes({3.5, 9.5}) == std::array<bool, 3>{true, clamp, clamp || hard});
+  CHECK(fixes({-0.5, -0.5}) == std::array<bool, 3>{true, clamp || hard, clamp || hard});
+}
+
+TEST_CASE("layers in a re-entrant corner end where the edges do", "[!mayfail]") {
+  const Boundary b = held({{SupportKind::clamped_layer, {"step", "wall"}, {}}}, angle_shape());
+  // 5 x 3 along the step, 3 x 5 along the wall, 3 x 3 of both; more where corner squares are added there too
+  CHECK(b.fictitious.size() == 15 + 15 - 9);
+}
+
+TEST_CASE("an edge off the lattice is held by outside points that follow the point next to their image") {
+  const auto outline = geometry::rectangle(0, 0, 8, 6.75);
+  const Boundary b = held({{SupportKind::clamped, {"top"}, {}}}, outline);
+  CHECK(b.warnings.size() == 1);
+  REQUIRE(b.fictitious.size() >= 3 * 8);
+  std::size_t followers = 0;
+  for (std::uint32_t i = 56; i < b.lattice.size(); ++i) {
+    CHECK(b.lattice[i].y() > 6.75);
+    const auto tie = tie_of(b, 3 * i);
+    REQUIRE(tie);
+    const Point& leader = b.lattice[tie->first / 3];
+    // w = 0 on the line between the two
+    CHECK(tie->second == Approx(-(b.lattice[i].y() - 6.75) / (6.75 - leader.y())).epsilon(1e-12));  // measured: 0
+    ++followers;
+  }
+  CHECK(followers == b.fictitious.size());
+}
+
+TEST_CASE("sees: no bond through a hole") {
+  auto outline = geometry::rectangle(0, 0, 12, 12);
+  outline.holes.push_back(geometry::Circle{{6.1, 5.8}, 1.3, "hole"});
+  const Boundary b = held({}, outline);
+  const auto bonded = sees(b, outline, 3.015);
+  std::size_t through = 0, past = 0;
+  for (std::uint32_t j = 0; j < b.lattice.size(); ++j)
+    for (std::uint32_t k = 0; k < j; ++k) {
+      if ((b.lattice[k] - b.lattice[j]).norm() > 3.02) continue;
+      const auto within = [&](double radius) {
+        return any_on(b.lattice[k], b.lattice[j],
+                      [&](const Point& x) { return (x - Point(6.1, 5.8)).norm() < radius; });
+      };
+      const bool enters = within(1.3 - 1e-9), clear = !within(1.3 + 1e-4);
+      if (enters) CHECK_FALSE(bonded(k, j));
+      if (clear) CHECK(bonded(k, j));
+      through += enters, past += clear;
+    }
+  CHECK(through > 10);
+  CHECK(past > 1000);
+}
+
+TEST_CASE("sees: no bond past a re-entrant corner") {
+  const auto outline = angle_shape();
+  const Boundary b = held({}, outline);
+  const auto bonded = sees(b, outline, 3.015);
+  std::size_t through = 0, inside = 0;
+  for (std::uint32_t j = 0; j < b.lattice.size(); ++j)
+    for (std::uint32_t k = 0; k < j; ++k) {
+      if ((b.lattice[k] - b.lattice[j]).norm() > 3.02) continue;
+      const bool leaves =
+          any_on(b.lattice[k], b.lattice[j], [](const Point& x) { return x.x() > 5 + 1e-9 && x.y() > 4 + 1e-9; });
+      CHECK(bonded(k, j) == !leaves);
+      ++(leaves ? through : inside);
+    }
+  CHECK(through == 3);
+  CHECK(inside > 500);
+}
+
+TEST_CASE("sees: images across their own side alone, never each other") {
+  const auto outline = angle_shape();
+  const Boundary b = held({{SupportKind::clamped, {"step", "wall", "east"}, {}}}, outline);
+  const auto bonded = sees(b, outline, 3.015);
+  std::size_t seen = 0, images = 0;
+  for (std::uint32_t j = std::uint32_t(b.cloud.plate_points); j < b.lattice.size(); ++j)
+    for (std::uint32_t k = 0; k < j; ++k) {
+      const Point &p = b.lattice[k], &q = b.lattice[j];
+      if ((p - q).norm() > 3.02) continue;
+      if (!b.is_plate(k)) {
+        CHECK_FALSE(bonded(k, j));
+        ++images;
+        continue;
+      }
+      const auto& image = b.fictitious[j - b.cloud.plate_points];
+      if (!bonded(k, j) || image.sides[1] >= 0) continue;
+      ++seen;
+      const Side& side = b.sides[std::size_t(image.sides[0])];
+      const int axis = side.edge.from.x() == side.edge.to.x() ? 0 : 1;
+      const Point hit = p + (q - p) * (side.edge.from[axis] - p[axis]) / (q[axis] - p[axis]);
+      const double low = std::min(side.edge.from[1 - axis], side.edge.to[1 - axis]);
+      const double high = std::max(side.edge.from[1 - axis], side.edge.to[1 - axis]);
+      CHECK(hit[1 - axis] >= low - 1e-9);
+      CHECK(hit[1 - axis] <= high + 1e-9);
+    }
+  CHECK(seen > 100);
+  CHECK(images > 100);
+}
+
+TEST_CASE("sees: inside a mirrored rectangle every point has its full family") {
+  auto d = small_plate::spaced(1);
+  const auto m = small_plate::model(geometry::rectangle(0, 0, 8, 7), {all_round(SupportKind::clamped)}, d);
+  const auto& families = m.plate.families();
+  for (std::size_t k = 0; k < m.boundary.cloud.plate_points; ++k)
+    CHECK(families.first[k + 1] - families.first[k] == 28);
+}
+
+TEST_CASE("any_image asks for the bond and its reflections") {
+  const Boundary b = held({{SupportKind::clamped, {"left", "bottom"}, {}}});
+  const auto asked = [&](const Point& p, const Point& q) {
+    std::vector<std::pair<Point, Point>> all;
+    CHECK_FALSE(b.any_image(*point_at(b, p), *point_at(b, q), [&](const Point& u, const Point& v) {
+      all.emplace_back(u, v);
+      return false;
+    }));
+    return all;
+  };
+  CHECK(asked({1.5, 1.5}, {2.5, 1.5}).size() == 1);
+  const auto edge = asked({0.5, 4.5}, {-1.5, 4.5});
+  REQUIRE(edge.size() == 2);
+  CHECK(edge[1].first == Point(-0.5, 4.5));
+  CHECK(edge[1].second == Point(1.5, 4.5));
+  const auto corner = asked({0.5, 0.5}, {-0.5, -1.5});
+  REQUIRE(corner.size() == 4);
+  CHECK(corner[3].first == Point(-0.5, -0.5));
+  CHECK(corner[3].second == Point(0.5, 1.5));
+}
