@@ -33,6 +33,13 @@ std::array<int, 3> parity(SupportKind kind, int normal_axis) {
   return signs;
 }
 
+/// Does the outline turn left from the end of one edge into the other?
+bool convex_corner(const Side& first, const Side& second) {
+  if (first.circle || second.circle || first.edge.to != second.edge.from) return false;
+  const Point a = first.edge.to - first.edge.from, b = second.edge.to - second.edge.from;
+  return a.x() * b.y() - a.y() * b.x() > 0;
+}
+
 std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports) {
   std::vector<Side> sides;
   for (const auto& edge : geometry::straight_edges(outline)) sides.push_back({edge.name, false, edge, {0, 0}, 0, {}});
@@ -107,9 +114,7 @@ void Builder::mirror_at_corners() {
     for (std::size_t t = 0; t < b_.sides.size(); ++t) {
       const Side &first = b_.sides[s], &second = b_.sides[t];
       const bool both = mirrors(first.kind) && mirrors(second.kind) && first.along_lattice() && second.along_lattice();
-      if (!both || first.edge.to != second.edge.from || first.normal_axis() == second.normal_axis()) continue;
-      const Point a = first.edge.to - first.edge.from, c = second.edge.to - second.edge.from;
-      if (a.x() * c.y() - a.y() * c.x() <= 0) continue;
+      if (!both || !convex_corner(first, second)) continue;
       const auto p = parity(first.kind, first.normal_axis()), q = parity(second.kind, second.normal_axis());
       for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
         if (!within(first, b_.lattice[k]) || !within(second, b_.lattice[k])) continue;
@@ -208,7 +213,7 @@ void Builder::layers() {
     const Point out = side.outward(low) * std::floor(reach_);
     low = low.cwiseMin(low + out), high = high.cwiseMax(high + out);
     for (const Side& other : b_.sides)
-      if (is_layer(other.kind) && (other.edge.to == side.edge.from || other.edge.from == side.edge.to)) {
+      if (is_layer(other.kind) && (convex_corner(side, other) || convex_corner(other, side))) {
         const Point more = other.outward(low) * std::floor(reach_);
         low = low.cwiseMin(low + more), high = high.cwiseMax(high + more);
       }
@@ -237,34 +242,6 @@ void Builder::pins(const std::vector<Support>& supports) {
 }
 
 }  // namespace
-
-double Side::inside(const Point& u) const {
-  if (circle) return (u - centre).norm() - radius;
-  return -outward(u).dot(u - edge.from);
-}
-
-Point Side::outward(const Point& u) const {
-  if (circle) return (centre - u).normalized();
-  const Point along = (edge.to - edge.from).normalized();
-  return {along.y(), -along.x()};
-}
-
-int Side::normal_axis() const {
-  if (circle) return -1;
-  if (edge.from.x() == edge.to.x()) return 0;
-  return edge.from.y() == edge.to.y() ? 1 : -1;
-}
-
-bool Side::along_lattice() const {
-  const int axis = normal_axis();
-  return axis >= 0 && edge.from[axis] == std::round(edge.from[axis]);
-}
-
-Point Side::mirrored(const Point& u) const {
-  Point image = u;
-  image[normal_axis()] = 2 * edge.from[normal_axis()] - u[normal_axis()];
-  return image;
-}
 
 bool Boundary::any_image(std::uint32_t k, std::uint32_t j,
                          const std::function<bool(const Point&, const Point&)>& test) const {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t report_every = 50;
 
-/// 1 / diag(P^T K P) at free degrees of freedom that have stiffness, 0 at all others.
+/// 1 / diag(P^T diag(K) P) at free degrees of freedom that have stiffness, 0 at all others.
 Forces inverse_diagonal(const FamilyOperator& plate, const Constraints& constraints) {
   Forces diagonal = plate.diagonal();
   constraints.fold_diagonal(diagonal);

@@ -19,6 +19,25 @@ bool all_bonded(const geometry::Families& families, const std::vector<std::uint3
   return true;
 }
 
+/// The quadrilateral of a square of four points, or the triangle of three of them, where bonds join them.
+void add_cell(Mesh& mesh, const geometry::Families& families, const plate::CellIndex& cells,
+              const geometry::Point& lower_left) {
+  std::vector<std::uint32_t> corners;  // counter-clockwise
+  for (const geometry::Point& step : {geometry::Point(0, 0), {1, 0}, {1, 1}, {0, 1}})
+    if (const auto corner = cells.at(lower_left + step)) corners.push_back(*corner);
+  if (corners.size() == 4 && all_bonded(families, corners)) {
+    mesh.quads.push_back({corners[0], corners[1], corners[2], corners[3]});
+    return;
+  }
+  for (std::size_t without = corners.size(); without-- > 0 && corners.size() >= 3;) {
+    auto three = corners;
+    if (corners.size() == 4) three.erase(three.begin() + std::ptrdiff_t(without));
+    if (!all_bonded(families, three)) continue;
+    mesh.triangles.push_back({three[0], three[1], three[2]});
+    return;
+  }
+}
+
 }  // namespace
 
 Mesh mesh(const plate::Boundary& boundary, const geometry::Families& families, std::vector<double> cut,
@@ -34,22 +53,10 @@ Mesh mesh(const plate::Boundary& boundary, const geometry::Families& families, s
   const std::vector<geometry::Point> lattice(boundary.lattice.begin(), boundary.lattice.begin() + std::ptrdiff_t(count));
   const plate::CellIndex cells(lattice);
   for (std::uint32_t k = 0; k < count; ++k) {
-    std::vector<std::uint32_t> corners;  // counter-clockwise
-    for (const geometry::Point& step : {geometry::Point(0, 0), {1, 0}, {1, 1}, {0, 1}})
-      if (const auto corner = cells.at(lattice[k] + step)) corners.push_back(*corner);
-    if (corners.size() == 4 && all_bonded(families, corners)) {
-      result.quads.push_back({corners[0], corners[1], corners[2], corners[3]});
-      continue;
-    }
-    for (std::size_t without = 0; corners.size() == 4 && without < 4; ++without) {
-      auto three = corners;
-      three.erase(three.begin() + std::ptrdiff_t(without));
-      if (all_bonded(families, three)) {
-        result.triangles.push_back({three[0], three[1], three[2]});
-        break;
-      }
-    }
-    if (corners.size() == 3 && all_bonded(families, corners)) result.triangles.push_back({corners[0], corners[1], corners[2]});
+    add_cell(result, families, cells, lattice[k]);
+    // a square whose lower left point is missing belongs to its lower right one
+    const geometry::Point left = lattice[k] - geometry::Point(1, 0);
+    if (!cells.at(left)) add_cell(result, families, cells, left);
   }
   return result;
 }

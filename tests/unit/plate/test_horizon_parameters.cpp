@@ -136,7 +136,7 @@ TEST_CASE("arbitrary horizon domain: twist energy of a full and a half family of
     if (full || d.twist_match == TwistMatch::paper)
       CHECK(std::abs(ratio - 1) < 1e-12);  // measured: 4e-16
     else
-      CHECK(std::abs(ratio - 1) < 0.25);
+      CHECK(std::abs(ratio - 1) < 0.25);  // measured: 0.16
   }
 }
 

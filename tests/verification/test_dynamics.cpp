@@ -1,0 +1,147 @@
+// Central differences conserve energy; threads change no bit.
+#include <omp.h>
+
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "tests/verification/verified_plate.hpp"
+
+using namespace plate;
+namespace vp = verified_plate;
+
+namespace {
+
+cases::Case cracked_plate() {
+  auto c = vp::square(0.1);
+  c.supports = {vp::held(SupportKind::clamped, {"left"}), vp::held(SupportKind::simply_supported, {"top"})};
+  c.cracks = {{{-0.31, 0.02}, {0.33, 0.27}}};
+  return c;
+}
+
+struct Balance {
+  double worst = 0;         // |kinetic + strain - work| / largest strain energy
+  double invariant = 0;     // the same less dt^2 a M a / 8, which central differences conserve exactly
+  double largest_strain = 0;
+};
+
+/// 1000 steps of 0.95 times the stable step under one history; the balance counts from `from` on, relative to there.
+Balance balance(const History& history, double step_share = 0.95, double from = -1) {
+  const auto c = cracked_plate();
+  const auto a = vp::assembled(c);
+  const auto& constraints = a.boundary.constraints;
+  const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.cloud.plate_points, constraints);
+  const double dt = step_share * stable_time_step(a.plate, constraints, mass);
+  Forces load = a.loads.front().forces;
+  constraints.fold(load);
+  Balance result;
+  std::vector<std::array<double, 2>> sums;
+  central_differences(a.plate, constraints, mass, {{a.loads.front().forces, history}}, {dt, 1000, 1},
+                      [&](const Instant& now) {
+                        const double strain = a.plate.energies(now.state).sum();
+                        const double sum = now.kinetic_energy + strain - now.external_work;
+                        const Forces f = vp::folded_force(a, now.state) + factor(history, now.time) * load;
+                        const double accelerated = f.array().square().sum() == 0
+                                                       ? 0
+                                                       : f.cwiseProduct(f.binaryExpr(mass, [](double g, double m) {
+                                                          return m > 0 ? g / m : 0.0;
+                                                        })).sum();
+                        result.largest_strain = std::max(result.largest_strain, strain);
+                        if (now.time >= from) sums.push_back({sum, sum - dt * dt / 8 * accelerated});
+                      });
+  REQUIRE(sums.size() > 100);
+  const double origin = from < 0 ? 0 : sums.front()[0];
+  for (const auto& [sum, invariant] : sums) {
+    result.worst = std::max(result.worst, std::abs(sum - origin) / result.largest_strain);
+    result.invariant = std::max(result.invariant, std::abs(invariant - sums.front()[1]) / result.largest_strain);
+  }
+  return result;
+}
+
+double stable_step() {
+  const auto c = cracked_plate();
+  const auto a = vp::assembled(c);
+  const auto& constraints = a.boundary.constraints;
+  return stable_time_step(
+      a.plate, constraints,
+      plate::mass(c.section, a.boundary.cloud.areas, a.boundary.cloud.plate_points, constraints));
+}
+
+/// The state after 200 steps, or after relaxation, with a number of threads.
+template <typename Run>
+State with_threads(int threads, const Run& run) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(threads);
+  State state = run();
+  omp_set_num_threads(before);
+  return state;
+}
+
+bool same_bits(const State& a, const State& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), sizeof(double) * std::size_t(a.size())) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("energy over 1000 steps: step load") {
+  const Balance b = balance({});
+  CAPTURE(b.worst, b.invariant);
+  CHECK(b.worst < 1e-2);
+  CHECK(b.invariant < 1e-11);
+  const Balance half = balance({}, 0.475);
+  CAPTURE(half.worst);
+  CHECK(half.worst < b.worst / 3);
+}
+
+TEST_CASE("energy over 1000 steps: ramp and sine") {
+  const double dt = stable_step();
+  History ramp{History::Kind::ramp, 300 * dt, 0, {}};
+  const Balance ramped = balance(ramp);
+  CAPTURE(ramped.worst);
+  CHECK(ramped.worst < 1e-2);
+  History sine{History::Kind::sine, 0, 1 / (400 * dt), {}};
+  const Balance waved = balance(sine);
+  CAPTURE(waved.worst);
+  CHECK(waved.worst < 1e-2);
+}
+
+TEST_CASE("a plate released from its load keeps its energy") {
+  const double dt = stable_step();
+  const History release{History::Kind::table, 0, 0, {{0, 1}, {100 * dt, 1}, {101 * dt, 0}}};
+  const Balance b = balance(release, 0.95, 105 * dt);
+  CAPTURE(b.worst, b.invariant);
+  CHECK(b.worst < 1e-2);
+  CHECK(b.invariant < 1e-11);
+}
+
+TEST_CASE("one thread and two give the same bits: dynamics") {
+  const auto run = [] {
+    const auto c = cracked_plate();
+    const auto a = vp::assembled(c);
+    const auto& constraints = a.boundary.constraints;
+    const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.cloud.plate_points, constraints);
+    State last;
+    central_differences(a.plate, constraints, mass, a.loads, {0.9 * stable_time_step(a.plate, constraints, mass), 200, 200},
+                        [&](const Instant& now) { last = now.state; });
+    return last;
+  };
+  const State one = with_threads(1, run), two = with_threads(2, run);
+  CHECK(one.cwiseAbs().maxCoeff() > 0);
+  CHECK(same_bits(one, two));
+}
+
+TEST_CASE("one thread and two give the same bits: relaxation and conjugate gradients") {
+  auto c = cracked_plate();
+  c.discretization.spacing = 0.04;  // several blocks of every sum
+  for (const bool adr : {true, false}) {
+    const auto run = [&] {
+      const auto a = vp::assembled(c);
+      const StaticOptions options{1e-6, 300, {}};
+      const auto& constraints = a.boundary.constraints;
+      return adr ? adaptive_dynamic_relaxation(a.plate, constraints, vp::loads(a), options).state
+                 : conjugate_gradients(a.plate, constraints, vp::loads(a), options).state;
+    };
+    const State one = with_threads(1, run), two = with_threads(2, run);
+    CHECK(one.cwiseAbs().maxCoeff() > 0);
+    CHECK(same_bits(one, two));
+  }
+}
