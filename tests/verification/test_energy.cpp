@@ -43,8 +43,8 @@ double asymmetry(const cases::Assembly& a) {
 
 void check(const cases::Case& c) {
   const auto a = vp::assembled(c);
-  CHECK(force_error(a) < 1e-11);  // measured: at most 2e-14, the rounding of a sum of energies
-  CHECK(asymmetry(a) < 1e-12);    // measured: at most 4e-16
+  CHECK(force_error(a) < 1e-11);  // measured: at most 3.5e-15; wider: the rounding of a sum of energies
+  CHECK(asymmetry(a) < 1e-12);    // measured: at most 8e-17
 }
 
 }  // namespace
@@ -76,9 +76,9 @@ TEST_CASE("force and energy: every other setting of the discretisation") {
 }
 
 TEST_CASE("force and energy: every support, two at a corner, a crack that runs into one") {
-  for (const auto kind : {SupportKind::clamped, SupportKind::simply_supported, SupportKind::simply_supported_hard,
-                          SupportKind::symmetry, SupportKind::clamped_layer, SupportKind::simply_supported_layer,
-                          SupportKind::simply_supported_hard_layer})
+  for (const auto kind :
+       {SupportKind::clamped, SupportKind::simply_supported, SupportKind::simply_supported_hard, SupportKind::symmetry,
+        SupportKind::clamped_layer, SupportKind::simply_supported_layer, SupportKind::simply_supported_hard_layer})
     for (const auto correction : vp::surface_corrections) {
       auto c = vp::cracked_with_hole();
       c.supports = {vp::held(kind, {"left", "bottom"})};
@@ -95,7 +95,8 @@ TEST_CASE("force and energy: different supports at the corners, pins") {
                 vp::held(SupportKind::simply_supported_hard, {"right"}),
                 vp::held(SupportKind::simply_supported, {"top"})};
   check(c);
-  c.supports = {vp::held(SupportKind::clamped_layer, {"left"}), vp::held(SupportKind::symmetry, {"bottom"}),
+  c.supports = {vp::held(SupportKind::clamped_layer, {"left"}),
+                vp::held(SupportKind::symmetry, {"bottom"}),
                 {SupportKind::pinned, {}, {{1.15, 0.95}, {0.55, 0.95}}}};
   check(c);
 }

@@ -81,39 +81,41 @@ TEST_CASE("hard simple supports: deflection against Navier's series at three spa
   for (const double spacing : {0.1, 0.05, 0.025})
     error.push_back(series_error(spacing, VolumeCorrection::lattice_fitted));
   CAPTURE(error);
-  CHECK(std::abs(error[0]) < 0.02);
-  CHECK(std::abs(error[1]) < 0.02);
-  CHECK(std::abs(error[2]) < 0.02);
-  CHECK(std::log2(error[0] / error[1]) > 1.5);
-  CHECK(std::log2(error[1] / error[2]) > 1.5);
+  CHECK(std::abs(error[0]) < 0.03);             // measured: -2.01 %
+  CHECK(std::abs(error[1]) < 0.006);            // measured: -0.38 %
+  CHECK(std::abs(error[2]) < 0.0015);           // measured: -0.088 %
+  CHECK(std::log2(error[0] / error[1]) > 1.8);  // measured: 2.39
+  CHECK(std::log2(error[1] / error[2]) > 1.8);  // measured: 2.12
 }
 
 TEST_CASE("linear volumes: the series is approached up to the lattice's anisotropy") {
   const double error = series_error(0.025, VolumeCorrection::linear);
   CAPTURE(error);
-  CHECK(std::abs(error) < 0.01);
+  CHECK(std::abs(error) < 0.004);  // measured: -0.26 %, of it -0.17 % by the anisotropy
 }
 
 TEST_CASE("clamped square: deflection at the centre") {
   // w D / (p L^4) of the Mindlin plate, h / L = 0.05, by the method of Ritz
   constexpr double reference = 1.32726e-3;
   std::vector<double> error;
-  for (const double spacing : {0.1, 0.05, 0.025}) {
-    auto c = vp::square(spacing);
+  for (const int cells : {21, 41, 81}) {  // odd: a point at the centre
+    auto c = vp::square(2.0 / cells);
     c.discretization.volume_correction = VolumeCorrection::lattice_fitted;
     c.supports = {vp::held_all_round(SupportKind::clamped)};
     const auto a = vp::assembled(c);
     const auto solution = vp::solved(a);
     REQUIRE(solution.converged);
-    // the largest of the four points about the centre, carried there by the parabola of the curvature below
-    const double w = solution.state.row(0).maxCoeff();
-    const double to_centre = 1 + spacing * spacing / 4 * 5.5;  // w = w0 (1 - 5.5 r^2 / 2 / 1^2), r^2 = spacing^2 / 2
-    error.push_back(w * to_centre * c.section.bending_stiffness() / 16 / reference - 1);
+    const auto centre = geometry::nearest_plate_point(a.boundary.cloud, {0, 0});
+    REQUIRE(a.boundary.cloud.positions[centre].norm() < 1e-9);
+    error.push_back(solution.state(0, Eigen::Index(centre)) * c.section.bending_stiffness() / 16 / reference - 1);
   }
   CAPTURE(error);
-  CHECK(std::abs(error[0]) < 0.02);
-  CHECK(std::abs(error[1]) < 0.02);
-  CHECK(std::abs(error[2]) < 0.02);
+  // large where a cell is as wide as the plate is thick: w odd about the edge stands against constant curvature there
+  CHECK(std::abs(error[0]) < 0.3);                                   // measured: -26.1 %
+  CHECK(std::abs(error[1]) < 0.09);                                  // measured: -7.6 %
+  CHECK(std::abs(error[2]) < 0.022);                                 // measured: -1.80 %
+  CHECK(std::log(error[0] / error[1]) / std::log(41.0 / 21) > 1.6);  // measured: 1.84
+  CHECK(std::log(error[1] / error[2]) / std::log(81.0 / 41) > 1.9);  // measured: 2.12
 }
 
 TEST_CASE("hard simple supports: first natural frequency against Mindlin's equation") {
@@ -125,8 +127,8 @@ TEST_CASE("hard simple supports: first natural frequency against Mindlin's equat
     error.push_back(first_frequency(c) / exact::natural_frequency(c.section, 2, 2, 1, 1) - 1);
   }
   CAPTURE(error);
-  CHECK(std::abs(error[0]) < 0.02);
-  CHECK(std::abs(error[1]) < 0.02);
+  CHECK(std::abs(error[0]) < 0.014);  // measured: +1.09 %
+  CHECK(std::abs(error[1]) < 0.003);  // measured: +0.21 %
 }
 
 TEST_CASE("clamped plate with a crack: first natural frequency against the reference") {
@@ -135,5 +137,5 @@ TEST_CASE("clamped plate with a crack: first natural frequency against the refer
   c.cracks = {{{-0.1, 0}, {0.1, 0}}};
   const double error = first_frequency(c) / reference_frequency("4.2_clamped", 1) - 1;
   CAPTURE(error);
-  CHECK(std::abs(error) < 0.02);
+  CHECK(std::abs(error) < 0.009);  // measured: +0.62 %
 }

@@ -24,7 +24,9 @@ inline cases::Case free_plate(const geometry::Outline& outline, double spacing) 
 }
 
 /// 2 x 2, edges left, right, bottom, top.
-inline cases::Case square(double spacing) { return free_plate(geometry::rectangle(-1, -1, 1, 1), spacing); }
+inline cases::Case square(double spacing) {
+  return free_plate(geometry::rectangle(-1, -1, 1, 1), spacing);
+}
 
 /// A hole and an oblique crack beside it, 12 x 10 points.
 inline cases::Case cracked_with_hole() {
@@ -40,7 +42,9 @@ inline plate::Support held(plate::SupportKind kind, std::vector<std::string> edg
   return {kind, std::move(edges), {}};
 }
 
-inline plate::Support held_all_round(plate::SupportKind kind) { return held(kind, {"left", "right", "bottom", "top"}); }
+inline plate::Support held_all_round(plate::SupportKind kind) {
+  return held(kind, {"left", "right", "bottom", "top"});
+}
 
 inline cases::Assembly assembled(const cases::Case& c) {
   cases::Stopwatch stopwatch;
@@ -57,7 +61,9 @@ inline plate::StaticSolution solved(const cases::Assembly& a, double tolerance =
   return plate::conjugate_gradients(a.plate, a.boundary.constraints, loads(a), {tolerance, 100000, {}});
 }
 
-inline Eigen::Index size(const cases::Assembly& a) { return static_cast<Eigen::Index>(a.plate.points()); }
+inline Eigen::Index size(const cases::Assembly& a) {
+  return static_cast<Eigen::Index>(a.plate.points());
+}
 
 /// Random at free degrees of freedom, what the constraints say at all others.
 inline plate::State random_state(const cases::Assembly& a, unsigned seed) {

@@ -1,0 +1,176 @@
+// Every case file of the tree reads and runs, coarse, through the program itself.
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "cases/study.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+namespace fs = std::filesystem;
+using small_run::TemporaryFolder;
+using small_run::text_of;
+
+namespace {
+
+bool is_study(const fs::path& path) {
+  return path.filename().string().starts_with("study_");
+}
+
+/// The TOML files below cases/static and cases/dynamic.
+std::vector<fs::path> toml_files(bool studies) {
+  std::vector<fs::path> files;
+  for (const char* folder : {"static", "dynamic"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(PDPLATE_SOURCE_DIR) / "cases" / folder))
+      if (entry.path().extension() == ".toml" && is_study(entry.path()) == studies) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string quoted(const std::string& text) {
+  REQUIRE(text.find('\'') == std::string::npos);
+  return "'" + text + "'";
+}
+
+struct Ended {
+  int exit_code;
+  std::string output;  // standard output and errors
+};
+
+Ended program(const std::vector<std::string>& arguments) {
+  const TemporaryFolder scratch;
+  std::string command = quoted(PDPLATE_PROGRAM);
+  for (const auto& argument : arguments) command += " " + quoted(argument);
+  const int status = std::system((command + " > " + quoted((scratch / "output").string()) + " 2>&1").c_str());
+  REQUIRE(WIFEXITED(status));
+  return {WEXITSTATUS(status), text_of(scratch / "output")};
+}
+
+Ended run(const fs::path& file, const fs::path& folder, const std::vector<std::string>& settings) {
+  std::vector<std::string> arguments{"run", file.string(), "--out", folder.string(), "--quiet", "--threads", "2"};
+  for (const auto& setting : settings) arguments.insert(arguments.end(), {"--set", setting});
+  return program(arguments);
+}
+
+/// Overrides that make a case cheap: 40 cells across the smaller side, a fortieth of the duration.
+std::vector<std::string> coarse(const cases::Case& c) {
+  const auto [low, high] = geometry::bounding_box(c.outline);
+  std::vector<std::string> settings{"discretization.spacing=" + std::to_string((high - low).minCoeff() / 40)};
+  if (c.analysis.kind == cases::Analysis::Kind::static_)
+    settings.push_back("analysis.method=cg");
+  else
+    settings.push_back("analysis.duration=" + std::to_string(c.analysis.duration / 40));
+  return settings;
+}
+
+void check_files(const fs::path& folder, const cases::Case& c) {
+  for (const char* name :
+       {"summary.json", "case.resolved.toml", "history.csv", "fields.pvd", "fields_0000.vtu", "state.h5"}) {
+    INFO(name);
+    CHECK((fs::exists(folder / name) && fs::file_size(folder / name) > 0));
+  }
+  CHECK(fs::exists(folder / "srif.csv") == c.srif.has_value());
+  CHECK(fs::exists(folder / "probes.csv") == !c.output.probes.empty());
+  CHECK(text_of(folder / "summary.json").find("\"outcome\": \"done\"") != std::string::npos);
+}
+
+fs::path central_crack() {
+  return fs::path(PDPLATE_SOURCE_DIR) / "cases/static/central_crack_pressure.toml";
+}
+
+}  // namespace
+
+TEST_CASE("every case reads and runs, and its resolved form gives the same results") {
+  const auto files = toml_files(false);
+  REQUIRE(files.size() >= 12);
+  for (const auto& file : files) {
+    INFO(file);
+    const auto content = cases::read_case(file, {}).content;
+    const TemporaryFolder scratch;
+    const auto ended = run(file, scratch / "first", coarse(content));
+    INFO(ended.output);
+    REQUIRE(ended.exit_code == 0);
+    check_files(scratch / "first", content);
+
+    const auto again = run(scratch / "first" / "case.resolved.toml", scratch / "again", {});
+    INFO(again.output);
+    REQUIRE(again.exit_code == 0);
+    check_files(scratch / "again", content);
+    CHECK(text_of(scratch / "again" / "case.resolved.toml") == text_of(scratch / "first" / "case.resolved.toml"));
+    for (const char* table : {"srif.csv", "history.csv", "probes.csv"})
+      if (fs::exists(scratch / "first" / table))
+        CHECK(text_of(scratch / "again" / table) == text_of(scratch / "first" / table));
+  }
+}
+
+TEST_CASE("every study reads, with the cases of all its runs") {
+  const auto files = toml_files(true);
+  CHECK(files.size() >= 2);
+  for (const auto& file : files) {
+    INFO(file);
+    const auto study = cases::read_study(file);
+    CHECK(study.runs.size() > 1);
+    CHECK_FALSE(study.references.empty());
+  }
+}
+
+TEST_CASE("every case passes the command that checks it") {
+  for (const auto& file : toml_files(false)) {
+    auto settings = coarse(cases::read_case(file, {}).content);
+    std::vector<std::string> arguments{"check", file.string()};
+    for (const auto& setting : settings) arguments.insert(arguments.end(), {"--set", setting});
+    const auto ended = program(arguments);
+    INFO(file << ": " << ended.output);
+    CHECK(ended.exit_code == 0);
+  }
+}
+
+TEST_CASE("exit code 2: a wrong case, nothing is written") {
+  const TemporaryFolder scratch;
+  for (const char* wrong : {"section.poisson=0.7", "section.poissson=0.3", "geometry.cracks=[[[-0.3, 0], [1.7, 0]]]",
+                            "support[0].edges=[\"north\"]", "discretization.spacing=\"small\"",
+                            "support=[{kind=\"free\", edges=[\"top\"]}]"}) {
+    const auto ended = run(central_crack(), scratch / "results", {"discretization.spacing=0.05", wrong});
+    INFO(wrong << ": " << ended.output);
+    CHECK(ended.exit_code == 2);
+    CHECK_FALSE(ended.output.empty());
+    CHECK_FALSE(fs::exists(scratch / "results"));
+  }
+  CHECK(run(scratch / "absent.toml", scratch / "results", {}).exit_code == 2);
+  CHECK(program({"run"}).exit_code == 2);
+  CHECK(program({"walk"}).exit_code == 2);
+  CHECK(scratch.entries() == 0);
+}
+
+TEST_CASE("exit code 3: not converged, the summary and the last frame are kept") {
+  for (const char* method : {"adr", "cg"}) {
+    const TemporaryFolder scratch;
+    const auto ended =
+        run(central_crack(), scratch / "results",
+            {"discretization.spacing=0.05", "analysis.max_iterations=5", std::string("analysis.method=") + method});
+    INFO(method << ": " << ended.output);
+    CHECK(ended.exit_code == 3);
+    CHECK(ended.output.find("not converged in 5 iterations") != std::string::npos);
+    const auto summary = text_of(scratch / "results" / "summary.json");
+    CHECK(summary.find("\"outcome\": \"failed") != std::string::npos);
+    CHECK(summary.find("\"iterations\": 5") != std::string::npos);
+    for (const char* name :
+         {"case.resolved.toml", "history.csv", "srif.csv", "probes.csv", "fields.pvd", "fields_0000.vtu", "state.h5"})
+      CHECK(fs::exists(scratch / "results" / name));
+  }
+}
+
+TEST_CASE("exit code 4: the folder cannot be made") {
+  const TemporaryFolder scratch;
+  std::ofstream(scratch / "file") << "in the way\n";
+  const auto ended = run(central_crack(), scratch / "file" / "results", {"discretization.spacing=0.05"});
+  INFO(ended.output);
+  CHECK(ended.exit_code == 4);
+  CHECK(text_of(scratch / "file") == "in the way\n");
+}
+
+TEST_CASE("exit code 0: help, keys") {
+  CHECK(program({"--help"}).exit_code == 0);
+  CHECK(program({"keys", "spacing"}).exit_code == 0);
+}
