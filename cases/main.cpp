@@ -2,6 +2,7 @@
 #include "plate/numerical_error.hpp"
 #include "post/compare.hpp"
 #include "post/table.hpp"
+#include "post/whole_file.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <omp.h>
@@ -53,7 +54,7 @@ void print_table(const post::Table& table) {
 }
 
 struct Arguments {
-  std::string file, folder, key, reference;
+  std::string file, folder, key, reference, plot;
   std::vector<std::string> settings, methods;
   int threads = 0;
   bool quiet = false;
@@ -89,7 +90,9 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("srif")) {
     print_table(cases::srif_again(a.folder, a.methods));
   } else if (app.got_subcommand("compare")) {
-    fmt::print("{}", post::to_text(post::compare(a.folder, a.reference)));
+    const auto rows = post::compare(a.folder, a.reference);
+    fmt::print("{}", post::to_text(rows));
+    if (!a.plot.empty()) post::write_whole(a.plot, post::to_svg(post::plot(rows, post::title_of(a.folder))));
   } else if (app.got_subcommand("study")) {
     return run_study(a);
   }
@@ -114,6 +117,7 @@ int main(int argc, char** argv) {
   auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
+  compare->add_option("--plot", a.plot, "file for a plot of the curves (SVG)");
   auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
   study->add_option("study", a.file, "study file (TOML)")->required();
   study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");

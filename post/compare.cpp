@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -14,11 +16,6 @@
 
 namespace post {
 namespace {
-
-/// The samples of a curve, those with a missing value left out.
-struct Curve {
-  std::vector<double> t, y;
-};
 
 using Row = std::vector<Cell>;
 
@@ -36,6 +33,7 @@ bool has(const Table& table, const std::string& name) {
   return std::ranges::find(table.columns, name) != table.columns.end();
 }
 
+/// The samples of a curve, those with a missing value left out.
 Curve curve(const Table& table, const std::string& time, const std::string& name) {
   const std::size_t t = table.column(time), y = table.column(name);
   Curve result;
@@ -149,9 +147,28 @@ void add(std::vector<ComparedQuantity>& rows, const Table& computed, const Table
     for (const std::string& name : reference_columns(reference, quantity)) {
       const Curve known = curve(reference, "t", name);
       if (std::ranges::all_of(known.y, [](double y) { return y == 0; })) continue;
-      rows.push_back({quantity, name, compare(run.t, run.y, known.t, known.y)});
+      rows.push_back({quantity, name, compare(run.t, run.y, known.t, known.y), run, known});
     }
   }
+}
+
+/// What the axis of a quantity says.
+std::string axis_title(const std::string& quantity) {
+  if (quantity == "w") return "deflection w";
+  if (quantity == "theta_x") return "rotation \u03b8x";
+  if (quantity == "theta_y") return "rotation \u03b8y";
+  return (quantity.starts_with('F') ? "normalized factor " : "intensity factor ") + quantity;
+}
+
+std::string percent(double share) {
+  const double size = 100 * std::abs(share);
+  return size < 100 ? fmt::format("{:.2f} %", size) : fmt::format("{:.4g} %", size);
+}
+
+std::string legend(const ComparedQuantity& row) {
+  const Comparison& c = row.comparison;
+  return fmt::format("reference {}: rms {}, peak error {}{}", row.reference, percent(c.relative_rms),
+                     c.peak_error < 0 ? "\u2212" : "+", percent(c.peak_error));
 }
 
 }  // namespace
@@ -206,12 +223,40 @@ std::string to_text(const std::vector<ComparedQuantity>& rows) {
   std::string text =
       fmt::format("{:<9} {:<12} {:>7} {:>12} {:>14} {:>11} {:>14} {:>11} {:>11}\n", "quantity", "reference", "samples",
                   "relative rms", "peak", "at time", "reference peak", "at time", "peak error");
-  for (const auto& [quantity, reference, c] : rows) {
+  for (const auto& [quantity, reference, c, computed, known] : rows) {
     text += fmt::format("{:<9} {:<12} {:>7} {:>10.3f} % {:>14.6g} {:>11.5g} {:>14.6g} {:>11.5g} {:>+9.3f} %\n",
                         quantity, reference, c.samples, 100 * c.relative_rms, c.peak_computed, c.time_of_peak_computed,
                         c.peak_reference, c.time_of_peak_reference, 100 * c.peak_error);
   }
   return text;
+}
+
+CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title) {
+  constexpr std::array lines{Line::reference, Line::second_reference, Line::third_reference};
+  CurvePlot result{title, {}};
+  for (std::size_t first = 0, next = 0; first < rows.size(); first = next) {
+    const std::string& quantity = rows[first].quantity;
+    while (next < rows.size() && rows[next].quantity == quantity) ++next;
+    const bool normalized_too =
+        quantity.starts_with('K') && std::ranges::any_of(rows, [&](const ComparedQuantity& row) {
+          return row.quantity.starts_with('F') && row.quantity.substr(1) == quantity.substr(1);
+        });
+    if (normalized_too) continue;
+    Panel panel{"time", axis_title(quantity), {}};
+    for (std::size_t i = first; i < next; ++i)
+      panel.series.push_back({legend(rows[i]), lines[std::min(i - first, lines.size() - 1)], rows[i].known});
+    panel.series.push_back({"computed", Line::computed, rows[first].computed});
+    result.panels.push_back(std::move(panel));
+  }
+  return result;
+}
+
+std::string title_of(const std::filesystem::path& results) {
+  std::ifstream file(results / "summary.json");
+  const auto summary = nlohmann::json::parse(file, nullptr, false);  // not JSON: a value that is no object
+  if (summary.is_object() && summary.contains("title") && summary["title"].is_string()) return summary["title"];
+  const auto folder = std::filesystem::absolute(results).lexically_normal();
+  return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
 }
 
 }  // namespace post

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "post/curve_plot.hpp"
+
 namespace post {
 
 /// How far a computed curve is from a reference, over the range of time that both cover.
@@ -27,6 +29,7 @@ struct ComparedQuantity {
   std::string quantity;   // w, theta_x, theta_y, K1 ... K3, F1 ... F3
   std::string reference;  // the column: F1_J is the best value of F1, F1_paper_LS the paper's own recipe
   Comparison comparison;
+  Curve computed, known;  // the whole curves, also outside the range that both cover
 };
 
 /// Compares the probe and the tip of a finished run with the curves of a reference file, which has a column `t`.
@@ -37,5 +40,12 @@ std::vector<ComparedQuantity> compare(const std::filesystem::path& results, cons
 
 /// The comparisons as lines of text under a header.
 std::string to_text(const std::vector<ComparedQuantity>& rows);
+
+/// The computed curves over their references: one panel for each quantity, K left out where F of the same mode is
+/// there.
+CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title);
+
+/// The title in summary.json of a finished run, or else the name of its folder.
+std::string title_of(const std::filesystem::path& results);
 
 }  // namespace post
