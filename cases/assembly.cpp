@@ -47,6 +47,16 @@ void check_edges_fit(const plate::Boundary& boundary, double spacing, std::vecto
   }
 }
 
+/// A lattice that is far from isotropic at its rim cannot be fitted with a weight that is not negative.
+void check_weights(const CaseFile& file, const std::vector<plate::BondShape>& shapes) {
+  for (const auto& bond : shapes)
+    if (bond.weight < 0)
+      throw CaseError({{file.place("discretization.volume_correction"), "discretization.volume_correction",
+                        fmt::format("\"lattice_fitted\" has a negative weight at horizon_ratio {:g}; choose \"linear\", or "
+                                    "a ratio a little above a whole number",
+                                    file.content.discretization.horizon_ratio)}});
+}
+
 std::vector<plate::TimedLoad> timed_loads(const Case& c, const geometry::Cloud& cloud) {
   std::vector<plate::TimedLoad> loads;
   for (const auto& load : c.loads) loads.push_back({plate::nodal_forces(load, cloud, c.outline), load.history});
@@ -109,6 +119,7 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
   stopwatch.lap("families");
 
   auto shapes = plate::bond_shapes(families.vectors, c.section, d);
+  check_weights(file, shapes);
   auto cut = fracture::cut_share(whole, families, shapes, boundary.cloud.plate_points);
   const auto& areas = boundary.cloud.areas;
   const auto parameters = plate::horizon_parameters(families, shapes, areas, boundary.active, c.section, d);

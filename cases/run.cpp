@@ -70,7 +70,7 @@ void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& resu
                    Stopwatch& stopwatch) {
   const Case& c = file.content;
   const auto& constraints = assembly.boundary.constraints;
-  const auto mass = plate::mass(c.section, assembly.boundary.cloud.areas, summary.points, constraints);
+  const auto mass = plate::mass(c.section, assembly.boundary.cloud.areas, assembly.boundary.active, constraints);
   const double limit = plate::stable_time_step(assembly.plate, constraints, mass);
   const TimeGrid grid = time_grid(file, limit);
   summary.analysis.method = "central_difference";

@@ -74,13 +74,13 @@ void require_finite(const State& state, std::size_t step, double time) {
 
 }  // namespace
 
-Forces mass(const Section& section, const std::vector<double>& areas, std::size_t plate_points,
+Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
             const Constraints& constraints) {
   Forces result = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
   const double translation = section.density * section.thickness;
   const double rotation = translation * section.thickness * section.thickness / 12;
-  for (std::size_t k = 0; k < plate_points; ++k)
-    result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    if (active[k]) result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
   constraints.fold_diagonal(result);
   return result;
 }

@@ -14,8 +14,8 @@ struct TimedLoad {
 };
 
 /// Mass per degree of freedom, diag(rho h, rho h^3 / 12, rho h^3 / 12) times the area (Eq. 9), carried over to the
-/// free ones; zero at held degrees of freedom and at fictitious points.
-Forces mass(const Section& section, const std::vector<double>& areas, std::size_t plate_points,
+/// free ones; zero at held degrees of freedom and at points that are not active (images that store no energy).
+Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
             const Constraints& constraints);
 
 /// 2 / omega with omega^2 >= the largest eigenvalue of M^-1 K: max over i of (|K| s)_i / (M_i s_i) for a positive s

@@ -61,6 +61,8 @@ std::vector<std::string> coarse(const cases::Case& c) {
     settings.push_back("analysis.method=cg");
   else
     settings.push_back("analysis.duration=" + std::to_string(c.analysis.duration / 40));
+  if (c.srif && c.srif->window)  // a length that suits the case's own spacing: here all of the crack behind the tip
+    settings.insert(settings.end(), {"srif.window=" + std::to_string((high - low).maxCoeff()), "srif.skip=0"});
   return settings;
 }
 

@@ -29,7 +29,7 @@ Balance balance(const History& history, std::size_t steps = 1000, double share =
   const auto c = cracked_plate();
   const auto a = vp::assembled(c);
   const auto& constraints = a.boundary.constraints;
-  const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.cloud.plate_points, constraints);
+  const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints);
   const double dt = share * stable_time_step(a.plate, constraints, mass);
   Forces load = a.loads.front().forces;
   constraints.fold(load);
@@ -61,7 +61,7 @@ double stable_step() {
   const auto a = vp::assembled(c);
   const auto& constraints = a.boundary.constraints;
   return stable_time_step(a.plate, constraints,
-                          plate::mass(c.section, a.boundary.cloud.areas, a.boundary.cloud.plate_points, constraints));
+                          plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints));
 }
 
 /// The state after 200 steps, or after relaxation, with a number of threads.
@@ -116,7 +116,7 @@ TEST_CASE("one thread and two give the same bits: dynamics") {
     const auto c = cracked_plate();
     const auto a = vp::assembled(c);
     const auto& constraints = a.boundary.constraints;
-    const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.cloud.plate_points, constraints);
+    const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints);
     State last;
     central_differences(a.plate, constraints, mass, a.loads,
                         {0.9 * stable_time_step(a.plate, constraints, mass), 200, 200},

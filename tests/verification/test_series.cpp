@@ -15,7 +15,7 @@ namespace {
 double first_frequency(const cases::Case& c) {
   const auto a = vp::assembled(c);
   const auto& constraints = a.boundary.constraints;
-  const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.cloud.plate_points, constraints);
+  const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints);
   State x = vp::field(a, [](const geometry::Point&) { return Eigen::Vector3d(1, 0, 0); });
   double eigenvalue = 0, before = 1;
   for (int i = 0; i < 30 && std::abs(eigenvalue / before - 1) > 1e-7; ++i) {

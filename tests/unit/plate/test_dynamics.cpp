@@ -21,7 +21,7 @@ small_plate::Model held() {
 }
 
 Forces mass_of(const small_plate::Model& m) {
-  return mass(section, m.boundary.cloud.areas, m.boundary.cloud.plate_points, m.boundary.constraints);
+  return mass(section, m.boundary.cloud.areas, m.boundary.active, m.boundary.constraints);
 }
 
 std::vector<TimedLoad> pressure(const small_plate::Model& m, double value, const History& history = {}) {
