@@ -74,8 +74,9 @@ private:
   }
   std::uint32_t last() const { return static_cast<std::uint32_t>(b_.lattice.size() - 1); }
   void tie_image(std::uint32_t leader, const std::array<double, 3>& factors) {
-    for (std::uint32_t c = 0; c < 3; ++c) b_.constraints.tie(3 * last() + c, 3 * leader + c, factors[c]);
+    for (std::uint32_t c = 0; c < 3; ++c) b_.constraints.tie(3 * last() + c, {{3 * leader + c, factors[c]}});
   }
+  void tie_clamped(std::uint32_t leader, double depth, const Side& side);
   bool within(const Side& side, const Point& u) const;
   void mirror_at_corners();
   void follow(std::uint32_t k, const Side& side);
@@ -94,6 +95,18 @@ bool Builder::within(const Side& side, const Point& u) const {
   return s > -reach_ && s < length + reach_;
 }
 
+/// Beyond a clamped line, at `depth` d outside, with the leader at d' inside: rotations -d/d', and
+/// w = -(d/d') w' + (d^2 + d d')/(2 d') psi_n', psi_n along the inner normal: exact for constant curvature and for
+/// constant shear from the line on. Plain odd w would see a spurious shear there.
+void Builder::tie_clamped(std::uint32_t leader, double depth, const Side& side) {
+  const Point& u = b_.lattice[leader];
+  const double inside = side.inside(u), ratio = depth / inside;
+  const double lever = spacing_ * depth * (depth + inside) / (2 * inside);
+  const Point out = side.outward(u);  // psi_n = out_x theta_y - out_y theta_x
+  b_.constraints.tie(3 * last(), {{3 * leader, -ratio}, {3 * leader + 1, -lever * out.y()}, {3 * leader + 2, lever * out.x()}});
+  for (std::uint32_t c = 1; c < 3; ++c) b_.constraints.tie(3 * last() + c, {{3 * leader + c, -ratio}});
+}
+
 void Builder::mirror_images() {
   for (std::size_t s = 0; s < b_.sides.size(); ++s) {
     const Side& side = b_.sides[s];
@@ -102,7 +115,10 @@ void Builder::mirror_images() {
     for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
       if (!within(side, b_.lattice[k])) continue;
       add(side.mirrored(b_.lattice[k]), b_.cloud.areas[k], {{static_cast<int>(s), -1}, false, true});
-      tie_image(k, {double(signs[0]), double(signs[1]), double(signs[2])});
+      if (side.kind == SupportKind::clamped)
+        tie_clamped(k, side.inside(b_.lattice[k]), side);
+      else
+        tie_image(k, {double(signs[0]), double(signs[1]), double(signs[2])});
     }
   }
   mirror_at_corners();
@@ -170,6 +186,10 @@ void Builder::outside_cell(const Point& u, const std::vector<int>& candidates) {
     for (std::uint32_t c = 0; c < 3; ++c) b_.constraints.fix(3 * last() + c);
     return;
   }
+  if (side.kind == SupportKind::clamped) {
+    tie_clamped(*leader, depth, side);
+    return;
+  }
   const auto signs = parity(side.kind, side.normal_axis());
   const double ratio = depth / side.inside(b_.lattice[*leader]);
   std::array<double, 3> factors{};
@@ -198,7 +218,7 @@ void Builder::follow(std::uint32_t k, const Side& side) {
   const auto inner = cells_.at(u - step);
   const double own = side.inside(u), further = inner ? side.inside(b_.lattice[*inner]) : 0;
   if (inner && further > own)
-    b_.constraints.tie(3 * k, 3 * *inner, own / further);
+    b_.constraints.tie(3 * k, {{3 * *inner, own / further}});
   else
     b_.constraints.fix(3 * k);
 }

@@ -2,42 +2,53 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
 #include <unordered_set>
 
 namespace plate {
+namespace {
+
+using Wanted = std::unordered_map<std::uint32_t, std::vector<Constraints::Leader>>;
+
+/// Adds factor * u[dof] to `sum`, in terms of free degrees of freedom. A chain longer than any sound one is a ring: it
+/// holds at zero what it ties.
+void expand(std::uint32_t dof, double factor, const Wanted& wanted, const std::unordered_set<std::uint32_t>& fixed,
+            std::map<std::uint32_t, double>& sum, int depth) {
+  constexpr int longest_chain = 16;
+  if (factor == 0 || fixed.contains(dof) || depth > longest_chain) return;
+  const auto entry = wanted.find(dof);
+  if (entry == wanted.end()) {
+    sum[dof] += factor;
+    return;
+  }
+  for (const auto& leader : entry->second) expand(leader.dof, factor * leader.factor, wanted, fixed, sum, depth + 1);
+}
+
+}  // namespace
 
 void Constraints::fix(std::uint32_t dof) { fixed_.push_back(dof); }
 
-void Constraints::tie(std::uint32_t follower, std::uint32_t leader, double factor) {
-  ties_.push_back({follower, leader, factor});
+void Constraints::tie(std::uint32_t follower, std::vector<Leader> leaders) {
+  wanted_.try_emplace(follower, std::move(leaders));
 }
 
 void Constraints::resolve() {
-  std::unordered_map<std::uint32_t, Tie> by_follower;
-  for (const Tie& tie : ties_) by_follower.try_emplace(tie.follower, tie);
   std::unordered_set<std::uint32_t> fixed(fixed_.begin(), fixed_.end());
-
-  std::vector<Tie> resolved;
-  for (const auto& [follower, first] : by_follower) {
+  std::vector<std::uint32_t> zero;
+  for (const auto& [follower, leaders] : wanted_) {
     if (fixed.contains(follower)) continue;
-    Tie tie = first;
-    for (std::size_t links = 0; !fixed.contains(tie.leader); ++links) {
-      const auto next = by_follower.find(tie.leader);
-      if (next == by_follower.end()) break;
-      tie = {follower, next->second.leader, tie.factor * next->second.factor};
-      if (tie.leader == follower || links > by_follower.size()) tie.factor = 0;  // a ring of ties holds all at zero
-      if (tie.factor == 0) break;
-    }
-    if (tie.factor == 0 || fixed.contains(tie.leader))
-      fixed.insert(follower);
-    else
-      resolved.push_back(tie);
+    std::map<std::uint32_t, double> sum;
+    expand(follower, 1, wanted_, fixed, sum, 0);
+    for (const auto& [leader, factor] : sum) ties_.push_back({follower, leader, factor});
+    if (sum.empty()) zero.push_back(follower);
   }
-  std::sort(resolved.begin(), resolved.end(), [](const Tie& a, const Tie& b) { return a.follower < b.follower; });
-  ties_ = std::move(resolved);
+  wanted_.clear();
+  fixed.insert(zero.begin(), zero.end());
   fixed_.assign(fixed.begin(), fixed.end());
   std::sort(fixed_.begin(), fixed_.end());
+  std::sort(ties_.begin(), ties_.end(), [](const Tie& a, const Tie& b) {
+    return a.follower != b.follower ? a.follower < b.follower : a.leader < b.leader;
+  });
 
   held_ = fixed_;
   for (const Tie& tie : ties_) held_.push_back(tie.follower);
@@ -46,18 +57,24 @@ void Constraints::resolve() {
 
 bool Constraints::held(std::uint32_t dof) const { return std::binary_search(held_.begin(), held_.end(), dof); }
 
+template <typename Weight>
+void Constraints::impose_with(State& state, const Weight& weight) const {
+  for (const auto dof : held_) state.data()[dof] = 0;
+  for (const Tie& tie : ties_) state.data()[tie.follower] += weight(tie.factor) * state.data()[tie.leader];
+}
+
 void Constraints::impose(State& state) const {
-  for (const auto dof : fixed_) state.data()[dof] = 0;
-  for (const Tie& tie : ties_) state.data()[tie.follower] = tie.factor * state.data()[tie.leader];
+  impose_with(state, [](double factor) { return factor; });
+}
+
+void Constraints::impose_absolute(State& state) const {
+  impose_with(state, [](double factor) { return std::abs(factor); });
 }
 
 template <typename Weight>
 void Constraints::fold_with(Forces& forces, const Weight& weight) const {
-  for (const Tie& tie : ties_) {
-    forces.data()[tie.leader] += weight(tie.factor) * forces.data()[tie.follower];
-    forces.data()[tie.follower] = 0;
-  }
-  for (const auto dof : fixed_) forces.data()[dof] = 0;
+  for (const Tie& tie : ties_) forces.data()[tie.leader] += weight(tie.factor) * forces.data()[tie.follower];
+  for (const auto dof : held_) forces.data()[dof] = 0;
 }
 
 void Constraints::fold(Forces& forces) const {

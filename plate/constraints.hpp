@@ -1,40 +1,49 @@
 #pragma once
 #include "plate/state.hpp"
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace plate {
 
-/// Degrees of freedom (3 * point + component) that are zero or follow another one. Together they are the matrix P of
+/// Degrees of freedom (3 * point + component) that are zero or follow others. Together they are the matrix P of
 /// u = P q; forces go back by its transpose, so that a symmetric stiffness stays symmetric.
 class Constraints {
 public:
+  struct Leader {
+    std::uint32_t dof;
+    double factor;
+  };
   struct Tie {
     std::uint32_t follower, leader;
-    double factor;  // u[follower] = factor * u[leader]
+    double factor;  // u[follower] = sum of factor * u[leader] over its ties
   };
 
   void fix(std::uint32_t dof);
-  /// The leader may follow another one in turn, or be fixed; resolve() settles it. A dof that is held twice keeps its
-  /// first tie.
-  void tie(std::uint32_t follower, std::uint32_t leader, double factor);
+  /// u[follower] = sum of factor * u[dof] over the leaders, which may follow others in turn, or be fixed; resolve()
+  /// settles it. A dof that is tied twice keeps its first leaders.
+  void tie(std::uint32_t follower, std::vector<Leader> leaders);
 
-  /// Replaces chains of ties by one tie to a free leader. Call once, after the last fix and tie.
+  /// Replaces chains of ties by ties to free leaders. Call once, after the last fix and tie.
   void resolve();
 
-  const std::vector<Tie>& ties() const { return ties_; }
+  const std::vector<Tie>& ties() const { return ties_; }  // ascending by follower
   const std::vector<std::uint32_t>& fixed() const { return fixed_; }
   bool held(std::uint32_t dof) const;
 
-  void impose(State& state) const;                           // u = P q
-  void fold(Forces& forces) const;                           // f = P^T f; zero at held dofs
-  void fold_absolute(Forces& forces) const;                  // f = |P|^T f; zero at held dofs
-  void fold_diagonal(Forces& diagonal) const;                // m = diag(P^T diag(m) P); zero at held dofs
+  void impose(State& state) const;            // u = P q
+  void impose_absolute(State& state) const;   // u = |P| q
+  void fold(Forces& forces) const;            // f = P^T f; zero at held dofs
+  void fold_absolute(Forces& forces) const;   // f = |P|^T f; zero at held dofs
+  void fold_diagonal(Forces& diagonal) const; // m = diag(P^T diag(m) P); zero at held dofs
 
 private:
   template <typename Weight>
+  void impose_with(State& state, const Weight& weight) const;
+  template <typename Weight>
   void fold_with(Forces& forces, const Weight& weight) const;
 
+  std::unordered_map<std::uint32_t, std::vector<Leader>> wanted_;  // until resolve()
   std::vector<Tie> ties_;
   std::vector<std::uint32_t> fixed_;
   std::vector<std::uint32_t> held_;  // sorted, by resolve()

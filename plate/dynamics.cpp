@@ -92,8 +92,7 @@ double stable_time_step(const FamilyOperator& plate, const Constraints& constrai
   Forces product;
   double smallest_bound = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= improvements; ++i) {
-    for (const auto& tie : constraints.ties())
-      scale.data()[tie.follower] = std::abs(tie.factor) * scale.data()[tie.leader];
+    constraints.impose_absolute(scale);
     plate.absolute_product(scale, product);
     constraints.fold_absolute(product);
     const State next = product.cwiseProduct(inverse_mass);

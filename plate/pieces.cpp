@@ -58,8 +58,18 @@ std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& fa
   };
   for (const auto dof : boundary.constraints.fixed())
     if (found.contains(sets.root(dof / 3))) add(dof, at(dof));
-  for (const auto& tie : boundary.constraints.ties())
-    if (found.contains(sets.root(tie.follower / 3))) add(tie.follower, at(tie.follower) - tie.factor * at(tie.leader));
+  const auto scaled_factor = [&](const Constraints::Tie& tie) {  // w in spacings, rotations as they are
+    return tie.follower % 3 == 0 && tie.leader % 3 != 0 ? tie.factor / boundary.cloud.units.spacing : tie.factor;
+  };
+  const auto& ties = boundary.constraints.ties();
+  for (std::size_t i = 0; i < ties.size();) {
+    const auto follower = ties[i].follower;
+    const bool counts = found.contains(sets.root(follower / 3));
+    Eigen::Vector3d row = counts ? at(follower) : Eigen::Vector3d(0, 0, 0);
+    for (; i < ties.size() && ties[i].follower == follower; ++i)
+      if (counts) row -= scaled_factor(ties[i]) * at(ties[i].leader);
+    if (counts) add(follower, row);
+  }
 
   std::vector<Piece> result;
   for (auto& [root, piece] : found) {

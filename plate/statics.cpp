@@ -22,8 +22,7 @@ Forces inverse_fictitious_mass(const FamilyOperator& plate, const Constraints& c
                                const Forces& inverse_diagonal) {
   State scale = inverse_diagonal.cwiseSqrt();
   Forces bound;
-  for (const auto& tie : constraints.ties())
-    scale.data()[tie.follower] = std::abs(tie.factor) * scale.data()[tie.leader];
+  constraints.impose_absolute(scale);
   plate.absolute_product(scale, bound);
   constraints.fold_absolute(bound);
   return bound.binaryExpr(scale, [](double b, double s) { return b > 0 && s > 0 ? 4 * s / b : 0.0; });

@@ -27,14 +27,14 @@ Eigen::MatrixXd action(const Constraints& constraints) {
 Constraints several() {
   Constraints c;
   c.fix(0);
-  c.tie(1, 2, 0.5);  // chain 1 -> 2 -> 3
-  c.tie(2, 3, -3);
-  c.tie(4, 0, 7);  // follows a fixed one
-  c.tie(5, 3, 2);  // two followers of one leader
-  c.tie(5, 8, 9);  // held twice: the first counts
-  c.tie(6, 7, 1);  // ring
-  c.tie(7, 6, 1);
-  c.tie(9, 6, 1);  // leads into the ring
+  c.tie(1, {{2, 0.5}});  // chain 1 -> 2 -> 3
+  c.tie(2, {{3, -3}});
+  c.tie(4, {{0, 7}});  // follows a fixed one
+  c.tie(5, {{3, 2}});  // two followers of one leader
+  c.tie(5, {{8, 9}});  // held twice: the first counts
+  c.tie(6, {{7, 1}});  // ring
+  c.tie(7, {{6, 1}});
+  c.tie(9, {{6, 1}});  // leads into the ring
   c.resolve();
   return c;
 }
@@ -60,7 +60,7 @@ TEST_CASE("chains end at a free leader, fixed leaders and rings hold at zero") {
 
 TEST_CASE("a fixed degree of freedom that is also tied stays fixed") {
   Constraints c;
-  c.tie(3, 5, 1);
+  c.tie(3, {{5, 1}});
   c.fix(3);
   c.resolve();
   CHECK(c.ties().empty());
