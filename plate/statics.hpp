@@ -7,7 +7,7 @@
 namespace plate {
 
 /// When a static solution is good enough. The residual is |r| / |load| with |r|^2 = sum r_i^2 / K_ii over the free
-/// degrees of freedom: forces and couples count by the displacement that they cause, whatever the units.
+/// degrees of freedom (K_ii of P^T diag(K) P): forces and couples count by the displacement that they cause, whatever the units.
 struct StaticOptions {
   double tolerance = 1e-6;
   std::size_t max_iterations = 200000;

@@ -3,16 +3,16 @@
 
 namespace plate {
 
-/// How an edge is held (THEORY of the plate: plate/theory.md, "Supports").
+/// How an edge is held (theory.md, "Supports"); psi_n and psi_s: rotation along the normal and along the edge.
 enum class SupportKind {
   free,
-  clamped,                      // w = theta_n = theta_s = 0 on the line
+  clamped,                      // w = psi_n = psi_s = 0 on the line
   simply_supported,             // w = 0 on the line (soft)
-  simply_supported_hard,        // w = 0 and the rotation of the edge's normal about it left free, along it zero
+  simply_supported_hard,        // w = psi_s = 0 on the line
   symmetry,                     // mirror plane
   clamped_layer,                // Dai et al.: all zero in a layer of one horizon outside the plate
   simply_supported_layer,       // Dai et al.: w = 0 in that layer
-  simply_supported_hard_layer,  // w = 0 and tangential rotation zero in that layer
+  simply_supported_hard_layer,  // w = psi_s = 0 in that layer
   pinned                        // w = 0 at single points
 };
 

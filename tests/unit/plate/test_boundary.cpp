@@ -276,3 +276,34 @@ TEST_CASE("any_image asks for the bond and its reflections") {
   CHECK(corner[3].first == Point(-0.5, -0.5));
   CHECK(corner[3].second == Point(0.5, 1.5));
 }
+
+TEST_CASE("beyond a clamped side constant curvature and constant shear go on as they are") {
+  // along the inner normal from the line, at distance d: w = kappa d^2 / 2 + gamma d, psi_n = kappa d
+  const double kappa = 0.3, gamma = 0.7;
+  struct Named {
+    const char* side;
+    Point from, inward;
+  };
+  // the second outline puts the right edge within a cell: images are not mirror images there
+  const auto outline = GENERATE(geometry::rectangle(0, 0, 8, 7), geometry::rectangle(0, 0, 7.8, 7));
+  const double right = geometry::bounding_box(outline).second.x();
+  for (const Named& n : {Named{"left", {0, 0}, {1, 0}}, Named{"right", {right, 0}, {-1, 0}},
+                         Named{"bottom", {0, 0}, {0, 1}}, Named{"top", {0, 7}, {0, -1}}}) {
+    INFO(n.side);
+    const Boundary b = held({{SupportKind::clamped, {n.side}, {}}}, outline);
+    const auto exact = [&](const Point& x) {
+      const double d = (x - n.from).dot(n.inward);
+      const Point psi = kappa * d * n.inward;  // psi = (-theta_y, theta_x)
+      return Eigen::Vector3d(kappa * d * d / 2 + gamma * d, psi.y(), -psi.x());
+    };
+    State u(3, Eigen::Index(b.cloud.size()));
+    for (std::size_t k = 0; k < b.cloud.size(); ++k)
+      u.col(Eigen::Index(k)) = b.is_plate(std::uint32_t(k)) ? exact(b.cloud.positions[k]) : Eigen::Vector3d(9, 9, 9);
+    b.constraints.impose(u);
+    REQUIRE(b.cloud.size() > b.cloud.plate_points);
+    double error = 0;
+    for (std::size_t k = b.cloud.plate_points; k < b.cloud.size(); ++k)
+      error = std::max(error, (u.col(Eigen::Index(k)) - exact(b.cloud.positions[k])).cwiseAbs().maxCoeff());
+    CHECK(error < 1e-12);  // rounding, also where the leader is not the mirror image
+  }
+}
