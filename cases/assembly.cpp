@@ -63,6 +63,24 @@ std::vector<plate::TimedLoad> timed_loads(const Case& c, const geometry::Cloud& 
   return loads;
 }
 
+struct Weights {
+  plate::HorizonWeights weights;
+  std::optional<plate::MatchCounts> counts;
+};
+
+Weights horizon_weights(const Case& c, const plate::Boundary& boundary, const geometry::Families& families,
+                        const std::vector<plate::BondShape>& shapes) {
+  const auto& areas = boundary.cloud.areas;
+  const auto kinds = plate::family_kinds(families, areas, boundary.active);
+  if (c.discretization.surface_correction == plate::SurfaceCorrection::position_aware) {
+    auto found = plate::position_aware(families, shapes, areas, boundary.active, kinds, c.section);
+    return {std::move(found.weights), found.counts};
+  }
+  const auto parameters =
+      plate::horizon_parameters(families, shapes, areas, boundary.active, c.section, c.discretization);
+  return {plate::weights_of_parameters(families, shapes, areas, kinds, parameters), std::nullopt};
+}
+
 }  // namespace
 
 void Stopwatch::lap(const std::string& stage) {
@@ -122,8 +140,8 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
   check_weights(file, shapes);
   auto cut = fracture::cut_share(whole, families, shapes, boundary.cloud.plate_points);
   const auto& areas = boundary.cloud.areas;
-  const auto parameters = plate::horizon_parameters(families, shapes, areas, boundary.active, c.section, d);
-  plate::FamilyOperator plate(std::move(families), std::move(shapes), areas, parameters);
+  auto [weights, counts] = horizon_weights(c, boundary, families, shapes);
+  plate::FamilyOperator plate(std::move(families), std::move(shapes), areas, std::move(weights));
   auto loads = timed_loads(c, boundary.cloud);
   stopwatch.lap("parameters");
 
@@ -132,6 +150,7 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
           std::move(boundary),
           std::move(cut),
           std::move(plate),
+          counts,
           std::move(loads),
           std::move(warnings)};
 }

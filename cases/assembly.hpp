@@ -5,6 +5,7 @@
 #include "fracture/precrack.hpp"
 #include "plate/dynamics.hpp"
 #include "plate/pieces.hpp"
+#include "plate/position_aware.hpp"
 
 namespace cases {
 
@@ -29,6 +30,7 @@ struct Assembly {
   plate::Boundary boundary;
   std::vector<double> cut;  // per plate point: share of the family severed by cracks
   plate::FamilyOperator plate;
+  std::optional<plate::MatchCounts> match;  // of the position-aware correction
   std::vector<plate::TimedLoad> loads;
   std::vector<std::string> warnings;
 

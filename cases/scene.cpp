@@ -10,6 +10,7 @@ std::string name_of(plate::SurfaceCorrection correction) {
     case plate::SurfaceCorrection::none: return "none";
     case plate::SurfaceCorrection::volume: return "volume";
     case plate::SurfaceCorrection::arbitrary_horizon: return "arbitrary horizon";
+    case plate::SurfaceCorrection::position_aware: return "position-aware";
   }
   return "";
 }

@@ -5,34 +5,34 @@
 namespace geometry {
 namespace {
 
-/// The bonds of one point, relative to it.
-std::vector<std::pair<std::uint32_t, std::int32_t>> pattern_of(const Families& families, std::uint32_t k) {
-  std::vector<std::pair<std::uint32_t, std::int32_t>> pattern;
-  for (auto b = families.first[k]; b < families.first[k + 1]; ++b)
-    pattern.emplace_back(families.vector_id[b], static_cast<std::int32_t>(families.neighbour[b] - k));
+/// Kind of point k, then step and kind of every neighbour.
+std::vector<std::int64_t> pattern_of(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t k) {
+  std::vector<std::int64_t> pattern{kind[k]};
+  for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
+    pattern.push_back(std::int64_t(families.neighbour[b]) - std::int64_t(k));
+    pattern.push_back(kind[families.neighbour[b]]);
+  }
   return pattern;
 }
 
 /// Does point k have the pattern of the point before it?
-bool alike(const Families& families, std::uint32_t k) {
+bool alike(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t k) {
+  if (kind[k] != kind[k - 1]) return false;
   const auto before = families.first[k - 1], own = families.first[k];
-  const auto count = families.first[k + 1] - own;
-  if (own - before != count) return false;
-  for (std::size_t i = 0; i < count; ++i)
-    if (families.vector_id[before + i] != families.vector_id[own + i] ||
-        families.neighbour[before + i] + 1 != families.neighbour[own + i])
-      return false;
+  for (std::size_t i = 0; i < families.first[k + 1] - own; ++i) {
+    const auto j = families.neighbour[own + i], j_before = families.neighbour[before + i];
+    if (j_before + 1 != j || kind[j_before] != kind[j]) return false;
+  }
   return true;
 }
 
 }  // namespace
 
-FamilyRuns family_runs(const Families& families, std::uint32_t longest) {
+FamilyRuns family_runs(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t longest) {
   FamilyRuns result;
-  result.pattern_first.push_back(0);
-  std::map<std::vector<std::pair<std::uint32_t, std::int32_t>>, std::uint32_t> known;
+  std::map<std::vector<std::int64_t>, std::uint32_t> known;
   for (std::uint32_t k = 0; k < families.points(); ++k) {
-    const bool same = k > 0 && alike(families, k);
+    const bool same = k > 0 && alike(families, kind, k);
     if (same && result.runs.back().length < longest) {
       ++result.runs.back().length;
       continue;
@@ -41,12 +41,9 @@ FamilyRuns family_runs(const Families& families, std::uint32_t longest) {
       result.runs.push_back({k, 1, result.runs.back().pattern});
       continue;
     }
-    const auto pattern = pattern_of(families, k);
-    const auto [entry, fresh] = known.try_emplace(pattern, static_cast<std::uint32_t>(known.size()));
-    if (fresh) {
-      for (const auto& [vector_id, step] : pattern) result.bonds.push_back({vector_id, step});
-      result.pattern_first.push_back(result.bonds.size());
-    }
+    const auto [entry, fresh] =
+        known.try_emplace(pattern_of(families, kind, k), static_cast<std::uint32_t>(known.size()));
+    if (fresh) result.example.push_back(k);
     result.runs.push_back({k, 1, entry->second});
   }
   return result;

@@ -13,7 +13,7 @@ enum class VolumeCorrection {
 };
 
 /// How the parameters follow the family that a point really has.
-enum class SurfaceCorrection { none, volume, arbitrary_horizon };
+enum class SurfaceCorrection { none, volume, arbitrary_horizon, position_aware };
 
 /// Constants of a full horizon: integrals over the disc (Dai Eqs. 7-8), or sums over the lattice's full family.
 enum class FullHorizon { continuum, lattice };

@@ -1,5 +1,6 @@
 #include "plate/family_operator.hpp"
 
+#include <algorithm>
 #include <experimental/simd>
 
 namespace plate {
@@ -28,15 +29,21 @@ void store(Eigen::ArrayXd& values, std::size_t k, const Value& value) {
     value.copy_to(values.data() + k, simd::element_aligned);
 }
 
-/// The matrix of absolute values of a bond: |m|, and sums in place of differences.
-template <typename Value>
-Value curvature_sum(const BondShape& bond, const Kinematics<Value>& k, const Kinematics<Value>& j) {
-  return bond.mx * (j.theta_x + k.theta_x) + bond.my * (j.theta_y + k.theta_y);
+/// Eq. 2; for the matrix of absolute values, |m| is given and differences become sums.
+template <bool absolute, typename Bond, typename Value>
+Value curvature(const Bond& bond, const Kinematics<Value>& k, const Kinematics<Value>& j) {
+  if constexpr (absolute)
+    return bond.mx * (j.theta_x + k.theta_x) + bond.my * (j.theta_y + k.theta_y);
+  else
+    return curvature_difference(bond, k, j);
 }
 
-template <typename Value>
-Value shear_sum(const BondShape& bond, const Kinematics<Value>& k, const Kinematics<Value>& j) {
-  return j.w + k.w + bond.length / 2 * curvature_sum(bond, k, j);
+template <bool absolute, typename Bond, typename Value>
+Value shear(const Bond& bond, const Kinematics<Value>& k, const Kinematics<Value>& j) {
+  if constexpr (absolute)
+    return j.w + k.w + bond.length / 2 * curvature<true>(bond, k, j);
+  else
+    return shear_difference(bond, k, j);
 }
 
 /// Calls many(k) for as many points at a time as there are lanes, one(k) in shorter runs. The last lanes of a run may
@@ -57,16 +64,35 @@ void for_each(const geometry::FamilyRuns& runs, const Many& many, const One& one
 }  // namespace
 
 FamilyOperator::FamilyOperator(geometry::Families families, std::vector<BondShape> shapes,
-                               const std::vector<double>& areas, const std::vector<PointParameters>& parameters)
-    : families_(std::move(families)), runs_(geometry::family_runs(families_, longest_run)), shapes_(std::move(shapes)) {
+                               const std::vector<double>& areas, HorizonWeights weights)
+    : families_(std::move(families)), runs_(geometry::family_runs(families_, weights.kind, longest_run)),
+      shapes_(std::move(shapes)), weights_(std::move(weights)) {
   const auto count = static_cast<Eigen::Index>(areas.size());
-  for (auto* values : {&area_, &a_, &b_, &d_, &half_shear_, &w_, &theta_x_, &theta_y_, &q_}) values->setZero(count);
+  for (auto* values : {&area_, &dilatation_stiffness_, &w_, &theta_x_, &theta_y_, &q_}) values->setZero(count);
 #pragma omp parallel for schedule(static)
   for (Eigen::Index k = 0; k < count; ++k) {
-    const PointParameters& p = parameters[static_cast<std::size_t>(k)];
     area_[k] = areas[static_cast<std::size_t>(k)];
-    a_[k] = p.a, b_[k] = p.b, d_[k] = p.d, half_shear_[k] = p.C / 2;
+    dilatation_stiffness_[k] = 2 * area_[k] * weights_.a[weights_.kind[static_cast<std::size_t>(k)]];
   }
+  patterns_.first.push_back(0);
+  for (const std::size_t k : runs_.example) {
+    for (std::size_t i = 0; i < families_.first[k + 1] - families_.first[k]; ++i) patterns_.bonds.push_back(bond(k, i));
+    patterns_.first.push_back(patterns_.bonds.size());
+  }
+}
+
+/// The i-th bond of point k.
+FamilyOperator::Bond FamilyOperator::bond(std::size_t k, std::size_t i) const {
+  const auto b = families_.first[k] + i;
+  const std::size_t j = families_.neighbour[b];
+  const auto begin = families_.neighbour.begin() + std::ptrdiff_t(families_.first[j]);
+  const auto end = families_.neighbour.begin() + std::ptrdiff_t(families_.first[j + 1]);
+  const auto back = std::lower_bound(begin, end, static_cast<std::uint32_t>(k)) - begin;
+  const BondWeights &own = weights_.of(k, i), &other = weights_.of(j, std::size_t(back));
+  const double area = area_[Eigen::Index(k)], area_j = area_[Eigen::Index(j)];
+  const BondShape& shape = shapes_[families_.vector_id[b]];
+  return {shape.mx, shape.my, shape.length, own.D, other.D, 2 * (area * own.B + area_j * other.B),
+          2 * (area * own.S + area_j * other.S), static_cast<std::int32_t>(std::ptrdiff_t(j) - std::ptrdiff_t(k))};
 }
 
 template <typename Value>
@@ -75,44 +101,31 @@ Kinematics<Value> FamilyOperator::kinematics(std::size_t k) const {
 }
 
 template <bool absolute, typename Value>
-void FamilyOperator::dilatations(std::size_t k, std::uint32_t pattern, const std::vector<BondShape>& shapes) const {
+void FamilyOperator::dilatations(std::size_t k, const Bond* begin, const Bond* end,
+                                 const Eigen::ArrayXd& stiffness) const {
   const Kinematics<Value> own = kinematics<Value>(k);
   Value sum = 0;
-  for (auto b = runs_.pattern_first[pattern]; b < runs_.pattern_first[pattern + 1]; ++b) {
-    const BondShape& bond = shapes[runs_.bonds[b].vector_id];
-    const std::size_t j = k + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(runs_.bonds[b].step));
-    const Kinematics<Value> other = kinematics<Value>(j);
-    const Value difference = absolute ? curvature_sum(bond, own, other) : curvature_difference(bond, own, other);
-    sum += bond.weight * load<Value>(area_, j) * difference;
+  for (const Bond* bond = begin; bond < end; ++bond) {
+    const std::size_t j = k + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(bond->step));
+    sum += bond->D_kj * curvature<absolute>(*bond, own, kinematics<Value>(j));
   }
-  const Value a = load<Value>(a_, k), d = load<Value>(d_, k);
-  if constexpr (absolute) {
-    using std::abs;
-    store<Value>(q_, k, 2 * abs(a) * d * d * sum);
-  } else {
-    store<Value>(q_, k, 2 * a * d * d * sum);
-  }
+  store<Value>(q_, k, load<Value>(stiffness, k) * sum);
 }
 
 template <bool absolute, typename Value>
-void FamilyOperator::gather(std::size_t k, std::uint32_t pattern, const std::vector<BondShape>& shapes,
-                            Forces& forces) const {
+void FamilyOperator::gather(std::size_t k, const Bond* begin, const Bond* end, Forces& forces) const {
   const Kinematics<Value> own = kinematics<Value>(k);
-  const Value area = load<Value>(area_, k), q = load<Value>(q_, k), b_own = load<Value>(b_, k),
-              shear_own = load<Value>(half_shear_, k);
+  const Value q = load<Value>(q_, k);
   Value force = 0, couple_x = 0, couple_y = 0;
-  for (auto b = runs_.pattern_first[pattern]; b < runs_.pattern_first[pattern + 1]; ++b) {
-    const BondShape& bond = shapes[runs_.bonds[b].vector_id];
-    const std::size_t j = k + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(runs_.bonds[b].step));
+  for (const Bond* bond = begin; bond < end; ++bond) {
+    const std::size_t j = k + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(bond->step));
     const Kinematics<Value> other = kinematics<Value>(j);
-    const Value curvature = absolute ? curvature_sum(bond, own, other) : curvature_difference(bond, own, other);
-    const Value shear = absolute ? shear_sum(bond, own, other) : shear_difference(bond, own, other);
-    const BondForce<Value> f = bond_force<Value>(bond, area * load<Value>(area_, j) * bond.weight,
-                                                 q + load<Value>(q_, j), b_own + load<Value>(b_, j),
-                                                 shear_own + load<Value>(half_shear_, j), curvature, shear);
+    const BondForce<Value> f = bond_force<Value>(bond->length, bond->D_kj, bond->D_jk, bond->curvature, bond->shear, q,
+                                                 load<Value>(q_, j), curvature<absolute>(*bond, own, other),
+                                                 shear<absolute>(*bond, own, other));
     force += f.force;
-    couple_x += bond.mx * f.couple;
-    couple_y += bond.my * f.couple;
+    couple_x += bond->mx * f.couple;
+    couple_y += bond->my * f.couple;
   }
   double* const out = forces.data() + 3 * k;
   if constexpr (std::is_same_v<Value, double>)
@@ -122,49 +135,57 @@ void FamilyOperator::gather(std::size_t k, std::uint32_t pattern, const std::vec
 }
 
 template <bool absolute>
-void FamilyOperator::product(const State& state, Forces& forces) const {
+void FamilyOperator::product(const State& state, const Patterns& patterns, const Eigen::ArrayXd& stiffness,
+                             Forces& forces) const {
   const auto count = static_cast<Eigen::Index>(points());
   forces.resize(3, count);
-  std::vector<BondShape> shapes = shapes_;
-  if constexpr (absolute)
-    for (auto& bond : shapes) bond.mx = std::abs(bond.mx), bond.my = std::abs(bond.my);
+  const auto begin = [&](std::uint32_t pattern) { return patterns.bonds.data() + patterns.first[pattern]; };
+  const auto end = [&](std::uint32_t pattern) { return patterns.bonds.data() + patterns.first[pattern + 1]; };
 #pragma omp parallel
   {
 #pragma omp for schedule(static)
     for (Eigen::Index k = 0; k < count; ++k)
       w_[k] = state(0, k), theta_x_[k] = state(1, k), theta_y_[k] = state(2, k);
     for_each(
-        runs_, [&](std::size_t k, std::uint32_t pattern) { dilatations<absolute, Lanes>(k, pattern, shapes); },
-        [&](std::size_t k, std::uint32_t pattern) { dilatations<absolute, double>(k, pattern, shapes); });
+        runs_, [&](std::size_t k, std::uint32_t p) { dilatations<absolute, Lanes>(k, begin(p), end(p), stiffness); },
+        [&](std::size_t k, std::uint32_t p) { dilatations<absolute, double>(k, begin(p), end(p), stiffness); });
     for_each(
-        runs_, [&](std::size_t k, std::uint32_t pattern) { gather<absolute, Lanes>(k, pattern, shapes, forces); },
-        [&](std::size_t k, std::uint32_t pattern) { gather<absolute, double>(k, pattern, shapes, forces); });
+        runs_, [&](std::size_t k, std::uint32_t p) { gather<absolute, Lanes>(k, begin(p), end(p), forces); },
+        [&](std::size_t k, std::uint32_t p) { gather<absolute, double>(k, begin(p), end(p), forces); });
   }
 }
 
-void FamilyOperator::internal_force(const State& state, Forces& forces) const { product<false>(state, forces); }
+void FamilyOperator::internal_force(const State& state, Forces& forces) const {
+  product<false>(state, patterns_, dilatation_stiffness_, forces);
+}
 
-void FamilyOperator::absolute_product(const State& state, Forces& forces) const { product<true>(state, forces); }
+void FamilyOperator::absolute_product(const State& state, Forces& forces) const {
+  Patterns absolute = patterns_;
+  for (auto& bond : absolute.bonds)
+    for (double* value : {&bond.mx, &bond.my, &bond.D_kj, &bond.D_jk}) *value = std::abs(*value);
+  product<true>(state, absolute, dilatation_stiffness_.abs(), forces);
+}
 
 Forces FamilyOperator::diagonal() const {
   Forces result(3, static_cast<Eigen::Index>(points()));
 #pragma omp parallel for schedule(static)
-  for (Eigen::Index k = 0; k < result.cols(); ++k) {
-    double force = 0;
-    Eigen::Array2d couple(0, 0), gradient(0, 0);
-    for (auto b = families_.first[std::size_t(k)]; b < families_.first[std::size_t(k) + 1]; ++b) {
-      const BondShape& bond = shapes_[families_.vector_id[b]];
-      const auto j = static_cast<Eigen::Index>(families_.neighbour[b]);
-      const Eigen::Array2d m(bond.mx, bond.my);
-      const double pair = area_[k] * area_[j] * bond.weight, C = half_shear_[k] + half_shear_[j];
-      const double through_neighbour = d_[j] * bond.weight * area_[k];
-      force += pair * C;
-      couple += m * m * (pair * (2 * (b_[k] + b_[j]) + C * bond.length * bond.length / 4) +
-                         2 * a_[j] * area_[j] * through_neighbour * through_neighbour);
-      gradient += m * (d_[k] * bond.weight * area_[j]);
+  for (std::size_t r = 0; r < runs_.runs.size(); ++r) {
+    const auto& run = runs_.runs[r];
+    for (std::size_t k = run.first_point; k < run.first_point + run.length; ++k) {
+      double force = 0;
+      Eigen::Array2d couple(0, 0), gradient(0, 0);
+      for (auto b = patterns_.first[run.pattern]; b < patterns_.first[run.pattern + 1]; ++b) {
+        const Bond& bond = patterns_.bonds[b];
+        const auto j = static_cast<Eigen::Index>(k) + bond.step;
+        const Eigen::Array2d m(bond.mx, bond.my);
+        force += bond.shear;
+        couple += m * m * (bond.curvature + bond.shear * bond.length * bond.length / 4 +
+                           dilatation_stiffness_[j] * bond.D_jk * bond.D_jk);
+        gradient += m * bond.D_kj;
+      }
+      couple += gradient * gradient * dilatation_stiffness_[Eigen::Index(k)];
+      result.col(Eigen::Index(k)) << force, couple.x(), couple.y();
     }
-    couple += gradient * gradient * (2 * a_[k] * area_[k]);
-    result.col(k) << force, couple.x(), couple.y();
   }
   return result;
 }
@@ -174,16 +195,18 @@ Eigen::VectorXd FamilyOperator::energies(const State& state) const {
 #pragma omp parallel for schedule(static)
   for (Eigen::Index k = 0; k < result.size(); ++k) {
     const Kinematics<> own{state(0, k), state(1, k), state(2, k)};
+    const auto first = families_.first[std::size_t(k)];
     double dilatation = 0, sum = 0;
-    for (auto b = families_.first[std::size_t(k)]; b < families_.first[std::size_t(k) + 1]; ++b) {
+    for (auto b = first; b < families_.first[std::size_t(k) + 1]; ++b) {
       const BondShape& bond = shapes_[families_.vector_id[b]];
+      const BondWeights& weights = weights_.of(std::size_t(k), b - first);
       const auto j = static_cast<Eigen::Index>(families_.neighbour[b]);
       const Kinematics<> other{state(0, j), state(1, j), state(2, j)};
-      const double curvature = curvature_difference(bond, own, other), shear = shear_difference(bond, own, other);
-      dilatation += d_[k] * bond.weight * area_[j] * curvature;
-      sum += bond_energy(bond, area_[j], b_[k], 2 * half_shear_[k], curvature, shear);
+      const double curvature = curvature_difference(bond, own, other);
+      dilatation += weights.D * curvature;
+      sum += bond_energy(weights.B, weights.S, curvature, shear_difference(bond, own, other));
     }
-    result[k] = area_[k] * (a_[k] * dilatation * dilatation + sum);
+    result[k] = dilatation_stiffness_[k] / 2 * dilatation * dilatation + area_[k] * sum;
   }
   return result;
 }

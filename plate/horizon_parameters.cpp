@@ -92,6 +92,7 @@ std::vector<PointParameters> horizon_parameters(const geometry::Families& famili
       case SurfaceCorrection::none: result[k] = constant; break;
       case SurfaceCorrection::volume: result[k] = scaled(constant, full.volume / sums.volume); break;
       case SurfaceCorrection::arbitrary_horizon:
+      case SurfaceCorrection::position_aware:  // has weights by bond in place of parameters
         result[k] = arbitrary_horizon(section, d.twist_match, sums, full.twist);
         break;
     }

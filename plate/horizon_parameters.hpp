@@ -36,7 +36,7 @@ PointParameters arbitrary_horizon(const Section& section, TwistMatch match, cons
 std::vector<BondShape> bond_shapes(const std::vector<geometry::Point>& vectors, const Section& section,
                                    const Discretization& discretization);
 
-/// Parameters of every point. `areas`: area of every point's cell; `active[k]` = false: a fictitious point that only
+/// Parameters of every point, by one of the corrections that Dai et al. compare. `areas`: area of every point's cell; `active[k]` = false: a fictitious point that only
 /// mirrors the plate and stores no energy; its parameters are zero.
 std::vector<PointParameters> horizon_parameters(const geometry::Families& families,
                                                 const std::vector<BondShape>& shapes,

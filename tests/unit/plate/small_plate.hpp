@@ -36,8 +36,8 @@ inline Model model(const geometry::Outline& outline, const std::vector<plate::Su
     });
   auto shapes = plate::bond_shapes(families.vectors, section, d);
   const auto& areas = boundary.cloud.areas;
-  const auto parameters = plate::horizon_parameters(families, shapes, areas, boundary.active, section, d);
-  plate::FamilyOperator op(std::move(families), std::move(shapes), areas, parameters);
+  auto weights = horizon_weights(families, shapes, boundary, d);
+  plate::FamilyOperator op(std::move(families), std::move(shapes), areas, std::move(weights));
   return {outline, cells, d, std::move(boundary), std::move(op)};
 }
 
