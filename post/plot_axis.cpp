@@ -66,7 +66,7 @@ PlotAxis logarithmic(const Range& range) {
   };
   constexpr double few = 0.8;  // decades in which 1, 2, 5 can be fewer than two labels
   if (decades < few) {
-    for (const double tick : ticks(range.low, range.high, 4)) add(tick, true);
+    for (const double tick : ticks(range.low, range.high, 6)) add(tick, true);
     return result;
   }
   const int last = static_cast<int>(std::ceil(std::log10(range.high)));
