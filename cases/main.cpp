@@ -1,6 +1,7 @@
 #include "cases/study.hpp"
 #include "plate/numerical_error.hpp"
 #include "post/compare.hpp"
+#include "post/study_orders.hpp"
 #include "post/table.hpp"
 #include "post/whole_file.hpp"
 #include <CLI/CLI.hpp>
@@ -72,7 +73,11 @@ int run_study(const Arguments& a) {
   const auto study = cases::read_study(a.file);
   const auto folder = a.folder.empty() ? "results" / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
   const auto outcome = cases::run_study(study, {folder, a.quiet});
-  if (!a.quiet) fmt::print("{}\n{}results in {}\n", study.title, post::to_text(outcome.table), folder.string());
+  if (!a.quiet) {
+    fmt::print("{}\n{}", study.title, post::to_text(outcome.table));
+    if (!post::orders(outcome.table).empty()) fmt::print("\nfitted orders\n{}", post::orders_text(outcome.table));
+    fmt::print("results in {}\n", folder.string());
+  }
   if (outcome.failed_numbers > 0) return failed_numbers;
   return outcome.wrong_cases > 0 ? wrong_case : done;
 }

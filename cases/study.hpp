@@ -17,7 +17,7 @@ struct AxisPoint {
 };
 
 struct Axis {
-  std::string name;
+  std::string name, key;  // key: of the short form, which gives the values of one key; otherwise empty
   std::vector<AxisPoint> points;
 };
 
@@ -42,6 +42,9 @@ struct Study {
   std::vector<std::string> axis_names() const;
 };
 
+/// The row of a run before it has run: labels, spacing, horizon.
+post::StudyRow bare_row(const StudyRun& run);
+
 /// Reads a study file and the cases of all its runs. A run has the overrides of the study, then those of its points in
 /// the order of the axes; of two that give the same key, and of two points that choose a case file, the later prevails.
 /// Throws CaseError with all problems of the study file and of all cases.
@@ -52,8 +55,9 @@ struct StudyOutcome {
   std::size_t wrong_cases = 0, failed_numbers = 0;  // runs that ended in CaseError, in plate::NumericalError
 };
 
-/// Runs a study: each run into a folder of its own, study.csv after every run. What fails becomes a row with its
-/// message; other errors (disk full) end the study. A line per run, unless quiet; failures are always said.
+/// Runs a study: each run into a folder of its own; study.csv, orders.csv and the plots after every run. What fails
+/// becomes a row with its message; other errors (disk full) end the study. A line per run, unless quiet; failures are
+/// always said.
 StudyOutcome run_study(const Study& study, const RunOptions& options);
 
 }  // namespace cases

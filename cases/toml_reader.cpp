@@ -53,7 +53,7 @@ void Value::refuse(const std::string& must_be) const {
   complain(shown() + " given, must be " + must_be);
 }
 
-std::string Value::shown() const {
+std::string Value::toml() const {
   if (const auto* number = node_->as_floating_point()) return number_text(number->get());
   if (const auto* word = node_->as_string()) return quoted(word->get());
   std::ostringstream out;
@@ -61,8 +61,13 @@ std::string Value::shown() const {
   std::string text = out.str();
   for (char& c : text)
     if (c == '\n') c = ' ';
+  return text;
+}
+
+std::string Value::shown() const {
   constexpr std::size_t longest = 60;
-  return text.size() > longest ? text.substr(0, longest) + "..." : text;
+  const std::string text = toml();
+  return text.size() > longest && !is_text() && !node_->is_number() ? text.substr(0, longest) + "..." : text;
 }
 
 const toml::table* Value::table() const {
@@ -80,6 +85,12 @@ std::optional<double> Value::number() const {
 std::optional<std::string> Value::text() const {
   if (is_text()) return node_->value<std::string>();
   refuse("a string");
+  return std::nullopt;
+}
+
+std::optional<bool> Value::boolean() const {
+  if (node_->is_boolean()) return node_->value<bool>();
+  refuse("true or false");
   return std::nullopt;
 }
 

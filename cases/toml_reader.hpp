@@ -45,7 +45,9 @@ public:
   void complain(const std::string& what) const { reading_->complain(key_, what); }
   /// Complains "VALUE given, must be ...".
   void refuse(const std::string& must_be) const;
-  /// The value as text, shortened.
+  /// The value as TOML, in one line.
+  std::string toml() const;
+  /// The value as TOML, shortened.
   std::string shown() const;
 
   bool is_text() const { return node_->is_string(); }
@@ -53,6 +55,7 @@ public:
   const toml::table* table() const;
   std::optional<double> number() const;
   std::optional<std::string> text() const;
+  std::optional<bool> boolean() const;
   std::optional<std::vector<double>> numbers(std::size_t count, const std::string& form) const;
   std::optional<std::vector<std::string>> texts() const;
   std::optional<geometry::Point> point() const;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "post/quantity.hpp"
 #include "post/table.hpp"
 
 namespace post {
@@ -31,19 +32,6 @@ std::string word(const Cell& cell) {
 
 bool has(const Table& table, const std::string& name) {
   return std::ranges::find(table.columns, name) != table.columns.end();
-}
-
-/// The samples of a curve, those with a missing value left out.
-Curve curve(const Table& table, const std::string& time, const std::string& name) {
-  const std::size_t t = table.column(time), y = table.column(name);
-  Curve result;
-  for (const Row& row : table.rows) {
-    const auto instant = number(row[t]), value = number(row[y]);
-    if (!instant || !value) continue;
-    result.t.push_back(*instant);
-    result.y.push_back(*value);
-  }
-  return result;
 }
 
 void check(const std::vector<double>& t, const std::vector<double>& y, const char* which) {
@@ -152,14 +140,6 @@ void add(std::vector<ComparedQuantity>& rows, const Table& computed, const Table
   }
 }
 
-/// What the axis of a quantity says.
-std::string axis_title(const std::string& quantity) {
-  if (quantity == "w") return "deflection w";
-  if (quantity == "theta_x") return "rotation \u03b8x";
-  if (quantity == "theta_y") return "rotation \u03b8y";
-  return (quantity.starts_with('F') ? "normalized factor " : "intensity factor ") + quantity;
-}
-
 std::string percent(double share) {
   const double size = 100 * std::abs(share);
   return size < 100 ? fmt::format("{:.2f} %", size) : fmt::format("{:.4g} %", size);
@@ -191,6 +171,7 @@ Comparison compare(const std::vector<double>& t, const std::vector<double>& y, c
   if (squares == 0) throw std::invalid_argument("the reference is zero where the curves overlap");
   const Peak computed = peak(t, y, from, to), reference = peak(reference_t, reference_y, from, to);
   result.relative_rms = std::sqrt(differences / squares);
+  result.rms_of_peak = std::sqrt(differences / static_cast<double>(result.samples)) / std::abs(reference.value);
   result.peak_error = (computed.value - reference.value) / reference.value;
   result.peak_computed = computed.value;
   result.peak_reference = reference.value;
@@ -242,7 +223,7 @@ CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& tit
           return row.quantity.starts_with('F') && row.quantity.substr(1) == quantity.substr(1);
         });
     if (normalized_too) continue;
-    Panel panel{"time", axis_title(quantity), {}};
+    Panel panel{"time", described(quantity), {}};
     for (std::size_t i = first; i < next; ++i)
       panel.series.push_back({legend(rows[i]), lines[std::min(i - first, lines.size() - 1)], rows[i].known});
     panel.series.push_back({"computed", Line::computed, rows[first].computed});

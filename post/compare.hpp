@@ -12,6 +12,7 @@ namespace post {
 /// A peak is the value of largest magnitude, with its sign.
 struct Comparison {
   double relative_rms = 0;  // rms(computed - reference) / rms(reference), at the times of the reference
+  double rms_of_peak = 0;   // rms(computed - reference) / |peak_reference|
   double peak_error = 0;    // (peak_computed - peak_reference) / peak_reference
   double peak_computed = 0, peak_reference = 0;
   double time_of_peak_computed = 0, time_of_peak_reference = 0;

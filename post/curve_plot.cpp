@@ -6,35 +6,18 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <stdexcept>
 #include <utility>
+
+#include "post/text_table.hpp"
 
 namespace post {
 namespace {
 
 // The page [px]; a panel is its legend, its plot and, where they are shown, the labels of t.
 constexpr double page_width = 900, left = 86, right = 28, top = 64, bottom = 14;
-constexpr double plot_width = page_width - left - right, plot_height = 216;
+constexpr double plot_width = page_width - left - right;
 constexpr double legend_line = 20, legend_gap = 10, labels_height = 50, panel_gap = 22;
 constexpr double character = 6.6, sample_width = 30, entry_gap = 24;  // of the legend; 12 px type is 6 to 7 px wide
-
-constexpr const char* style = R"(  <style>
-    text { font-family: "Helvetica Neue", Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; font-size: 12px; fill: #333 }
-    .title { font-size: 17px; font-weight: 600; fill: #111 }
-    .axis { font-size: 13px; fill: #111 }
-    .power { font-size: 10px }
-    .middle { text-anchor: middle }
-    .end { text-anchor: end }
-    .grid { stroke: #e6e6e6; stroke-width: 1; fill: none }
-    .zero { stroke: #b0b0b0; stroke-width: 1; fill: none }
-    .frame { stroke: #444; stroke-width: 1; fill: none }
-    .curve { fill: none; stroke-linejoin: round }
-    .reference { stroke: #bdbdbd; stroke-width: 5 }
-    .second { stroke: #5c5c5c; stroke-width: 1.6; stroke-dasharray: 8 4 }
-    .third { stroke: #5c5c5c; stroke-width: 1.6; stroke-dasharray: 1.6 3.2 }
-    .computed { stroke: #c2410c; stroke-width: 1.5 }
-  </style>
-)";
 
 const char* class_of(Line line) {
   switch (line) {
@@ -45,15 +28,22 @@ const char* class_of(Line line) {
     case Line::third_reference:
       return "third";
     case Line::computed:
+      return "computed";
+    case Line::numbered:
+    case Line::marks:
+    case Line::rings:
       break;
   }
-  return "computed";
+  return "numbered";
 }
 
-struct Range {
-  double low = 0, high = 1;
-  bool operator==(const Range&) const = default;
-};
+bool has_marks(const Series& series) {
+  return series.line == Line::numbered || series.line == Line::marks || series.line == Line::rings;
+}
+
+bool is_joined(const Series& series) {
+  return series.line != Line::marks && series.line != Line::rings;
+}
 
 bool drawable(double value) {
   return std::abs(value) < 1e300;
@@ -63,89 +53,78 @@ bool drawable(const Curve& curve, std::size_t i) {
   return drawable(curve.t[i]) && drawable(curve.y[i]);
 }
 
+bool drawable(const Panel& panel, const Curve& curve, std::size_t i) {
+  const auto shown = [](Scale scale, double value) { return scale == Scale::linear || value > 1e-300; };
+  return drawable(curve, i) && shown(panel.t_scale, curve.t[i]) && shown(panel.y_scale, curve.y[i]);
+}
+
 /// The range of t or y over all series; one with some width also where there are no values or all are the same.
-Range range(const Panel& panel, std::vector<double> Curve::*values) {
+Range range(const Panel& panel, std::vector<double> Curve::*values, Scale scale = Scale::linear) {
   std::optional<Range> found;
   for (const Series& series : panel.series) {
     for (std::size_t i = 0; i < series.curve.t.size(); ++i) {
-      if (!drawable(series.curve, i)) continue;
+      if (!drawable(panel, series.curve, i)) continue;
       const double value = (series.curve.*values)[i];
       found = found ? Range{std::min(found->low, value), std::max(found->high, value)} : Range{value, value};
     }
   }
-  if (!found) return {};
+  if (!found) return {scale == Scale::linear ? 0.0 : 0.1, 1};
   const double size = std::max(std::abs(found->low), std::abs(found->high));
+  const bool has_width = found->high - found->low > 1e-9 * size;
+  if (scale == Scale::logarithmic) return has_width ? *found : Range{found->low / 2, found->high * 2};
   if (size < 1e-290) return {-1, 1};  // powers of ten below the least normal number lose their digits
-  if (found->high - found->low > 1e-9 * size) return *found;
+  if (has_width) return *found;
   return {found->low - size / 2, found->high + size / 2};
 }
 
-/// A range with its ticks, those of y covering it, and the power of ten that the labels leave out.
-struct Axis {
-  Range range;
-  std::vector<double> at;
-  int power = 0, decimals = 0;
-
-  double share(double value) const { return (value - range.low) / (range.high - range.low); }
-};
-
-Axis axis(const Range& range, int count, bool covers) {
-  Axis result{range, ticks(range.low, range.high, count)};
-  const double step = result.at[1] - result.at[0];
-  if (covers) {
-    result.range = {result.at.front(), result.at.back()};
-  } else {
-    std::erase_if(result.at,
-                  [&](double tick) { return tick < range.low - 1e-9 * step || tick > range.high + 1e-9 * step; });
-  }
-  const double size = std::max(std::abs(result.range.low), std::abs(result.range.high));
-  if (size < 0.05 || size >= 1e4) result.power = 3 * static_cast<int>(std::floor(std::log10(size) / 3));
-  result.decimals = std::max(0, result.power - static_cast<int>(std::floor(std::log10(step) + 1e-6)));
-  return result;
+/// The range with room for the marks at its ends.
+Range widened(const Range& r, Scale scale) {
+  constexpr double room = 0.05;
+  if (scale == Scale::linear) return {r.low - room * (r.high - r.low), r.high + room * (r.high - r.low)};
+  const double factor = std::pow(r.high / r.low, room);
+  return {r.low / factor, r.high * factor};
 }
 
-/// A number in digits with a true minus sign.
-std::string digits(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
-  const bool is_zero = text.find_first_not_of("0.") == std::string::npos;
-  return fmt::format("{}{}", value < 0 && !is_zero ? "\u2212" : "", text);
+bool has_marks(const Panel& panel) {
+  return std::ranges::any_of(panel.series, [](const Series& series) { return has_marks(series); });
 }
 
-std::string label(const Axis& axis, double tick) {
-  // 10^-power may be beyond the largest number where 10^power is not
-  const double scaled = axis.power < 0 ? tick * std::pow(10.0, -axis.power) : tick / std::pow(10.0, axis.power);
-  return digits(scaled, axis.decimals);
+PlotAxis t_axis(const Panel& panel) {
+  const Range found = panel.t_range.value_or(range(panel, &Curve::t, panel.t_scale));
+  return plot_axis(has_marks(panel) ? widened(found, panel.t_scale) : found, panel.t_scale, 10, false);
 }
 
-std::string title(const std::string& name, const Axis& axis) {
-  if (axis.power == 0) return escaped(name);
-  return fmt::format("{} (\u00d7\u200910<tspan class=\"power\" dy=\"-5\">{}</tspan><tspan dy=\"5\">)</tspan>",
-                     escaped(name), digits(axis.power, 0));
+PlotAxis y_axis(const Panel& panel) {
+  const Range found = range(panel, &Curve::y, panel.y_scale);
+  const bool marks = has_marks(panel);
+  const int count = static_cast<int>(panel.height / 43);  // a label every 43 px
+  return plot_axis(marks ? widened(found, panel.y_scale) : found, panel.y_scale, count, !marks);
 }
 
 struct Laid {
-  Axis t, y;
+  PlotAxis t, y;
+  double height = 0;  // of the plot
   bool shows_t = true;
   std::vector<std::pair<double, double>> legend;  // where each entry begins, from the left and the top of the panel
   double from = 0, plot = 0;                      // top of the panel and of its plot
 
   double x_of(double value) const { return left + plot_width * t.share(value); }
-  double y_of(double value) const { return plot + plot_height * (1 - y.share(value)); }
-  double floor() const { return plot + plot_height; }
+  double y_of(double value) const { return plot + height * (1 - y.share(value)); }
+  double floor() const { return plot + height; }
   double end() const { return floor() + (shows_t ? labels_height : 0); }
 };
 
-std::size_t characters(const std::string& utf8) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(utf8, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 Laid laid(const Panel& panel, double from) {
   Laid result;
-  result.t = axis(range(panel, &Curve::t), 10, false);
-  result.y = axis(range(panel, &Curve::y), 5, true);
+  result.t = t_axis(panel);
+  result.y = y_axis(panel);
+  result.height = panel.height;
   double x = 0, y = 0;
   for (const Series& series : panel.series) {
+    if (series.label.empty()) {
+      result.legend.emplace_back(0, 0);
+      continue;
+    }
     const double width = sample_width + 8 + character * static_cast<double>(characters(series.label));
     if (x > 0 && x + width > plot_width) {
       x = 0;
@@ -155,7 +134,7 @@ Laid laid(const Panel& panel, double from) {
     x += width + entry_gap;
   }
   result.from = from;
-  result.plot = from + y + (panel.series.empty() ? 0 : legend_line) + legend_gap;
+  result.plot = from + y + (x == 0 ? 0 : legend_line) + legend_gap;
   return result;
 }
 
@@ -166,63 +145,85 @@ std::vector<Laid> laid(const std::vector<Panel>& panels) {
     result.push_back(laid(panels[i], from));
     const bool is_last = i + 1 == panels.size();
     result[i].shows_t = is_last || panels[i + 1].t_title != panels[i].t_title ||
-                        range(panels[i + 1], &Curve::t) != range(panels[i], &Curve::t);
+                        panels[i + 1].t_scale != panels[i].t_scale || t_axis(panels[i + 1]).range != result[i].t.range;
     from = result[i].end() + panel_gap;
   }
   return result;
 }
 
-std::string line(double x1, double y1, double x2, double y2, const char* kind) {
-  return fmt::format("  <path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", kind, x1, y1, x2, y2);
-}
-
 std::string axes(const Panel& panel, const Laid& at) {
   std::string text;
-  for (const double tick : at.t.at) {
-    text += line(at.x_of(tick), at.plot, at.x_of(tick), at.floor(), "grid");
-    if (at.shows_t)
-      text += fmt::format("  <text class=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at.x_of(tick),
-                          at.floor() + 18, label(at.t, tick));
+  for (const auto& [value, label] : at.t.ticks) {
+    const double x = at.x_of(value);
+    text += svg::line(x, at.plot, x, at.floor(), label.empty() ? "minor" : "grid");
+    if (at.shows_t && !label.empty())
+      text += fmt::format("  <text class=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, at.floor() + 18, label);
   }
-  const double step = at.y.at[1] - at.y.at[0];
-  for (const double tick : at.y.at) {
-    const bool is_zero = std::abs(tick) < 1e-6 * step;
-    text += line(left, at.y_of(tick), left + plot_width, at.y_of(tick), is_zero ? "zero" : "grid");
-    text += fmt::format("  <text class=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", left - 9, at.y_of(tick) + 4.2,
-                        label(at.y, tick));
+  const auto& y_ticks = at.y.ticks;
+  const bool is_linear = at.y.scale == Scale::linear;
+  const double step = y_ticks.size() > 1 ? y_ticks[1].value - y_ticks[0].value : 0;
+  for (const auto& [value, label] : y_ticks) {
+    const bool is_zero = is_linear && std::abs(value) < 1e-6 * step;
+    const double y = at.y_of(value);
+    text += svg::line(left, y, left + plot_width, y, is_zero ? "zero" : label.empty() ? "minor" : "grid");
+    if (!label.empty())
+      text += fmt::format("  <text class=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", left - 9, y + 4.2, label);
   }
   if (at.shows_t)
     text += fmt::format("  <text class=\"axis middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", left + plot_width / 2,
-                        at.floor() + 41, title(panel.t_title, at.t));
+                        at.floor() + 41, axis_title(panel.t_title, at.t));
   text += fmt::format("  <text class=\"axis middle\" transform=\"translate(24 {:.1f}) rotate(-90)\">{}</text>\n",
-                      at.plot + plot_height / 2, title(panel.y_title, at.y));
+                      at.plot + at.height / 2, axis_title(panel.y_title, at.y));
   return text;
 }
 
-std::string path(const Series& series, const Laid& at) {
+/// The class of a curve's line, and its colour where it is one of many.
+std::string stroke(const Series& series) {
+  const std::string kind = fmt::format("class=\"curve {}\"", class_of(series.line));
+  return series.line == Line::numbered ? kind + " " + svg::Look(series.number).stroke() : kind;
+}
+
+std::string mark(const Series& series, double x, double y) {
+  return series.line == Line::rings ? svg::ring(x, y) : svg::mark(x, y, svg::Look(series.number));
+}
+
+std::string path(const Panel& panel, const Series& series, const Laid& at) {
   const Curve curve = thinned(series.curve, static_cast<std::size_t>(plot_width));
-  std::string points;
+  std::string points, marks;
   bool joined = false;
   for (std::size_t i = 0; i < curve.t.size(); ++i) {
-    const bool drawn = drawable(curve, i);
-    if (drawn) points += fmt::format("{}{:.2f} {:.2f}", joined ? 'L' : 'M', at.x_of(curve.t[i]), at.y_of(curve.y[i]));
+    const bool drawn = drawable(panel, curve, i);
+    if (drawn) {
+      const double x = at.x_of(curve.t[i]), y = at.y_of(curve.y[i]);
+      points += fmt::format("{}{:.2f} {:.2f}", joined ? 'L' : 'M', x, y);
+      if (has_marks(series)) marks += mark(series, x, y);
+    }
     joined = drawn;
   }
   if (points.empty()) return "";
-  return fmt::format("  <path class=\"curve {}\" d=\"{}\"/>\n", class_of(series.line), points);
+  if (!is_joined(series)) return marks;
+  return fmt::format("  <path {} d=\"{}\"/>\n", stroke(series), points) + marks;
+}
+
+std::string legend_entry(const Series& series, double x, double y) {
+  std::string text;
+  if (is_joined(series))
+    text += fmt::format("  <path {} d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", stroke(series), x + 2, y,
+                        x + sample_width - 2, y);
+  if (has_marks(series)) text += mark(series, x + sample_width / 2, y);
+  return text + fmt::format("  <text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + sample_width + 8, y + 4.2,
+                            escaped(series.label));
 }
 
 std::string drawn(const Panel& panel, const Laid& at) {
   std::string text = axes(panel, at);
-  for (const Series& series : panel.series) text += path(series, at);
+  for (const Series& series : panel.series) text += path(panel, series, at);
   text += fmt::format("  <rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", left,
-                      at.plot, plot_width, plot_height);
+                      at.plot, plot_width, at.height);
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
-    const double x = left + at.legend[i].first, y = at.from + at.legend[i].second + legend_line / 2;
-    const std::string kind = fmt::format("curve {}", class_of(panel.series[i].line));
-    text += line(x + 2, y, x + sample_width - 2, y, kind.c_str());
-    text += fmt::format("  <text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + sample_width + 8, y + 4.2,
-                        escaped(panel.series[i].label));
+    if (panel.series[i].label.empty()) continue;
+    const auto& [x, y] = at.legend[i];
+    text += legend_entry(panel.series[i], left + x, at.from + y + legend_line / 2);
   }
   return text;
 }
@@ -254,21 +255,9 @@ std::string to_svg(const CurvePlot& plot) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
       "role=\"img\">\n  <title>{2}</title>\n{3}  <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
       "  <text class=\"title\" x=\"{4:.0f}\" y=\"36\">{2}</text>\n",
-      page_width, height, escaped(plot.title), style, left);
+      page_width, height, escaped(plot.title), svg::style(), left);
   for (std::size_t i = 0; i < at.size(); ++i) text += drawn(plot.panels[i], at[i]);
   return text + "</svg>\n";
-}
-
-std::vector<double> ticks(double low, double high, int count) {
-  if (!(low < high) || !std::isfinite(high - low) || count < 1)
-    throw std::invalid_argument(fmt::format("no ticks from {} to {}", low, high));
-  const double raw = (high - low) / count, power = std::pow(10.0, std::floor(std::log10(raw)));
-  const double multiple = raw / power;
-  const double step = power * (multiple <= 1.0001 ? 1 : multiple <= 2.0001 ? 2 : multiple <= 5.0001 ? 5 : 10);
-  std::vector<double> result;
-  for (double k = std::floor(low / step + 1e-9), last = std::ceil(high / step - 1e-9); k <= last; ++k)
-    result.push_back(k * step + 0.0);  // + 0.0: no negative zero
-  return result;
 }
 
 Curve thinned(const Curve& curve, std::size_t columns, std::size_t enough) {
@@ -289,32 +278,6 @@ Curve thinned(const Curve& curve, std::size_t columns, std::size_t enough) {
   }
   result.t.push_back(curve.t.back());
   result.y.push_back(curve.y.back());
-  return result;
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n') result += c;
-    }
-  }
   return result;
 }
 

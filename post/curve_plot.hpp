@@ -1,7 +1,11 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "post/plot_axis.hpp"
+#include "post/svg.hpp"
 
 namespace post {
 
@@ -10,18 +14,24 @@ struct Curve {
   std::vector<double> t, y;
 };
 
-enum class Line { reference, second_reference, third_reference, computed };  // thick grey, dashed, dotted; thin colour
+/// A reference is thick grey, dashed or dotted, `computed` thin in colour; `numbered` is a line with marks, `marks` the
+/// marks alone, in the look of the number of the series; `rings` are marks for references, to be drawn about others.
+enum class Line { reference, second_reference, third_reference, computed, numbered, marks, rings };
 
 struct Series {
-  std::string label;
+  std::string label;  // of the legend; empty: not in it
   Line line = Line::computed;
   Curve curve;
+  std::size_t number = 0;
 };
 
-/// Series over one another, the first at the bottom.
+/// Series over one another, the first at the bottom. On a logarithmic scale what is not positive is not drawn.
 struct Panel {
   std::string t_title, y_title;
   std::vector<Series> series;
+  Scale t_scale = Scale::linear, y_scale = Scale::linear;
+  double height = 216;                          // of the plot [px]
+  std::optional<Range> t_range = std::nullopt;  // absent: that of the series
 };
 
 /// Panels below one another.
@@ -34,15 +44,8 @@ struct CurvePlot {
 /// Panels with the same range and title of t share the labels of the lowest one.
 std::string to_svg(const CurvePlot& plot);
 
-/// Multiples of 1, 2 or 5 times a power of ten, about `count` of them, from at or below `low` to at or above `high`
-/// (up to 1e-9 of a step). Throws std::invalid_argument unless low < high, both finite.
-std::vector<double> ticks(double low, double high, int count = 5);
-
 /// At most two samples, the least and the greatest, for each of `columns` strips of equal width between the ends of t;
 /// the first and the last sample stay. Curves of up to `enough` samples are returned as they are.
 Curve thinned(const Curve& curve, std::size_t columns, std::size_t enough = 2000);
-
-/// Text with & < > " ' as entities, and without the control characters that XML forbids.
-std::string escaped(const std::string& text);
 
 }  // namespace post

@@ -6,34 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
+
+#include "post/compare.hpp"
+#include "post/text_table.hpp"
 
 namespace post {
 namespace {
-
-std::optional<double> finite(const Cell& cell) {
-  const auto* number = std::get_if<double>(&cell);
-  return number && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
-}
-
-/// The cell of a column in the last row that is wanted: tables grow with time.
-std::optional<double> last(const std::filesystem::path& path, const std::string& column,
-                           const std::function<bool(const Table&, const std::vector<Cell>&)>& wanted) {
-  if (!std::filesystem::exists(path)) return std::nullopt;
-  const Table table = read_csv(path);
-  for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row)
-    if (wanted(table, *row)) return finite((*row)[table.column(column)]);
-  return std::nullopt;
-}
-
-std::optional<double> factor(const std::string& name, const Srif& srif) {
-  if (name == "K1") return srif.K1;
-  if (name == "K2") return srif.K2;
-  if (name == "K3") return srif.K3;
-  if (name == "F1") return srif.F1;
-  if (name == "F2") return srif.F2;
-  if (name == "F3") return srif.F3;
-  return std::nullopt;
-}
 
 template <class Number>
 Cell cell(const std::optional<Number>& number) {
@@ -42,24 +21,6 @@ Cell cell(const std::optional<Number>& number) {
 
 Cell cell(const std::string& word) {
   return word.empty() ? Cell() : Cell(word);
-}
-
-/// A column of the text: its title and its cells.
-struct Column {
-  std::string title;
-  bool number;  // to the right
-  std::vector<std::string> cells;
-};
-
-/// Characters of a UTF-8 text.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
-
-std::string padded(const std::string& text, std::size_t wide, bool right) {
-  const std::string blanks(wide - width(text), ' ');
-  return right ? blanks + text : text + blanks;
 }
 
 template <class Number>
@@ -73,59 +34,68 @@ std::string one_line(std::string text) {
   return text;
 }
 
-std::vector<Column> columns(const StudyTable& study) {
-  std::vector<Column> result;
-  const auto add = [&](const std::string& title, bool number, const std::function<std::string(const StudyRow&)>& text) {
-    result.push_back({title, number, {}});
-    for (const auto& row : study.rows) result.back().cells.push_back(text(row));
-  };
-  for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
-    add(study.axes[axis], false, [axis](const StudyRow& row) { return row.labels.at(axis); });
-  add("quantity", false, [](const StudyRow& row) { return row.quantity; });
-  add("place", false, [](const StudyRow& row) { return row.place; });
-  add("computed", true, [](const StudyRow& row) { return shown("{:.6g}", row.computed); });
-  add("reference", true, [](const StudyRow& row) { return shown("{:.6g}", row.reference); });
-  add("error %", true, [](const StudyRow& row) {
-    const auto error = row.error();
-    return error ? fmt::format("{:+.3f}", 100 * *error) : "";
-  });
-  add("points", true, [](const StudyRow& row) { return shown("{}", row.points); });
-  add("spacing", true, [](const StudyRow& row) { return shown("{:.5g}", row.spacing); });
-  add("iterations", true, [](const StudyRow& row) { return shown("{}", row.iterations); });
-  add("seconds", true, [](const StudyRow& row) { return shown("{:.2f}", row.seconds); });
-  add("solve", true, [](const StudyRow& row) { return shown("{:.2f}", row.solve_seconds); });
-  add("", false, [](const StudyRow& row) { return one_line(row.message); });
+/// A column that study.csv and the printed table have beside those of the axes.
+struct Column {
+  const char *name, *title;  // in study.csv; printed, or nullptr
+  std::function<Cell(const StudyRow&)> cell;
+  std::function<std::string(const StudyRow&)> text;  // nothing: the word of the cell, to the left
+};
+
+const std::vector<Column>& own_columns() {
+  using Row = const StudyRow&;
+  static const std::vector<Column> columns{
+      {"quantity", "quantity", [](Row row) { return cell(row.quantity); }, {}},
+      {"place", "place", [](Row row) { return cell(row.place); }, {}},
+      {"srif_method", "method", [](Row row) { return cell(row.method); }, {}},
+      {"computed", "computed", [](Row row) { return cell(row.computed); },
+       [](Row row) { return shown("{:.6g}", row.computed); }},
+      {"reference", "reference", [](Row row) { return cell(row.reference); },
+       [](Row row) { return shown("{:.6g}", row.reference); }},
+      {"error", "error %", [](Row row) { return cell(row.error()); },
+       [](Row row) { return row.error() ? fmt::format("{:+.3f}", 100 * *row.error()) : ""; }},
+      {"points", "points", [](Row row) { return cell(row.points); }, [](Row row) { return shown("{}", row.points); }},
+      {"spacing", "spacing", [](Row row) { return cell(row.spacing); },
+       [](Row row) { return shown("{:.5g}", row.spacing); }},
+      {"horizon", "horizon", [](Row row) { return cell(row.horizon); },
+       [](Row row) { return shown("{:.5g}", row.horizon); }},
+      {"iterations", "iterations", [](Row row) { return cell(row.iterations); },
+       [](Row row) { return shown("{}", row.iterations); }},
+      {"seconds", "seconds", [](Row row) { return cell(row.seconds); },
+       [](Row row) { return shown("{:.2f}", row.seconds); }},
+      {"solve_seconds", "solve", [](Row row) { return cell(row.solve_seconds); },
+       [](Row row) { return shown("{:.2f}", row.solve_seconds); }},
+      {"reference_source", nullptr, [](Row row) { return cell(row.source); }, {}},
+      {"message", "", [](Row row) { return cell(row.message); }, {}}};
+  return columns;
+}
+
+/// The study's own columns, without those that an axis stands for.
+std::vector<Column> columns_beside(const std::vector<std::string>& axes) {
+  auto result = own_columns();
+  std::erase_if(result, [&](const Column& c) { return std::ranges::find(axes, c.name) != axes.end(); });
   return result;
 }
 
+bool is_wanted_in_text(const StudyTable& study, const Column& column) {
+  if (!column.title) return false;
+  if (std::string(column.name) != "srif_method") return true;
+  return std::ranges::any_of(study.rows, [](const StudyRow& row) { return !row.method.empty(); });
+}
+
+/// Compares the history of a quantity with a curve.
+void compare_with(StudyRow& row, const KnownCurve& known, const Curve& computed) {
+  row.source = fmt::format("{} {}", known.file.filename().string(), known.column);
+  try {
+    const auto result = compare(computed.t, computed.y, known.curve.t, known.curve.y);
+    row.computed = result.peak_computed;
+    row.reference = result.peak_reference;
+    row.rms_error = result.rms_of_peak;
+  } catch (const std::invalid_argument& error) {
+    row.message = error.what();
+  }
+}
+
 }  // namespace
-
-std::string Quantity::place() const {
-  return tip ? fmt::format("tip {}", *tip) : probe.value_or("");
-}
-
-std::optional<double> value(const Quantity& quantity, const Summary& summary, const std::filesystem::path& folder) {
-  const auto any = [](const Table&, const std::vector<Cell>&) { return true; };
-  if (quantity.probe)
-    return last(folder / "probes.csv", quantity.name, [&](const Table& table, const std::vector<Cell>& row) {
-      return row[table.column("probe")] == Cell(*quantity.probe);
-    });
-  if (quantity.name == "strain_energy") return last(folder / "history.csv", quantity.name, any);
-  const auto srif = std::ranges::find(summary.srif, quantity.tip, [](const Srif& s) { return std::optional(s.tip); });
-  const auto found = srif == summary.srif.end() ? std::nullopt : factor(quantity.name, *srif);
-  return found && std::isfinite(*found) ? found : std::nullopt;
-}
-
-const std::vector<std::string>& quantity_names() {
-  static const std::vector<std::string> names{"K1", "K2", "K3",      "F1",      "F2",
-                                              "F3", "w",  "theta_x", "theta_y", "strain_energy"};
-  return names;
-}
-
-std::string kind_of_place(const std::string& quantity) {
-  if (quantity == "strain_energy") return "";
-  return quantity.starts_with('K') || quantity.starts_with('F') ? "tip" : "probe";
-}
 
 bool matches(const Reference& reference, const std::vector<std::string>& axes, const std::vector<std::string>& labels) {
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
@@ -153,7 +123,9 @@ std::vector<Wanted> wanted(const std::vector<Reference>& references, const std::
     if (!has(i, matched)) continue;
     auto known = std::ranges::find(result, quantity, &Wanted::quantity);
     if (known == result.end()) known = result.insert(known, {quantity, std::nullopt});
-    if (matched) known->reference = references[i].value;
+    if (!matched) continue;
+    known->reference = references[i].known;
+    known->source = references[i].source;
   }
   return result;
 }
@@ -172,23 +144,31 @@ std::vector<std::vector<std::size_t>> combinations(const std::vector<std::size_t
   return result;
 }
 
-std::string folder_name(const std::vector<std::string>& labels, const std::set<std::string>& taken) {
+std::string plain_name(const std::string& text) {
   std::string name;
-  for (const char c : fmt::format("{}", fmt::join(labels, "_"))) {
+  for (const char c : text) {
     const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '+' ||
                        c == '-' || (c == '.' && !name.empty());
     if (plain || !name.ends_with('_')) name += plain ? c : '_';
   }
   constexpr std::size_t longest = 100;  // file systems take 255
-  name = name.empty() ? "run" : name.substr(0, longest);
+  name = name.substr(0, longest);
+  return name.ends_with('_') && name.size() > 1 ? name.substr(0, name.size() - 1) : name;
+}
+
+std::string folder_name(const std::vector<std::string>& labels, const std::set<std::string>& taken) {
+  std::string name = plain_name(fmt::format("{}", fmt::join(labels, "_")));
+  if (name.empty()) name = "run";
+  const auto is_file = [](const std::string& text) {
+    return text.ends_with(".csv") || text.ends_with(".svg") || text.ends_with(".partial");
+  };
   std::string free = name;
-  for (int count = 2; taken.contains(free) || free == "study.csv" || free == "study.csv.partial"; ++count)
-    free = fmt::format("{}-{}", name, count);
+  for (int count = 2; taken.contains(free) || is_file(free); ++count) free = fmt::format("{}-{}", name, count);
   return free;
 }
 
 std::optional<double> StudyRow::error() const {
-  if (!computed || !reference || *reference == 0) return std::nullopt;
+  if (rms_error || !computed || !reference || *reference == 0) return rms_error;
   return (*computed - *reference) / *reference;
 }
 
@@ -202,32 +182,38 @@ std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>&
     if (stage == "solve") common.solve_seconds = spent;
   }
   std::vector<StudyRow> rows;
-  for (const auto& [quantity, reference] : wanted) {
-    rows.push_back(common);
-    rows.back().quantity = quantity.name;
-    rows.back().place = quantity.place();
-    rows.back().reference = reference;
-    rows.back().computed = value(quantity, summary, folder);
-    if (!rows.back().computed) rows.back().message = "the results have no such number";
+  for (const auto& [quantity, reference, source] : wanted) {
+    auto& row = rows.emplace_back(common);
+    row.quantity = quantity.name;
+    row.place = quantity.place();
+    row.method = quantity.method;
+    row.source = source;
+    row.computed = value(quantity, summary, folder);
+    if (!row.computed) row.message = lack(quantity, summary);
+    if (!reference || !row.computed) continue;
+    row.against_finest = std::holds_alternative<Finest>(*reference);
+    if (const auto* number = std::get_if<double>(&*reference)) row.reference = *number;
+    if (const auto* known = std::get_if<KnownCurve>(&*reference)) compare_with(row, *known, history(quantity, folder));
   }
   return rows.empty() ? std::vector{common} : rows;
 }
 
 const std::vector<std::string>& study_columns() {
-  static const std::vector<std::string> names{"quantity", "place",      "computed", "reference",     "error",  "points",
-                                              "spacing",  "iterations", "seconds",  "solve_seconds", "message"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> result;
+    for (const auto& column : own_columns()) result.emplace_back(column.name);
+    return result;
+  }();
   return names;
 }
 
 Table table(const StudyTable& study) {
+  const auto own = columns_beside(study.axes);
   Table result{study.axes, {}};
-  result.columns.insert(result.columns.end(), study_columns().begin(), study_columns().end());
+  for (const auto& column : own) result.columns.emplace_back(column.name);
   for (const auto& row : study.rows) {
     std::vector<Cell> cells(row.labels.begin(), row.labels.end());
-    for (Cell value : {cell(row.quantity), cell(row.place), cell(row.computed), cell(row.reference), cell(row.error()),
-                       cell(row.points), cell(row.spacing), cell(row.iterations), cell(row.seconds),
-                       cell(row.solve_seconds), cell(row.message)})
-      cells.push_back(std::move(value));
+    for (const auto& column : own) cells.push_back(column.cell(row));
     result.rows.push_back(std::move(cells));
   }
   return result;
@@ -236,8 +222,8 @@ Table table(const StudyTable& study) {
 std::string to_text(const StudyRow& row) {
   std::vector<std::string> parts;
   if (row.computed)
-    parts.push_back(
-        fmt::format("{}{} = {:.6g}", row.quantity, row.place.empty() ? "" : " at " + row.place, *row.computed));
+    parts.push_back(fmt::format("{}{}{} = {:.6g}", row.quantity, row.place.empty() ? "" : " at " + row.place,
+                                row.method.empty() ? "" : " by " + row.method, *row.computed));
   if (const auto error = row.error()) parts.push_back(fmt::format("error {:+.3f} %", 100 * *error));
   if (row.points) parts.push_back(fmt::format("{} points", *row.points));
   if (row.iterations) parts.push_back(fmt::format("{} iterations", *row.iterations));
@@ -247,18 +233,24 @@ std::string to_text(const StudyRow& row) {
 }
 
 std::string to_text(const StudyTable& study) {
-  const auto all = columns(study);
-  std::vector<std::string> lines(study.rows.size() + 1);
-  for (const auto& column : all) {
-    std::size_t wide = width(column.title);
-    for (const auto& text : column.cells) wide = std::max(wide, width(text));
-    lines.front() += padded(column.title, wide, column.number) + "  ";
-    for (std::size_t row = 0; row < study.rows.size(); ++row)
-      lines[row + 1] += padded(column.cells[row], wide, column.number) + "  ";
+  std::vector<TextColumn> columns;
+  const auto add = [&](const std::string& title, bool number, const std::function<std::string(const StudyRow&)>& text) {
+    columns.push_back({title, number, {}});
+    for (const auto& row : study.rows) columns.back().cells.push_back(text(row));
+  };
+  for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
+    add(study.axes[axis], false, [axis](const StudyRow& row) { return row.labels.at(axis); });
+  for (const auto& column : columns_beside(study.axes)) {
+    if (!is_wanted_in_text(study, column)) continue;
+    if (column.text)
+      add(column.title, true, column.text);
+    else
+      add(column.title, false, [&](const StudyRow& row) {
+        const Cell found = column.cell(row);
+        return one_line(std::holds_alternative<std::string>(found) ? std::get<std::string>(found) : "");
+      });
   }
-  std::string text;
-  for (auto& line : lines) text += line.erase(line.find_last_not_of(' ') + 1) + "\n";
-  return text;
+  return aligned(columns);
 }
 
 }  // namespace post

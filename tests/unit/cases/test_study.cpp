@@ -4,66 +4,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "case_text.hpp"
-#include "tests/unit/post/small_run.hpp"
+#include "studies.hpp"
 
-using small_run::TemporaryFolder;
-
-namespace {
-
-const std::string fast = "set = [\"analysis.method=cg\", \"output.fields=[]\", \"discretization.spacing=0.1\"]\n";
-const std::string cracked =
-    case_text::plain + "[srif]\nwindow = 0.5\nnormalize = { moment = 1.0 }\nhalf_length = 0.3\n[output.probes]\n";
-
-/// A study and two cases beside it: a.toml with a crack and without probes, b.toml with the probe "far" too.
-class Studies {
-public:
-  Studies() {
-    write("a.toml", cracked);
-    write("b.toml", cracked + "far = [0.9, 0.0]\n");
-  }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-  cases::Study read(const std::string& text) const {
-    write("study.toml", text);
-    return cases::read_study(folder_ / "study.toml");
-  }
-  /// "PLACE KEY: WHAT" of all problems, the folder left out of the places.
-  std::vector<std::string> problems(const std::string& text) const {
-    std::vector<std::string> found;
-    try {
-      read(text);
-    } catch (const cases::CaseError& error) {
-      for (auto [place, key, what] : error.problems()) {
-        const std::string folder = folder_.path().string() + "/";
-        if (place.starts_with(folder)) place.erase(0, folder.size());
-        found.push_back(place + " " + key + ": " + what);
-      }
-    }
-    return found;
-  }
-  std::filesystem::path out() const { return folder_ / "out"; }
-
-private:
-  TemporaryFolder folder_;
-};
-
-void expect(const std::vector<std::string>& found, const std::vector<std::string>& expected) {
-  for (const auto& problem : found) UNSCOPED_INFO(problem);
-  REQUIRE(found.size() == expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i) CHECK_THAT(found[i], Catch::Contains(expected[i]));
-}
-
-std::string axis(const std::string& name, const std::vector<std::string>& points) {
-  std::string text = "[[axis]]\nname = \"" + name + "\"\n";
-  for (const auto& point : points) text += "[[axis.point]]\n" + point + "\n";
-  return text;
-}
-
-std::string reference(const std::string& lines) {
-  return "[[reference]]\n" + lines + "\n";
-}
-
-}  // namespace
+using namespace studies;
 
 TEST_CASE("every combination is a run with its case, its overrides and its references") {
   const Studies studies;
@@ -96,7 +39,8 @@ TEST_CASE("every combination is a run with its case, its overrides and its refer
     CHECK(run.file.content.section.young == expected[i].young);
     CHECK(run.file.content.section.poisson == expected[i].poisson);
     std::vector<std::optional<double>> references;
-    for (const auto& wanted : run.wanted) references.push_back(wanted.reference);
+    for (const auto& wanted : run.wanted)
+      references.push_back(wanted.reference ? std::optional(std::get<double>(*wanted.reference)) : std::nullopt);
     CHECK(references == expected[i].references);
   }
 }
@@ -206,7 +150,11 @@ TEST_CASE("a run that fails is a row with its message, and the study goes on") {
 
 TEST_CASE("the studies in the tree read, and their references are those of the table") {
   const std::filesystem::path cases_folder = std::filesystem::path(PDPLATE_SOURCE_DIR) / "cases";
-  CHECK(cases::read_study(cases_folder / "static" / "study_convergence.toml").runs.size() == 4);
+  CHECK(cases::read_study(cases_folder / "static" / "study_convergence.toml").runs.size() == 8);
+  for (const auto& run : cases::read_study(cases_folder / "static" / "study_m_convergence.toml").runs) {
+    CHECK(run.file.content.discretization.horizon() == Approx(0.201));  // the same in all runs
+    CHECK(run.file.content.discretization.horizon_ratio == std::stod(run.labels[0]));
+  }
   const auto study = cases::read_study(cases_folder / "static" / "study_paper_4.1.toml");
   const auto known = post::read_csv(cases_folder / "references" / "static_summary.csv");
   REQUIRE(study.runs.size() == 50);
@@ -219,7 +167,7 @@ TEST_CASE("the studies in the tree read, and their references are those of the t
           row[known.column("support")] == post::Cell("soft") && row[known.column("nu")] == post::Cell(0.3))
         values.push_back(row[known.column("F1_paper_LS")]);
     REQUIRE(values.size() == 1);
-    CHECK(values[0] == post::Cell(*run.wanted[0].reference));
+    CHECK(values[0] == post::Cell(std::get<double>(*run.wanted[0].reference)));
     const auto& c = run.file.content;  // width 2: the label is the half length
     CHECK(*c.srif->half_length == std::stod(run.labels[2]));
     CHECK(c.cracks[0][1].x() - c.cracks[0][0].x() == Approx(2 * std::stod(run.labels[2])));

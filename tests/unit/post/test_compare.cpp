@@ -42,6 +42,9 @@ TEST_CASE("a scaled curve has the same relative error everywhere") {
   const auto result = compare(t, sine(t, -1.05, 0), t, sine(t, -1, 0));
   CHECK(result.relative_rms == Approx(0.05));
   CHECK(result.peak_error == Approx(0.05));
+  double squares = 0;  // of the differences
+  for (const double instant : t) squares += std::pow(0.05 * std::sin(instant), 2);
+  CHECK(result.rms_of_peak == Approx(std::sqrt(squares / 301) / std::sin(1.57)));
   CHECK(result.peak_computed == Approx(-1.05).epsilon(1e-4));
   CHECK(result.peak_reference == Approx(-1).epsilon(1e-4));
   CHECK(result.time_of_peak_computed == Approx(period / 4).margin(0.01));

@@ -139,6 +139,43 @@ TEST_CASE("a missing value leaves a gap") {
   CHECK(count(found[1], "L") == 2);
 }
 
+TEST_CASE("numbered series are lines with marks, marks and rings are not joined") {
+  Panel mixed = panel({});
+  mixed.series = {{"a", Line::numbered, {{0, 1, 2}, {0, 1, 4}}, 0},
+                  {"b", Line::marks, {{0, 1}, {2, 3}}, 1},
+                  {"c", Line::rings, {{0.5}, {1}}}};
+  const std::string svg = to_svg({"", {mixed}});
+  CHECK(is_balanced(svg));
+  CHECK(count(svg, "class=\"mark\"") == 3 + 2 + 2);  // and one each in the legend
+  CHECK(count(svg, "class=\"ring\"") == 1 + 1);
+  CHECK(count(svg, "class=\"curve numbered\"") == 1 + 1);
+}
+
+TEST_CASE("on a logarithmic scale equal factors are equal distances, and what is not positive is left out") {
+  Panel powers = panel({{{1, 10, 100, 1000, -1, 0}, {1, 100, 10000, 0, 5, 5}}});
+  powers.t_scale = powers.y_scale = post::Scale::logarithmic;
+  const std::string svg = to_svg({"", {powers}});
+  CHECK(is_balanced(svg));
+  CHECK(count(svg, "nan") + count(svg, "inf") == 0);
+  const std::regex path("class=\"curve computed\" d=\"M([0-9.]+) ([0-9.]+)L([0-9.]+) ([0-9.]+)L([0-9.]+) ([0-9.]+)\"");
+  std::smatch found;
+  REQUIRE(std::regex_search(svg, found, path));
+  for (const int axis : {0, 1}) {
+    const auto at = [&](int i) { return std::stod(found[2 * i + axis + 1]); };
+    CHECK(at(1) - at(0) == Approx(at(2) - at(1)).margin(0.02));
+  }
+  powers.series[0].curve = {{-1, 0}, {1, 1}};
+  CHECK(is_balanced(to_svg({"", {powers}})));
+}
+
+TEST_CASE("a series without a label is not in the legend, a range that is given is kept") {
+  Panel alone = panel({wave(5)});
+  alone.series[0].label.clear();
+  CHECK(count(to_svg({"", {alone}}), "curve computed") == 1);
+  alone.t_range = post::Range{-3, 7};
+  CHECK(count(to_svg({"", {alone}}), ">\u22123<") == 1);
+}
+
 TEST_CASE("panels of the same range share the labels of time") {
   CHECK(count(to_svg({"", {panel({wave(9)}), panel({wave(9)})}}), ">time") == 1);
   CHECK(count(to_svg({"", {panel({wave(9)}), panel({{{0, 2}, {0, 1}}})}}), ">time") == 2);

@@ -2,38 +2,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/unit/post/small_run.hpp"
+#include "finished_run.hpp"
 
-using post::Quantity, post::StudyRow, small_run::TemporaryFolder;
+using finished_run::FinishedRun, post::Quantity, post::StudyRow, small_run::TemporaryFolder;
 
 namespace {
 
 const std::vector<std::string> axes{"load", "2a/W"};
-
-/// A run with two tips, two rows of a probe named like a number, and two rows of history.
-struct FinishedRun {
-  TemporaryFolder folder;
-  post::Summary summary;
-
-  FinishedRun() {
-    post::Srif first, other_method, second;
-    first.K1 = 0.5;
-    first.F1 = 0.25;
-    other_method.K1 = 99;
-    second.tip = 1;
-    second.K3 = -2;
-    second.F3 = NAN;
-    summary.srif = {first, other_method, second};
-    summary.points = 400;
-    summary.analysis.steps = 17;
-    summary.seconds = {{"solve", 0.5}, {"output", 1}, {"total", 2}};
-    post::write_csv(folder / "probes.csv",
-                    {{"time", "probe", "w", "theta_x"},
-                     {{0.0, "7", 1.0, 2.0}, {0.0, "b", 3.0, 4.0}, {1.0, "7", 5.0, 6.0}, {1.0, "b", 7.0, INFINITY}}});
-    post::write_csv(folder / "history.csv", {{"time", "strain_energy"}, {{0.0, 0.0}, {1.0, 11.0}}});
-  }
-  std::optional<double> value(const Quantity& quantity) const { return post::value(quantity, summary, folder.path()); }
-};
 
 StudyRow row(const std::string& label, double computed, double reference) {
   StudyRow result;
@@ -46,24 +21,6 @@ StudyRow row(const std::string& label, double computed, double reference) {
 }
 
 }  // namespace
-
-TEST_CASE("quantities are found at the last time of a run") {
-  const FinishedRun run;
-  CHECK(run.value({"K1", 0}) == 0.5);  // of two methods the first
-  CHECK(run.value({"F1", 0}) == 0.25);
-  CHECK(run.value({"K3", 1}) == -2.0);
-  CHECK(run.value({"w", {}, "7"}) == 5.0);
-  CHECK(run.value({"theta_x", {}, "7"}) == 6.0);
-  CHECK(run.value({"w", {}, "b"}) == 7.0);
-  CHECK(run.value({"strain_energy"}) == 11.0);
-  CHECK_FALSE(run.value({"K1", 2}));
-  CHECK_FALSE(run.value({"F2", 0}));
-  CHECK_FALSE(run.value({"F3", 1}));
-  CHECK_FALSE(run.value({"w", {}, "c"}));
-  CHECK_FALSE(run.value({"theta_x", {}, "b"}));
-  const TemporaryFolder empty;
-  CHECK_FALSE(post::value({"strain_energy"}, run.summary, empty.path()));
-}
 
 TEST_CASE("a reference matches where the labels that it names are those of the run") {
   const post::Reference all{{"F1", 0}}, load{{"F1", 0}, {{"load", "bending"}}};
@@ -97,15 +54,17 @@ TEST_CASE("two references overlap exactly where some run is matched by both") {
 }
 
 TEST_CASE("a run wants each quantity once, with the reference that matches") {
-  const std::vector<post::Reference> references{{{"F1", 0}, {{"load", "bending"}}, 1},
-                                                {{"F1", 0}, {{"load", "pressure"}}, 2},
-                                                {{"K2", 1}, {}, 3},
-                                                {{"w", {}, "c"}, {{"load", "bending"}}, 4}};
+  const std::vector<post::Reference> references{{{"F1", 0}, {{"load", "bending"}}, 1.0},
+                                                {{"F1", 0}, {{"load", "pressure"}}, 2.0, "s"},
+                                                {{"K2", 1}, {}, 3.0},
+                                                {{"w", {}, "c"}, {{"load", "bending"}}, 4.0}};
   const auto has = [&](std::size_t i, bool) { return references[i].quantity.name != "K2"; };
   const auto found = post::wanted(references, axes, {"pressure", "0.1"}, has);
   REQUIRE(found.size() == 2);
   CHECK(found[0].quantity.name == "F1");
-  CHECK(found[0].reference == 2.0);
+  REQUIRE(found[0].reference);
+  CHECK(std::get<double>(*found[0].reference) == 2);
+  CHECK(found[0].source == "s");
   CHECK(found[1].quantity.name == "w");
   CHECK_FALSE(found[1].reference);
 }
@@ -123,7 +82,8 @@ TEST_CASE("names of folders are safe and differ") {
   CHECK_FALSE(post::folder_name({".."}, {}).starts_with('.'));
   CHECK(post::folder_name({}, {}) == "run");
   CHECK(post::folder_name({"a b"}, {"a_b", "a_b-2"}) == "a_b-3");
-  CHECK(post::folder_name({"study.csv"}, {}) != "study.csv");
+  for (const char* file : {"study.csv", "orders.csv", "error_against_points.svg", "study.csv.partial"})
+    CHECK(post::folder_name({file}, {}) != file);
   CHECK(post::folder_name({std::string(1000, 'x')}, {}).size() < 200);
 }
 
@@ -142,8 +102,10 @@ TEST_CASE("a finished run has a row for each quantity") {
   StudyRow known;
   known.labels = {"a"};
   known.spacing = 0.1;
-  const auto rows = post::study_rows(known, {{{"K1", 0}, 0.4}, {{"K1", 5}, 1.0}}, run.summary, run.folder.path());
+  const auto rows = post::study_rows(known, {{{"K1", 0}, post::Known(0.4), "a book"}, {{"K1", 5}, post::Known(1.0)}},
+                                     run.summary, run.folder.path());
   REQUIRE(rows.size() == 2);
+  CHECK(rows[0].source == "a book");
   CHECK(rows[0].labels == known.labels);
   CHECK(rows[0].place == "tip 0");
   CHECK(*rows[0].error() == Approx(0.25));
@@ -166,12 +128,12 @@ TEST_CASE("study.csv is read back as it was written") {
   const TemporaryFolder folder;
   post::write_csv(folder / "study.csv", table(post::StudyTable{{"2a/W"}, {row("0.1", 1.1, 1), failed}}));
   const auto table = post::read_csv(folder / "study.csv");
-  CHECK(table.columns == std::vector<std::string>{"2a/W", "quantity", "place", "computed", "reference", "error",
-                                                  "points", "spacing", "iterations", "seconds", "solve_seconds",
-                                                  "message"});
+  CHECK(table.columns == std::vector<std::string>{"2a/W", "quantity", "place", "srif_method", "computed", "reference",
+                                                  "error", "points", "spacing", "horizon", "iterations", "seconds",
+                                                  "solve_seconds", "reference_source", "message"});
   REQUIRE(table.rows.size() == 2);
   CHECK(table.rows[0][0] == post::Cell("0.1"));
-  CHECK(std::get<double>(table.rows[0][5]) == Approx(0.1));
+  CHECK(std::get<double>(table.rows[0][6]) == Approx(0.1));
   CHECK(table.rows[1][table.column("computed")] == post::Cell());
   CHECK(table.rows[1].back() == post::Cell(failed.message));
 }
@@ -188,4 +150,50 @@ TEST_CASE("the text has a line for each row, columns under their titles, and err
   CHECK_THAT(text, Catch::Contains("\nä      w         centre "));
   CHECK_THAT(text, Catch::Contains("\nb      w         centre "));
   CHECK_THAT(to_text(row("ä", 0.9975, 1)), Catch::Equals("ä: w at centre = 0.9975, error -0.250 %"));
+}
+
+TEST_CASE("a method that a run lacks is said in its row, with those that it has") {
+  const FinishedRun run;
+  const auto rows =
+      post::study_rows({}, {{{"K1", 0, {}, "second"}, post::Known(100.0)}, {{"K1", 0, {}, "third"}, post::Known(1.0)}},
+                       run.summary, run.folder.path());
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].method == "second");
+  CHECK(*rows[0].error() == Approx(-0.01));
+  CHECK_THAT(to_text(rows[0]), Catch::Contains("K1 at tip 0 by second = 99"));
+  CHECK_FALSE(rows[1].computed);
+  CHECK_FALSE(rows[1].error());
+  CHECK(rows[1].message == "tip 0 has no method third, but first, second");
+}
+
+TEST_CASE("the error against a curve is the rms difference over the largest value of the curve") {
+  const FinishedRun run;  // w of probe 7 is 1 at time 0 and 5 at time 1
+  const post::KnownCurve known{"some/curves.csv", "w", {{0, 0.5, 1}, {1.5, 3.5, -4}}};
+  const auto rows = post::study_rows(
+      {}, {{{"w", {}, "7"}, known}, {{"w", {}, "7"}, post::KnownCurve{"c.csv", "w", {{3, 4}, {1, 1}}}}}, run.summary,
+      run.folder.path());
+  REQUIRE(rows.size() == 2);
+  CHECK(*rows[0].error() == Approx(std::sqrt((0.25 + 0.25 + 81) / 3) / 4));
+  CHECK(rows[0].computed == 5.0);
+  CHECK(rows[0].reference == -4.0);
+  CHECK(rows[0].source == "curves.csv w");
+  CHECK_FALSE(rows[1].error());
+  CHECK_THAT(rows[1].message, Catch::Contains("0 samples in common"));
+}
+
+TEST_CASE("an axis called spacing or horizon stands for the column of that name") {
+  post::StudyTable study{{"spacing"}, {row("0.1", 1.1, 1)}};
+  study.rows[0].spacing = study.rows[0].horizon = 0.1;
+  const auto table = post::table(study);
+  CHECK(std::ranges::count(table.columns, "spacing") == 1);
+  CHECK(table.rows[0][table.column("spacing")] == post::Cell("0.1"));
+  CHECK(table.rows[0][table.column("horizon")] == post::Cell(0.1));
+  CHECK(table.rows[0].size() == table.columns.size());
+}
+
+TEST_CASE("the text has a column of methods only where one is named") {
+  post::StudyTable study{{"E"}, {row("0.1", 1.1, 1)}};
+  CHECK_THAT(to_text(study), !Catch::Contains("method"));
+  study.rows[0].method = "first";
+  CHECK_THAT(to_text(study), Catch::Contains("method"));
 }
