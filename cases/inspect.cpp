@@ -23,8 +23,7 @@ std::string cost(const CaseFile& file) {
   Stopwatch stopwatch;
   const Assembly assembly = assemble(file, stopwatch);
   const auto& cloud = assembly.boundary.cloud;
-  extrapolations(file, {cloud.positions.begin(), cloud.positions.begin() + std::ptrdiff_t(cloud.plate_points)},
-                 assembly.paths);
+  tip_methods(file, assembly);
 
   // one product, timed, as the measure of a step
   plate::State state = plate::State::Zero(3, Eigen::Index(cloud.size()));
@@ -60,19 +59,19 @@ post::Table srif_again(const std::filesystem::path& folder, const std::vector<st
   const CaseFile file = read_case(folder / "case.resolved.toml", overrides);
   const Case& c = file.content;
   const auto run = post::read_run(folder / "state.h5");
-  const auto [low, high] = geometry::bounding_box(c.outline);
-  const auto paths = geometry::crack_paths(c.outline, c.cracks, 1e-9 * (high - low).norm());
-  const auto extract = extrapolations(file, run.positions, paths);
+  Stopwatch stopwatch;
+  const Assembly assembly = assemble(file, stopwatch);
+  const auto extract = tip_methods(file, assembly);
+  const auto& cloud = assembly.boundary.cloud;
+  if (!c.srif || run.positions.size() != cloud.plate_points)
+    throw std::runtime_error("state.h5 does not belong to case.resolved.toml");
 
   post::Table table{post::srif_columns(), {}};
+  plate::State state = plate::State::Zero(3, Eigen::Index(cloud.size()));
   for (std::size_t frame = 0; frame < run.times.size(); ++frame) {
-    std::vector<post::Srif> srifs;
-    for (std::size_t tip = 0; tip < extract.size(); ++tip) {
-      srifs.push_back(extract[tip](run.states[frame]));
-      srifs.back().tip = tip;
-      post::normalize(srifs.back(), *c.srif, c.section.thickness);
-    }
-    post::append(table, run.times[frame], srifs);
+    state.leftCols(Eigen::Index(cloud.plate_points)) = run.states[frame];
+    assembly.boundary.constraints.impose(state);
+    post::append(table, run.times[frame], srifs(c, assembly, extract, state));
   }
   return table;
 }

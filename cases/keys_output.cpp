@@ -59,7 +59,10 @@ std::vector<std::string> chosen(const Value& given, const Words<int>& words) {
 }
 
 Field<SrifOptions> srif_methods() {
-  static const Words<int> words{{{"displacement_extrapolation", 0}}};
+  static const Words<int> words{{{"virtual_crack_extension", 0},
+                                 {"domain_integral", 0},
+                                 {"displacement_extrapolation", 0},
+                                 {"opening_series", 0}}};
   return value<SrifOptions>(
       {"methods", "-", "a list of " + words.text(), "", "how the intensity factors are found"},
       [](const Value& given, SrifOptions& options) {

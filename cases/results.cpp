@@ -2,6 +2,7 @@
 
 #include "post/mesh.hpp"
 #include "post/whole_file.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace cases {
@@ -23,11 +24,6 @@ std::vector<post::Share> probe(const Assembly& assembly, const geometry::Point& 
   return post::interpolation(near, u);
 }
 
-std::vector<geometry::Point> plate_positions(const Assembly& assembly) {
-  const auto& cloud = assembly.boundary.cloud;
-  return {cloud.positions.begin(), cloud.positions.begin() + std::ptrdiff_t(cloud.plate_points)};
-}
-
 /// 64-bit FNV-1a of a text, as hexadecimal: the same settings have the same digest on every machine.
 std::string digest(const std::string& text) {
   std::uint64_t hash = 14695981039346656037ULL;
@@ -37,17 +33,22 @@ std::string digest(const std::string& text) {
 
 }  // namespace
 
-std::vector<post::DisplacementExtrapolation> extrapolations(const CaseFile& file,
-                                                            const std::vector<geometry::Point>& positions,
-                                                            const std::vector<geometry::CrackPath>& paths) {
+std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& assembly) {
   const Case& c = file.content;
-  std::vector<post::DisplacementExtrapolation> result;
+  std::vector<post::TipMethods> result;
   std::vector<Problem> problems;
   if (!c.srif) return result;
-  for (const auto& tip : geometry::tips(paths)) {
+  const auto& cloud = assembly.boundary.cloud;
+  const post::BondedPlate plate{cloud.positions,         cloud.areas, assembly.plate.families(), assembly.plate.shapes(),
+                                cloud.plate_points, c.section,   c.discretization.spacing};
+  for (const auto& tip : assembly.tips) {
+    double clear = post::clear_distance(c.outline, assembly.paths, tip, c.discretization.spacing);
+    for (const auto& load : c.loads)
+      if (load.kind == plate::Load::Kind::point_force) clear = std::min(clear, (load.position - tip.position).norm());
+    for (const auto& support : c.supports)
+      for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
     try {
-      result.emplace_back(positions, paths[tip.crack], tip,
-                          post::PlateScale{c.section, c.discretization.spacing, c.discretization.horizon()}, *c.srif);
+      result.emplace_back(plate, post::TipPlace{tip, assembly.paths[tip.crack], clear}, c.discretization.horizon(), *c.srif);
     } catch (const std::invalid_argument& error) {
       problems.push_back({file.place("srif"), "srif",
                           fmt::format("tip at ({:g}, {:g}): {}", tip.position.x(), tip.position.y(), error.what())});
@@ -57,9 +58,24 @@ std::vector<post::DisplacementExtrapolation> extrapolations(const CaseFile& file
   return result;
 }
 
+std::vector<post::Srif> srifs(const Case& content, const Assembly& assembly, const std::vector<post::TipMethods>& methods,
+                              const plate::State& state) {
+  std::vector<post::Srif> result;
+  plate::Forces force;
+  if (std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
+    assembly.plate.internal_force(state, force);
+  for (std::size_t tip = 0; tip < methods.size(); ++tip)
+    for (auto& srif : methods[tip](state, force)) {
+      srif.tip = tip;
+      post::normalize(srif, *content.srif, content.section.thickness);
+      result.push_back(std::move(srif));
+    }
+  return result;
+}
+
 Results::Results(const CaseFile& file, const Assembly& assembly, std::filesystem::path folder)
     : case_(file.content), assembly_(assembly), folder_(std::move(folder)), resolved_(resolved_toml(file.content)),
-      extrapolations_(extrapolations(file, plate_positions(assembly), assembly.paths)) {
+      tip_methods_(tip_methods(file, assembly)) {
   for (const auto& [name, position] : case_.output.probes) probes_.emplace_back(name, probe(assembly, position));
   history_.columns = {"time", "step", "strain_energy", "kinetic_energy", "external_work", "fracture_energy", "max_abs_w"};
   probe_table_.columns = {"time", "probe", "x", "y", "w", "theta_x", "theta_y"};
@@ -92,13 +108,7 @@ void Results::sample_probes(const plate::Instant& now) {
 }
 
 void Results::sample_srifs(const plate::Instant& now) {
-  latest_.clear();
-  for (std::size_t tip = 0; tip < extrapolations_.size(); ++tip) {
-    auto srif = extrapolations_[tip](now.state);
-    srif.tip = tip;
-    post::normalize(srif, *case_.srif, case_.section.thickness);
-    latest_.push_back(srif);
-  }
+  latest_ = srifs(case_, assembly_, tip_methods_, now.state);
   post::append(srif_table_, now.time, latest_);
 }
 
@@ -122,11 +132,11 @@ void Results::frame(const plate::Instant& now) {
 post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
   post::write_csv(folder_ / "history.csv", history_);
   if (!probes_.empty()) post::write_csv(folder_ / "probes.csv", probe_table_);
-  if (!extrapolations_.empty()) post::write_csv(folder_ / "srif.csv", srif_table_);
+  if (!tip_methods_.empty()) post::write_csv(folder_ / "srif.csv", srif_table_);
   if (hdf5_) {
     hdf5_->write("history", history_);
     if (!probes_.empty()) hdf5_->write("probes", probe_table_);
-    if (!extrapolations_.empty()) hdf5_->write("srif", srif_table_);
+    if (!tip_methods_.empty()) hdf5_->write("srif", srif_table_);
     hdf5_->close();
   }
   stopwatch.lap("output");

@@ -1,16 +1,19 @@
 #pragma once
 #include "cases/assembly.hpp"
 #include "post/hdf5.hpp"
+#include "post/srif_methods.hpp"
 #include "post/summary.hpp"
 #include "post/vtk.hpp"
 
 namespace cases {
 
-/// One intensity factor extraction per tip and method, set up before anything is solved.
-/// Throws CaseError where a tip has too few points beside its crack.
-std::vector<post::DisplacementExtrapolation> extrapolations(const CaseFile& file,
-                                                            const std::vector<geometry::Point>& positions,
-                                                            const std::vector<geometry::CrackPath>& paths);
+/// The methods for the intensity factors of every tip, set up before anything is solved. `assembly` must outlive them.
+/// Throws CaseError where a method cannot work at a tip.
+std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& assembly);
+
+/// The intensity factors of all tips, normalised, the recommended one of each tip first.
+std::vector<post::Srif> srifs(const Case& content, const Assembly& assembly, const std::vector<post::TipMethods>& methods,
+                              const plate::State& state);
 
 /// What a run writes into its folder, as it goes: tables in memory, frames at once. Nothing that the case does not ask
 /// for is computed.
@@ -38,7 +41,7 @@ private:
   std::optional<post::VtkSeries> vtk_;
   std::optional<post::StateFile> hdf5_;
   std::vector<std::pair<std::string, std::vector<post::Share>>> probes_;
-  std::vector<post::DisplacementExtrapolation> extrapolations_;
+  std::vector<post::TipMethods> tip_methods_;
   post::Table history_, probe_table_, srif_table_;
   std::vector<post::Srif> latest_;
   double strain_energy_ = 0;

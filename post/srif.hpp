@@ -15,13 +15,21 @@ struct Normalization {
 };
 
 struct SrifOptions {
-  std::vector<std::string> methods{"displacement_extrapolation"};
-  double window_horizons = 2;           // fit over 0 < r <= this many horizons (Dai, section 3.2: 2) ...
+  std::vector<std::string> methods{"virtual_crack_extension", "domain_integral", "displacement_extrapolation"};
+  double window_horizons = 2;           // displacement extrapolation: fit over 0 < r <= this many horizons (Dai: 2) ...
   std::optional<double> window;         // ... or over this length
   int skip = 0;                         // samples next to the tip left out
   int rows = 1;                         // rows of points on each side: 1 nearest row, 2 extrapolated to the crack
+  bool richardson = false;              // estimate the error from a second run with twice the spacing
   std::optional<Normalization> normalize;
   std::optional<double> half_length;    // the a of the normalisation
+};
+
+/// The intensity factors from one ring about the tip.
+struct RingSrif {
+  double inner, outer;  // [length]
+  double G;             // energy release rate of the plate [force]
+  double K1, K2, K3;
 };
 
 /// Moment and shear intensity factors of one tip by one method (no pi: K1 = lim sqrt(2 r) M_nn).
@@ -32,6 +40,8 @@ struct Srif {
   double K1 = 0, K2 = 0, K3 = 0;                // [force length^(1/2)] moments, [force / length^(1/2)] shear
   std::optional<double> F1, F2, F3;             // where a normalisation is given
   std::optional<double> estimated_error;        // relative to the largest K
+  std::optional<double> G;                      // energy release rate [force], of methods that find it
+  std::vector<RingSrif> rings;                  // of methods that use rings; the first gave the result
   double fit_residual = 0;                      // rms misfit of the straight line / largest |K| of the fit
   std::size_t samples = 0;
 };
@@ -42,31 +52,8 @@ struct PlateScale {
   double spacing, horizon;  // [length]
 };
 
-/// Crack-surface displacement extrapolation (Dai et al. 2021, section 3.2, Eqs. 39-41): the jump of w and the
-/// rotations across the crack at distances r behind the tip gives K(r); the straight line through K(r) by least squares
-/// gives K at r = 0. The deflection is carried from the rows of points to the crack line by the rotation there,
-/// w - y' theta_x': without it a mere inclination of the plate would pass for K3. Built once per tip, evaluated at any number of times.
-class DisplacementExtrapolation {
-public:
-  /// `positions`: points of the plate. `path`: the tip's crack. Throws std::invalid_argument where the window holds
-  /// fewer than two samples, or no points lie beside the crack.
-  DisplacementExtrapolation(const std::vector<geometry::Point>& positions, const geometry::CrackPath& path,
-                            const geometry::Tip& tip, const PlateScale& scale, const SrifOptions& options);
-
-  /// K1, K2, K3 in the tip's axes (x' ahead, y' 90 degrees to its left) [see Srif].
-  Srif operator()(const plate::State& state) const;
-
-private:
-  struct Sample {
-    double r;                            // distance behind the tip [length]
-    std::vector<Share> jump;             // upper face minus lower face
-    std::vector<Share> lever;            // the same shares times their distance y' from the crack [length]
-  };
-
-  geometry::Tip tip_;
-  PlateScale scale_;
-  std::vector<Sample> samples_;
-};
+/// The largest of |K1|, |K2|, |K3| h.
+double largest_factor(const Srif& srif, double thickness);
 
 /// F1, F2, F3 where the options give a normalisation.
 void normalize(Srif& srif, const SrifOptions& options, double thickness);

@@ -36,8 +36,14 @@ Json json_of(const Srif& srif) {
   add(json, "F2", srif.F2);
   add(json, "F3", srif.F3);
   add(json, "estimated_error", srif.estimated_error);
-  json["fit_residual"] = srif.fit_residual;
-  json["samples"] = srif.samples;
+  add(json, "G", srif.G);
+  if (srif.rings.empty()) {
+    json["fit_residual"] = srif.fit_residual;
+    json["samples"] = srif.samples;
+    return json;
+  }
+  for (const auto& r : srif.rings)
+    json["rings"].push_back({{"inner", r.inner}, {"outer", r.outer}, {"G", r.G}, {"K1", r.K1}, {"K2", r.K2}, {"K3", r.K3}});
   return json;
 }
 

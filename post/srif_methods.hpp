@@ -1,0 +1,44 @@
+#pragma once
+#include "post/displacement_extrapolation.hpp"
+#include "post/tip_rings.hpp"
+
+namespace post {
+
+/// What is around a tip.
+struct TipPlace {
+  geometry::Tip tip;
+  geometry::CrackPath path;
+  double clear;  // clear_distance, less where loads and pins stand nearer [length]
+};
+
+/// All chosen methods at one tip: built once, evaluated at any number of times. The recommended one comes first.
+class TipMethods {
+public:
+  /// Throws std::invalid_argument where a method cannot work at this tip, with the reason.
+  TipMethods(const BondedPlate& plate, const TipPlace& place, double horizon, const SrifOptions& options);
+
+  /// `force`: internal force of the state (FamilyOperator::internal_force).
+  std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force) const;
+
+  /// Does any method ask for the internal force?
+  bool needs_force() const { return !integrals_.empty(); }
+
+private:
+  struct Integral {
+    std::string method;
+    std::vector<Ring> rings;
+    std::vector<TipIntegral> integrals;  // one per ring
+  };
+
+  Srif of(const Integral& integral, const plate::State& state, const plate::Forces& force) const;
+  Eigen::Vector3d split(const plate::State& state, const plate::Forces& force) const;
+
+  geometry::Tip tip_;
+  plate::Section section_;
+  std::vector<std::string> methods_;
+  std::vector<Integral> integrals_;
+  std::vector<TipIntegral> interaction_;              // one, where the field of the thickness is resolved
+  std::vector<DisplacementExtrapolation> openings_;
+};
+
+}  // namespace post

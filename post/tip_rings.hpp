@@ -1,0 +1,16 @@
+#pragma once
+#include "post/tip_integrals.hpp"
+#include <vector>
+
+namespace post {
+
+/// Distance from a tip within which the plate is whole but for its own crack, which is straight there: from edges, holes, other
+/// cracks, other ends and bends of its own [length].
+double clear_distance(const geometry::Outline& outline, const std::vector<geometry::CrackPath>& paths,
+                      const geometry::Tip& tip, double spacing);
+
+/// The rings about a tip, the recommended one first: outer radii of 16, 11, 24 and 7 spacings, inner radii half of them, as far as they
+/// fit into `clear` and `reach`; where none does, one as large as fits. Empty where not even 4 spacings fit.
+std::vector<Ring> rings(double clear, double reach, double spacing);
+
+}  // namespace post
