@@ -162,6 +162,13 @@ Fields<SrifOptions> srif_fields() {
       number<S>("skip", "-", &S::skip, {0, 1000000}, "samples next to the tip left out"),
       number<S>("rows", "-", &S::rows, {1, 2},
                 "rows of points on each side: 1 nearest row, 2 extrapolated to the crack"),
+      value<S>({"richardson", "-", "true or false", "false",
+                "statics: also solve with twice the spacing; the difference counts in the estimated error"},
+               [](const Value& given, S& options) {
+                 if (const auto wanted = given.boolean()) options.richardson = *wanted;
+               },
+               [](const S& options) { return std::string(options.richardson ? "true" : "false"); })
+          .in_statics(),
       table<S, Normalization>("normalize", Layout::inline_, &S::normalize, normalization_fields(), check_normalization),
       number<S>("half_length", "length", &S::half_length, positive,
                 "the a of the normalisation; required with normalize"),

@@ -1,3 +1,4 @@
+#include "cases/energy_check.hpp"
 #include "cases/study.hpp"
 #include "plate/numerical_error.hpp"
 #include "post/compare.hpp"
@@ -60,7 +61,7 @@ struct Arguments {
   std::string file, folder, key, reference, plot;
   std::vector<std::string> settings, methods;
   int threads = 0;
-  bool quiet = false;
+  bool quiet = false, energy = false;
 };
 
 void add_case(CLI::App& command, Arguments& a) {
@@ -95,7 +96,10 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("keys")) {
     print_keys(a.key);
   } else if (app.got_subcommand("srif")) {
-    print_table(cases::srif_again(a.folder, a.methods));
+    if (a.energy)
+      print_table(cases::energy_check(cases::read_case(std::filesystem::path(a.folder) / "case.resolved.toml", {})));
+    else
+      print_table(cases::srif_again(a.folder, a.methods));
   } else if (app.got_subcommand("compare")) {
     const auto rows = post::compare(a.folder, a.reference);
     fmt::print("{}", post::to_text(rows));
@@ -130,6 +134,7 @@ int main(int argc, char** argv) {
   auto* srif = app.add_subcommand("srif", "extract intensity factors again from a finished run");
   srif->add_option("folder", a.folder, "folder of the results")->required();
   srif->add_option("--method", a.methods, "method (default: those of the case)");
+  srif->add_flag("--energy", a.energy, "instead K from the energies of a longer and a shorter crack: two static runs per tip");
   auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();

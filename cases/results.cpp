@@ -109,6 +109,9 @@ void Results::sample_probes(const plate::Instant& now) {
 
 void Results::sample_srifs(const plate::Instant& now) {
   latest_ = srifs(case_, assembly_, tip_methods_, now.state);
+  for (auto& srif : latest_)
+    for (const auto& other : coarser_)
+      if (other.tip == srif.tip && other.method == srif.method) post::widen(srif, other, case_.section.thickness);
   post::append(srif_table_, now.time, latest_);
 }
 

@@ -21,6 +21,8 @@ class Results {
 public:
   Results(const CaseFile& file, const Assembly& assembly, std::filesystem::path folder);
 
+  /// Intensity factors of the same tips and methods with twice the spacing: the difference counts in estimated errors.
+  void coarser(std::vector<post::Srif> srifs) { coarser_ = std::move(srifs); }
   /// A row of history, probes and intensity factors.
   void sample(const plate::Instant& now);
   /// A frame for ParaView and HDF5.
@@ -43,7 +45,7 @@ private:
   std::vector<std::pair<std::string, std::vector<post::Share>>> probes_;
   std::vector<post::TipMethods> tip_methods_;
   post::Table history_, probe_table_, srif_table_;
-  std::vector<post::Srif> latest_;
+  std::vector<post::Srif> latest_, coarser_;
   double strain_energy_ = 0;
 };
 

@@ -34,6 +34,21 @@ double slow_work(const Assembly& assembly, const plate::State& state) {
   return work;
 }
 
+/// The intensity factors of the case with twice the spacing.
+std::vector<post::Srif> coarser_srifs(const CaseFile& file) {
+  CaseFile coarse = file;
+  Case& c = coarse.content;
+  c.discretization.spacing *= 2;
+  Stopwatch stopwatch;
+  const Assembly assembly = assemble(coarse, stopwatch);
+  const auto methods = tip_methods(coarse, assembly);
+  plate::Forces load = assembly.loads.front().forces;
+  for (std::size_t i = 1; i < assembly.loads.size(); ++i) load += assembly.loads[i].forces;
+  const auto solution = plate::conjugate_gradients(assembly.plate, assembly.boundary.constraints, load,
+                                                   {c.analysis.tolerance, c.analysis.max_iterations, {}});
+  return srifs(c, assembly, methods, solution.state);
+}
+
 void solve_static(const Case& c, const Assembly& assembly, Results& results, post::Summary& summary, bool quiet,
                   Stopwatch& stopwatch) {
   plate::Forces load = assembly.loads.front().forces;
@@ -127,6 +142,7 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
   post::Summary summary = about(file.content, assembly);
   Results results(file, assembly, options.folder);
   stopwatch.lap("output");
+  if (file.content.srif && file.content.srif->richardson) results.coarser(coarser_srifs(file)), stopwatch.lap("srif");
   try {
     if (file.content.analysis.kind == Analysis::Kind::static_)
       solve_static(file.content, assembly, results, summary, options.quiet, stopwatch);

@@ -55,6 +55,9 @@ struct PlateScale {
 /// The largest of |K1|, |K2|, |K3| h.
 double largest_factor(const Srif& srif, double thickness);
 
+/// The difference from the same factors with twice the spacing, as a bound of the error of the first order.
+void widen(Srif& srif, const Srif& coarser, double thickness);
+
 /// F1, F2, F3 where the options give a normalisation.
 void normalize(Srif& srif, const SrifOptions& options, double thickness);
 

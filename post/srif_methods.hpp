@@ -30,7 +30,9 @@ private:
     std::vector<TipIntegral> integrals;  // one per ring
   };
 
-  Srif of(const Integral& integral, const plate::State& state, const plate::Forces& force) const;
+  Srif of(const Integral& integral, const Eigen::Vector3d& mix, const plate::State& state,
+          const plate::Forces& force) const;
+  void estimate(std::vector<Srif>& found, const Eigen::Vector3d& mix) const;
   Eigen::Vector3d split(const plate::State& state, const plate::Forces& force) const;
 
   geometry::Tip tip_;

@@ -37,6 +37,23 @@ double clear_distance(const geometry::Outline& outline, const std::vector<geomet
   return clear;
 }
 
+geometry::Tip centred(const geometry::Tip& tip, const BondedPlate& plate) {
+  const TipFrame frame(tip);
+  const double behind = 5 * plate.spacing;
+  double above = behind, below = -behind;
+  for (std::size_t k = 0; k < plate.plate_points; ++k) {
+    const Point x = frame.local(plate.positions[k]);
+    if (x.x() > 0 || x.x() < -behind || std::abs(x.y()) > behind) continue;
+    if (face_of(x.y(), frame.left(), plate.spacing) > 0)
+      above = std::min(above, x.y());
+    else
+      below = std::max(below, x.y());
+  }
+  geometry::Tip result = tip;
+  result.position += (above + below) / 2 * frame.left();
+  return result;
+}
+
 std::vector<Ring> rings(double clear, double reach, double spacing) {
   const double most = std::min(clear - spacing / 2, reach) / spacing;
   std::vector<Ring> result;

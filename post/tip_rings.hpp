@@ -9,6 +9,10 @@ namespace post {
 double clear_distance(const geometry::Outline& outline, const std::vector<geometry::CrackPath>& paths,
                       const geometry::Tip& tip, double spacing);
 
+/// The tip moved half way between the points on either side of the last five spacings of the crack: on a lattice, the crack is
+/// what parts the points, wherever between them it is drawn.
+geometry::Tip centred(const geometry::Tip& tip, const BondedPlate& plate);
+
 /// The rings about a tip, the recommended one first: outer radii of 16, 11, 24 and 7 spacings, inner radii half of them, as far as they
 /// fit into `clear` and `reach`; where none does, one as large as fits. Empty where not even 4 spacings fit.
 std::vector<Ring> rings(double clear, double reach, double spacing);
