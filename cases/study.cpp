@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "cases/keys.hpp"
 #include "plate/numerical_error.hpp"
 
 namespace cases {
@@ -10,64 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using post::Reference;
-
-/// A key of a study file; nothing is written from it.
-template <class T>
-Field<T> entry(const std::string& name, const std::string& allowed, std::function<void(const Value&, T&)> read) {
-  return {name, {{name, "", allowed, "", ""}}, std::move(read), {}};
-}
-
-template <class T, class Project>
-Field<T> word(const std::string& name, Project project) {
-  return entry<T>(name, "a string", [=](const Value& given, T& object) {
-    const auto text = given.text();
-    if (text && text->empty()) given.refuse("a string that is not empty");
-    if (text) std::invoke(project, object) = *text;
-  });
-}
-
-template <class T>
-Field<T> case_file() {
-  return entry<T>("case", "", [](const Value& given, T& object) {
-    const auto name = given.text();
-    if (!name) return;
-    object.case_file = fs::path(given.reading().found().place("")).parent_path() / *name;
-    if (!fs::exists(*object.case_file)) given.complain(fmt::format("no such file: {}", object.case_file->string()));
-  });
-}
-
-template <class T>
-Field<T> settings() {
-  return entry<T>("set", "", [](const Value& given, T& object) {
-    const auto elements = given.elements("a list of overrides [\"key=value\", ...]");
-    for (const auto& element : elements.value_or(std::vector<Value>()))
-      if (const auto text = element.text()) object.set.push_back({*text, given.reading().found().place(element.key())});
-  });
-}
-
-Field<Reference> quantity() {
-  Words<std::string> words;
-  for (const auto& name : post::quantity_names()) words.allowed.emplace_back(name, name);
-  const auto name = [](auto& reference) -> auto& {
-    return reference.quantity.name;
-  };
-  return choice<Reference, std::string>("quantity", name, words, "").required();
-}
-
-/// A key that goes with the quantities of one kind of place, and is missed there.
-Field<Reference> place(const std::string& kind, const std::string& quantities, const std::string& allowed,
-                       std::function<void(const Value&, Reference&)> read) {
-  const auto holds = [=](const Reference& r) { return post::kind_of_place(r.quantity.name) == kind; };
-  return entry<Reference>(kind, allowed, std::move(read)).required().with({"quantity", quantities, holds});
-}
-
-void read_tip(const Value& given, Reference& reference) {
-  const auto tip = given.number();
-  if (tip && (*tip < 0 || *tip > 1e6 || *tip != std::floor(*tip)))
-    given.refuse("the number of a crack tip, from 0");
-  else if (tip)
-    reference.quantity.tip = static_cast<std::size_t>(*tip);
-}
 
 void read_where(const Value& given, Reference& reference) {
   const toml::table* table = given.table();
@@ -90,13 +31,11 @@ Fields<Study> study_fields() {
                                 settings<AxisPoint>()};
   const Fields<Axis> axis{word<Axis>("name", &Axis::name).required(),
                           tables<Axis, AxisPoint>("point", Layout::block, &Axis::points, point)};
-  const Fields<Reference> reference{quantity(),
-                                    place("tip", "quantity = K1 ... F3", "the number of a crack tip, from 0", read_tip),
-                                    place("probe", "quantity = w, theta_x or theta_y", "the name of a probe",
-                                          [](const Value& given, Reference& r) { r.quantity.probe = given.text(); }),
-                                    entry<Reference>("where", "", read_where),
-                                    entry<Reference>("value", "a number", read_value).required(),
-                                    word<Reference>("source", &Reference::source)};
+  Fields<Reference> reference = quantity_fields<Reference>();
+  for (auto& field :
+       {entry<Reference>("where", "", read_where), entry<Reference>("value", "a number", read_value).required(),
+        word<Reference>("source", &Reference::source)})
+    reference.push_back(field);
   return {word<Study>("title", &Study::title),
           word<Study>("source", &Study::source),
           case_file<Study>(),
@@ -235,6 +174,8 @@ private:
   std::vector<std::pair<Problem, std::vector<std::string>>> problems_;
 };
 
+}  // namespace
+
 toml::table parsed(const fs::path& path) {
   const std::string name = path.string();
   if (!fs::exists(path)) throw CaseError({{name, "", "no such file"}});
@@ -245,8 +186,6 @@ toml::table parsed(const fs::path& path) {
     throw CaseError({{fmt::format("{}:{}:{}", name, at.line, at.column), "", std::string(error.description())}});
   }
 }
-
-}  // namespace
 
 std::vector<std::string> Study::axis_names() const {
   std::vector<std::string> names;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 
+#include "post/aligned.hpp"
+
 namespace post {
 namespace {
 
@@ -44,37 +46,13 @@ Cell cell(const std::string& word) {
   return word.empty() ? Cell() : Cell(word);
 }
 
-/// A column of the text: its title and its cells.
-struct Column {
-  std::string title;
-  bool number;  // to the right
-  std::vector<std::string> cells;
-};
-
-/// Characters of a UTF-8 text.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
-
-std::string padded(const std::string& text, std::size_t wide, bool right) {
-  const std::string blanks(wide - width(text), ' ');
-  return right ? blanks + text : text + blanks;
-}
-
 template <class Number>
 std::string shown(const char* format, const std::optional<Number>& number) {
   return number ? fmt::format(fmt::runtime(format), *number) : "";
 }
 
-/// A message in one line.
-std::string one_line(std::string text) {
-  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) text.replace(at, 1, "; ");
-  return text;
-}
-
-std::vector<Column> columns(const StudyTable& study) {
-  std::vector<Column> result;
+std::vector<TextColumn> columns(const StudyTable& study) {
+  std::vector<TextColumn> result;
   const auto add = [&](const std::string& title, bool number, const std::function<std::string(const StudyRow&)>& text) {
     result.push_back({title, number, {}});
     for (const auto& row : study.rows) result.back().cells.push_back(text(row));
@@ -247,18 +225,7 @@ std::string to_text(const StudyRow& row) {
 }
 
 std::string to_text(const StudyTable& study) {
-  const auto all = columns(study);
-  std::vector<std::string> lines(study.rows.size() + 1);
-  for (const auto& column : all) {
-    std::size_t wide = width(column.title);
-    for (const auto& text : column.cells) wide = std::max(wide, width(text));
-    lines.front() += padded(column.title, wide, column.number) + "  ";
-    for (std::size_t row = 0; row < study.rows.size(); ++row)
-      lines[row + 1] += padded(column.cells[row], wide, column.number) + "  ";
-  }
-  std::string text;
-  for (auto& line : lines) text += line.erase(line.find_last_not_of(' ') + 1) + "\n";
-  return text;
+  return aligned(columns(study));
 }
 
 }  // namespace post
