@@ -30,6 +30,9 @@ public:
                          constraints.held(3 * k + 2));
       line_[k] = line_of(k);
     }
+    // what has an image is tied to all that the image is bonded to
+    for (const auto& tie : boundary.constraints.ties())
+      if (follows_[tie.follower / 3]) line_[tie.leader / 3] = Point(0, 0);
     for_each_bond([&](std::uint32_t k, std::uint32_t j) {
       if (follows_[k] || follows_[j] || sets_.root(k) == sets_.root(j)) return;
       if (on_line(k) && on_line(j)) sets_.join(k, j);  // one chain; its points' turns are counted one by one
@@ -262,6 +265,11 @@ Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& famili
   Mechanisms result;
   result.parts = parts.count();
   find_twists(boundary, parts, load, result);
+  int chains = 0;  // pieces of their own, whose turn as a whole is one of their free motions
+  for (const auto& piece : pieces)
+    chains += piece.free_modes > 0 && parts.on_line(piece.first_point) &&
+              parts.points(parts.part(piece.first_point)) == piece.points;
+  result.twisting -= std::size_t(chains);
   if (parts.count() == pieces.size()) return result;  // every piece is rigid in itself
   result.searched = parts.count() <= most_parts;
   if (!result.searched) return result;
@@ -269,7 +277,7 @@ Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& famili
   const Eigen::MatrixXd gram = Conditions(boundary, parts).gram();
   const Eigen::VectorXd scale = gram.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1; });
   const Eigen::MatrixXd motions = free_motions(gram, scale);
-  result.motions = static_cast<int>(motions.cols());
+  result.motions = static_cast<int>(motions.cols()) + chains;
   for (const auto& piece : pieces) result.motions -= piece.free_modes;
   const auto [sum, size] = drive(boundary, parts, load);
   const Eigen::VectorXd driven = motions * (motions.transpose() * scale.cwiseProduct(sum));

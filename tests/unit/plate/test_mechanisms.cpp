@@ -1,6 +1,7 @@
 #include "plate/mechanisms.hpp"
 
 #include <catch2/catch.hpp>
+#include <random>
 
 #include "tests/unit/plate/small_plate.hpp"
 
@@ -131,4 +132,30 @@ TEST_CASE("two hinges on different lines hold") {
   CHECK(found.parts == 2);
   CHECK(found.motions == 0);
   CHECK(zero_modes(m) == 0);
+}
+
+TEST_CASE("pieces, hinges and twists together are the zero modes of the stiffness, for cracks at random") {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> coordinate(0, 32);  // quarters of a spacing: through points, between them, oblique
+  std::size_t with_hinge = 0, with_twist = 0;
+  for (int plates = 0; plates < 20; ++plates) {
+    std::vector<CrackPath> cracks;
+    for (int i = 0; i < 8; ++i) {
+      const geometry::Point from(coordinate(random) / 4.0, coordinate(random) / 4.0);
+      const geometry::Point to(coordinate(random) / 4.0, coordinate(random) / 4.0);
+      if (from != to) cracks.push_back({{from, to}, End::tip, End::tip});
+    }
+    const auto m =
+        small_plate::model(geometry::rectangle(0, 0, 0.8, 0.8), {clamped_left}, small_plate::spaced(0.1), cracks);
+    const auto found = mechanisms_of(m, pressure(m));
+    REQUIRE(found.searched);
+    Eigen::Index expected = found.motions + Eigen::Index(found.twisting);
+    for (const auto& piece : pieces(m.boundary, m.plate.families())) expected += piece.free_modes;
+    with_hinge += found.motions > 0;
+    with_twist += found.twisting > 0;
+    CAPTURE(plates, found.motions, found.twisting, found.parts);
+    CHECK(zero_modes(m) == expected);
+  }
+  CAPTURE(with_hinge, with_twist);
+  CHECK((with_hinge > 1 && with_twist > 5));
 }
