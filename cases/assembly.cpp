@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include "cases/trust.hpp"
 #include "geometry/seeding.hpp"
+#include "plate/mechanisms.hpp"
 
 namespace cases {
 namespace {
@@ -16,9 +18,7 @@ std::string free_motion(const plate::Piece& piece) {
 }
 
 /// Statics: nothing may move freely. Dynamics: a loose piece is allowed, and said.
-void check_held(const CaseFile& file, const plate::Boundary& boundary, const geometry::Families& families,
-                std::vector<std::string>& warnings) {
-  const auto pieces = plate::pieces(boundary, families);
+void check_held(const CaseFile& file, const std::vector<plate::Piece>& pieces, std::vector<std::string>& warnings) {
   std::vector<Problem> problems;
   for (const auto& piece : pieces) {
     if (piece.free_modes == 0) continue;
@@ -33,6 +33,35 @@ void check_held(const CaseFile& file, const plate::Boundary& boundary, const geo
   if (file.content.analysis.kind == Analysis::Kind::static_) throw CaseError(problems);
   if (pieces.size() > 1)
     for (const auto& problem : problems) warnings.push_back(problem.what);
+}
+
+std::string hanging(const plate::LoosePart& part) {
+  return fmt::format("the part of {} point{} about ({:g}, {:g}) hangs by bonds along one line through ({:g}, {:g}) and "
+                     "can turn about it",
+                     part.points, part.points == 1 ? "" : "s", part.position.x(), part.position.y(), part.ligament.x(),
+                     part.ligament.y());
+}
+
+/// A ligament one row of points wide is a hinge. Statics: no load may turn it; else it is said.
+void check_mechanisms(const CaseFile& file, const plate::Mechanisms& found, std::vector<std::string>& warnings) {
+  const bool statics = file.content.analysis.kind == Analysis::Kind::static_;
+  for (const auto& part : {found.driven, found.twisted})
+    if (part && statics)
+      throw CaseError({{file.place("geometry.cracks"), "geometry.cracks",
+                        "cracks and edges leave a ligament one row of points wide, which is a hinge: " + hanging(*part) +
+                            " under the load; a finer spacing gives it two rows"}});
+  if (found.twisting > 0)
+    warnings.push_back(fmt::format("{} point{} bonds along one line only, in ligaments one row of points wide: the "
+                                   "rotation about that line has no stiffness{}",
+                                   found.twisting, found.twisting == 1 ? " has" : "s have",
+                                   statics ? " and no load, and stays zero" : ""));
+  if (found.motions > 0)
+    warnings.push_back(fmt::format("parts that hang by bonds along one line can move in {} way{} without resistance{}",
+                                   found.motions, found.motions == 1 ? "" : "s",
+                                   found.driven ? ": " + hanging(*found.driven) : "; no load does so"));
+  if (!found.searched)
+    warnings.push_back(fmt::format("bonds along one line divide the plate into {} parts, too many to look for motions "
+                                   "without resistance", found.parts));
 }
 
 void check_edges_fit(const plate::Boundary& boundary, double spacing, std::vector<std::string>& warnings) {
@@ -133,16 +162,21 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
 
   const auto whole = geometry::families(boundary.cloud, d.horizon(), plate::sees(boundary, outline, d.horizon_ratio));
   auto families = fracture::sever(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
-  check_held(file, boundary, families, warnings);
+  const auto pieces = plate::pieces(boundary, families);
+  check_held(file, pieces, warnings);
+  warn_of_distrust(c, boundary, warnings);
   stopwatch.lap("families");
 
   auto shapes = plate::bond_shapes(families.vectors, c.section, d);
   check_weights(file, shapes);
   auto cut = fracture::cut_share(whole, families, shapes, boundary.cloud.plate_points);
   const auto& areas = boundary.cloud.areas;
+  auto loads = timed_loads(c, boundary.cloud);
+  plate::Forces load = loads.front().forces;
+  for (std::size_t i = 1; i < loads.size(); ++i) load += loads[i].forces;
+  check_mechanisms(file, plate::mechanisms(boundary, families, pieces, load), warnings);
   auto [weights, counts] = horizon_weights(c, boundary, families, shapes);
   plate::FamilyOperator plate(std::move(families), std::move(shapes), areas, std::move(weights));
-  auto loads = timed_loads(c, boundary.cloud);
   stopwatch.lap("parameters");
 
   return {paths,

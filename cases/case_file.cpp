@@ -25,6 +25,8 @@ std::string contents(const std::filesystem::path& path) {
   return text.str();
 }
 
+}  // namespace
+
 toml::table parsed(const std::filesystem::path& path) {
   const std::string text = contents(path);
   try {
@@ -35,6 +37,8 @@ toml::table parsed(const std::filesystem::path& path) {
         {{fmt::format("{}:{}:{}", path.string(), at.line, at.column), "", std::string(error.description())}});
   }
 }
+
+namespace {
 
 /// analysis.kind decides about other keys: it is needed before they are read.
 std::optional<bool> is_dynamic(const toml::table& root) {

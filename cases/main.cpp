@@ -1,4 +1,8 @@
+<<<<<<< HEAD
 #include "cases/energy_check.hpp"
+=======
+#include "cases/extremes.hpp"
+>>>>>>> work-ext
 #include "cases/study.hpp"
 #include "plate/numerical_error.hpp"
 #include "post/compare.hpp"
@@ -58,7 +62,7 @@ void print_table(const post::Table& table) {
 }
 
 struct Arguments {
-  std::string file, folder, key, reference, plot;
+  std::string file, folder, key, reference, plot, only;
   std::vector<std::string> settings, methods;
   int threads = 0;
   bool quiet = false, energy = false;
@@ -81,6 +85,18 @@ int run_study(const Arguments& a) {
   }
   if (outcome.failed_numbers > 0) return failed_numbers;
   return outcome.wrong_cases > 0 ? wrong_case : done;
+}
+
+int run_extremes(const Arguments& a) {
+  const auto extremes = cases::read_extremes(a.file);
+  const auto folder = a.folder.empty() ? "results" / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
+  const auto verdicts = cases::run_extremes(extremes, {folder, a.settings, a.only, a.quiet});
+  if (verdicts.empty()) throw cases::CaseError({{a.file, "--only", fmt::format("no row contains \"{}\"", a.only)}});
+  const auto missed = std::ranges::count(verdicts, false, &cases::Verdict::holds);
+  if (!a.quiet || missed > 0)
+    fmt::print("{}\n{}{} of {} oracles hold; results in {}\n", extremes.title, cases::to_text(verdicts),
+               verdicts.size() - std::size_t(missed), verdicts.size(), folder.string());
+  return missed > 0 ? failed_numbers : done;
 }
 
 int execute(const CLI::App& app, Arguments& a) {
@@ -106,6 +122,8 @@ int execute(const CLI::App& app, Arguments& a) {
     if (!a.plot.empty()) post::write_whole(a.plot, post::to_svg(post::plot(rows, post::title_of(a.folder))));
   } else if (app.got_subcommand("study")) {
     return run_study(a);
+  } else if (app.got_subcommand("extremes")) {
+    return run_extremes(a);
   }
   return done;
 }
@@ -144,6 +162,13 @@ int main(int argc, char** argv) {
   study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");
   study->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::PositiveNumber);
   study->add_flag("--quiet", a.quiet, "no lines on runs that succeed and no table");
+  auto* extremes = app.add_subcommand("extremes", "cases at the edge of what can be computed, each against its oracle");
+  extremes->add_option("table", a.file, "table of extremes (TOML)")->required();
+  extremes->add_option("--out", a.folder, "folder of the results (default: results/TABLE)");
+  extremes->add_option("--set", a.settings, "override a key of all rows that do not set it")->allow_extra_args(false);
+  extremes->add_option("--only", a.only, "only rows whose group or title contains this");
+  extremes->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::PositiveNumber);
+  extremes->add_flag("--quiet", a.quiet, "no lines, and a table only where an oracle is missed");
 
   try {
     app.parse(argc, argv);

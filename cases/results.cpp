@@ -77,7 +77,8 @@ Results::Results(const CaseFile& file, const Assembly& assembly, std::filesystem
     : case_(file.content), assembly_(assembly), folder_(std::move(folder)), resolved_(resolved_toml(file.content)),
       tip_methods_(tip_methods(file, assembly)) {
   for (const auto& [name, position] : case_.output.probes) probes_.emplace_back(name, probe(assembly, position));
-  history_.columns = {"time", "step", "strain_energy", "kinetic_energy", "external_work", "fracture_energy", "max_abs_w"};
+  history_.columns = {"time",          "step",            "strain_energy", "kinetic_energy",
+                      "external_work", "fracture_energy", "max_abs_w",     "discrete_energy"};
   probe_table_.columns = {"time", "probe", "x", "y", "w", "theta_x", "theta_y"};
   srif_table_.columns = post::srif_columns();
 
@@ -93,7 +94,8 @@ void Results::sample(const plate::Instant& now) {
   strain_energy_ = assembly_.plate.energies(now.state).sum();
   const auto plate_points = Eigen::Index(assembly_.boundary.cloud.plate_points);
   history_.rows.push_back({now.time, double(now.step), strain_energy_, now.kinetic_energy, now.external_work, 0.0,
-                           now.state.row(0).head(plate_points).cwiseAbs().maxCoeff()});
+                           now.state.row(0).head(plate_points).cwiseAbs().maxCoeff(),
+                           strain_energy_ + now.discrete_energy});
   sample_probes(now);
   sample_srifs(now);
 }

@@ -71,7 +71,8 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
   summary.analysis.tolerance = c.analysis.tolerance;
   summary.analysis.stop_reason = solution.stop_reason;
   const plate::State at_rest;
-  const plate::Instant end{solution.iterations, 0, solution.state, at_rest, 0, slow_work(assembly, solution.state)};
+  const double work = slow_work(assembly, solution.state);
+  const plate::Instant end{solution.iterations, 0, solution.state, at_rest, 0, work, -2 * work};
   results.sample(end);
   stopwatch.lap("srif");
   results.frame(end);

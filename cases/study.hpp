@@ -1,13 +1,8 @@
 #pragma once
 #include "cases/run.hpp"
-#include "post/study.hpp"
+#include "cases/study_forms.hpp"
 
 namespace cases {
-
-/// An override "key=value" and where the study file gives it.
-struct Setting {
-  std::string text, place;
-};
 
 /// A point of an axis: what is different in its runs.
 struct AxisPoint {

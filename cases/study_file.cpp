@@ -159,17 +159,6 @@ void check_finest(const Study& study, Reading& reading) {
       reading.complain(element("reference", i) + ".finest", "no axis changes the spacing, so no run is the finest");
 }
 
-toml::table parsed(const fs::path& path) {
-  const std::string name = path.string();
-  if (!fs::exists(path)) throw CaseError({{name, "", "no such file"}});
-  try {
-    return toml::parse_file(name);
-  } catch (const toml::parse_error& error) {
-    const auto at = error.source().begin;
-    throw CaseError({{fmt::format("{}:{}:{}", name, at.line, at.column), "", std::string(error.description())}});
-  }
-}
-
 }  // namespace
 
 Study read_study(const fs::path& path) {

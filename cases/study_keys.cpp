@@ -6,67 +6,11 @@ namespace {
 namespace fs = std::filesystem;
 using post::Reference;
 
-/// A key of a study file; nothing is written from it.
-template <class T>
-Field<T> entry(const std::string& name, const std::string& allowed, std::function<void(const Value&, T&)> read) {
-  return {name, {{name, "", allowed, "", ""}}, std::move(read), {}};
-}
-
-template <class T, class Project>
-Field<T> word(const std::string& name, Project project) {
-  return entry<T>(name, "a string", [=](const Value& given, T& object) {
-    const auto text = given.text();
-    if (text && text->empty()) given.refuse("a string that is not empty");
-    if (text) std::invoke(project, object) = *text;
-  });
-}
-
 /// A file that is named relative to the study file.
 fs::path beside_study(const Value& given, const std::string& name) {
   const fs::path path = fs::path(given.reading().found().place("")).parent_path() / name;
   if (!fs::exists(path)) given.complain(fmt::format("no such file: {}", path.string()));
   return path;
-}
-
-template <class T>
-Field<T> case_file() {
-  return entry<T>("case", "", [](const Value& given, T& object) {
-    const auto name = given.text();
-    if (name) object.case_file = beside_study(given, *name);
-  });
-}
-
-template <class T>
-Field<T> settings() {
-  return entry<T>("set", "", [](const Value& given, T& object) {
-    const auto elements = given.elements("a list of overrides [\"key=value\", ...]");
-    for (const auto& element : elements.value_or(std::vector<Value>()))
-      if (const auto text = element.text()) object.set.push_back({*text, given.reading().found().place(element.key())});
-  });
-}
-
-Field<Reference> quantity() {
-  Words<std::string> words;
-  for (const auto& name : post::quantity_names()) words.allowed.emplace_back(name, name);
-  const auto name = [](auto& reference) -> auto& {
-    return reference.quantity.name;
-  };
-  return choice<Reference, std::string>("quantity", name, words, "").required();
-}
-
-/// A key that goes with the quantities of one kind of place, and is missed there.
-Field<Reference> place(const std::string& kind, const std::string& quantities, const std::string& allowed,
-                       std::function<void(const Value&, Reference&)> read) {
-  const auto holds = [=](const Reference& r) { return post::kind_of_place(r.quantity.name) == kind; };
-  return entry<Reference>(kind, allowed, std::move(read)).required().with({"quantity", quantities, holds});
-}
-
-void read_tip(const Value& given, Reference& reference) {
-  const auto tip = given.number();
-  if (tip && (*tip < 0 || *tip > 1e6 || *tip != std::floor(*tip)))
-    given.refuse("the number of a crack tip, from 0");
-  else if (tip)
-    reference.quantity.tip = static_cast<std::size_t>(*tip);
 }
 
 void read_where(const Value& given, Reference& reference) {
@@ -166,10 +110,8 @@ Fields<Axis> axis_fields() {
 Fields<Reference> reference_fields() {
   const Condition<Reference> of_tip{"quantity", "quantity = K1 ... F3",
                                     [](const Reference& r) { return post::kind_of_place(r.quantity.name) == "tip"; }};
-  return {quantity(),
-          place("tip", "quantity = K1 ... F3", "the number of a crack tip, from 0", read_tip),
-          place("probe", "quantity = w, theta_x or theta_y", "the name of a probe",
-                [](const Value& given, Reference& r) { r.quantity.probe = given.text(); }),
+  Fields<Reference> fields = quantity_fields<Reference>();
+  const Fields<Reference> others{
           word<Reference>(
               "method", [](auto& r) -> auto& { return r.quantity.method; })
               .with(of_tip),
@@ -181,6 +123,8 @@ Fields<Reference> reference_fields() {
               .required()
               .with({"curve", "curve", has_curve}),
           word<Reference>("source", &Reference::source)};
+  fields.insert(fields.end(), others.begin(), others.end());
+  return fields;
 }
 
 }  // namespace

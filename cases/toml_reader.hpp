@@ -86,4 +86,7 @@ std::string text_of(const geometry::Point& x);
 std::string text_of(const std::vector<geometry::Point>& points);
 std::string text_of(const std::vector<std::string>& words);
 
+/// The file as a tree. Throws CaseError where it is no TOML.
+toml::table parsed(const std::filesystem::path& path);
+
 }  // namespace cases

@@ -129,14 +129,15 @@ void central_differences(const FamilyOperator& plate, const Constraints& constra
       // velocity at the full step: half a step on from the one before, none at the start
       const double half = step == 0 ? 0 : dt / 2;
       State full_step(3, state.cols());
-      const auto [kinetic] = ordered_sum<1>(size, [&](std::size_t i) {
+      const auto [kinetic, product, potential] = ordered_sum<3>(size, [&](std::size_t i) {
         const double a = (force.data()[i] + load.data()[i]) * inverse_mass.data()[i];
-        const double v = full_step.data()[i] = velocity.data()[i] + half * a;
-        return std::array<double, 1>{mass.data()[i] * v * v / 2};
+        const double v = full_step.data()[i] = velocity.data()[i] + half * a, change = dt / 2 * a;
+        return std::array<double, 3>{mass.data()[i] * v * v / 2, mass.data()[i] * (v * v - change * change) / 2,
+                                     load.data()[i] * state.data()[i]};
       });
       require_finite(state, step, time);
       constraints.impose(full_step);
-      observe({step, time, state, full_step, kinetic, work});
+      observe({step, time, state, full_step, kinetic, work, product - potential});
     }
     if (step == options.steps) return;
     const double share = step == 0 ? dt / 2 : dt;

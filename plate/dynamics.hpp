@@ -30,6 +30,8 @@ struct Instant {
   const State& velocity;
   double kinetic_energy;
   double external_work;
+  /// v(n-1/2) M v(n+1/2) / 2 - f u: with the strain energy, what central differences conserve under constant loads.
+  double discrete_energy = 0;
 };
 
 struct DynamicOptions {

@@ -3,24 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "plate/disjoint_sets.hpp"
 
 namespace plate {
 namespace {
-
-class DisjointSets {
-public:
-  explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t root(std::uint32_t k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
-
-private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// The three rigid motions at one degree of freedom: w = 1; w = x, theta_y = -1; w = y, theta_x = 1.
 Eigen::Vector3d rigid(std::uint32_t dof, const geometry::Point& x) {

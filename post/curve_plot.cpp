@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "post/text_table.hpp"
+#include "post/aligned.hpp"
 
 namespace post {
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "post/compare.hpp"
-#include "post/text_table.hpp"
+#include "post/aligned.hpp"
 
 namespace post {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "post/text_table.hpp"
+#include "post/aligned.hpp"
 
 namespace post {
 namespace {

@@ -1,4 +1,4 @@
-#include "post/text_table.hpp"
+#include "post/aligned.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,93 @@
+#include "cases/trust.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "plate/influence.hpp"
+
+namespace cases {
+namespace {
+
+/// Wave number of the lowest bending that the supports leave: half a wave between edges that are held, along the longer
+/// side where none is.
+double lowest_wave(const Case& c, const plate::Boundary& boundary) {
+  const auto [low, high] = geometry::bounding_box(c.outline);
+  const geometry::Point sides = high - low;
+  std::array<bool, 2> held{sides.x() >= sides.y(), sides.y() >= sides.x()};
+  for (const auto& side : boundary.sides) {
+    if (side.kind == plate::SupportKind::free || side.kind == plate::SupportKind::symmetry) continue;
+    for (const int axis : {0, 1})
+      if (side.circle || side.normal_axis() == axis || side.normal_axis() < 0) held[std::size_t(axis)] = true;
+  }
+  return std::numbers::pi * std::hypot(held[0] / sides.x(), held[1] / sides.y());
+}
+
+/// Bending that varies over the plate locks where the horizon is much larger than the thickness (theory.md, Eq. 37).
+void check_thickness(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
+  const double h = c.section.thickness, spacing = c.discretization.spacing, horizon = c.discretization.horizon();
+  const double number = horizon / h * lowest_wave(c, boundary) * horizon, locking = 0.0016 * number * number;
+  constexpr double trusted = 2.5;  // 1 % by Eq. 37
+  if (number <= trusted) return;
+  warnings.push_back(
+      fmt::format("thickness is 1/{:.3g} of the spacing: (horizon/thickness) k horizon = {:.3g}, above "
+                  "{:g}, with k of the longest wave between the supports: shear locking makes deflections "
+                  "about {:.2g} % too small; a spacing of {:.3g} brings it to 1 %",
+                  spacing / h, number, trusted, 100 * locking / (1 + locking), spacing * std::sqrt(trusted / number)));
+}
+
+/// Beside free edges, soft supports and crack faces twist and shear change within a layer of this width.
+void check_edge_layer(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
+  const double horizon = c.discretization.horizon(),
+               layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
+  const bool soft = std::ranges::any_of(
+      boundary.sides, [](const auto& side) { return side.kind == plate::SupportKind::simply_supported; });
+  if (horizon <= layer || (!soft && !c.srif)) return;
+  warnings.push_back(
+      fmt::format("horizon is {:.3g} times thickness / sqrt(12 shear_correction), the width of the layer in "
+                  "which twist and shear change: {} not resolved above 1",
+                  horizon / layer,
+                  !soft    ? "K3 is"
+                  : c.srif ? "K3 and soft supports are"
+                           : "soft supports are"));
+}
+
+/// What the full lattice family makes of the bending stiffness: D11 / D - 1 (theory.md, Eqs. 14-16).
+double anisotropy(const plate::Section& section, const plate::Discretization& d) {
+  double fourth = 0, twist = 0;
+  for (const auto& xi : plate::full_family(d)) {
+    const double weight = plate::influence(d.influence, xi.norm(), d.horizon()) * plate::volume_share(d, xi);
+    fourth += weight * std::pow(xi.x(), 4) / xi.squaredNorm();
+    twist += weight * std::pow(xi.x() * xi.y(), 2) / xi.squaredNorm();
+  }
+  const double excess = fourth / (3 * twist) - 1;
+  if (d.twist_match == plate::TwistMatch::paper) return 0.75 * (1 - section.poisson) * excess;
+  return 1.5 * (1 - section.poisson) * excess / (3 * excess + 4);
+}
+
+void check_isotropy(const Case& c, std::vector<std::string>& warnings) {
+  using enum plate::SurfaceCorrection;
+  const auto& d = c.discretization;
+  if (d.surface_correction != none && d.surface_correction != volume && d.surface_correction != arbitrary_horizon)
+    return;
+  constexpr double trusted = 0.01;
+  const double off = anisotropy(c.section, d);
+  if (std::abs(off) <= trusted) return;
+  warnings.push_back(
+      fmt::format("the lattice is not isotropic at horizon_ratio {:g}: bending stiffness D11 is {:+.2g} % "
+                  "off; volume_correction = \"lattice_fitted\" removes this",
+                  d.horizon_ratio, 100 * off));
+}
+
+}  // namespace
+
+void warn_of_distrust(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
+  check_thickness(c, boundary, warnings);
+  check_edge_layer(c, boundary, warnings);
+  check_isotropy(c, warnings);
+}
+
+}  // namespace cases
