@@ -15,7 +15,7 @@ std::string free_motion(const plate::Piece& piece) {
                      piece.free_modes);
 }
 
-/// Statics: nothing may move freely. Dynamics: a loose piece is allowed, and said.
+/// Statics: nothing may move freely. Otherwise a loose piece is allowed, and said.
 void check_held(const CaseFile& file, const plate::Boundary& boundary, const geometry::Families& families,
                 std::vector<std::string>& warnings) {
   const auto pieces = plate::pieces(boundary, families);
@@ -45,6 +45,18 @@ void check_edges_fit(const plate::Boundary& boundary, double spacing, std::vecto
                     "cells: spacing {:.6g} would put it there",
                     side.name, cells, spacing * cells / std::round(cells)));
   }
+}
+
+/// A plate of n degrees of freedom has n modes; a quarter of them is more than anyone can mean.
+void check_modes(const CaseFile& file, const plate::Boundary& boundary) {
+  if (file.content.analysis.kind != Analysis::Kind::frequencies) return;
+  const auto mass =
+      plate::mass(file.content.section, boundary.cloud.areas, boundary.active, boundary.constraints);
+  const auto most = std::size_t((mass.array() > 0).count()) / 4;
+  if (file.content.analysis.modes > most)
+    throw CaseError({{file.place("analysis.modes"), "analysis.modes",
+                      fmt::format("{} given, must be at most {}, a quarter of the plate's degrees of freedom",
+                                  file.content.analysis.modes, most)}});
 }
 
 /// A lattice that is far from isotropic at its rim cannot be fitted with a weight that is not negative.
@@ -111,6 +123,7 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
   auto boundary = plate::boundary(std::move(cloud), outline, c.supports, d);
   std::vector<std::string> warnings = boundary.warnings;
   check_edges_fit(boundary, d.spacing, warnings);
+  check_modes(file, boundary);
   stopwatch.lap("geometry");
 
   const auto whole = geometry::families(boundary.cloud, d.horizon(), plate::sees(boundary, outline, d.horizon_ratio));
