@@ -17,7 +17,7 @@ std::string free_motion(const plate::Piece& piece) {
                      piece.free_modes);
 }
 
-/// Statics: nothing may move freely. Dynamics: a loose piece is allowed, and said.
+/// Statics: nothing may move freely. Otherwise a loose piece is allowed, and said.
 void check_held(const CaseFile& file, const std::vector<plate::Piece>& pieces, std::vector<std::string>& warnings) {
   std::vector<Problem> problems;
   for (const auto& piece : pieces) {
@@ -74,6 +74,18 @@ void check_edges_fit(const plate::Boundary& boundary, double spacing, std::vecto
                     "cells: spacing {:.6g} would put it there",
                     side.name, cells, spacing * cells / std::round(cells)));
   }
+}
+
+/// A plate of n degrees of freedom has n modes; a quarter of them is more than anyone can mean.
+void check_modes(const CaseFile& file, const plate::Boundary& boundary) {
+  if (file.content.analysis.kind != Analysis::Kind::frequencies) return;
+  const auto mass =
+      plate::mass(file.content.section, boundary.cloud.areas, boundary.active, boundary.constraints);
+  const auto most = std::size_t((mass.array() > 0).count()) / 4;
+  if (file.content.analysis.modes > most)
+    throw CaseError({{file.place("analysis.modes"), "analysis.modes",
+                      fmt::format("{} given, must be at most {}, a quarter of the plate's degrees of freedom",
+                                  file.content.analysis.modes, most)}});
 }
 
 /// A lattice that is far from isotropic at its rim cannot be fitted with a weight that is not negative.
@@ -158,6 +170,7 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
   auto boundary = plate::boundary(std::move(cloud), outline, c.supports, d);
   std::vector<std::string> warnings = boundary.warnings;
   check_edges_fit(boundary, d.spacing, warnings);
+  check_modes(file, boundary);
   stopwatch.lap("geometry");
 
   const auto whole = geometry::families(boundary.cloud, d.horizon(), plate::sees(boundary, outline, d.horizon_ratio));
@@ -172,8 +185,8 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
   auto cut = fracture::cut_share(whole, families, shapes, boundary.cloud.plate_points);
   const auto& areas = boundary.cloud.areas;
   auto loads = timed_loads(c, boundary.cloud);
-  plate::Forces load = loads.front().forces;
-  for (std::size_t i = 1; i < loads.size(); ++i) load += loads[i].forces;
+  plate::Forces load = plate::Forces::Zero(3, Eigen::Index(boundary.cloud.size()));
+  for (const auto& one : loads) load += one.forces;
   check_mechanisms(file, plate::mechanisms(boundary, families, pieces, load), warnings);
   auto [weights, counts] = horizon_weights(c, boundary, families, shapes);
   plate::FamilyOperator plate(std::move(families), std::move(shapes), areas, std::move(weights));

@@ -38,7 +38,8 @@ struct Assembly {
   std::size_t fictitious_bonds() const;  // directed, all others
 };
 
-/// Throws CaseError where the plate is not held in statics, in whole or in a piece that cracks cut off.
+/// Throws CaseError where the plate is not held in statics, in whole or in a piece that cracks cut off, and where it has
+/// fewer modes than frequencies are asked for.
 Assembly assemble(const CaseFile& file, Stopwatch& stopwatch);
 
 }  // namespace cases

@@ -12,12 +12,13 @@
 namespace cases {
 
 struct Analysis {
-  enum class Kind { static_, dynamic };
-  enum class Method { adr, cg, central_difference };
+  enum class Kind { static_, dynamic, frequencies };
+  enum class Method { adr, cg, central_difference, lanczos };
   Kind kind = Kind::static_;
   Method method = Method::adr;
-  double tolerance = 1e-6;                // static: residual / load
-  std::size_t max_iterations = 200000;    // static
+  double tolerance = 1e-6;                // static: residual / load; frequencies: of the eigenpairs, 1e-4 by default
+  std::size_t max_iterations = 200000;    // static; frequencies: of each solution
+  std::size_t modes = 6;                  // frequencies
   double duration = 0;                    // dynamic [time]
   std::optional<double> time_step;        // dynamic; absent: from the computed bound
   double safety = 0.95;                   // dynamic: share of the stable step that is used

@@ -41,10 +41,10 @@ toml::table parsed(const std::filesystem::path& path) {
 namespace {
 
 /// analysis.kind decides about other keys: it is needed before they are read.
-std::optional<bool> is_dynamic(const toml::table& root) {
-  const auto kind = root["analysis"]["kind"].value<std::string>();
-  if (kind == "dynamic") return true;
-  if (kind == "static") return false;
+std::optional<Analysis::Kind> kind_of(const toml::table& root) {
+  const auto given = root["analysis"]["kind"].value<std::string>();
+  for (const auto& [name, kind] : analysis_kinds().allowed)
+    if (given == name) return kind;
   return std::nullopt;
 }
 
@@ -67,7 +67,7 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<std::str
   toml::table root = parsed(path);
   Reading reading(path.string());
   for (const auto& setting : overrides) apply_override(root, setting, reading);
-  reading.dynamic = is_dynamic(root);
+  reading.kind = kind_of(root);
 
   Case content;
   content.title = path.stem().string();
@@ -79,7 +79,7 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<std::str
 }
 
 std::string resolved_toml(const Case& content) {
-  return write_fields(case_fields(), content, content.analysis.kind == Analysis::Kind::dynamic, "\n") + "\n";
+  return write_fields(case_fields(), content, content.analysis.kind, "\n") + "\n";
 }
 
 }  // namespace cases

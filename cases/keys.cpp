@@ -14,7 +14,7 @@ Fields<plate::Section> section_fields() {
                       "factor of the transverse shear stiffness"),
       number<Section>("density", "mass/length^3", &Section::density, positive,
                       "mass density; without effect in statics")
-          .required(Needed::in_dynamics),
+          .required({Analysis::Kind::dynamic, Analysis::Kind::frequencies}),
   };
 }
 
@@ -85,6 +85,7 @@ Field<Case> growth() {
 }  // namespace
 
 const Fields<Case>& case_fields() {
+  static const Kinds loaded{Analysis::Kind::static_, Analysis::Kind::dynamic};
   static const Fields<Case> fields{
       text("title", &Case::title, "the file's name", "title of the case"),
       text("source", &Case::source, "\"\"", "where the case comes from"),
@@ -95,10 +96,12 @@ const Fields<Case>& case_fields() {
       table<Case, plate::Discretization>("discretization", Layout::block, &Case::discretization,
                                          discretization_fields()),
       tables<Case, plate::Support>("support", Layout::block, &Case::supports, support_fields()),
-      tables<Case, plate::Load>("load", Layout::block, &Case::loads, load_fields(), check_load),
+      tables<Case, plate::Load>("load", Layout::block, &Case::loads, load_fields(), check_load)
+          .used_in(loaded),
       table<Case, Analysis>("analysis", Layout::block, &Case::analysis, analysis_fields(), check_analysis),
       growth(),
-      table<Case, post::SrifOptions>("srif", Layout::block, &Case::srif, srif_fields(), check_srif),
+      table<Case, post::SrifOptions>("srif", Layout::block, &Case::srif, srif_fields(), check_srif)
+          .used_in(loaded),
       table<Case, Output>("output", Layout::block, &Case::output, output_fields()),
   };
   return fields;
@@ -118,6 +121,21 @@ std::string key_table_markdown() {
   for (const auto& key : keys())
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, key.unit, key.allowed, key.standard, key.help);
   return text;
+}
+
+std::string analyses(const Kinds& kinds) {
+  std::vector<std::string> names;
+  for (const auto kind : kinds)
+    names.push_back(kind == Analysis::Kind::static_   ? "statics"
+                    : kind == Analysis::Kind::dynamic ? "dynamics"
+                                                      : "frequencies");
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::string kind_names(const Kinds& kinds) {
+  std::vector<std::string> names;
+  for (const auto kind : kinds) names.push_back(analysis_kinds().name(kind));
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string Bounds::text(bool whole) const {

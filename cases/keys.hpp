@@ -12,6 +12,7 @@ Fields<post::SrifOptions> srif_fields();
 Fields<Output> output_fields();
 void name_holes(const Value& geometry, Case& content);
 void check_load(const Value& load, plate::Load& content);
+const Words<Analysis::Kind>& analysis_kinds();
 void check_analysis(const Value& analysis, Analysis& content);
 void check_srif(const Value& srif, post::SrifOptions& content);
 

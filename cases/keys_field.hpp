@@ -5,14 +5,20 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <set>
 #include "cases/toml_reader.hpp"
 
 /// The table of keys is a tree of fields. A field names one key of a table that is read into a T, documents it, reads
 /// it and writes it; a table is a field whose reading reads the fields below it.
 namespace cases {
 
-enum class When { always, statics, dynamics };
-enum class Needed { no, in_dynamics, always };
+using Kinds = std::set<Analysis::Kind>;
+inline const Kinds any_kind{Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::frequencies};
+
+/// "statics and frequencies"
+std::string analyses(const Kinds& kinds);
+/// "static, frequencies", as the values of analysis.kind
+std::string kind_names(const Kinds& kinds);
 
 /// What must hold of its table for a key to be used: another key (`selector`) has one of some values, in words
 /// "kind = pinned".
@@ -27,19 +33,28 @@ struct Field {
   std::string name;
   std::vector<Key> rows;  // a table has those of its fields
   std::function<void(const Value&, T&)> read;
-  std::function<std::string(const T&, bool dynamic)> write;  // "name = value"; empty: absent
-  When when = When::always;
-  Needed needed = Needed::no;
+  std::function<std::string(const T&, Analysis::Kind)> write;  // "name = value"; empty: absent
+  Kinds used = any_kind;
+  Kinds needed = {};
   bool reads_absent = false;  // a table whose keys are missed where it is absent
   std::optional<Condition<T>> condition = std::nullopt;
 
-  Field required(Needed in = Needed::always) && {
+  Field required(const Kinds& in = any_kind) && {
     needed = in;
-    rows.front().standard = in == Needed::always ? "required" : "required in dynamics";
+    rows.front().standard = in == any_kind ? "required" : "required in " + analyses(in);
     return std::move(*this);
   }
-  Field in_statics() && { return std::move(*this).only(When::statics, "static: "); }
-  Field in_dynamics() && { return std::move(*this).only(When::dynamics, "dynamic: "); }
+  /// Without a word in the help.
+  Field used_in(const Kinds& kinds) && {
+    used = kinds;
+    return std::move(*this);
+  }
+  Field in(const Kinds& kinds) && {
+    used = kinds;
+    for (auto& row : rows) row.help = kind_names(kinds) + ": " + row.help;
+    return std::move(*this);
+  }
+  Field in_dynamics() && { return std::move(*this).in({Analysis::Kind::dynamic}); }
   Field with(Condition<T> c) && {
     for (auto& row : rows) row.help = fmt::format("{}: {}", c.words, row.help);
     condition = std::move(c);
@@ -47,13 +62,6 @@ struct Field {
   }
   Field standard(const std::string& text) && {
     rows.front().standard = text;
-    return std::move(*this);
-  }
-
-private:
-  Field only(When w, const std::string& prefix) && {
-    when = w;
-    for (auto& row : rows) row.help = prefix + row.help;
     return std::move(*this);
   }
 };
@@ -76,9 +84,8 @@ void complain_about_unknown(const Value& table, const std::vector<std::string>& 
 /// Why a key of a table is not used beside the others; empty where it is.
 template <class T>
 std::string unused(const Field<T>& field, const Value& table, const T& object) {
-  const auto dynamic = table.reading().dynamic;
-  if (dynamic && field.when == When::dynamics && !*dynamic) return "in dynamics";
-  if (dynamic && field.when == When::statics && *dynamic) return "in statics";
+  const auto kind = table.reading().kind;
+  if (kind && !field.used.contains(*kind)) return "in " + analyses(field.used);
   const auto& condition = field.condition;
   if (!condition || !table.reading().sound(table.below(condition->selector)) || condition->holds(object)) return "";
   return "with " + condition->words;
@@ -89,8 +96,8 @@ template <class T>
 bool missed(const Field<T>& field, const Value& table) {
   const auto& reading = table.reading();
   if (field.condition && !reading.sound(table.below(field.condition->selector))) return false;
-  if (field.when != When::always && !reading.dynamic) return false;
-  return field.needed == Needed::always || (field.needed == Needed::in_dynamics && reading.dynamic.value_or(false));
+  if (!reading.kind) return field.used == any_kind && field.needed == any_kind;
+  return field.needed.contains(*reading.kind);
 }
 
 template <class T>
@@ -116,12 +123,12 @@ void read_fields(const Fields<T>& fields, const Value& table, T& object) {
 }
 
 template <class T>
-std::string write_fields(const Fields<T>& fields, const T& object, bool dynamic, const char* separator) {
+std::string write_fields(const Fields<T>& fields, const T& object, Analysis::Kind kind, const char* separator) {
   std::vector<std::string> texts;
   for (const auto& field : fields) {
-    if (field.when != When::always && (field.when == When::dynamics) != dynamic) continue;
+    if (!field.used.contains(kind)) continue;
     if (field.condition && !field.condition->holds(object)) continue;
-    if (auto text = field.write(object, dynamic); !text.empty()) texts.push_back(std::move(text));
+    if (auto text = field.write(object, kind); !text.empty()) texts.push_back(std::move(text));
   }
   return fmt::format("{}", fmt::join(texts, separator));
 }

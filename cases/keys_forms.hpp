@@ -10,7 +10,7 @@ Field<T> value(Key key, std::function<void(const Value&, T&)> read, std::functio
   if (key.standard.empty()) key.standard = text(T{});
   if (key.standard.empty()) key.standard = "absent";
   Field<T> field{key.name, {key}, std::move(read), {}};
-  field.write = [name = key.name, text](const T& object, bool) {
+  field.write = [name = key.name, text](const T& object, Analysis::Kind) {
     const auto written = text(object);
     return written.empty() ? written : name + " = " + written;
   };
@@ -124,11 +124,11 @@ Field<T> table(const std::string& name, Layout layout, Project project, Fields<U
     read_fields(fields, given, part);
     if (check && given.is_table()) check(given, part);
   };
-  field.write = [=](const T& object, bool dynamic) -> std::string {
+  field.write = [=](const T& object, Analysis::Kind kind) -> std::string {
     const U* part = present<U>(std::invoke(project, object));
     if (!part) return "";
-    if (layout == Layout::block) return fmt::format("\n[{}]\n{}", name, write_fields(fields, *part, dynamic, "\n"));
-    return fmt::format("{} = {{ {} }}", name, write_fields(fields, *part, dynamic, ", "));
+    if (layout == Layout::block) return fmt::format("\n[{}]\n{}", name, write_fields(fields, *part, kind, "\n"));
+    return fmt::format("{} = {{ {} }}", name, write_fields(fields, *part, kind, ", "));
   };
   return field;
 }
@@ -147,12 +147,12 @@ Field<T> tables(const std::string& name, Layout layout, Project project, Fields<
       if (check && element.is_table()) check(element, part);
     }
   };
-  field.write = [=](const T& object, bool dynamic) -> std::string {
+  field.write = [=](const T& object, Analysis::Kind kind) -> std::string {
     std::vector<std::string> texts;
     for (const U& part : std::invoke(project, object))
       texts.push_back(layout == Layout::block
-                          ? fmt::format("\n[[{}]]\n{}", name, write_fields(fields, part, dynamic, "\n"))
-                          : fmt::format("{{ {} }}", write_fields(fields, part, dynamic, ", ")));
+                          ? fmt::format("\n[[{}]]\n{}", name, write_fields(fields, part, kind, "\n"))
+                          : fmt::format("{{ {} }}", write_fields(fields, part, kind, ", ")));
     if (layout == Layout::block || texts.empty()) return fmt::format("{}", fmt::join(texts, "\n"));
     return fmt::format("{} = [{}]", name, fmt::join(texts, ", "));
   };

@@ -133,7 +133,7 @@ std::string cracks_text(const Case& content) {
 
 Fields<Case> geometry_fields() {
   auto outline = table<Case, Outline>("outline", Layout::inline_, &Case::outline, outline_fields(), check_outline);
-  outline.needed = Needed::always;
+  outline.needed = any_kind;
   const auto holes = [](auto& content) -> auto& {
     return content.outline.holes;
   };

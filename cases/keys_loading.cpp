@@ -101,8 +101,8 @@ Field<Load> tensor() {
 /// A value or twist: absent from what is written where a tensor replaces it.
 Field<Load> amount(const std::string& name, const std::string& unit, double Load::*member, const std::string& help) {
   auto field = number<Load>(name, unit, member, finite, help);
-  field.write = [write = field.write](const Load& load, bool dynamic) {
-    return load.has_tensor ? std::string() : write(load, dynamic);
+  field.write = [write = field.write](const Load& load, Analysis::Kind kind) {
+    return load.has_tensor ? std::string() : write(load, kind);
   };
   return field;
 }

@@ -1,4 +1,5 @@
 #include "cases/keys.hpp"
+#include "plate/frequencies.hpp"
 
 namespace cases {
 
@@ -9,7 +10,8 @@ using post::SrifOptions;
 
 const Words<Analysis::Method> methods{{{"adr", Analysis::Method::adr},
                                        {"cg", Analysis::Method::cg},
-                                       {"central_difference", Analysis::Method::central_difference}},
+                                       {"central_difference", Analysis::Method::central_difference},
+                                       {"lanczos", Analysis::Method::lanczos}},
                                       {{"direct", "not in this version"}}};
 
 Field<Analysis> time_step() {
@@ -118,18 +120,29 @@ Field<Output> probes() {
 
 }  // namespace
 
+const Words<Analysis::Kind>& analysis_kinds() {
+  static const Words<Analysis::Kind> words{{{"static", Analysis::Kind::static_},
+                                            {"dynamic", Analysis::Kind::dynamic},
+                                            {"frequencies", Analysis::Kind::frequencies}}};
+  return words;
+}
+
 Fields<Analysis> analysis_fields() {
   using A = Analysis;
+  const Kinds iterative{A::Kind::static_, A::Kind::frequencies};
   return {
-      choice<A, A::Kind>("kind", &A::kind, {{{"static", A::Kind::static_}, {"dynamic", A::Kind::dynamic}}},
-                         "static or dynamic analysis")
-          .required(),
+      choice<A, A::Kind>("kind", &A::kind, analysis_kinds(), "what is sought: rest, motion, eigenfrequencies").required(),
       choice<A, A::Method>("method", &A::method, methods,
-                           "static: adaptive dynamic relaxation or conjugate gradients; dynamic: central differences")
-          .standard("static: \"adr\"; dynamic: \"central_difference\""),
-      number<A>("tolerance", "-", &A::tolerance, {1e-14, 0.1}, "residual / load at which the solution is accepted")
-          .in_statics(),
-      number<A>("max_iterations", "-", &A::max_iterations, {1, 1e9}, "limit of iterations").in_statics(),
+                           "static: adaptive dynamic relaxation or conjugate gradients; the others have one method each")
+          .standard("static: \"adr\"; dynamic: \"central_difference\"; frequencies: \"lanczos\""),
+      number<A>("tolerance", "-", &A::tolerance, {1e-14, 0.1},
+                "residual / load at which a solution is accepted; of the eigenpairs")
+          .standard("static: 1e-06; frequencies: 0.0001")
+          .in(iterative),
+      number<A>("max_iterations", "-", &A::max_iterations, {1, 1e9}, "limit of iterations of each solution")
+          .in(iterative),
+      number<A>("modes", "-", &A::modes, {1, 1000}, "number of frequencies, from the lowest")
+          .in({A::Kind::frequencies}),
       number<A>("duration", "time", &A::duration, positive, "simulated time").required().in_dynamics(),
       time_step().in_dynamics(),
       number<A>("safety", "-", &A::safety, {0, 1, true}, "share of the stable step that is used").in_dynamics(),
@@ -137,23 +150,30 @@ Fields<Analysis> analysis_fields() {
 }
 
 void check_analysis(const Value& given, Analysis& analysis) {
-  const auto dynamic = given.reading().dynamic;
-  if (!dynamic) return;
+  using enum Analysis::Method;
+  const auto kind = given.reading().kind;
+  if (!kind) return;
+  std::vector<Analysis::Method> possible{adr, cg};
+  if (*kind == Analysis::Kind::dynamic) possible = {central_difference};
+  if (*kind == Analysis::Kind::frequencies) possible = {lanczos};
   const std::string key = given.below("method");
-  if (!given.reading().given(key))
-    analysis.method = *dynamic ? Analysis::Method::central_difference : Analysis::Method::adr;
-  if (!given.reading().sound(key) || *dynamic == (analysis.method == Analysis::Method::central_difference)) return;
-  given.reading().complain(
-      key, fmt::format("\"{}\" given, must be {}", methods.name(analysis.method),
-                       *dynamic ? "\"central_difference\" in dynamics" : "\"adr\" or \"cg\" in statics"));
+  if (!given.reading().given(key)) analysis.method = possible.front();
+  if (*kind == Analysis::Kind::frequencies && !given.reading().given(given.below("tolerance")))
+    analysis.tolerance = plate::FrequencyOptions{}.tolerance;
+  if (!given.reading().sound(key) || std::find(possible.begin(), possible.end(), analysis.method) != possible.end())
+    return;
+  std::vector<std::string> names;
+  for (const auto method : possible) names.push_back(quoted(methods.name(method)));
+  given.reading().complain(key, fmt::format("\"{}\" given, must be {} in {}", methods.name(analysis.method),
+                                            fmt::join(names, " or "), analyses({*kind})));
 }
 
 Fields<SrifOptions> srif_fields() {
   using S = SrifOptions;
   auto horizons = number<S>("window_horizons", "horizon", &S::window_horizons, positive,
                             "the fit uses points up to this distance from the tip");
-  horizons.write = [write = horizons.write](const S& options, bool dynamic) {
-    return options.window ? std::string() : write(options, dynamic);
+  horizons.write = [write = horizons.write](const S& options, Analysis::Kind kind) {
+    return options.window ? std::string() : write(options, kind);
   };
   return {
       srif_methods(),
@@ -168,7 +188,7 @@ Fields<SrifOptions> srif_fields() {
                  if (const auto wanted = given.boolean()) options.richardson = *wanted;
                },
                [](const S& options) { return std::string(options.richardson ? "true" : "false"); })
-          .in_statics(),
+          .in({Analysis::Kind::static_}),
       table<S, Normalization>("normalize", Layout::inline_, &S::normalize, normalization_fields(), check_normalization),
       number<S>("half_length", "length", &S::half_length, positive,
                 "the a of the normalisation; required with normalize"),
@@ -196,7 +216,7 @@ Fields<Output> output_fields() {
                 "time between rows of histories, probes and intensity factors")
           .standard("duration / 400")
           .in_dynamics(),
-      probes(),
+      probes().used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
   };
 }
 

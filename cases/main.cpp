@@ -1,8 +1,5 @@
-<<<<<<< HEAD
 #include "cases/energy_check.hpp"
-=======
 #include "cases/extremes.hpp"
->>>>>>> work-ext
 #include "cases/study.hpp"
 #include "plate/numerical_error.hpp"
 #include "post/compare.hpp"
@@ -34,6 +31,9 @@ void print_result(const post::Summary& summary, const std::filesystem::path& fol
                  normalized ? fmt::format(" {:>9.5f} {:>9.5f} {:>9.5f}", *s.F1, *s.F2, *s.F3) : "",
                  s.estimated_error ? fmt::format("{:.1f} %", 100 * *s.estimated_error) : "");
   }
+  if (!summary.frequencies.empty()) fmt::print("{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");
+  for (const auto& f : summary.frequencies)
+    fmt::print("{:>4} {:>13.6f} {:>13.5f} {:>9.1e}\n", f.mode, f.frequency, f.omega, f.residual);
   for (const auto& warning : summary.warnings) fmt::print("warning: {}\n", warning);
   fmt::print("results in {}\n", folder.string());
 }

@@ -4,6 +4,7 @@
 #include "post/whole_file.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace cases {
 namespace {
@@ -81,6 +82,7 @@ Results::Results(const CaseFile& file, const Assembly& assembly, std::filesystem
                       "external_work", "fracture_energy", "max_abs_w",     "discrete_energy"};
   probe_table_.columns = {"time", "probe", "x", "y", "w", "theta_x", "theta_y"};
   srif_table_.columns = post::srif_columns();
+  frequency_table_.columns = {"mode", "frequency", "omega", "residual"};
 
   std::filesystem::create_directories(folder_);
   post::write_whole(folder_ / "case.resolved.toml", resolved_);
@@ -134,18 +136,30 @@ void Results::frame(const plate::Instant& now) {
   }
 }
 
+void Results::mode(std::size_t number, const plate::Mode& mode) {
+  const double omega = 2 * std::numbers::pi * mode.frequency;
+  frequencies_.push_back({number, mode.frequency, omega, mode.residual});
+  frequency_table_.rows.push_back({double(number), mode.frequency, omega, mode.residual});
+  const plate::State at_rest;
+  frame({number, double(number), mode.shape, at_rest, 0, 0});
+}
+
 post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
-  post::write_csv(folder_ / "history.csv", history_);
+  const bool frequencies = case_.analysis.kind == Analysis::Kind::frequencies;
+  const auto& main = frequencies ? frequency_table_ : history_;
+  const std::string name = frequencies ? "frequencies" : "history";
+  post::write_csv(folder_ / (name + ".csv"), main);
   if (!probes_.empty()) post::write_csv(folder_ / "probes.csv", probe_table_);
   if (!tip_methods_.empty()) post::write_csv(folder_ / "srif.csv", srif_table_);
   if (hdf5_) {
-    hdf5_->write("history", history_);
+    hdf5_->write(name, main);
     if (!probes_.empty()) hdf5_->write("probes", probe_table_);
     if (!tip_methods_.empty()) hdf5_->write("srif", srif_table_);
     hdf5_->close();
   }
   stopwatch.lap("output");
   summary.srif = latest_;
+  summary.frequencies = frequencies_;
   summary.version = PDPLATE_VERSION;
   summary.digest = digest(resolved_);
   summary.seconds = stopwatch.seconds();

@@ -1,5 +1,6 @@
 #pragma once
 #include "cases/assembly.hpp"
+#include "plate/frequencies.hpp"
 #include "post/hdf5.hpp"
 #include "post/srif_methods.hpp"
 #include "post/summary.hpp"
@@ -27,6 +28,8 @@ public:
   void sample(const plate::Instant& now);
   /// A frame for ParaView and HDF5.
   void frame(const plate::Instant& now);
+  /// A row of frequencies.csv and a frame, number `number` (from 1).
+  void mode(std::size_t number, const plate::Mode& mode);
   /// Writes the tables and, last, the summary; returns it complete.
   post::Summary finish(post::Summary summary, Stopwatch& stopwatch);
 
@@ -44,8 +47,9 @@ private:
   std::optional<post::StateFile> hdf5_;
   std::vector<std::pair<std::string, std::vector<post::Share>>> probes_;
   std::vector<post::TipMethods> tip_methods_;
-  post::Table history_, probe_table_, srif_table_;
+  post::Table history_, probe_table_, srif_table_, frequency_table_;
   std::vector<post::Srif> latest_, coarser_;
+  std::vector<post::Frequency> frequencies_;
   double strain_energy_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "cases/progress.hpp"
 #include "cases/results.hpp"
 #include "cases/scene.hpp"
+#include "plate/frequencies.hpp"
 #include "plate/numerical_error.hpp"
 #include "plate/statics.hpp"
 #include <cmath>
@@ -11,6 +12,15 @@
 
 namespace cases {
 namespace {
+
+std::string name_of(Analysis::Kind kind) {
+  switch (kind) {
+    case Analysis::Kind::static_: return "static";
+    case Analysis::Kind::dynamic: return "dynamic";
+    case Analysis::Kind::frequencies: return "frequencies";
+  }
+  return "";
+}
 
 post::Summary about(const Case& c, const Assembly& assembly) {
   post::Summary summary;
@@ -23,7 +33,7 @@ post::Summary about(const Case& c, const Assembly& assembly) {
   summary.horizon = c.discretization.horizon();
   summary.scene = scene(c, assembly);
   summary.warnings = assembly.warnings;
-  summary.analysis.kind = c.analysis.kind == Analysis::Kind::static_ ? "static" : "dynamic";
+  summary.analysis.kind = name_of(c.analysis.kind);
   return summary;
 }
 
@@ -117,6 +127,34 @@ void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& resu
   summary.analysis.stop_reason = "end of the duration";
 }
 
+void solve_frequencies(const Case& c, const Assembly& assembly, Results& results, post::Summary& summary, bool quiet,
+                       Stopwatch& stopwatch) {
+  const auto [low, high] = geometry::bounding_box(c.outline);
+  Progress progress(quiet, "Lanczos iteration");
+  const double usual = 4 * double(c.analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
+  const plate::FrequencyOptions options{
+      c.analysis.modes, c.analysis.tolerance, c.analysis.max_iterations,
+      plate::shift_of(c.section, (high - low).maxCoeff()), [&](std::size_t solution) {
+        progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
+      }};
+  summary.analysis.method = "lanczos";
+  summary.analysis.tolerance = c.analysis.tolerance;
+  const auto& constraints = assembly.boundary.constraints;
+  const auto mass = plate::mass(c.section, assembly.boundary.cloud.areas, assembly.boundary.active, constraints);
+  const auto solution = plate::frequencies(assembly.plate, constraints, mass, options);
+  progress.done();
+  stopwatch.lap("solve");
+
+  summary.analysis.iterations = solution.iterations;
+  summary.analysis.residual = 0;
+  for (std::size_t i = 0; i < solution.modes.size(); ++i) {
+    results.mode(i + 1, solution.modes[i]);
+    summary.analysis.residual = std::max(*summary.analysis.residual, solution.modes[i].residual);
+  }
+  stopwatch.lap("output");
+  summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
+}
+
 }  // namespace
 
 TimeGrid time_grid(const CaseFile& file, double limit) {
@@ -145,10 +183,15 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
   stopwatch.lap("output");
   if (file.content.srif && file.content.srif->richardson) results.coarser(coarser_srifs(file)), stopwatch.lap("srif");
   try {
-    if (file.content.analysis.kind == Analysis::Kind::static_)
-      solve_static(file.content, assembly, results, summary, options.quiet, stopwatch);
-    else
-      solve_dynamic(file, assembly, results, summary, options.quiet, stopwatch);
+    switch (file.content.analysis.kind) {
+      case Analysis::Kind::static_:
+        solve_static(file.content, assembly, results, summary, options.quiet, stopwatch);
+        break;
+      case Analysis::Kind::dynamic: solve_dynamic(file, assembly, results, summary, options.quiet, stopwatch); break;
+      case Analysis::Kind::frequencies:
+        solve_frequencies(file.content, assembly, results, summary, options.quiet, stopwatch);
+        break;
+    }
     summary.outcome = "done";
   } catch (const plate::NumericalError& error) {
     summary.outcome = fmt::format("failed: {}", error.what());

@@ -22,8 +22,8 @@ std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
   const auto& families = assembly.plate.families();
   const double list = double(families.bonds()) * 2 * sizeof(std::uint32_t) + all * sizeof(std::size_t);
   const double loads = double(assembly.loads.size()) * vector_bytes * all / points;
-  const bool dynamic = c.analysis.kind == Analysis::Kind::dynamic;
-  const bool adr = c.analysis.method == Analysis::Method::adr;
+  using enum Analysis::Method;
+  const auto method = c.analysis.method;
 
   std::vector<post::ScenePart> parts{
       {"points", "geometry", all * (2 * sizeof(geometry::Point) + sizeof(double)) / points, 0},
@@ -33,13 +33,16 @@ std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
   if (!assembly.boundary.fictitious.empty())
     parts.push_back({"fictitious points (part of the points)", "", double(assembly.boundary.fictitious.size()) *
                      (sizeof(plate::FictitiousPoint) + 3 * sizeof(plate::Constraints::Tie)) / points, 0});
-  parts.push_back({"loads", "", loads, 0});
-  if (dynamic)
+  if (!assembly.loads.empty()) parts.push_back({"loads", "", loads, 0});
+  if (method == central_difference)
     parts.push_back({"central differences: state, velocity, force, load, mass and its inverse", "solve", 6 * vector_bytes * all / points, 0});
-  else if (adr)
+  else if (method == adr)
     parts.push_back({"adaptive dynamic relaxation: 7 vectors", "solve", 7 * vector_bytes * all / points, 0});
-  else
+  else if (method == cg)
     parts.push_back({"conjugate gradients: 5 vectors", "solve", 5 * vector_bytes * all / points, 0});
+  else
+    parts.push_back({"Lanczos iteration and conjugate gradients", "solve",
+                     (4 * double(c.analysis.modes) + 16) * vector_bytes * all / points, 0});
   if (c.srif) parts.push_back({"intensity factors, probes, energies", "srif", 0, 0});
   parts.push_back({"output", "output", (c.output.vtk ? 2 : 1) * 3 * vector_bytes, 0});
   return parts;

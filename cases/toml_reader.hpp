@@ -10,7 +10,7 @@ class Reading {
 public:
   explicit Reading(std::string file) { found_.places.emplace_back("", std::move(file)); }
 
-  std::optional<bool> dynamic;  // analysis.kind, where it is known
+  std::optional<Analysis::Kind> kind;  // analysis.kind, where it is known
 
   /// The key was set on the command line as `typed`: "--set TYPED" is its place and that of everything below it.
   void overridden(const std::string& key, const std::string& typed) { overridden_.emplace_back(key, typed); }

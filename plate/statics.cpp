@@ -9,10 +9,14 @@ namespace {
 
 constexpr std::size_t report_every = 50;
 
-/// 1 / diag(P^T diag(K) P) at free degrees of freedom that have stiffness, 0 at all others.
-Forces inverse_diagonal(const FamilyOperator& plate, const Constraints& constraints) {
+Forces folded_diagonal(const FamilyOperator& plate, const Constraints& constraints) {
   Forces diagonal = plate.diagonal();
   constraints.fold_diagonal(diagonal);
+  return diagonal;
+}
+
+/// 1 / d at free degrees of freedom that have stiffness, 0 at all others; d = diag(P^T diag(K) P).
+Forces inverse(const Forces& diagonal) {
   return diagonal.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
 }
 
@@ -46,12 +50,63 @@ std::string reason(bool converged, const StaticOptions& options) {
                                                       " iterations";
 }
 
+/// Conjugate gradients for a stiffness that is given by product(direction, forces): forces = -K direction, folded.
+template <typename Product>
+StaticSolution iterate(const Product& minus_k, const Constraints& constraints, const Forces& weight, const Forces& load,
+                       const StaticOptions& options) {
+  const auto size = static_cast<std::size_t>(load.size());
+  Forces residual = load;
+  constraints.fold(residual);
+  const double load_norm = weighted_norm(residual, weight);
+
+  StaticSolution result;
+  result.state = State::Zero(3, load.cols());
+  if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
+  State direction = residual.cwiseProduct(weight);
+  Forces product;
+  double* u = result.state.data();
+  double* r = residual.data();
+  double* p = direction.data();
+  double rho = load_norm * load_norm;
+
+  for (result.iterations = 0;; ++result.iterations) {
+    result.residual = std::sqrt(rho) / load_norm;
+    require_finite(result.residual, "conjugate gradients", result.iterations);
+    if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
+    result.converged = result.residual <= options.tolerance;
+    if (result.converged || result.iterations == options.max_iterations) break;
+
+    minus_k(direction, product);
+    const double* minus_kp = product.data();
+    const auto [curvature] = ordered_sum<1>(size, [&](std::size_t i) {
+      return std::array<double, 1>{weight.data()[i] > 0 ? -p[i] * minus_kp[i] : 0};
+    });
+    if (!(curvature > 0))
+      throw NumericalError("conjugate gradients: the stiffness is not positive at iteration " +
+                           std::to_string(result.iterations));
+    const double alpha = rho / curvature;
+    const auto [rho_next] = ordered_sum<1>(size, [&](std::size_t i) {
+      if (weight.data()[i] == 0) return std::array<double, 1>{0};
+      u[i] += alpha * p[i];
+      r[i] += alpha * minus_kp[i];
+      return std::array<double, 1>{r[i] * r[i] * weight.data()[i]};
+    });
+    const double beta = rho_next / rho;
+    rho = rho_next;
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < size; ++i) p[i] = weight.data()[i] * r[i] + beta * p[i];
+  }
+  constraints.impose(result.state);
+  result.stop_reason = reason(result.converged, options);
+  return result;
+}
+
 }  // namespace
 
 StaticSolution adaptive_dynamic_relaxation(const FamilyOperator& plate, const Constraints& constraints,
                                            const Forces& load, const StaticOptions& options) {
   const auto size = static_cast<std::size_t>(load.size());
-  const Forces weight = inverse_diagonal(plate, constraints);
+  const Forces weight = inverse(folded_diagonal(plate, constraints));
   const Forces inverse_mass = inverse_fictitious_mass(plate, constraints, weight);
   Forces external = load;
   constraints.fold(external);
@@ -102,54 +157,23 @@ StaticSolution adaptive_dynamic_relaxation(const FamilyOperator& plate, const Co
 
 StaticSolution conjugate_gradients(const FamilyOperator& plate, const Constraints& constraints, const Forces& load,
                                    const StaticOptions& options) {
-  const auto size = static_cast<std::size_t>(load.size());
-  const Forces weight = inverse_diagonal(plate, constraints);
-  Forces residual = load;
-  constraints.fold(residual);
-  const double load_norm = weighted_norm(residual, weight);
-
-  StaticSolution result;
-  result.state = State::Zero(3, load.cols());
-  if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
-  State direction = residual.cwiseProduct(weight);
-  Forces product;
-  double* u = result.state.data();
-  double* r = residual.data();
-  double* p = direction.data();
-  double rho = load_norm * load_norm;
-
-  for (result.iterations = 0;; ++result.iterations) {
-    result.residual = std::sqrt(rho) / load_norm;
-    require_finite(result.residual, "conjugate gradients", result.iterations);
-    if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
-    result.converged = result.residual <= options.tolerance;
-    if (result.converged || result.iterations == options.max_iterations) break;
-
+  const auto product = [&](State& direction, Forces& forces) {
     constraints.impose(direction);
-    plate.internal_force(direction, product);
-    constraints.fold(product);
-    const double* minus_kp = product.data();
-    const auto [curvature] = ordered_sum<1>(size, [&](std::size_t i) {
-      return std::array<double, 1>{weight.data()[i] > 0 ? -p[i] * minus_kp[i] : 0};
-    });
-    if (!(curvature > 0))
-      throw NumericalError("conjugate gradients: the stiffness is not positive at iteration " +
-                           std::to_string(result.iterations));
-    const double alpha = rho / curvature;
-    const auto [rho_next] = ordered_sum<1>(size, [&](std::size_t i) {
-      if (weight.data()[i] == 0) return std::array<double, 1>{0};
-      u[i] += alpha * p[i];
-      r[i] += alpha * minus_kp[i];
-      return std::array<double, 1>{r[i] * r[i] * weight.data()[i]};
-    });
-    const double beta = rho_next / rho;
-    rho = rho_next;
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < size; ++i) p[i] = weight.data()[i] * r[i] + beta * p[i];
-  }
-  constraints.impose(result.state);
-  result.stop_reason = reason(result.converged, options);
-  return result;
+    plate.internal_force(direction, forces);
+    constraints.fold(forces);
+  };
+  return iterate(product, constraints, inverse(folded_diagonal(plate, constraints)), load, options);
+}
+
+StaticSolution conjugate_gradients(const FamilyOperator& plate, const Constraints& constraints, const Forces& shift,
+                                   const Forces& load, const StaticOptions& options) {
+  const auto product = [&](State& direction, Forces& forces) {
+    constraints.impose(direction);
+    plate.internal_force(direction, forces);
+    constraints.fold(forces);
+    forces -= shift.cwiseProduct(direction);
+  };
+  return iterate(product, constraints, inverse(folded_diagonal(plate, constraints) + shift), load, options);
 }
 
 }  // namespace plate

@@ -33,4 +33,8 @@ StaticSolution adaptive_dynamic_relaxation(const FamilyOperator& plate, const Co
 StaticSolution conjugate_gradients(const FamilyOperator& plate, const Constraints& constraints, const Forces& load,
                                    const StaticOptions& options);
 
+/// The same for the stiffness K + diag(shift), shift >= 0 and zero at held degrees of freedom [3 x points].
+StaticSolution conjugate_gradients(const FamilyOperator& plate, const Constraints& constraints, const Forces& shift,
+                                   const Forces& load, const StaticOptions& options);
+
 }  // namespace plate

@@ -28,12 +28,6 @@ std::string shown(const char* format, const std::optional<Number>& number) {
   return number ? fmt::format(fmt::runtime(format), *number) : "";
 }
 
-/// A message in one line.
-std::string one_line(std::string text) {
-  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) text.replace(at, 1, "; ");
-  return text;
-}
-
 /// A column that study.csv and the printed table have beside those of the axes.
 struct Column {
   const char *name, *title;  // in study.csv; printed, or nullptr

@@ -47,6 +47,13 @@ Json json_of(const Srif& srif) {
   return json;
 }
 
+Json json_of(const Frequency& frequency) {
+  return {{"mode", frequency.mode},
+          {"frequency", frequency.frequency},
+          {"omega", frequency.omega},
+          {"residual", frequency.residual}};
+}
+
 Json json_of(const ScenePart& part) {
   return {{"name", part.name}, {"bytes_per_point", part.bytes_per_point}, {"time_share", part.time_share}};
 }
@@ -84,6 +91,7 @@ std::string to_json(const Summary& summary) {
   json["seconds"] = json_of(summary.seconds);
   json["peak_memory_bytes"] = summary.peak_memory_bytes;
   json["srif"] = list_of(summary.srif);
+  if (summary.analysis.kind == "frequencies") json["frequencies"] = list_of(summary.frequencies);
   json["energy"] = json_of(summary.energy);
   json["scene"] = list_of(summary.scene);
   json["warnings"] = summary.warnings;

@@ -15,6 +15,13 @@ struct ScenePart {
   double time_share = 0;       // of the total run time
 };
 
+/// An eigenfrequency; modes count from 1.
+struct Frequency {
+  std::size_t mode = 0;
+  double frequency = 0, omega = 0;  // [1/time], 2 pi frequency
+  double residual = 0;
+};
+
 /// What summary.json holds; cases/README.md documents every field.
 struct Summary {
   std::string title, outcome, version, digest;
@@ -29,6 +36,7 @@ struct Summary {
   std::vector<std::pair<std::string, double>> seconds;      // geometry, families, parameters, solve, srif, output, total
   std::size_t peak_memory_bytes = 0;
   std::vector<Srif> srif;
+  std::vector<Frequency> frequencies;                       // of a frequency analysis
   std::vector<std::pair<std::string, double>> energy;       // strain, kinetic, external_work, fracture
   std::vector<ScenePart> scene;
   std::vector<std::string> warnings;

@@ -57,9 +57,10 @@ Ended run(const fs::path& file, const fs::path& folder, const std::vector<std::s
 std::vector<std::string> coarse(const cases::Case& c) {
   const auto [low, high] = geometry::bounding_box(c.outline);
   std::vector<std::string> settings{"discretization.spacing=" + std::to_string((high - low).minCoeff() / 40)};
-  if (c.analysis.kind == cases::Analysis::Kind::static_)
-    settings.push_back("analysis.method=cg");
-  else
+  using enum cases::Analysis::Kind;
+  if (c.analysis.kind == static_) settings.push_back("analysis.method=cg");
+  if (c.analysis.kind == frequencies) settings.push_back("analysis.modes=2");
+  if (c.analysis.kind == dynamic)
     settings.push_back("analysis.duration=" + std::to_string(c.analysis.duration / 40));
   if (c.srif && c.srif->window)  // a length that suits the case's own spacing: here all of the crack behind the tip
     settings.insert(settings.end(), {"srif.window=" + std::to_string((high - low).maxCoeff()), "srif.skip=0"});
@@ -68,10 +69,13 @@ std::vector<std::string> coarse(const cases::Case& c) {
 
 void check_files(const fs::path& folder, const cases::Case& c) {
   for (const char* name :
-       {"summary.json", "case.resolved.toml", "history.csv", "fields.pvd", "fields_0000.vtu", "state.h5"}) {
+       {"summary.json", "case.resolved.toml", "fields.pvd", "fields_0000.vtu", "state.h5"}) {
     INFO(name);
     CHECK((fs::exists(folder / name) && fs::file_size(folder / name) > 0));
   }
+  const bool frequencies = c.analysis.kind == cases::Analysis::Kind::frequencies;
+  CHECK(fs::exists(folder / "history.csv") != frequencies);
+  CHECK(fs::exists(folder / "frequencies.csv") == frequencies);
   CHECK(fs::exists(folder / "srif.csv") == c.srif.has_value());
   CHECK(fs::exists(folder / "probes.csv") == !c.output.probes.empty());
   CHECK(text_of(folder / "summary.json").find("\"outcome\": \"done\"") != std::string::npos);
@@ -85,7 +89,7 @@ fs::path central_crack() {
 
 TEST_CASE("every case reads and runs, and its resolved form gives the same results") {
   const auto files = toml_files(false);
-  REQUIRE(files.size() >= 12);
+  REQUIRE(files.size() >= 17);
   for (const auto& file : files) {
     INFO(file);
     const auto content = cases::read_case(file, {}).content;
@@ -100,7 +104,7 @@ TEST_CASE("every case reads and runs, and its resolved form gives the same resul
     REQUIRE(again.exit_code == 0);
     check_files(scratch / "again", content);
     CHECK(text_of(scratch / "again" / "case.resolved.toml") == text_of(scratch / "first" / "case.resolved.toml"));
-    for (const char* table : {"srif.csv", "history.csv", "probes.csv"})
+    for (const char* table : {"srif.csv", "history.csv", "probes.csv", "frequencies.csv"})
       if (fs::exists(scratch / "first" / table))
         CHECK(text_of(scratch / "again" / table) == text_of(scratch / "first" / table));
   }
@@ -161,6 +165,21 @@ TEST_CASE("exit code 3: not converged, the summary and the last frame are kept")
          {"case.resolved.toml", "history.csv", "srif.csv", "probes.csv", "fields.pvd", "fields_0000.vtu", "state.h5"})
       CHECK(fs::exists(scratch / "results" / name));
   }
+}
+
+TEST_CASE("exit codes of a frequency analysis: not converged, more modes than the plate has") {
+  const auto file = fs::path(PDPLATE_SOURCE_DIR) / "cases/dynamic/frequencies_cantilever.toml";
+  const TemporaryFolder scratch;
+  const auto early =
+      run(file, scratch / "early", {"discretization.spacing=0.25", "analysis.max_iterations=5"});
+  INFO(early.output);
+  CHECK(early.exit_code == 3);
+  CHECK(early.output.find("not converged in 5 iterations") != std::string::npos);
+  CHECK(text_of(scratch / "early" / "summary.json").find("\"outcome\": \"failed") != std::string::npos);
+  const auto many = run(file, scratch / "many", {"discretization.spacing=0.25", "analysis.modes=100"});
+  INFO(many.output);
+  CHECK(many.exit_code == 2);
+  CHECK_FALSE(fs::exists(scratch / "many"));
 }
 
 TEST_CASE("exit code 4: the folder cannot be made") {

@@ -51,6 +51,20 @@ TEST_CASE("places name the line of a key or of its nearest parent") {
   CHECK(file.place("discretization.spacing") == "--set discretization.spacing");
 }
 
+TEST_CASE("a frequency analysis takes its own method and tolerance") {
+  auto text = with_line(with_line(plain, 17, "kind = \"frequencies\""), 4, "thickness = 0.1\ndensity = 7850");
+  for (int line = 14; line <= 16; ++line) text = with_line(text, line, "");
+  const auto c = read(text).content;
+  CHECK(c.analysis.kind == cases::Analysis::Kind::frequencies);
+  CHECK(c.analysis.method == cases::Analysis::Method::lanczos);
+  CHECK(c.analysis.tolerance == 1e-4);
+  CHECK(c.analysis.modes == 6);
+  CHECK(c.loads.empty());
+  CHECK(read(text, {"analysis.modes=3", "analysis.tolerance=1e-6"}).content.analysis.tolerance == 1e-6);
+  const auto written = cases::resolved_toml(c);
+  CHECK(cases::resolved_toml(read(written).content) == written);
+}
+
 TEST_CASE("dynamic analysis takes its own method and keys") {
   const auto c = read(dynamic).content;
   CHECK(c.analysis.kind == cases::Analysis::Kind::dynamic);
