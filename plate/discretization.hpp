@@ -27,7 +27,7 @@ struct Discretization {
   double horizon_ratio = 3.015;  // horizon / spacing
   Influence influence = Influence::inverse;
   VolumeCorrection volume_correction = VolumeCorrection::linear;
-  SurfaceCorrection surface_correction = SurfaceCorrection::arbitrary_horizon;
+  SurfaceCorrection surface_correction = SurfaceCorrection::position_aware;
   FullHorizon full_horizon = FullHorizon::continuum;
   TwistMatch twist_match = TwistMatch::frame_invariant;
 

@@ -48,13 +48,10 @@ std::array<post::Srif, 2> factors(const cases::Case& c, bool adr, double toleran
   const auto solution = adr ? adaptive_dynamic_relaxation(a.plate, a.boundary.constraints, vp::loads(a), options)
                             : conjugate_gradients(a.plate, a.boundary.constraints, vp::loads(a), options);
   REQUIRE(solution.converged);
-  const auto& positions = a.boundary.cloud.positions;
-  const auto extrapolations = cases::extrapolations(
-      {c, {}}, {positions.begin(), positions.begin() + std::ptrdiff_t(a.boundary.cloud.plate_points)}, a.paths);
-  REQUIRE(extrapolations.size() == 2);
-  std::array<post::Srif, 2> result{extrapolations[0](solution.state), extrapolations[1](solution.state)};
-  for (auto& srif : result) post::normalize(srif, *c.srif, c.section.thickness);
-  return result;
+  const auto methods = cases::tip_methods({c, {}}, a);
+  REQUIRE(methods.size() == 2);
+  const auto found = cases::srifs(c, a, methods, solution.state);
+  return {found.front(), found.back()};
 }
 
 }  // namespace

@@ -88,14 +88,8 @@ std::pair<double, double> differences(const cases::Case& first, const cases::Cas
 
 /// Intensity factors of every tip from the state.
 std::vector<post::Srif> intensity_factors(const cases::Case& c, const cases::Assembly& a, const State& state) {
-  const auto& positions = a.boundary.cloud.positions;
-  std::vector<post::Srif> result;
-  for (const auto& extrapolation : cases::extrapolations(
-           {c, {}}, {positions.begin(), positions.begin() + std::ptrdiff_t(a.boundary.cloud.plate_points)}, a.paths)) {
-    result.push_back(extrapolation(state));
-    post::normalize(result.back(), *c.srif, c.section.thickness);
-  }
-  return result;
+  const auto methods = cases::tip_methods({c, {}}, a);
+  return cases::srifs(c, a, methods, state);
 }
 
 }  // namespace

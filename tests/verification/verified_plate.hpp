@@ -91,6 +91,7 @@ plate::State field(const cases::Assembly& a, const Field& at) {
 }
 
 inline const auto surface_corrections = {plate::SurfaceCorrection::none, plate::SurfaceCorrection::volume,
-                                         plate::SurfaceCorrection::arbitrary_horizon};
+                                         plate::SurfaceCorrection::arbitrary_horizon,
+                                         plate::SurfaceCorrection::position_aware};
 
 }  // namespace verified_plate

@@ -36,8 +36,8 @@ TEST_CASE("what is not in this version is refused with the reason") {
   const auto discretization = [](const std::string& line) { return with_line(plain, 9, "spacing = 0.05\n" + line); };
   expect(discretization("formulation = \"galerkin\""), ":10", "discretization.formulation",
          "only the ordinary state-based plate");
-  expect(discretization("surface_correction = \"position_aware\""), ":10", "discretization.surface_correction",
-         "not in this version");
+  expect(discretization("surface_correction = \"position-aware\""), ":10", "discretization.surface_correction",
+         "did you mean 'position_aware'?");
   expect(discretization("influence = \"invers\""), ":10", "discretization.influence", "did you mean 'inverse'?");
   expect(with_line(plain, 17, "kind = \"static\"\nmethod = \"direct\""), ":18", "analysis.method",
          "not in this version");

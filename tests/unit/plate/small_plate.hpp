@@ -5,6 +5,7 @@
 #include "geometry/seeding.hpp"
 #include "plate/boundary.hpp"
 #include "plate/family_operator.hpp"
+#include "plate/position_aware.hpp"
 
 /// Plates small enough for dense matrices.
 namespace small_plate {
@@ -20,6 +21,17 @@ struct Model {
 
   Eigen::Index points() const { return static_cast<Eigen::Index>(plate.points()); }
 };
+
+inline plate::HorizonWeights horizon_weights(const geometry::Families& families,
+                                             const std::vector<plate::BondShape>& shapes, const plate::Boundary& boundary,
+                                             const plate::Discretization& d) {
+  const auto& areas = boundary.cloud.areas;
+  const auto kinds = plate::family_kinds(families, areas, boundary.active);
+  if (d.surface_correction == plate::SurfaceCorrection::position_aware)
+    return plate::position_aware(families, shapes, areas, boundary.active, kinds, section).weights;
+  return plate::weights_of_parameters(families, shapes, areas, kinds,
+                                      plate::horizon_parameters(families, shapes, areas, boundary.active, section, d));
+}
 
 /// `cracks` in lattice units; without mirror images of the cracks.
 inline Model model(const geometry::Outline& outline, const std::vector<plate::Support>& supports,

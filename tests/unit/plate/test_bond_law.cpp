@@ -8,9 +8,9 @@ using namespace plate;
 
 namespace {
 
-/// Two points with one bond: parameters a, d, b, C, area of each.
+/// Two points with one bond: what each end gives to it, and its area.
 struct End {
-  double a, d, b, C, area;
+  double a, D, B, S, area;
 };
 
 constexpr double weight = 0.7;
@@ -24,9 +24,8 @@ BondShape reversed(const BondShape& bond) {
   return {-bond.mx, -bond.my, bond.length, bond.weight};
 }
 
-double dilatation(const End& own, const End& other, const BondShape& bond, const Kinematics<>& k,
-                  const Kinematics<>& j) {
-  return own.d * bond.weight * other.area * curvature_difference(bond, k, j);
+double dilatation(const End& own, const BondShape& bond, const Kinematics<>& k, const Kinematics<>& j) {
+  return own.D * curvature_difference(bond, k, j);
 }
 
 /// Energy of the pair, both points' bookings (Eqs. 1, 2 with a single bond in each family).
@@ -35,10 +34,10 @@ double energy(const BondShape& bond, const Kinematics<> (&u)[2]) {
   for (int k : {0, 1}) {
     const BondShape own = k == 0 ? bond : reversed(bond);
     const Kinematics<>&from = u[k], &to = u[1 - k];
-    const double theta = dilatation(ends[k], ends[1 - k], own, from, to);
-    sum += ends[k].area * (ends[k].a * theta * theta + bond_energy(own, ends[1 - k].area, ends[k].b, ends[k].C,
-                                                                   curvature_difference(own, from, to),
-                                                                   shear_difference(own, from, to)));
+    const double theta = dilatation(ends[k], own, from, to);
+    sum += ends[k].area *
+           (ends[k].a * theta * theta + bond_energy(ends[k].B, ends[k].S, curvature_difference(own, from, to),
+                                                    shear_difference(own, from, to)));
   }
   return sum;
 }
@@ -46,10 +45,12 @@ double energy(const BondShape& bond, const Kinematics<> (&u)[2]) {
 BondForce<double> force(const BondShape& bond, int k, const Kinematics<> (&u)[2]) {
   const Kinematics<>&from = u[k], &to = u[1 - k];
   const BondShape back = reversed(bond);
-  const double q = 2 * ends[k].a * ends[k].d * dilatation(ends[k], ends[1 - k], bond, from, to) +
-                   2 * ends[1 - k].a * ends[1 - k].d * dilatation(ends[1 - k], ends[k], back, to, from);
-  return bond_force(bond, ends[0].area * ends[1].area * weight, q, ends[0].b + ends[1].b, (ends[0].C + ends[1].C) / 2,
-                    curvature_difference(bond, from, to), shear_difference(bond, from, to));
+  const End &own = ends[k], &other = ends[1 - k];
+  const double q_k = 2 * own.area * own.a * dilatation(own, bond, from, to);
+  const double q_j = 2 * other.area * other.a * dilatation(other, back, to, from);
+  return bond_force(bond.length, own.D, other.D, 2 * (own.area * own.B + other.area * other.B),
+                    2 * (own.area * own.S + other.area * other.S), q_k, q_j, curvature_difference(bond, from, to),
+                    shear_difference(bond, from, to));
 }
 
 }  // namespace

@@ -54,7 +54,15 @@ FamilyOperator only(const small_plate::Model& m, bool bending) {
   const auto& areas = m.boundary.cloud.areas;
   auto parameters = horizon_parameters(m.plate.families(), m.plate.shapes(), areas, m.boundary.active, section, d);
   for (auto& p : parameters) bending ? p.C = 0 : p.a = p.b = 0;
-  return {m.plate.families(), m.plate.shapes(), areas, parameters};
+  const auto kinds = family_kinds(m.plate.families(), areas, m.boundary.active);
+  return {m.plate.families(), m.plate.shapes(), areas,
+          weights_of_parameters(m.plate.families(), m.plate.shapes(), areas, kinds, parameters)};
+}
+
+Discretization by_parameters(double spacing) {
+  auto d = small_plate::spaced(spacing);
+  d.surface_correction = SurfaceCorrection::arbitrary_horizon;
+  return d;
 }
 
 /// A plate with edges, corners and a hole: families of many shapes.
@@ -91,7 +99,7 @@ TEST_CASE("disc parameters give the plate's bending energy for any curvature") {
 }
 
 TEST_CASE("arbitrary horizon domain: isotropic bending energy is exact for every family") {
-  auto d = small_plate::spaced(0.1);
+  auto d = by_parameters(0.1);
   d.influence = GENERATE(Influence::inverse, Influence::constant);
   d.twist_match = GENERATE(TwistMatch::frame_invariant, TwistMatch::paper);
   const auto m = perforated(d);
@@ -108,7 +116,7 @@ TEST_CASE("arbitrary horizon domain: isotropic bending energy is exact for every
 }
 
 TEST_CASE("arbitrary horizon domain: shear energy, averaged over directions, is exact for every family") {
-  const auto m = perforated(small_plate::spaced(0.1));
+  const auto m = perforated(by_parameters(0.1));
   const auto op = only(m, false);
   const Eigen::VectorXd sum =
       op.energies(field(m.boundary, 0.3, 0, 0, 0, 0, 0)) + op.energies(field(m.boundary, 0, 0.3, 0, 0, 0, 0));
@@ -119,7 +127,7 @@ TEST_CASE("arbitrary horizon domain: shear energy, averaged over directions, is 
 }
 
 TEST_CASE("arbitrary horizon domain: twist energy of a full and a half family of the fitted lattice") {
-  auto d = small_plate::spaced(0.1);
+  auto d = by_parameters(0.1);
   d.volume_correction = VolumeCorrection::lattice_fitted;
   d.twist_match = GENERATE(TwistMatch::frame_invariant, TwistMatch::paper);
   const auto m = small_plate::model(geometry::rectangle(0, 0, 1.1, 1.1), {}, d);
@@ -141,7 +149,7 @@ TEST_CASE("arbitrary horizon domain: twist energy of a full and a half family of
 }
 
 TEST_CASE("constants of the full lattice family are what the arbitrary horizon domain gives inside") {
-  auto d = small_plate::spaced(0.1);
+  auto d = by_parameters(0.1);
   d.volume_correction = GENERATE(VolumeCorrection::none, VolumeCorrection::linear, VolumeCorrection::lattice_fitted);
   const auto outline = geometry::rectangle(0, 0, 1.1, 1.1);
   const auto inside = centre_of(small_plate::model(outline, {}, d));
@@ -158,7 +166,7 @@ TEST_CASE("constants of the full lattice family are what the arbitrary horizon d
 }
 
 TEST_CASE("no correction and volume method at an edge") {
-  auto d = small_plate::spaced(0.1);
+  auto d = by_parameters(0.1);
   d.volume_correction = VolumeCorrection::none;
   d.surface_correction = SurfaceCorrection::none;
   const auto outline = geometry::rectangle(0, 0, 1.1, 1.1);

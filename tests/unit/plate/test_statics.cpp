@@ -124,8 +124,9 @@ TEST_CASE("the solution does not depend on the units") {
     auto b = boundary(std::move(cloud), cells, {{SupportKind::clamped, {"left", "right"}, {}}}, d);
     auto families = geometry::families(b.cloud, d.horizon(), sees(b, cells, d.horizon_ratio));
     auto shapes = bond_shapes(families.vectors, section, d);
-    const auto parameters = horizon_parameters(families, shapes, b.cloud.areas, b.active, section, d);
-    const FamilyOperator op(std::move(families), std::move(shapes), b.cloud.areas, parameters);
+    const auto kinds = family_kinds(families, b.cloud.areas, b.active);
+    auto weights = position_aware(families, shapes, b.cloud.areas, b.active, kinds, section).weights;
+    const FamilyOperator op(std::move(families), std::move(shapes), b.cloud.areas, std::move(weights));
     Load load;
     load.value = 2 / (unit * unit);
     auto solution = solver(op, b.constraints, nodal_forces(load, b.cloud, outline), {1e-8, 20000, {}});

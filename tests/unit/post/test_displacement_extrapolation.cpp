@@ -1,4 +1,4 @@
-#include "post/srif.hpp"
+#include "post/displacement_extrapolation.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -64,7 +64,7 @@ plate::State field(const Scene& s, const Tip& tip, const Factors& K) {
 }
 
 Srif recovered(const Scene& s, const Tip& tip, const Factors& K, const SrifOptions& options) {
-  const DisplacementExtrapolation extrapolation(s.positions, s.path, tip, {section, 1, 3}, options);
+  const DisplacementExtrapolation extrapolation(s.positions, s.path, tip, {section, 1, 3}, paper_fit({section, 1, 3}, options));
   return extrapolation(field(s, tip, K));
 }
 
@@ -150,7 +150,7 @@ TEST_CASE("a jump that grows with the square root exactly gives K exactly") {
   }
   SrifOptions options;
   options.rows = GENERATE(1, 2);
-  const Srif found = DisplacementExtrapolation(s.positions, s.path, tip, {section, 1, 3}, options)(state);
+  const Srif found = DisplacementExtrapolation(s.positions, s.path, tip, {section, 1, 3}, paper_fit({section, 1, 3}, options))(state);
   CHECK(found.K1 == Approx(2).epsilon(1e-12));   // measured: 4e-16
   CHECK(found.K2 == Approx(-3).epsilon(1e-12));  // measured: 1e-16
   CHECK(found.K3 == Approx(7).epsilon(1e-12));   // measured: 8e-16
@@ -165,7 +165,7 @@ TEST_CASE("a window with one sample, or no points beside the crack, is refused")
   SrifOptions skipping;
   skipping.skip = 5;
   CHECK_THROWS_AS(recovered(s, s.tips[0], {1, 0, 0}, skipping), std::invalid_argument);
-  const auto nothing = [&] { DisplacementExtrapolation({{500, 500}}, s.path, s.tips[0], {section, 1, 3}, {}); };
+  const auto nothing = [&] { DisplacementExtrapolation({{500, 500}}, s.path, s.tips[0], {section, 1, 3}, paper_fit({section, 1, 3}, {})); };
   CHECK_THROWS_AS(nothing(), std::invalid_argument);
 }
 

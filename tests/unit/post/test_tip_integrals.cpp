@@ -1,0 +1,126 @@
+#include "post/tip_integrals.hpp"
+
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "post/tip_rings.hpp"
+#include "tests/unit/plate/small_plate.hpp"
+
+using namespace post;
+using geometry::Point;
+
+namespace {
+
+const plate::Section section{1000, 0.3, 20, 5.0 / 6, 1};  // 20 spacings thick
+
+/// A plate of 60 x 60 spacings with a crack from its left edge to the middle.
+struct Scene {
+  geometry::Cloud cloud = geometry::lattice(geometry::rectangle(0, 0, 60, 60), 1);
+  std::vector<geometry::CrackPath> paths = geometry::crack_paths(geometry::rectangle(0, 0, 60, 60), {{{0, 30}, {30, 30}}}, 1e-9);
+  geometry::Tip tip = geometry::tips(paths).at(0);
+  geometry::Families families = geometry::without(
+      geometry::families(cloud, 3.015, [](auto, auto) { return true; }),
+      [this](std::uint32_t k, std::uint32_t j) { return geometry::severs(paths[0], cloud.positions[k], cloud.positions[j]); });
+  std::vector<plate::BondShape> shapes = plate::bond_shapes(families.vectors, section, small_plate::spaced(1));
+  BondedPlate plate{cloud.positions, cloud.areas, families, shapes, cloud.plate_points, section, 1};
+
+  plate::State field(int mode) const {
+    const TipField unit(section, mode);
+    plate::State state(3, Eigen::Index(cloud.size()));
+    for (std::size_t k = 0; k < cloud.size(); ++k) {
+      const Eigen::Vector3d u = unit(polar(TipFrame(tip), cloud.positions[k], 1));
+      state.col(Eigen::Index(k)) << u[0], u[2], -u[1];
+    }
+    return state;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("unit fields: singular stresses ahead, free faces, equilibrium") {
+  for (int mode = 0; mode < 3; ++mode) {
+    const TipField unit(section, mode);
+    CAPTURE(mode);
+    const double near = 1e-4 * section.thickness, root = std::sqrt(2 * near);
+    const auto M = unit.moments({near, 0});
+    const auto Q = unit.shear({near, 0});
+    CHECK(root * M[1] == Approx(mode == 0 ? 1 : 0).margin(1e-3));  // measured: 1e-7
+    CHECK(root * M[2] == Approx(mode == 1 ? 1 : 0).margin(1e-3));
+    CHECK(root * Q[1] == Approx(mode == 2 ? 1 : 0).margin(1e-3));
+    for (const double r : {0.1, 0.3, 0.6, 1.0})
+      for (const double face : {1.0, -1.0}) {
+        const Polar at{r * section.thickness, face * std::numbers::pi};
+        const double singular = 1 / std::sqrt(2 * at.r);
+        CHECK(std::abs(unit.moments(at)[1]) < 1e-2 * singular);  // measured: 5e-4 at most, shear 9e-3 of mode 1
+        CHECK(std::abs(unit.moments(at)[2]) < 1e-2 * singular);
+        CHECK(std::abs(unit.shear(at)[1]) * section.thickness < 0.2 * singular);
+      }
+    // Q_a,a = 0 and, in textbook signs, M_ab,b = Q_a, by central differences
+    const Polar at{0.4 * section.thickness, 1.1};
+    const auto there = [&](double dx, double dy) {
+      const Point x(at.r * std::cos(at.angle) + dx, at.r * std::sin(at.angle) + dy);
+      return Polar{x.norm(), std::atan2(x.y(), x.x())};
+    };
+    const double e = 1e-3;
+    const Eigen::Vector3d Mx = (unit.moments(there(e, 0)) - unit.moments(there(-e, 0))) / (2 * e);
+    const Eigen::Vector3d My = (unit.moments(there(0, e)) - unit.moments(there(0, -e))) / (2 * e);
+    const Eigen::Vector2d here = unit.shear(at);
+    CHECK(Mx[0] + My[2] == Approx(here[0]).epsilon(1e-5).margin(1e-8));
+    CHECK(Mx[2] + My[1] == Approx(here[1]).epsilon(1e-5).margin(1e-8));
+  }
+}
+
+TEST_CASE("a unit field sampled on the lattice has its own energy release rate and factors") {
+  const Scene s;
+  const TipFrame frame(s.tip);
+  const Ring ring{4, 8};
+  const TipIntegral moved(s.plate, s.tip, ring, moved_bonds(s.plate, frame, ring));
+  const TipIntegral domain(s.plate, s.tip, ring, domain_integral(s.plate, frame, ring));
+  const plate::Forces none = plate::Forces::Zero(3, Eigen::Index(s.cloud.size()));
+  for (int mode = 0; mode < 3; ++mode) {
+    const auto state = s.field(mode);
+    const double unit = unit_release(section)[mode];
+    CAPTURE(mode, moved(state, none).G / unit, domain(state, none).G / unit, domain(state, none).K.transpose());
+    CHECK(domain(state, none).G == Approx(unit).epsilon(0.02));
+    CHECK(domain(state, none).K[mode] == Approx(1).epsilon(0.02));
+    if (mode == 0) CHECK(moved(state, none).G == Approx(unit).epsilon(0.02));
+  }
+}
+
+TEST_CASE("rigid motions and constant curvature release no energy") {
+  const Scene s;
+  const TipFrame frame(s.tip);
+  const Ring ring{4, 8};
+  plate::State state(3, Eigen::Index(s.cloud.size()));
+  const plate::Forces none = plate::Forces::Zero(3, state.cols());
+  for (Eigen::Index k = 0; k < state.cols(); ++k) {
+    const Point& x = s.cloud.positions[std::size_t(k)];
+    // bending along the crack, kappa_xx = 1 and kappa_yy = -nu: no moment on the faces; and a rigid motion
+    state.col(k) << x.x() * x.x() / 2 - 0.3 * x.y() * x.y() / 2 + 3 + 40 * x.x(), -0.3 * x.y(), -x.x() - 40;
+  }
+  for (const bool by_bonds : {true, false}) {
+    const TipIntegral integral(s.plate, s.tip, ring,
+                               by_bonds ? moved_bonds(s.plate, frame, ring) : domain_integral(s.plate, frame, ring));
+    const auto found = integral(state, none);
+    const double scale = section.bending_stiffness() * ring.outer;  // energy per length of the ring
+    CHECK(std::abs(found.G) < 1e-7 * scale);
+  }
+}
+
+TEST_CASE("rings keep clear of edges, other cracks, other tips and bends") {
+  const auto outline = geometry::rectangle(0, 0, 60, 60);
+  const auto clear = [&](const std::vector<geometry::Polyline>& cracks) {
+    const auto paths = geometry::crack_paths(outline, cracks, 1e-9);
+    return clear_distance(outline, paths, geometry::tips(paths).back(), 1);
+  };
+  CHECK(clear({{{0, 30}, {30, 30}}}) == Approx(30));
+  CHECK(clear({{{20, 30}, {30, 30}}}) == Approx(7));             // 0.7 of the way to the other tip
+  CHECK(clear({{{0, 30}, {20, 20}, {30, 20}}}) == Approx(10));   // the bend
+  CHECK(clear({{{0, 40}, {60, 40}}, {{0, 30}, {30, 30}}}) == Approx(10));
+  CHECK(clear({{{0, 30}, {52, 30}}}) == Approx(8));
+  CHECK(rings(30, 1000, 1).size() == 4);
+  CHECK(rings(30, 1000, 1).front().outer == 16);
+  CHECK(rings(9.7, 1000, 1).front().outer == Approx(9.2));
+  CHECK(rings(5.5, 1000, 1).front().outer == Approx(5));
+  CHECK(rings(4.4, 1000, 1).empty());
+}
