@@ -59,6 +59,16 @@ std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& 
   return result;
 }
 
+std::vector<std::string> left_out(const Assembly& assembly, const std::vector<post::TipMethods>& methods) {
+  std::vector<std::string> result;
+  for (std::size_t tip = 0; tip < methods.size(); ++tip)
+    for (const auto& reason : methods[tip].left_out()) {
+      const auto& x = assembly.tips[tip].position;
+      result.push_back(fmt::format("tip at ({:g}, {:g}): left out {}", x.x(), x.y(), reason));
+    }
+  return result;
+}
+
 std::vector<post::Srif> srifs(const Case& content, const Assembly& assembly, const std::vector<post::TipMethods>& methods,
                               const plate::State& state) {
   std::vector<post::Srif> result;
@@ -159,6 +169,7 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
   }
   stopwatch.lap("output");
   summary.srif = latest_;
+  for (const auto& reason : left_out(assembly_, tip_methods_)) summary.warnings.push_back(reason);
   summary.frequencies = frequencies_;
   summary.version = PDPLATE_VERSION;
   summary.digest = digest(resolved_);

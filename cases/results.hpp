@@ -12,6 +12,9 @@ namespace cases {
 /// Throws CaseError where a method cannot work at a tip.
 std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& assembly);
 
+/// Which methods are missing at which tips, and why.
+std::vector<std::string> left_out(const Assembly& assembly, const std::vector<post::TipMethods>& methods);
+
 /// The intensity factors of all tips, normalised, the recommended one of each tip first.
 std::vector<post::Srif> srifs(const Case& content, const Assembly& assembly, const std::vector<post::TipMethods>& methods,
                               const plate::State& state);

@@ -38,13 +38,16 @@ std::optional<Eigen::Matrix<double, Count, 1>> polynomial(const std::vector<Harm
   return p;
 }
 
-/// Largest share t with (1 - t) plain + t p_j >= 0 for all bonds.
+/// No bond's weight falls below this share of the arbitrary horizon's: weights of zero would leave hinges.
+constexpr double least_weight = 0.1;
+
+/// Largest share t with (1 - t) plain + t p_j >= least_weight plain for all bonds.
 template <int Count>
 double admissible_share(const std::vector<Harmonics>& t, const Eigen::Matrix<double, Count, 1>& p, double plain) {
   double share = 1;
   for (const auto& direction : t) {
     const double value = p.dot(direction.template head<Count>());
-    if (value < 0) share = std::min(share, plain / (plain - value));
+    if (value < least_weight * plain) share = std::min(share, (1 - least_weight) * plain / (plain - value));
   }
   return share;
 }
@@ -91,7 +94,7 @@ FamilyWeights position_aware(const Section& section, std::span<const FamilyBond>
   for (std::size_t j = 0; j < bonds.size(); ++j) {
     const double b = (1 - share_curvature) * plain_curvature + share_curvature * p_curvature->dot(t[j]);
     const double s = (1 - share_shear) * plain_shear + share_shear * p_shear->dot(t[j].head<3>());
-    result.bonds.push_back({0, std::max(0.0, b) * bonds[j].weight, std::max(0.0, s) * bonds[j].weight});
+    result.bonds.push_back({0, b * bonds[j].weight, s * bonds[j].weight});
     b_second.push_back(result.bonds[j].B * second[j] / bonds[j].weight);
     b_sum += b_second.back();
   }

@@ -15,7 +15,7 @@ struct FamilyBond {
 /// How well the weights of a family could be matched.
 enum class Match {
   exact,             // the energy of every constant curvature and every constant shear
-  blended,           // exact weights would be negative: mixed with those of the arbitrary horizon until none is
+  blended,           // an exact weight would be negative or next to nothing: mixed with the arbitrary horizon's
   arbitrary_horizon  // too few directions: the arbitrary horizon's weights
 };
 

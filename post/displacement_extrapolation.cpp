@@ -86,6 +86,10 @@ OpeningFit series_fit(const PlateScale& scale) {
   return {"opening_series", std::max(scale.section.thickness / 2, 8 * scale.spacing), 1, 2, 2, true};
 }
 
+OpeningFit narrow_fit(const PlateScale& scale) {
+  return {"opening", 3.1 * scale.spacing, 0, 1, 0, true};
+}
+
 DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& positions,
                                                      const geometry::CrackPath& path, const geometry::Tip& tip,
                                                      const PlateScale& scale, const OpeningFit& how)
@@ -156,7 +160,7 @@ Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
     const Line line = fit(r, K.col(mode), how_.degree);
     *value[mode] = line.at_zero;
     misfit[mode] = line.residual;
-    spread[mode] = samples_.size() > 2 ? std::abs(fit(r, K.col(mode), 3 - how_.degree).at_zero - line.at_zero) : 0;
+    spread[mode] = samples_.size() > 2 ? std::abs(fit(r, K.col(mode), how_.degree == 1 ? 2 : 1).at_zero - line.at_zero) : 0;
   }
   // K3 counts against moments by the thickness
   const double h = s.thickness, largest = largest_factor(result, h);

@@ -20,6 +20,9 @@ OpeningFit paper_fit(const PlateScale& scale, const SrifOptions& options);
 /// sample on: the terms r^(1/2), r^(3/2), r^(5/2) of the opening.
 OpeningFit series_fit(const PlateScale& scale);
 
+/// The first samples behind the tip, for the proportions of the three modes.
+OpeningFit narrow_fit(const PlateScale& scale);
+
 /// Crack-surface displacement extrapolation (Dai et al. 2021, section 3.2, Eqs. 39-41): the jump of w and the
 /// rotations across the crack at distances r behind the tip gives K(r); the straight line through K(r) by least squares
 /// gives K at r = 0. The deflection is carried from the rows of points to the crack line by the rotation there,

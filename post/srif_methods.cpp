@@ -36,34 +36,44 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
   const std::vector<geometry::Point> positions(plate.positions.begin(),
                                                plate.positions.begin() + std::ptrdiff_t(plate.plate_points));
   for (const auto& method : methods_) {
-    if (method == "displacement_extrapolation" || method == "opening_series") {
-      const auto how = method == "opening_series" ? series_fit(scale) : paper_fit(scale, options);
-      openings_.emplace_back(positions, place.path, place.tip, scale, how);
-      continue;
+    try {
+      if (method == "displacement_extrapolation" || method == "opening_series") {
+        const auto how = method == "opening_series" ? series_fit(scale) : paper_fit(scale, options);
+        openings_.emplace_back(positions, place.path, place.tip, scale, how);
+      } else {
+        integrals_.push_back(integral_of(method, plate, tip, place.clear));
+      }
+    } catch (const std::invalid_argument& reason) {
+      left_out_.push_back(reason.what());
     }
-    const bool moved = method == "virtual_crack_extension";
-    Integral integral{method, rings(place.clear, INFINITY, plate.spacing), {}};
-    if (integral.rings.empty())
-      throw std::invalid_argument(fmt::format("{}: no ring of 4 spacings fits: the next edge, crack or load is {:g} away, "
-                                              "{:.1f} spacings; refine, or choose displacement_extrapolation",
-                                              method, place.clear, place.clear / plate.spacing));
-    for (const auto& ring : integral.rings)
-      integral.integrals.emplace_back(plate, tip, ring,
-                                      moved ? moved_bonds(plate, frame, ring) : domain_integral(plate, frame, ring));
-    integrals_.push_back(std::move(integral));
   }
+  if (left_out_.size() == methods_.size()) throw std::invalid_argument(fmt::format("{}", fmt::join(left_out_, "; ")));
   if (integrals_.empty()) return;
   const auto inner = rings(place.clear, interaction_reach * plate.section.thickness, plate.spacing);
   if (!inner.empty() && inner.front().outer >= least_ring * plate.spacing)
     interaction_.emplace_back(plate, tip, inner.front(), domain_integral(plate, frame, inner.front()));
   else
-    openings_.emplace_back(positions, place.path, place.tip, scale, series_fit(scale));
+    mix_.emplace_back(positions, place.path, place.tip, scale, narrow_fit(scale));
+}
+
+TipMethods::Integral TipMethods::integral_of(const std::string& method, const BondedPlate& plate,
+                                             const geometry::Tip& tip, double clear) {
+  Integral result{method, rings(clear, INFINITY, plate.spacing), {}};
+  if (result.rings.empty())
+    throw std::invalid_argument(fmt::format("{}: no ring of 4 spacings fits: the next edge, crack, bend or load is {:.1f} "
+                                            "spacings away; refine",
+                                            method, clear / plate.spacing));
+  for (const auto& ring : result.rings)
+    result.integrals.emplace_back(plate, tip, ring,
+                                  method == "virtual_crack_extension" ? moved_bonds(plate, TipFrame(tip), ring)
+                                                                      : domain_integral(plate, TipFrame(tip), ring));
+  return result;
 }
 
 /// K1, K2, K3 whose signs and proportions the integrals of the energy release rate take over.
 Eigen::Vector3d TipMethods::split(const plate::State& state, const plate::Forces& force) const {
   if (!interaction_.empty()) return interaction_.front()(state, force).K;
-  const Srif opening = openings_.back()(state);
+  const Srif opening = mix_.front()(state);
   return {opening.K1, opening.K2, opening.K3};
 }
 

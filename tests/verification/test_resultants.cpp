@@ -45,7 +45,7 @@ TEST_CASE("a strip bent by edge moments: Mxx = M, von Mises 6 M / h^2, all else 
       shear = std::max(shear, r.shear.col(i).norm());
     }
     REQUIRE(checked == std::size_t(std::lround(0.16 / (spacing * spacing))));
-    CHECK(other < 0.015);  // measured: at most 0.7 %
+    CHECK(other < 0.03);   // measured: at most 2.0 % with spacing 0.1 (arbitrary horizon 0.7 %), 0.1 % with 0.025
     CHECK(shear < 0.07);   // measured: 4.8 % of M per length at spacing 0.1, 0.1 % at 0.025
   }
   CAPTURE(bending, stress);

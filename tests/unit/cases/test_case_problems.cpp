@@ -43,7 +43,7 @@ TEST_CASE("what is not in this version is refused with the reason") {
          "not in this version");
   expect(plain + "[growth]\ncriterion = \"energy_release\"\n", ":18", "growth", "keeps cracks as they are");
   expect(plain + "[srif]\nmethods = [\"j_integral\"]\n", ":19", "srif.methods",
-         "must be one of \"displacement_extrapolation\"");
+         "must be one of \"virtual_crack_extension\"");
 }
 
 TEST_CASE("missing keys are reported at their table") {
