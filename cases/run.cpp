@@ -31,6 +31,8 @@ post::Summary about(const Case& c, const Assembly& assembly) {
   summary.fictitious_bonds = assembly.fictitious_bonds();
   summary.spacing = c.discretization.spacing;
   summary.horizon = c.discretization.horizon();
+  if (const auto& match = assembly.match)
+    summary.position_aware = {match->exact, match->blended, match->arbitrary_horizon};
   summary.scene = scene(c, assembly);
   summary.warnings = assembly.warnings;
   summary.analysis.kind = name_of(c.analysis.kind);

@@ -87,6 +87,9 @@ std::string to_json(const Summary& summary) {
   json["fictitious_bonds"] = summary.fictitious_bonds;
   json["spacing"] = summary.spacing;
   json["horizon"] = summary.horizon;
+  if (const auto& matched = summary.position_aware)
+    json["position_aware"] = {
+        {"exact", matched->exact}, {"blended", matched->blended}, {"arbitrary_horizon", matched->arbitrary_horizon}};
   json["analysis"] = json_of(summary.analysis);
   json["seconds"] = json_of(summary.seconds);
   json["peak_memory_bytes"] = summary.peak_memory_bytes;

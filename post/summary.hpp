@@ -28,6 +28,10 @@ struct Summary {
   std::size_t points = 0, bonds = 0;                        // of the plate; bonds counted from both ends, intact at the end
   std::size_t fictitious_points = 0, fictitious_bonds = 0;  // outside the plate, for supports
   double spacing = 0, horizon = 0;
+  struct Matched {
+    std::size_t exact, blended, arbitrary_horizon;
+  };
+  std::optional<Matched> position_aware;                    // points by how their weights could be matched
   struct Analysis {
     std::string kind, method, stop_reason;
     std::optional<std::size_t> iterations, steps;
