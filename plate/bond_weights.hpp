@@ -5,7 +5,7 @@
 
 namespace plate {
 
-/// What the energy of a point gives to one of its bonds (theory.md 14): W = a theta^2 + sum (B (s xi)^2 + S (gamma xi)^2),
+/// What the energy of a point gives to one of its bonds (theory.md 12a): W = a theta^2 + sum (B (s xi)^2 + S (gamma xi)^2),
 /// theta = sum D s xi.
 struct BondWeights {
   double D = 0;  // [1 / length]

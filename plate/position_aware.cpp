@@ -59,7 +59,11 @@ struct Sums {
 FamilyWeights arbitrary_horizon_weights(const Section& section, std::span<const FamilyBond> bonds, const Sums& sums) {
   const auto p = arbitrary_horizon(section, TwistMatch::frame_invariant, {0, sums.first, sums.second, 0}, 0);
   FamilyWeights result{p.a, {}, Match::arbitrary_horizon};
-  for (const auto& bond : bonds) result.bonds.push_back({p.d * bond.weight, p.b * bond.weight, p.C / 4 * bond.weight});
+  // D proportional to B xi: then a theta^2 + sum B (s xi)^2 is positive for every nu > -1, which uniform D is not
+  for (const auto& bond : bonds) {
+    const double b = p.b * bond.weight;
+    result.bonds.push_back({2 * b * bond.vector.norm() / (p.b * sums.second), b, p.C / 4 * bond.weight});
+  }
   return result;
 }
 

@@ -27,7 +27,7 @@ struct FamilyWeights {
 
 /// Weights omega A_j times a polynomial of the direction, changed as little as possible (least squares, weighted with
 /// omega A_j xi^2) from those of a full family, so that constant curvature and constant shear have the plate's energy
-/// with the bonds at hand (theory.md 15-18).
+/// with the bonds at hand (theory.md 12a, 12b).
 FamilyWeights position_aware(const Section& section, std::span<const FamilyBond> bonds);
 
 /// How many points have which match.

@@ -103,8 +103,7 @@ TEST_CASE("position-aware weights: no bond curvatures have negative energy, nor 
         theta += bond.D * curvature;
         sum += bond.B * curvature * curvature;
       }
-      const bool guaranteed = nu > -1.0 / 3 || weights.match != Match::arbitrary_horizon;
-      if (guaranteed) CHECK(weights.a * theta * theta + sum >= -1e-12 * sum);
+      CHECK(weights.a * theta * theta + sum >= -1e-12 * sum);
       if (!bonds.empty()) {  // isotropic bending is exact for all
         const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
         CHECK(energy(weights, bonds, one, {0, 0}) == Approx(exact(s, one, {0, 0})).epsilon(1e-10));
