@@ -111,7 +111,7 @@ TEST_CASE("the finest run is the reference of the others, and orders follow from
     if (i % 3 == 2) {  // the third quantity of each run
       CHECK(computed[i] == post::Cell());
       CHECK_THAT(std::get<std::string>(cells(table, "message")[i]),
-                 Catch::Contains("no method guesswork, but virtual_crack_extension"));
+                 Catch::Contains("no method guesswork, but ") && Catch::Contains("displacement_extrapolation"));
       continue;
     }
     const std::size_t finest = i / 9 * 9 + 6 + i % 9 % 3;
