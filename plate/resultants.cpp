@@ -6,10 +6,12 @@
 namespace plate {
 namespace {
 
-struct Gradients {
-  Eigen::Matrix2d theta = Eigen::Matrix2d::Zero();  // row: theta_x, theta_y; column: d/dx, d/dy
-  Eigen::Vector2d shear = Eigen::Vector2d::Zero();  // gamma_xz, gamma_yz
-};
+double von_mises(const Eigen::Vector3d& stress) {
+  return std::sqrt(stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] +
+                   3 * stress[2] * stress[2]);
+}
+
+}  // namespace
 
 Gradients gradients(std::size_t k, const State& state, const geometry::Families& families,
                     const std::vector<BondShape>& shapes, const std::vector<double>& areas) {
@@ -33,13 +35,6 @@ Gradients gradients(std::size_t k, const State& state, const geometry::Families&
   const Eigen::Matrix2d inverse = shape.completeOrthogonalDecomposition().pseudoInverse();
   return {sum.theta * inverse, inverse * sum.shear};
 }
-
-double von_mises(const Eigen::Vector3d& stress) {
-  return std::sqrt(stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] +
-                   3 * stress[2] * stress[2]);
-}
-
-}  // namespace
 
 Resultants resultants(const State& state, const geometry::Families& families, const std::vector<BondShape>& shapes,
                       const std::vector<double>& areas, std::size_t plate_points, const Section& section) {

@@ -75,6 +75,21 @@ bool sees_layer(const Boundary& boundary, std::uint32_t k, std::uint32_t j) {
 
 }  // namespace
 
+bool Boundary::any_image(std::uint32_t k, std::uint32_t j,
+                         const std::function<bool(const Point&, const Point&)>& test) const {
+  Point p = lattice[k], q = lattice[j];
+  if (test(p, q)) return true;
+  const auto outer = std::max(k, j);
+  if (is_plate(outer)) return false;
+  const FictitiousPoint& point = fictitious[outer - cloud.plate_points];
+  if (!point.exact) return false;
+  const auto mirror = [&](int side, const Point& u) { return sides[static_cast<std::size_t>(side)].mirrored(u); };
+  for (const int side : point.sides)
+    if (side >= 0 && test(mirror(side, p), mirror(side, q))) return true;
+  if (point.sides[1] < 0) return false;
+  return test(mirror(point.sides[1], mirror(point.sides[0], p)), mirror(point.sides[1], mirror(point.sides[0], q)));
+}
+
 geometry::Pairwise sees(const Boundary& boundary, const geometry::Outline& outline, double horizon_ratio) {
   auto near = near_openings(boundary, outline, horizon_ratio);
   return [&boundary, &outline, near = std::move(near)](std::uint32_t k, std::uint32_t j) {

@@ -31,7 +31,6 @@ Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const plate::Sec
 TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double horizon, const SrifOptions& options)
     : tip_(place.tip), section_(plate.section), methods_(options.methods) {
   const geometry::Tip tip = centred(place.tip, plate);
-  const TipFrame frame(tip);
   const PlateScale scale{plate.section, plate.spacing, horizon};
   const std::vector<geometry::Point> positions(plate.positions.begin(),
                                                plate.positions.begin() + std::ptrdiff_t(plate.plate_points));
@@ -51,7 +50,7 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
   if (integrals_.empty()) return;
   const auto inner = rings(place.clear, interaction_reach * plate.section.thickness, plate.spacing);
   if (!inner.empty() && inner.front().outer >= least_ring * plate.spacing)
-    interaction_.emplace_back(plate, tip, inner.front(), domain_integral(plate, frame, inner.front()));
+    interaction_.emplace_back(plate, tip, inner.front());
   else
     mix_.emplace_back(positions, place.path, place.tip, scale, narrow_fit(scale));
 }
@@ -72,7 +71,7 @@ TipMethods::Integral TipMethods::integral_of(const std::string& method, const Bo
 
 /// K1, K2, K3 whose signs and proportions the integrals of the energy release rate take over.
 Eigen::Vector3d TipMethods::split(const plate::State& state, const plate::Forces& force) const {
-  if (!interaction_.empty()) return interaction_.front()(state, force).K;
+  if (!interaction_.empty()) return interaction_.front()(state, force);
   const Srif opening = mix_.front()(state);
   return {opening.K1, opening.K2, opening.K3};
 }
@@ -84,7 +83,7 @@ Srif TipMethods::of(const Integral& integral, const Eigen::Vector3d& mix, const 
   result.method = integral.method;
   result.samples = integral.rings.size();
   for (std::size_t i = 0; i < integral.rings.size(); ++i) {
-    const double G = integral.integrals[i](state, force).G;
+    const double G = integral.integrals[i](state, force);
     const auto K = factors(G, mix, section_);
     result.rings.push_back({integral.rings[i].inner, integral.rings[i].outer, G, K[0], K[1], K[2]});
   }
@@ -95,7 +94,7 @@ Srif TipMethods::of(const Integral& integral, const Eigen::Vector3d& mix, const 
 
 /// Twice the largest difference from the other methods by energy, or from the next ring where there is no other, a
 /// floor, and what the interaction integral does not agree with the energy release rate, as far as the mode is not
-/// the first. The factors are calibrated: theory.md, "Error estimate".
+/// the first. The factors are calibrated: theory.md, "What `estimated_error` means".
 void TipMethods::estimate(std::vector<Srif>& found, const Eigen::Vector3d& mix) const {
   const double h = section_.thickness;
   const auto distance = [h](const auto& a, const auto& b) {
@@ -112,7 +111,8 @@ void TipMethods::estimate(std::vector<Srif>& found, const Eigen::Vector3d& mix) 
     bool compared = false;
     for (const auto& other : found)
       if (!other.rings.empty() && other.method != srif.method) spread = std::max(spread, distance(srif, other)), compared = true;
-    if (!compared && srif.rings.size() > 1) spread = distance(srif.rings[0], srif.rings[1]);
+    if (!compared && srif.rings.size() < 2) continue;  // nothing to compare with
+    if (!compared) spread = distance(srif.rings[0], srif.rings[1]);
     const double disagreement = std::abs(1 - std::sqrt(energy.sum() / *srif.G));
     const double other_modes = std::sqrt((energy[1] + energy[2]) / energy.sum());
     srif.estimated_error = 2 * spread / largest + 1e-3 + disagreement * other_modes / 2;

@@ -1,5 +1,6 @@
 #pragma once
 #include "post/displacement_extrapolation.hpp"
+#include "post/interaction_integral.hpp"
 #include "post/tip_rings.hpp"
 
 namespace post {
@@ -43,7 +44,7 @@ private:
   plate::Section section_;
   std::vector<std::string> methods_, left_out_;
   std::vector<Integral> integrals_;
-  std::vector<TipIntegral> interaction_;              // one, where the field of the thickness is resolved
+  std::vector<InteractionIntegral> interaction_;      // one, where the field of the thickness is resolved
   std::vector<DisplacementExtrapolation> openings_;
   std::vector<DisplacementExtrapolation> mix_;        // one, where it is not: proportions from the opening
 };

@@ -2,7 +2,6 @@
 #include "plate/bond_weights.hpp"
 #include "plate/state.hpp"
 #include "post/tip_field.hpp"
-#include <cmath>
 #include <memory>
 
 namespace post {
@@ -26,12 +25,35 @@ struct Ring {
   double slope(double r) const;       // dq/dr
 };
 
-/// -dU/da of the strain energy of a field carried along with a tip that moves straight ahead: a symmetric bilinear form of two
-/// fields, of which only the points of the ring take part.
+/// A point that an extension moves.
+struct MovedPoint {
+  std::uint32_t point;
+  double extension;  // q
+};
+
+std::vector<MovedPoint> moved_points(const BondedPlate& plate, const TipFrame& frame, const Ring& ring);
+
+/// A state less the rigid motion of the points next to the tip, which does no work but would cost digits.
+class NearField {
+public:
+  /// `centre`: the points whose mean motion is taken away.
+  NearField(const plate::State& state, const std::vector<geometry::Point>& positions, const std::vector<std::uint32_t>& centre);
+
+  plate::Kinematics<> operator()(std::uint32_t k) const;
+
+private:
+  const plate::State& state_;
+  const std::vector<geometry::Point>& positions_;
+  geometry::Point place_{0, 0};
+  Eigen::Vector3d mean_{0, 0, 0};
+};
+
+/// -dU/da [force] of the strain energy of a field carried along with a tip that moves straight ahead, of which only the
+/// points of the ring take part.
 class EnergyRelease {
 public:
   virtual ~EnergyRelease() = default;
-  virtual double operator()(const plate::State& u, const plate::State& v) const = 0;
+  virtual double operator()(const NearField& u) const = 0;
 };
 
 /// By moving the bonds of the ring and matching the position-aware weights again (virtual crack extension; theory.md).
@@ -40,51 +62,24 @@ std::unique_ptr<EnergyRelease> moved_bonds(const BondedPlate& plate, const TipFr
 /// By the domain integral of moments, shear forces and gradients at the points of the ring (J-integral; theory.md).
 std::unique_ptr<EnergyRelease> domain_integral(const BondedPlate& plate, const TipFrame& frame, const Ring& ring);
 
-/// Energy release rate [force] and intensity factors of one tip from one ring.
-struct TipRates {
-  double G = 0;
-  Eigen::Vector3d K{0, 0, 0};
-};
-
-/// Energy release rate of a field, and K1, K2, K3 by its interaction with the three fields of a tip.
+/// Energy release rate of one tip from one ring (theory.md, Eq. 35a).
 class TipIntegral {
 public:
   TipIntegral(const BondedPlate& plate, const geometry::Tip& tip, const Ring& ring, std::unique_ptr<EnergyRelease> release);
 
-  /// `force`: internal force of the state, minus external forces plus inertia (FamilyOperator::internal_force).
-  TipRates operator()(const plate::State& state, const plate::Forces& force) const;
+  /// G [force]. `force`: internal force of the state, minus external forces plus inertia (FamilyOperator::internal_force).
+  double operator()(const plate::State& state, const plate::Forces& force) const;
 
 private:
-  /// The derivative along the crack at a point, by least squares over its family.
-  struct Slope {
-    struct Term {
-      std::uint32_t neighbour;
-      double share;
-      plate::BondShape bond;
-    };
-    geometry::Point ahead;
-    std::vector<Term> terms;
-
-    Eigen::Vector3d operator()(const plate::State& state, std::uint32_t k) const;
-  };
-  /// A point that the extension moves.
-  struct Inside {
-    std::uint32_t point;
-    double extension;  // q
-    Slope slope;
-    std::array<Eigen::Vector3d, 3> auxiliary_slope;  // of the three unit fields
-  };
-
-  plate::State without_rigid_motion(const plate::State& state) const;
-  Slope slope_at(const BondedPlate& plate, const TipFrame& frame, std::uint32_t k) const;
-
-  plate::Section section_;
-  const std::vector<geometry::Point>& positions_;
+  BondedPlate plate_;
+  geometry::Point ahead_;
   std::unique_ptr<EnergyRelease> release_;
-  std::vector<Inside> inside_;
-  std::array<plate::State, 3> auxiliary_;
+  std::vector<MovedPoint> moved_;
   std::vector<std::uint32_t> centre_;  // points next to the tip
 };
+
+/// Points within two spacings of a tip.
+std::vector<std::uint32_t> next_to_tip(const BondedPlate& plate, const TipFrame& frame);
 
 /// G of unit intensity factors: G = g1 (K1^2 + K2^2) + g3 K3^2 (theory.md).
 Eigen::Vector3d unit_release(const plate::Section& section);
