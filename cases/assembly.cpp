@@ -189,7 +189,8 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
   for (const auto& one : loads) load += one.forces;
   check_mechanisms(file, plate::mechanisms(boundary, families, pieces, load), warnings);
   auto [weights, counts] = horizon_weights(c, boundary, families, shapes);
-  plate::FamilyOperator plate(std::move(families), std::move(shapes), areas, std::move(weights));
+  plate::LatticeOperator plate(plate::FamilyOperator(std::move(families), std::move(shapes), areas, std::move(weights)),
+                               boundary.lattice);
   stopwatch.lap("parameters");
 
   return {paths,

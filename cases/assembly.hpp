@@ -4,6 +4,7 @@
 #include "cases/case_file.hpp"
 #include "fracture/precrack.hpp"
 #include "plate/dynamics.hpp"
+#include "plate/lattice_operator.hpp"
 #include "plate/pieces.hpp"
 #include "plate/position_aware.hpp"
 
@@ -29,7 +30,7 @@ struct Assembly {
   std::vector<geometry::Tip> tips;
   plate::Boundary boundary;
   std::vector<double> cut;  // per plate point: share of the family severed by cracks
-  plate::FamilyOperator plate;
+  plate::LatticeOperator plate;
   std::optional<plate::MatchCounts> match;  // of the position-aware correction
   std::vector<plate::TimedLoad> loads;
   std::vector<std::string> warnings;

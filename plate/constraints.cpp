@@ -59,8 +59,8 @@ bool Constraints::held(std::uint32_t dof) const { return std::binary_search(held
 
 template <typename Weight>
 void Constraints::impose_with(State& state, const Weight& weight) const {
-  for (const auto dof : held_) state.data()[dof] = 0;
-  for (const Tie& tie : ties_) state.data()[tie.follower] += weight(tie.factor) * state.data()[tie.leader];
+  for (const auto dof : held_) at_dof(state, dof) = 0;
+  for (const Tie& tie : ties_) at_dof(state, tie.follower) += weight(tie.factor) * at_dof(state, tie.leader);
 }
 
 void Constraints::impose(State& state) const {
@@ -73,8 +73,8 @@ void Constraints::impose_absolute(State& state) const {
 
 template <typename Weight>
 void Constraints::fold_with(Forces& forces, const Weight& weight) const {
-  for (const Tie& tie : ties_) forces.data()[tie.leader] += weight(tie.factor) * forces.data()[tie.follower];
-  for (const auto dof : held_) forces.data()[dof] = 0;
+  for (const Tie& tie : ties_) at_dof(forces, tie.leader) += weight(tie.factor) * at_dof(forces, tie.follower);
+  for (const auto dof : held_) at_dof(forces, dof) = 0;
 }
 
 void Constraints::fold(Forces& forces) const {

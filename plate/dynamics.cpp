@@ -85,7 +85,7 @@ Forces mass(const Section& section, const std::vector<double>& areas, const std:
   return result;
 }
 
-double stable_time_step(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass) {
+double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass) {
   constexpr int improvements = 20;
   const Forces inverse_mass = inverse_of(mass);
   State scale = inverse_mass.cwiseSqrt();
@@ -108,7 +108,7 @@ double stable_time_step(const FamilyOperator& plate, const Constraints& constrai
   return 2 / std::sqrt(smallest_bound);
 }
 
-void central_differences(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass,
+void central_differences(const Operator& plate, const Constraints& constraints, const Forces& mass,
                          const std::vector<TimedLoad>& loads, const DynamicOptions& options,
                          const std::function<void(const Instant&)>& observe) {
   const double dt = options.time_step;

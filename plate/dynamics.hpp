@@ -1,6 +1,6 @@
 #pragma once
 #include "plate/constraints.hpp"
-#include "plate/family_operator.hpp"
+#include "plate/operator.hpp"
 #include "plate/history.hpp"
 #include "plate/section.hpp"
 #include <functional>
@@ -20,7 +20,7 @@ Forces mass(const Section& section, const std::vector<double>& areas, const std:
 
 /// 2 / omega with omega^2 >= the largest eigenvalue of M^-1 K: max over i of (|K| s)_i / (M_i s_i) for a positive s
 /// (Collatz). Starts from s = M^(-1/2) (scaled Gershgorin) and improves s by a few products.
-double stable_time_step(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass);
+double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass);
 
 /// What the observer of a dynamic run sees.
 struct Instant {
@@ -43,7 +43,7 @@ struct DynamicOptions {
 /// Central differences (Eqs. 21-23) from rest, started with half a step's acceleration: u(dt) = a dt^2 / 2.
 /// Calls `observe` at step 0, every `observe_every` steps and at the end.
 /// Throws NumericalError where the deflection is not finite, with step, time and point.
-void central_differences(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass,
+void central_differences(const Operator& plate, const Constraints& constraints, const Forces& mass,
                          const std::vector<TimedLoad>& loads, const DynamicOptions& options,
                          const std::function<void(const Instant&)>& observe);
 

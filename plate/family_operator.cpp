@@ -1,64 +1,29 @@
 #include "plate/family_operator.hpp"
 
 #include <algorithm>
-#include <experimental/simd>
 
 namespace plate {
 namespace {
 
 constexpr std::uint32_t longest_run = 128;
 
-/// As many points at once as the machine's vectors hold.
-namespace simd = std::experimental;
-using Lanes = simd::native_simd<double>;
-constexpr std::size_t lanes = Lanes::size();
-
-template <typename Value>
-Value load(const Eigen::ArrayXd& values, std::size_t k) {
-  if constexpr (std::is_same_v<Value, double>)
-    return values[static_cast<Eigen::Index>(k)];
-  else
-    return Value(values.data() + k, simd::element_aligned);
-}
-
-template <typename Value>
-void store(Eigen::ArrayXd& values, std::size_t k, const Value& value) {
-  if constexpr (std::is_same_v<Value, double>)
-    values[static_cast<Eigen::Index>(k)] = value;
-  else
-    value.copy_to(values.data() + k, simd::element_aligned);
-}
+Kinematics<> kinematics(const State& state, Eigen::Index k) { return {state(0, k), state(1, k), state(2, k)}; }
 
 /// Eq. 2; for the matrix of absolute values, |m| is given and differences become sums.
-template <bool absolute, typename Bond, typename Value>
-Value curvature(const Bond& bond, const Kinematics<Value>& k, const Kinematics<Value>& j) {
+template <bool absolute>
+double curvature(const PatternBond& bond, const Kinematics<>& k, const Kinematics<>& j) {
   if constexpr (absolute)
     return bond.mx * (j.theta_x + k.theta_x) + bond.my * (j.theta_y + k.theta_y);
   else
     return curvature_difference(bond, k, j);
 }
 
-template <bool absolute, typename Bond, typename Value>
-Value shear(const Bond& bond, const Kinematics<Value>& k, const Kinematics<Value>& j) {
+template <bool absolute>
+double shear(const PatternBond& bond, const Kinematics<>& k, const Kinematics<>& j) {
   if constexpr (absolute)
     return j.w + k.w + bond.length / 2 * curvature<true>(bond, k, j);
   else
     return shear_difference(bond, k, j);
-}
-
-/// Calls many(k) for as many points at a time as there are lanes, one(k) in shorter runs. The last lanes of a run may
-/// overlap those before: the same values are computed twice.
-template <typename Many, typename One>
-void for_each(const geometry::FamilyRuns& runs, const Many& many, const One& one) {
-#pragma omp for schedule(static)
-  for (std::size_t r = 0; r < runs.runs.size(); ++r) {
-    const auto& run = runs.runs[r];
-    const std::size_t first = run.first_point, end = first + run.length;
-    if (run.length < lanes)
-      for (std::size_t k = first; k < end; ++k) one(k, run.pattern);
-    else
-      for (std::size_t k = first; k < end; k += lanes) many(std::min(k, end - lanes), run.pattern);
-  }
 }
 
 }  // namespace
@@ -68,7 +33,7 @@ FamilyOperator::FamilyOperator(geometry::Families families, std::vector<BondShap
     : families_(std::move(families)), runs_(geometry::family_runs(families_, weights.kind, longest_run)),
       shapes_(std::move(shapes)), weights_(std::move(weights)) {
   const auto count = static_cast<Eigen::Index>(areas.size());
-  for (auto* values : {&area_, &dilatation_stiffness_, &w_, &theta_x_, &theta_y_, &q_}) values->setZero(count);
+  for (auto* values : {&area_, &dilatation_stiffness_, &q_}) values->setZero(count);
 #pragma omp parallel for schedule(static)
   for (Eigen::Index k = 0; k < count; ++k) {
     area_[k] = areas[static_cast<std::size_t>(k)];
@@ -82,7 +47,7 @@ FamilyOperator::FamilyOperator(geometry::Families families, std::vector<BondShap
 }
 
 /// The i-th bond of point k.
-FamilyOperator::Bond FamilyOperator::bond(std::size_t k, std::size_t i) const {
+PatternBond FamilyOperator::bond(std::size_t k, std::size_t i) const {
   const auto b = families_.first[k] + i;
   const std::size_t j = families_.neighbour[b];
   const auto begin = families_.neighbour.begin() + std::ptrdiff_t(families_.first[j]);
@@ -95,63 +60,41 @@ FamilyOperator::Bond FamilyOperator::bond(std::size_t k, std::size_t i) const {
           2 * (area * own.S + area_j * other.S), static_cast<std::int32_t>(std::ptrdiff_t(j) - std::ptrdiff_t(k))};
 }
 
-template <typename Value>
-Kinematics<Value> FamilyOperator::kinematics(std::size_t k) const {
-  return {load<Value>(w_, k), load<Value>(theta_x_, k), load<Value>(theta_y_, k)};
-}
-
-template <bool absolute, typename Value>
-void FamilyOperator::dilatations(std::size_t k, const Bond* begin, const Bond* end,
-                                 const Eigen::ArrayXd& stiffness) const {
-  const Kinematics<Value> own = kinematics<Value>(k);
-  Value sum = 0;
-  for (const Bond* bond = begin; bond < end; ++bond) {
-    const std::size_t j = k + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(bond->step));
-    sum += bond->D_kj * curvature<absolute>(*bond, own, kinematics<Value>(j));
-  }
-  store<Value>(q_, k, load<Value>(stiffness, k) * sum);
-}
-
-template <bool absolute, typename Value>
-void FamilyOperator::gather(std::size_t k, const Bond* begin, const Bond* end, Forces& forces) const {
-  const Kinematics<Value> own = kinematics<Value>(k);
-  const Value q = load<Value>(q_, k);
-  Value force = 0, couple_x = 0, couple_y = 0;
-  for (const Bond* bond = begin; bond < end; ++bond) {
-    const std::size_t j = k + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(bond->step));
-    const Kinematics<Value> other = kinematics<Value>(j);
-    const BondForce<Value> f = bond_force<Value>(bond->length, bond->D_kj, bond->D_jk, bond->curvature, bond->shear, q,
-                                                 load<Value>(q_, j), curvature<absolute>(*bond, own, other),
-                                                 shear<absolute>(*bond, own, other));
-    force += f.force;
-    couple_x += bond->mx * f.couple;
-    couple_y += bond->my * f.couple;
-  }
-  double* const out = forces.data() + 3 * k;
-  if constexpr (std::is_same_v<Value, double>)
-    out[0] = force, out[1] = couple_x, out[2] = couple_y;
-  else
-    for (std::size_t i = 0; i < lanes; ++i) out[3 * i] = force[i], out[3 * i + 1] = couple_x[i], out[3 * i + 2] = couple_y[i];
-}
-
 template <bool absolute>
 void FamilyOperator::product(const State& state, const Patterns& patterns, const Eigen::ArrayXd& stiffness,
                              Forces& forces) const {
-  const auto count = static_cast<Eigen::Index>(points());
-  forces.resize(3, count);
-  const auto begin = [&](std::uint32_t pattern) { return patterns.bonds.data() + patterns.first[pattern]; };
-  const auto end = [&](std::uint32_t pattern) { return patterns.bonds.data() + patterns.first[pattern + 1]; };
+  forces.resize(3, static_cast<Eigen::Index>(points()));
+  const auto for_each_point = [&](const auto& visit) {
+#pragma omp for schedule(static)
+    for (std::size_t r = 0; r < runs_.runs.size(); ++r) {
+      const auto& run = runs_.runs[r];
+      const PatternBond* const bonds = patterns.bonds.data();
+      for (std::uint32_t i = 0; i < run.length; ++i)
+        visit(Eigen::Index(run.first_point + i), bonds + patterns.first[run.pattern], bonds + patterns.first[run.pattern + 1]);
+    }
+  };
 #pragma omp parallel
   {
-#pragma omp for schedule(static)
-    for (Eigen::Index k = 0; k < count; ++k)
-      w_[k] = state(0, k), theta_x_[k] = state(1, k), theta_y_[k] = state(2, k);
-    for_each(
-        runs_, [&](std::size_t k, std::uint32_t p) { dilatations<absolute, Lanes>(k, begin(p), end(p), stiffness); },
-        [&](std::size_t k, std::uint32_t p) { dilatations<absolute, double>(k, begin(p), end(p), stiffness); });
-    for_each(
-        runs_, [&](std::size_t k, std::uint32_t p) { gather<absolute, Lanes>(k, begin(p), end(p), forces); },
-        [&](std::size_t k, std::uint32_t p) { gather<absolute, double>(k, begin(p), end(p), forces); });
+    for_each_point([&](Eigen::Index k, const PatternBond* bond, const PatternBond* end) {
+      const auto own = kinematics(state, k);
+      double sum = 0;
+      for (; bond < end; ++bond) sum += bond->D_kj * curvature<absolute>(*bond, own, kinematics(state, k + bond->step));
+      q_[k] = stiffness[k] * sum;
+    });
+    for_each_point([&](Eigen::Index k, const PatternBond* bond, const PatternBond* end) {
+      const auto own = kinematics(state, k);
+      double force = 0, couple_x = 0, couple_y = 0;
+      for (; bond < end; ++bond) {
+        const auto other = kinematics(state, k + bond->step);
+        const auto f = bond_force<double>(bond->length, bond->D_kj, bond->D_jk, bond->curvature, bond->shear, q_[k],
+                                          q_[k + bond->step], curvature<absolute>(*bond, own, other),
+                                          shear<absolute>(*bond, own, other));
+        force += f.force;
+        couple_x += bond->mx * f.couple;
+        couple_y += bond->my * f.couple;
+      }
+      forces.col(k) << force, couple_x, couple_y;
+    });
   }
 }
 
@@ -175,7 +118,7 @@ Forces FamilyOperator::diagonal() const {
       double force = 0;
       Eigen::Array2d couple(0, 0), gradient(0, 0);
       for (auto b = patterns_.first[run.pattern]; b < patterns_.first[run.pattern + 1]; ++b) {
-        const Bond& bond = patterns_.bonds[b];
+        const PatternBond& bond = patterns_.bonds[b];
         const auto j = static_cast<Eigen::Index>(k) + bond.step;
         const Eigen::Array2d m(bond.mx, bond.my);
         force += bond.shear;

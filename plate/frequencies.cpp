@@ -27,7 +27,7 @@ class Inverse {
 public:
   using Scalar = double;
 
-  Inverse(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass,
+  Inverse(const Operator& plate, const Constraints& constraints, const Forces& mass,
           const FrequencyOptions& options)
       : plate_(plate),
         constraints_(constraints),
@@ -49,7 +49,7 @@ public:
     if (!solution.converged)
       throw NumericalError("frequencies: conjugate gradients " + solution.stop_reason + " in solution " +
                            std::to_string(solutions_));
-    Eigen::Map<VectorXd>(y, rows()) = without_found(root_mass_.cwiseProduct(solution.state).reshaped());
+    Eigen::Map<VectorXd>(y, rows()) = without_found(root_mass_.cwiseProduct(solution.state).reshaped<Eigen::RowMajor>());
   }
 
   void solve_to(double tolerance) { solve_.tolerance = tolerance; }
@@ -83,7 +83,7 @@ private:
     return x - found_ * (found_.transpose() * x);
   }
 
-  const FamilyOperator& plate_;
+  const Operator& plate_;
   const Constraints& constraints_;
   const FrequencyOptions& options_;
   Forces shift_, root_mass_;
@@ -139,7 +139,7 @@ State normalized(State state) {
 /// Frequency and residual of M^(1/2) q.
 class Pairs {
 public:
-  Pairs(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass, double shift)
+  Pairs(const Operator& plate, const Constraints& constraints, const Forces& mass, double shift)
       : plate_(plate),
         constraints_(constraints),
         mass_(mass),
@@ -171,7 +171,7 @@ public:
   }
 
 private:
-  const FamilyOperator& plate_;
+  const Operator& plate_;
   const Constraints& constraints_;
   const Forces& mass_;
   double shift_;
@@ -184,7 +184,7 @@ double shift_of(const Section& section, double length) {
   return section.bending_stiffness() / (section.density * section.thickness) * std::pow(std::numbers::pi / length, 4);
 }
 
-FrequencySolution frequencies(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass,
+FrequencySolution frequencies(const Operator& plate, const Constraints& constraints, const Forces& mass,
                               const FrequencyOptions& options) {
   Inverse inverse(plate, constraints, mass, options);
   const auto count = static_cast<Index>(options.modes);

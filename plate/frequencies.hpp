@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 #include "plate/constraints.hpp"
-#include "plate/family_operator.hpp"
+#include "plate/operator.hpp"
 #include "plate/section.hpp"
 
 namespace plate {
@@ -35,7 +35,7 @@ double shift_of(const Section& section, double length);
 /// `mass` as from mass(). Multiple frequencies appear as often as they are.
 /// Throws NumericalError where an iteration does not converge or a number is not finite, std::invalid_argument where
 /// the plate has too few degrees of freedom or the shift is not positive.
-FrequencySolution frequencies(const FamilyOperator& plate, const Constraints& constraints, const Forces& mass,
+FrequencySolution frequencies(const Operator& plate, const Constraints& constraints, const Forces& mass,
                               const FrequencyOptions& options);
 
 }  // namespace plate

@@ -101,7 +101,7 @@ void add_edge_load(const Load& load, const geometry::Cloud& cloud, const geometr
 
 }  // namespace
 
-Eigen::Matrix3Xd nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline) {
+Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(cloud.size()));
   switch (load.kind) {
     case Load::Kind::pressure:

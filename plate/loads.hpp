@@ -1,6 +1,7 @@
 #pragma once
 #include "geometry/cloud.hpp"
 #include "plate/history.hpp"
+#include "plate/state.hpp"
 #include <Eigen/Core>
 #include <array>
 
@@ -22,6 +23,6 @@ struct Load {
 /// Generalised nodal forces (3 x points: work-conjugate to w, theta_x, theta_y) of one load at factor 1.
 /// Edge loads act on the edge line: what a point takes over is moved to it with the couple of its lever.
 /// `outline` is in the cloud's own units.
-Eigen::Matrix3Xd nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline);
+Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline);
 
 }  // namespace plate

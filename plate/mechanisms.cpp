@@ -217,7 +217,7 @@ Drive drive(const Boundary& boundary, const Parts& parts, const Forces& load) {
   Drive result;
   result.sum = result.size = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * parts.count()));
   for (std::uint32_t dof = 0; dof < load.size(); ++dof) {
-    const double force = load.data()[dof] * (dof % 3 == 0 ? boundary.cloud.units.spacing : 1);
+    const double force = at_dof(load, dof) * (dof % 3 == 0 ? boundary.cloud.units.spacing : 1);
     if (force == 0 || !parts.has(dof / 3)) continue;
     const Eigen::Vector3d work = force * parts.row(dof);
     result.sum.segment<3>(3 * parts.part(dof / 3)) += work;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t report_every = 50;
 
-Forces folded_diagonal(const FamilyOperator& plate, const Constraints& constraints) {
+Forces folded_diagonal(const Operator& plate, const Constraints& constraints) {
   Forces diagonal = plate.diagonal();
   constraints.fold_diagonal(diagonal);
   return diagonal;
@@ -22,7 +22,7 @@ Forces inverse(const Forces& diagonal) {
 
 /// 1 / lambda of Eq. 14 with lambda_i = (1/4) sum_j |K_ij| s_j / s_i, so that no frequency exceeds 2 with time step 1
 /// (Gershgorin). The scale s = K_ii^(-1/2) makes the bound the same in all units.
-Forces inverse_fictitious_mass(const FamilyOperator& plate, const Constraints& constraints,
+Forces inverse_fictitious_mass(const Operator& plate, const Constraints& constraints,
                                const Forces& inverse_diagonal) {
   State scale = inverse_diagonal.cwiseSqrt();
   Forces bound;
@@ -103,7 +103,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
 
 }  // namespace
 
-StaticSolution adaptive_dynamic_relaxation(const FamilyOperator& plate, const Constraints& constraints,
+StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constraints& constraints,
                                            const Forces& load, const StaticOptions& options) {
   const auto size = static_cast<std::size_t>(load.size());
   const Forces weight = inverse(folded_diagonal(plate, constraints));
@@ -155,7 +155,7 @@ StaticSolution adaptive_dynamic_relaxation(const FamilyOperator& plate, const Co
   return result;
 }
 
-StaticSolution conjugate_gradients(const FamilyOperator& plate, const Constraints& constraints, const Forces& load,
+StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& load,
                                    const StaticOptions& options) {
   const auto product = [&](State& direction, Forces& forces) {
     constraints.impose(direction);
@@ -165,7 +165,7 @@ StaticSolution conjugate_gradients(const FamilyOperator& plate, const Constraint
   return iterate(product, constraints, inverse(folded_diagonal(plate, constraints)), load, options);
 }
 
-StaticSolution conjugate_gradients(const FamilyOperator& plate, const Constraints& constraints, const Forces& shift,
+StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& shift,
                                    const Forces& load, const StaticOptions& options) {
   const auto product = [&](State& direction, Forces& forces) {
     constraints.impose(direction);

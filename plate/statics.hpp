@@ -1,6 +1,6 @@
 #pragma once
 #include "plate/constraints.hpp"
-#include "plate/family_operator.hpp"
+#include "plate/operator.hpp"
 #include <functional>
 #include <string>
 
@@ -25,16 +25,16 @@ struct StaticSolution {
 /// Adaptive dynamic relaxation (Dai et al., Eqs. 14-20; Underwood 1983): time step 1, fictitious mass from a bound on
 /// the row sums, damping from the lowest frequency that the motion shows.
 /// Throws NumericalError where a number is not finite.
-StaticSolution adaptive_dynamic_relaxation(const FamilyOperator& plate, const Constraints& constraints,
+StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constraints& constraints,
                                            const Forces& load, const StaticOptions& options);
 
 /// Conjugate gradients on the same operator, preconditioned by its diagonal.
 /// Throws NumericalError where a number is not finite or the stiffness turns out not to be positive.
-StaticSolution conjugate_gradients(const FamilyOperator& plate, const Constraints& constraints, const Forces& load,
+StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& load,
                                    const StaticOptions& options);
 
 /// The same for the stiffness K + diag(shift), shift >= 0 and zero at held degrees of freedom [3 x points].
-StaticSolution conjugate_gradients(const FamilyOperator& plate, const Constraints& constraints, const Forces& shift,
+StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& shift,
                                    const Forces& load, const StaticOptions& options);
 
 }  // namespace plate

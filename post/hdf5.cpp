@@ -213,6 +213,13 @@ StateFile::~StateFile() {
   }
 }
 
+namespace {
+
+/// Point by point, as the file has it.
+Eigen::Matrix3Xd by_points(const plate::State& state) { return state; }
+
+}  // namespace
+
 void StateFile::write(const Frame& frame, const plate::State* velocity) {
   Handle& h = *handle_;
   const auto fits = [&](const plate::State& state) { return static_cast<hsize_t>(state.cols()) == h.points; };
@@ -220,11 +227,11 @@ void StateFile::write(const Frame& frame, const plate::State* velocity) {
     throw std::invalid_argument(fmt::format("{}: a frame does not have {} points", h.path.string(), h.points));
   }
   require_space(h.partial, 2 * 3 * sizeof(double) * h.points);
-  h.state.write(h.frames, frame.state.data());
+  h.state.write(h.frames, by_points(frame.state).data());
   if (velocity) {
     const Meaning meaning{"length/time, 1/time, 1/time", "rates of w, theta_x, theta_y"};
     if (!h.velocity.exists()) h.velocity = Series(h.group, "velocity", {h.points, 3}, 1, meaning);
-    h.velocity.write(h.frames, velocity->data());
+    h.velocity.write(h.frames, by_points(*velocity).data());
   }
   const auto step = static_cast<double>(frame.step);
   h.step.write(h.frames, &step);

@@ -62,7 +62,8 @@ StoredRun read_frames(hid_t file) {
                 std::vector<plate::State>(frames, plate::State(3, points))};
   position.read(run.positions.data()->data());
   time.read(run.times.data());
-  for (hsize_t i = 0; i < frames; ++i) state.read(i, run.states[i].data());
+  Eigen::Matrix3Xd by_points(3, points);
+  for (hsize_t i = 0; i < frames; ++i) state.read(i, by_points.data()), run.states[i] = by_points;
   return run;
 }
 

@@ -20,11 +20,11 @@ double force_error(const cases::Assembly& a) {
     double difference = 0;
     for (const double step : {1.0, -1.0}) {  // any step: the energy is quadratic
       State moved = u;
-      moved.data()[n] += step;
+      plate::at_dof(moved, std::size_t(n)) += step;
       constraints.impose(moved);
       difference += step * a.plate.energies(moved).sum() / 2;
     }
-    worst = std::max(worst, std::abs(force.data()[n] + difference));
+    worst = std::max(worst, std::abs(plate::at_dof(force, std::size_t(n)) + difference));
     ++compared;
   }
   REQUIRE(compared > 100);

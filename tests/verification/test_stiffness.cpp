@@ -19,7 +19,7 @@ Eigen::VectorXd scaled_eigenvalues(const cases::Assembly& a) {
   State unit = State::Zero(3, vp::size(a));
   for (std::size_t i = 0; i < free.size(); ++i) {
     unit.setZero();
-    unit.data()[free[i]] = 1;
+    plate::at_dof(unit, std::size_t(free[i])) = 1;
     a.boundary.constraints.impose(unit);
     K.col(Eigen::Index(i)) = -vp::folded_force(a, unit).reshaped()(free);
   }

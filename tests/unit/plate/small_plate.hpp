@@ -72,9 +72,9 @@ inline Eigen::MatrixXd stiffness(const plate::FamilyOperator& op) {
   plate::State unit = plate::State::Zero(3, points);
   plate::Forces forces;
   for (Eigen::Index n = 0; n < K.cols(); ++n) {
-    unit.data()[n] = 1;
+    plate::at_dof(unit, std::size_t(n)) = 1;
     op.internal_force(unit, forces);
-    unit.data()[n] = 0;
+    plate::at_dof(unit, std::size_t(n)) = 0;
     K.col(n) = -forces.reshaped();
   }
   return K;

@@ -17,7 +17,7 @@ Eigen::MatrixXd action(const Constraints& constraints) {
   Eigen::MatrixXd P(3 * points, 3 * points);
   for (Eigen::Index n = 0; n < P.cols(); ++n) {
     State unit = State::Zero(3, points);
-    unit.data()[n] = 1;
+    plate::at_dof(unit, std::size_t(n)) = 1;
     constraints.impose(unit);
     P.col(n) = unit.reshaped();
   }
@@ -72,9 +72,9 @@ TEST_CASE("impose is a projection; a free state stays as it is") {
   State u = small_plate::random_state(points, 3);
   const State before = u;
   c.impose(u);
-  CHECK(u.data()[0] == 0);
-  CHECK(u.data()[1] == -1.5 * before.data()[3]);
-  CHECK(u.data()[8] == before.data()[8]);
+  CHECK(plate::at_dof(u, std::size_t(0)) == 0);
+  CHECK(plate::at_dof(u, std::size_t(1)) == -1.5 * plate::at_dof(before, std::size_t(3)));
+  CHECK(plate::at_dof(u, std::size_t(8)) == plate::at_dof(before, std::size_t(8)));
   State again = u;
   c.impose(again);
   CHECK(again == u);
@@ -107,7 +107,7 @@ TEST_CASE("a symmetric stiffness stays symmetric") {
   Eigen::MatrixXd reduced(12, 12);
   for (Eigen::Index n = 0; n < 12; ++n) {
     State unit = State::Zero(3, points);
-    if (!c.held(static_cast<std::uint32_t>(n))) unit.data()[n] = 1;
+    if (!c.held(static_cast<std::uint32_t>(n))) plate::at_dof(unit, std::size_t(n)) = 1;
     c.impose(unit);
     Forces f(3, points);
     f.reshaped() = K * unit.reshaped();

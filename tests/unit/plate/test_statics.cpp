@@ -42,7 +42,7 @@ double residual(const small_plate::Model& m, const State& state, const Forces& l
   return std::sqrt((r.array().square() / diagonal.array()).sum() / (f.array().square() / diagonal.array()).sum());
 }
 
-using Solver = StaticSolution (*)(const FamilyOperator&, const Constraints&, const Forces&, const StaticOptions&);
+using Solver = StaticSolution (*)(const Operator&, const Constraints&, const Forces&, const StaticOptions&);
 constexpr Solver solvers[] = {adaptive_dynamic_relaxation, conjugate_gradients};
 
 }  // namespace

@@ -1,0 +1,83 @@
+#include "plate/lattice_operator.hpp"
+
+#include <omp.h>
+
+#include <catch2/catch.hpp>
+
+#include "tests/unit/plate/small_plate.hpp"
+
+using namespace plate;
+using geometry::Point;
+
+namespace {
+
+/// The plate of `m` with the cracks cut, position-aware, in the form for rows of points.
+LatticeOperator cracked(const small_plate::Model& m, const geometry::Outline& outline,
+                        const std::vector<geometry::Polyline>& cracks) {
+  const auto paths = geometry::to_lattice(geometry::crack_paths(outline, cracks, 1e-9), m.boundary.cloud.units);
+  auto families = geometry::without(m.plate.families(), [&](std::uint32_t k, std::uint32_t j) {
+    return std::any_of(paths.begin(), paths.end(), [&](const auto& path) {
+      return geometry::severs(path, m.boundary.lattice[k], m.boundary.lattice[j]);
+    });
+  });
+  auto shapes = bond_shapes(families.vectors, small_plate::section, m.discretization);
+  const auto& areas = m.boundary.cloud.areas;
+  const auto kinds = family_kinds(families, areas, m.boundary.active);
+  auto weights = position_aware(families, shapes, areas, m.boundary.active, kinds, small_plate::section).weights;
+  return {FamilyOperator(std::move(families), std::move(shapes), areas, std::move(weights)), m.boundary.lattice};
+}
+
+/// Largest difference to the family list over the largest force.
+double difference(const LatticeOperator& lattice, unsigned seed) {
+  const FamilyOperator list = lattice;
+  const State u = small_plate::random_state(Eigen::Index(lattice.points()), seed);
+  Forces fast, plain;
+  lattice.internal_force(u, fast);
+  list.internal_force(u, plain);
+  return (fast - plain).cwiseAbs().maxCoeff() / plain.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+TEST_CASE("rows of points and the family list give the same forces: holes, supports, cracks at any angle") {
+  auto outline = geometry::rectangle(0, 0, 5, 4);
+  outline.holes.push_back(geometry::Circle{{3.7, 2.9}, 0.43, "hole"});
+  const auto m = small_plate::model(
+      outline, {{SupportKind::clamped, {"left"}, {}}, {SupportKind::clamped_layer, {"right"}, {}}, {SupportKind::simply_supported, {"top"}, {}}},
+      small_plate::spaced(0.1));
+  for (const std::vector<geometry::Polyline>& cracks :
+       {std::vector<geometry::Polyline>{}, {{{1, 2}, {2.5, 2}}}, {{{1, 1}, {2.4, 2.1}}}, {{{1, 1}, {2, 2}, {2.6, 2}}, {{0, 3}, {1, 3}}}}) {
+    const auto lattice = cracked(m, outline, cracks);
+    CAPTURE(cracks.size(), lattice.paired_share(), lattice.row_share());
+    CHECK(difference(lattice, 21) < 1e-14);  // measured: 7e-16
+    CHECK(lattice.row_share() > 0.3);
+    CHECK(lattice.row_share() < 1);
+    CHECK(lattice.paired_share() > 0.1);
+  }
+}
+
+TEST_CASE("plates narrower than a vector, and a single point") {
+  for (const auto& outline : {geometry::rectangle(0, 0, 0.5, 3), geometry::rectangle(0, 0, 0.1, 0.1)}) {
+    const auto m = small_plate::model(outline, {}, small_plate::spaced(0.1));
+    const auto lattice = cracked(m, outline, {});
+    if (lattice.points() > 1) CHECK(difference(lattice, 22) < 1e-14);
+    Forces force;
+    lattice.internal_force(State::Ones(3, Eigen::Index(lattice.points())), force);
+    CHECK(force.allFinite());
+  }
+}
+
+TEST_CASE("rows of points: the same bits for any number of threads") {
+  const auto outline = geometry::rectangle(0, 0, 4, 4);
+  const auto m = small_plate::model(outline, {}, small_plate::spaced(0.1));
+  const auto lattice = cracked(m, outline, {{{1, 1}, {2.4, 2.1}}});
+  const State u = small_plate::random_state(m.points(), 23);
+  const int before = omp_get_max_threads();
+  Forces one, three;
+  omp_set_num_threads(1);
+  lattice.internal_force(u, one);
+  omp_set_num_threads(3);
+  lattice.internal_force(u, three);
+  omp_set_num_threads(before);
+  CHECK(one == three);
+}
