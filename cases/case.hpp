@@ -13,9 +13,11 @@ namespace cases {
 
 struct Analysis {
   enum class Kind { static_, dynamic, frequencies };
-  enum class Method { adr, cg, central_difference, lanczos };
+  enum class Method { adr, cg, direct, central_difference, lanczos };
+  enum class Preconditioner { automatic, diagonal, local };
   Kind kind = Kind::static_;
-  Method method = Method::adr;
+  Method method = Method::cg;
+  Preconditioner preconditioner = Preconditioner::automatic;  // of cg
   double tolerance = 1e-6;                // static: residual / load; frequencies: of the eigenpairs, 1e-4 by default
   std::size_t max_iterations = 200000;    // static; frequencies: of each solution
   std::size_t modes = 6;                  // frequencies

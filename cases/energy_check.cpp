@@ -1,8 +1,7 @@
 #include "cases/energy_check.hpp"
 
-#include "cases/assembly.hpp"
+#include "cases/static_solution.hpp"
 #include "plate/numerical_error.hpp"
-#include "plate/statics.hpp"
 #include "post/tip_integrals.hpp"
 #include <cmath>
 #include <fmt/format.h>
@@ -13,10 +12,9 @@ namespace {
 double strain_energy(const CaseFile& file) {
   Stopwatch stopwatch;
   const Assembly assembly = assemble(file, stopwatch);
-  plate::Forces load = assembly.loads.front().forces;
-  for (std::size_t i = 1; i < assembly.loads.size(); ++i) load += assembly.loads[i].forces;
-  const auto solution = plate::conjugate_gradients(assembly.plate, assembly.boundary.constraints, load,
-                                                   {1e-9, file.content.analysis.max_iterations, {}});
+  Case c = file.content;
+  c.analysis.method = Analysis::Method::cg;
+  const auto solution = solve_at_rest(c, assembly, {1e-9, c.analysis.max_iterations, {}}).solution;
   if (!solution.converged) throw plate::NumericalError("energy check: conjugate gradients: " + solution.stop_reason);
   return assembly.plate.energies(solution.state).sum();
 }

@@ -11,8 +11,12 @@ using post::SrifOptions;
 const Words<Analysis::Method> methods{{{"adr", Analysis::Method::adr},
                                        {"cg", Analysis::Method::cg},
                                        {"central_difference", Analysis::Method::central_difference},
-                                       {"lanczos", Analysis::Method::lanczos}},
-                                      {{"direct", "not in this version"}}};
+                                       {"direct", Analysis::Method::direct},
+                                       {"lanczos", Analysis::Method::lanczos}}};
+
+const Words<Analysis::Preconditioner> preconditioners{{{"auto", Analysis::Preconditioner::automatic},
+                                                       {"diagonal", Analysis::Preconditioner::diagonal},
+                                                       {"local", Analysis::Preconditioner::local}}};
 
 Field<Analysis> time_step() {
   return value<Analysis>(
@@ -133,8 +137,12 @@ Fields<Analysis> analysis_fields() {
   return {
       choice<A, A::Kind>("kind", &A::kind, analysis_kinds(), "what is sought: rest, motion, eigenfrequencies").required(),
       choice<A, A::Method>("method", &A::method, methods,
-                           "static: adaptive dynamic relaxation or conjugate gradients; the others have one method each")
-          .standard("static: \"adr\"; dynamic: \"central_difference\"; frequencies: \"lanczos\""),
+                           "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; the others have one method each")
+          .standard("static: \"cg\"; dynamic: \"central_difference\"; frequencies: \"lanczos\""),
+      choice<A, A::Preconditioner>("preconditioner", &A::preconditioner, preconditioners,
+                                   "of cg: the diagonal, the factor of a plate with a horizon of 1.5 spacings, or what is likely "
+                                   "to be faster (theory.md, \"Statics\")")
+          .in({A::Kind::static_}),
       number<A>("tolerance", "-", &A::tolerance, {1e-14, 0.1},
                 "residual / load at which a solution is accepted; of the eigenpairs")
           .standard("static: 1e-06; frequencies: 0.0001")
@@ -153,7 +161,7 @@ void check_analysis(const Value& given, Analysis& analysis) {
   using enum Analysis::Method;
   const auto kind = given.reading().kind;
   if (!kind) return;
-  std::vector<Analysis::Method> possible{adr, cg};
+  std::vector<Analysis::Method> possible{cg, adr, direct};
   if (*kind == Analysis::Kind::dynamic) possible = {central_difference};
   if (*kind == Analysis::Kind::frequencies) possible = {lanczos};
   const std::string key = given.below("method");

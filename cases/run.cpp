@@ -2,11 +2,11 @@
 
 #include "cases/assembly.hpp"
 #include "cases/progress.hpp"
+#include "cases/static_solution.hpp"
 #include "cases/results.hpp"
 #include "cases/scene.hpp"
 #include "plate/frequencies.hpp"
 #include "plate/numerical_error.hpp"
-#include "plate/statics.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -54,30 +54,26 @@ std::vector<post::Srif> coarser_srifs(const CaseFile& file) {
   Stopwatch stopwatch;
   const Assembly assembly = assemble(coarse, stopwatch);
   const auto methods = tip_methods(coarse, assembly);
-  plate::Forces load = assembly.loads.front().forces;
-  for (std::size_t i = 1; i < assembly.loads.size(); ++i) load += assembly.loads[i].forces;
-  const auto solution = plate::conjugate_gradients(assembly.plate, assembly.boundary.constraints, load,
-                                                   {c.analysis.tolerance, c.analysis.max_iterations, {}});
-  return srifs(c, assembly, methods, solution.state);
+  const auto result = solve_at_rest(c, assembly, {c.analysis.tolerance, c.analysis.max_iterations, {}});
+  return srifs(c, assembly, methods, result.solution.state);
 }
 
 void solve_static(const Case& c, const Assembly& assembly, Results& results, post::Summary& summary, bool quiet,
                   Stopwatch& stopwatch) {
-  plate::Forces load = assembly.loads.front().forces;
-  for (std::size_t i = 1; i < assembly.loads.size(); ++i) load += assembly.loads[i].forces;
-  const bool adr = c.analysis.method == Analysis::Method::adr;
-  Progress progress(quiet, adr ? "adaptive dynamic relaxation" : "conjugate gradients");
+  using enum Analysis::Method;
+  const auto method = c.analysis.method;
+  Progress progress(quiet, method == adr ? "adaptive dynamic relaxation" : method == direct ? "factorisation" : "conjugate gradients");
   const plate::StaticOptions options{c.analysis.tolerance, c.analysis.max_iterations, [&](std::size_t i, double residual) {
                                        progress.update(std::log(residual) / std::log(c.analysis.tolerance),
                                                        fmt::format("iteration {}, residual {:.1e}", i, residual));
                                      }};
-  const auto& constraints = assembly.boundary.constraints;
-  const auto solution = adr ? plate::adaptive_dynamic_relaxation(assembly.plate, constraints, load, options)
-                            : plate::conjugate_gradients(assembly.plate, constraints, load, options);
+  const auto result = solve_at_rest(c, assembly, options);
+  const auto& solution = result.solution;
   progress.done();
   stopwatch.lap("solve");
 
-  summary.analysis.method = adr ? "adr" : "cg";
+  summary.analysis.method = result.method;
+  summary.analysis.preconditioner = result.preconditioner;
   summary.analysis.iterations = solution.iterations;
   summary.analysis.residual = solution.residual;
   summary.analysis.tolerance = c.analysis.tolerance;

@@ -1,5 +1,6 @@
 #include "plate/statics.hpp"
 
+#include "plate/local_plate.hpp"
 #include "plate/numerical_error.hpp"
 #include "plate/reduction.hpp"
 #include <cmath>
@@ -8,12 +9,6 @@ namespace plate {
 namespace {
 
 constexpr std::size_t report_every = 50;
-
-Forces folded_diagonal(const Operator& plate, const Constraints& constraints) {
-  Forces diagonal = plate.diagonal();
-  constraints.fold_diagonal(diagonal);
-  return diagonal;
-}
 
 /// 1 / d at free degrees of freedom that have stiffness, 0 at all others; d = diag(P^T diag(K) P).
 Forces inverse(const Forces& diagonal) {
@@ -51,50 +46,62 @@ std::string reason(bool converged, const StaticOptions& options) {
 }
 
 /// Conjugate gradients for a stiffness that is given by product(direction, forces): forces = -K direction, folded.
+/// `weight`: the inverse of its diagonal; the preconditioner where there is no other.
 template <typename Product>
-StaticSolution iterate(const Product& minus_k, const Constraints& constraints, const Forces& weight, const Forces& load,
-                       const StaticOptions& options) {
+StaticSolution iterate(const Product& minus_k, const Constraints& constraints, const Forces& weight,
+                       const Preconditioner* preconditioner, const Forces& load, const StaticOptions& options) {
   const auto size = static_cast<std::size_t>(load.size());
   Forces residual = load;
   constraints.fold(residual);
+  residual = residual.array() * (weight.array() > 0).cast<double>();
   const double load_norm = weighted_norm(residual, weight);
 
   StaticSolution result;
   result.state = State::Zero(3, load.cols());
   if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
-  State direction = residual.cwiseProduct(weight);
+  State correction, direction = State::Zero(3, load.cols());
   Forces product;
   double* u = result.state.data();
   double* r = residual.data();
   double* p = direction.data();
-  double rho = load_norm * load_norm;
+  const double* d = weight.data();
+  double norm = load_norm, rho = 0;
 
   for (result.iterations = 0;; ++result.iterations) {
-    result.residual = std::sqrt(rho) / load_norm;
+    result.residual = norm / load_norm;
     require_finite(result.residual, "conjugate gradients", result.iterations);
     if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == options.max_iterations) break;
 
+    double rho_next = norm * norm;
+    if (preconditioner) {
+      preconditioner->apply(residual, correction);
+      const double* z = correction.data();
+      rho_next = ordered_sum<1>(size, [&](std::size_t i) { return std::array<double, 1>{r[i] * z[i]}; })[0];
+    }
+    const double beta = rho > 0 ? rho_next / rho : 0;
+    rho = rho_next;
+    const double* z = preconditioner ? correction.data() : nullptr;
+#pragma omp parallel for simd schedule(static)
+    for (std::size_t i = 0; i < size; ++i) p[i] = (z ? z[i] : d[i] * r[i]) + beta * p[i];
+
     minus_k(direction, product);
     const double* minus_kp = product.data();
     const auto [curvature] = ordered_sum<1>(size, [&](std::size_t i) {
-      return std::array<double, 1>{weight.data()[i] > 0 ? -p[i] * minus_kp[i] : 0};
+      return std::array<double, 1>{-p[i] * minus_kp[i]};  // zero at held degrees of freedom
     });
     if (!(curvature > 0))
       throw NumericalError("conjugate gradients: the stiffness is not positive at iteration " +
                            std::to_string(result.iterations));
     const double alpha = rho / curvature;
-    const auto [rho_next] = ordered_sum<1>(size, [&](std::size_t i) {
-      if (weight.data()[i] == 0) return std::array<double, 1>{0};
-      u[i] += alpha * p[i];
-      r[i] += alpha * minus_kp[i];
-      return std::array<double, 1>{r[i] * r[i] * weight.data()[i]};
+    const auto [square] = ordered_sum<1>(size, [&](std::size_t i) {
+      const double moved = d[i] > 0 ? alpha : 0;
+      u[i] += moved * p[i];
+      r[i] += moved * minus_kp[i];
+      return std::array<double, 1>{r[i] * r[i] * d[i]};
     });
-    const double beta = rho_next / rho;
-    rho = rho_next;
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < size; ++i) p[i] = weight.data()[i] * r[i] + beta * p[i];
+    norm = std::sqrt(square);
   }
   constraints.impose(result.state);
   result.stop_reason = reason(result.converged, options);
@@ -156,13 +163,14 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
 }
 
 StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& load,
-                                   const StaticOptions& options) {
+                                   const StaticOptions& options, const Preconditioner* preconditioner) {
   const auto product = [&](State& direction, Forces& forces) {
     constraints.impose(direction);
     plate.internal_force(direction, forces);
     constraints.fold(forces);
   };
-  return iterate(product, constraints, inverse(folded_diagonal(plate, constraints)), load, options);
+  const Forces weight = inverse(folded_diagonal(plate, constraints));
+  return iterate(product, constraints, weight, preconditioner, load, options);
 }
 
 StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& shift,
@@ -173,7 +181,8 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
     constraints.fold(forces);
     forces -= shift.cwiseProduct(direction);
   };
-  return iterate(product, constraints, inverse(folded_diagonal(plate, constraints) + shift), load, options);
+  const Forces weight = inverse(folded_diagonal(plate, constraints) + shift);
+  return iterate(product, constraints, weight, nullptr, load, options);
 }
 
 }  // namespace plate

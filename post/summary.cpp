@@ -18,6 +18,7 @@ void add(Json& json, const char* name, const std::optional<Value>& value) {
 
 Json json_of(const Summary::Analysis& analysis) {
   Json json{{"kind", analysis.kind}, {"method", analysis.method}};
+  add(json, "preconditioner", analysis.preconditioner);
   add(json, "iterations", analysis.iterations);
   add(json, "steps", analysis.steps);
   add(json, "time_step", analysis.time_step);

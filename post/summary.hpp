@@ -34,6 +34,7 @@ struct Summary {
   std::optional<Matched> position_aware;                    // points by how their weights could be matched
   struct Analysis {
     std::string kind, method, stop_reason;
+    std::optional<std::string> preconditioner;
     std::optional<std::size_t> iterations, steps;
     std::optional<double> residual, tolerance, time_step, time_step_limit, duration;
   } analysis;

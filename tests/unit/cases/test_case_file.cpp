@@ -32,7 +32,7 @@ TEST_CASE("a plain case is read with its defaults") {
   CHECK(c.supports[0].kind == plate::SupportKind::clamped);
   CHECK(c.supports[0].edges == std::vector<std::string>{"left"});
   CHECK(c.loads.at(0).value == 1);
-  CHECK(c.analysis.method == cases::Analysis::Method::adr);
+  CHECK(c.analysis.method == cases::Analysis::Method::cg);
   CHECK_FALSE(c.srif);
   CHECK(c.output.vtk);
   CHECK(c.title.starts_with("case_file_test_"));

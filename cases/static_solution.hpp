@@ -1,0 +1,22 @@
+#pragma once
+#include "cases/assembly.hpp"
+#include "plate/statics.hpp"
+
+namespace cases {
+
+/// A plate at rest, and how it was found.
+struct StaticResult {
+  plate::StaticSolution solution;
+  std::string method;                         // as in the case file
+  std::optional<std::string> preconditioner;  // of conjugate gradients
+  std::size_t factor_bytes = 0;
+};
+
+/// All loads at their last values together.
+plate::Forces total_load(const Assembly& assembly);
+
+/// By the method and with the preconditioner of the case; `options` in place of the case's tolerance and limit.
+/// Throws NumericalError as the solvers do.
+StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate::StaticOptions& options);
+
+}  // namespace cases
