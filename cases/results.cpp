@@ -70,13 +70,16 @@ std::vector<std::string> left_out(const Assembly& assembly, const std::vector<po
 }
 
 std::vector<post::Srif> srifs(const Case& content, const Assembly& assembly, const std::vector<post::TipMethods>& methods,
-                              const plate::State& state) {
-  std::vector<post::Srif> result;
+                              const plate::State& state, bool all_rings) {
   plate::Forces force;
   if (std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
     assembly.plate.internal_force(state, force);
+  std::vector<std::vector<post::Srif>> by_tip(methods.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t tip = 0; tip < methods.size(); ++tip) by_tip[tip] = methods[tip](state, force, all_rings);
+  std::vector<post::Srif> result;
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
-    for (auto& srif : methods[tip](state, force)) {
+    for (auto& srif : by_tip[tip]) {
       srif.tip = tip;
       post::normalize(srif, *content.srif, content.section.thickness);
       result.push_back(std::move(srif));
@@ -102,14 +105,14 @@ Results::Results(const CaseFile& file, const Assembly& assembly, std::filesystem
   if (case_.output.hdf5) hdf5_.emplace(folder_ / "state.h5", mesh, resolved_, PDPLATE_VERSION);
 }
 
-void Results::sample(const plate::Instant& now) {
-  strain_energy_ = assembly_.plate.energies(now.state).sum();
+void Results::sample(const plate::Instant& now, bool last) {
+  strain_energy_ = now.strain_energy;
   const auto plate_points = Eigen::Index(assembly_.boundary.cloud.plate_points);
   history_.rows.push_back({now.time, double(now.step), strain_energy_, now.kinetic_energy, now.external_work, 0.0,
                            now.state.row(0).head(plate_points).cwiseAbs().maxCoeff(),
                            strain_energy_ + now.discrete_energy});
   sample_probes(now);
-  sample_srifs(now);
+  sample_srifs(now, last);
 }
 
 void Results::sample_probes(const plate::Instant& now) {
@@ -121,11 +124,16 @@ void Results::sample_probes(const plate::Instant& now) {
   }
 }
 
-void Results::sample_srifs(const plate::Instant& now) {
-  latest_ = srifs(case_, assembly_, tip_methods_, now.state);
-  for (auto& srif : latest_)
+std::vector<post::Srif> Results::widened_srifs(const plate::State& state, bool all_rings) const {
+  auto result = srifs(case_, assembly_, tip_methods_, state, all_rings);
+  for (auto& srif : result)
     for (const auto& other : coarser_)
       if (other.tip == srif.tip && other.method == srif.method) post::widen(srif, other, case_.section.thickness);
+  return result;
+}
+
+void Results::sample_srifs(const plate::Instant& now, bool last) {
+  latest_ = widened_srifs(now.state, last);
   post::append(srif_table_, now.time, latest_);
 }
 
@@ -151,7 +159,7 @@ void Results::mode(std::size_t number, const plate::Mode& mode) {
   frequencies_.push_back({number, mode.frequency, omega, mode.residual});
   frequency_table_.rows.push_back({double(number), mode.frequency, omega, mode.residual});
   const plate::State at_rest;
-  frame({number, double(number), mode.shape, at_rest, 0, 0});
+  frame({number, double(number), mode.shape, at_rest, 0, 0, 0, 0});
 }
 
 post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {

@@ -17,7 +17,7 @@ std::vector<std::string> left_out(const Assembly& assembly, const std::vector<po
 
 /// The intensity factors of all tips, normalised, the recommended one of each tip first.
 std::vector<post::Srif> srifs(const Case& content, const Assembly& assembly, const std::vector<post::TipMethods>& methods,
-                              const plate::State& state);
+                              const plate::State& state, bool all_rings = true);
 
 /// What a run writes into its folder, as it goes: tables in memory, frames at once. Nothing that the case does not ask
 /// for is computed.
@@ -27,8 +27,8 @@ public:
 
   /// Intensity factors of the same tips and methods with twice the spacing: the difference counts in estimated errors.
   void coarser(std::vector<post::Srif> srifs) { coarser_ = std::move(srifs); }
-  /// A row of history, probes and intensity factors.
-  void sample(const plate::Instant& now);
+  /// A row of history, probes and intensity factors; of the last, all rings go into the summary.
+  void sample(const plate::Instant& now, bool last);
   /// A frame for ParaView and HDF5.
   void frame(const plate::Instant& now);
   /// A row of frequencies.csv and a frame, number `number` (from 1).
@@ -40,7 +40,8 @@ public:
 
 private:
   void sample_probes(const plate::Instant& now);
-  void sample_srifs(const plate::Instant& now);
+  void sample_srifs(const plate::Instant& now, bool last);
+  std::vector<post::Srif> widened_srifs(const plate::State& state, bool all_rings) const;
 
   const Case& case_;
   const Assembly& assembly_;

@@ -80,8 +80,9 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
   summary.analysis.stop_reason = solution.stop_reason;
   const plate::State at_rest;
   const double work = slow_work(assembly, solution.state);
-  const plate::Instant end{solution.iterations, 0, solution.state, at_rest, 0, work, -2 * work};
-  results.sample(end);
+  const double strain = assembly.plate.energies(solution.state).sum();
+  const plate::Instant end{solution.iterations, 0, solution.state, at_rest, 0, work, strain, -2 * work};
+  results.sample(end, true);
   stopwatch.lap("srif");
   results.frame(end);
   summary.energy = {{"strain", results.strain_energy()}, {"external_work", end.external_work}};
@@ -107,9 +108,9 @@ void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& resu
   const auto observe = [&](const plate::Instant& now) {
     stopwatch.lap("solve");
     progress.update(now.time / c.analysis.duration, fmt::format("t = {:.4g}", now.time));
-    results.sample(now);
-    stopwatch.lap("srif");
     const bool last = now.step == grid.steps;
+    results.sample(now, last);
+    stopwatch.lap("srif");
     if (last || now.time >= next_frame - grid.time_step / 2) {
       results.frame(now);
       next_frame = c.output.every ? next_frame + *c.output.every : INFINITY;

@@ -32,7 +32,9 @@ Gradients gradients(std::size_t k, const State& state, const geometry::Families&
     sum.shear += xi * shear_difference(bond, own, other);
   }
   // a family on one line has no gradient across it: the least-norm inverse leaves it zero
-  const Eigen::Matrix2d inverse = shape.completeOrthogonalDecomposition().pseudoInverse();
+  const double trace = shape.trace();
+  const bool regular = shape.determinant() > 1e-8 * trace * trace;
+  const Eigen::Matrix2d inverse = regular ? Eigen::Matrix2d(shape.inverse()) : shape.completeOrthogonalDecomposition().pseudoInverse();
   return {sum.theta * inverse, inverse * sum.shear};
 }
 

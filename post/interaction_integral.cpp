@@ -118,15 +118,15 @@ std::unique_ptr<EnergyRelease> domain_integral(const BondedPlate& plate, const T
 
 InteractionIntegral::InteractionIntegral(const BondedPlate& plate, const geometry::Tip& tip, const Ring& ring)
     : plate_(plate), ring_(plate, TipFrame(tip), ring), unit_strains_(ring_.size()),
-      moved_(moved_points(plate, TipFrame(tip), ring)), unit_slopes_(moved_.size(), Eigen::Matrix3d::Zero()),
-      centre_(next_to_tip(plate, TipFrame(tip))) {
+      surroundings_(plate, tip, ring.outer), extensions_(surroundings_.extensions(ring)),
+      unit_slopes_(surroundings_.points().size(), Eigen::Matrix3d::Zero()) {
   const TipFrame frame(tip);
   for (int mode = 0; mode < 3; ++mode) {
     const TipField field(plate.section, mode);
     const UnitField unit(plate, frame, field);
     for (std::size_t i = 0; i < ring_.size(); ++i) unit_strains_[i][std::size_t(mode)] = ring_.strains(i, unit);
-    for (std::size_t i = 0; i < moved_.size(); ++i) {
-      const auto& x = plate.positions[moved_[i].point];
+    for (std::size_t i = 0; i < unit_slopes_.size(); ++i) {
+      const auto& x = plate.positions[surroundings_.points()[i]];
       if ((x - frame.origin).norm() > 1e-6 * plate.spacing)
         unit_slopes_[i].col(mode) = to_state(frame, field.along_crack(polar(frame, x, plate.spacing)));
     }
@@ -134,14 +134,14 @@ InteractionIntegral::InteractionIntegral(const BondedPlate& plate, const geometr
 }
 
 Eigen::Vector3d InteractionIntegral::operator()(const plate::State& state, const plate::Forces& force) const {
-  const NearField field(state, plate_.positions, centre_);
+  const NearField field(state, plate_.positions, surroundings_.centre());
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const auto strains = ring_.strains(i, field);
     for (std::size_t mode = 0; mode < 3; ++mode) sum[Eigen::Index(mode)] += ring_.release(i, strains, unit_strains_[i][mode]);
   }
-  for (std::size_t i = 0; i < moved_.size(); ++i)
-    sum += moved_[i].extension / 2 * unit_slopes_[i].transpose() * force.col(moved_[i].point);
+  for (std::size_t i = 0; i < unit_slopes_.size(); ++i)
+    sum += extensions_[Eigen::Index(i)] / 2 * unit_slopes_[i].transpose() * force.col(surroundings_.points()[i]);
   return sum.cwiseQuotient(unit_release(plate_.section));
 }
 

@@ -62,7 +62,7 @@ class InteractionIntegral {
 public:
   InteractionIntegral(const BondedPlate& plate, const geometry::Tip& tip, const Ring& ring);
 
-  /// `force`: as in TipIntegral.
+  /// `force`: as in TipSurroundings.
   Eigen::Vector3d operator()(const plate::State& state, const plate::Forces& force) const;
 
 private:
@@ -71,9 +71,9 @@ private:
   BondedPlate plate_;
   DomainRing ring_;
   std::vector<Unit> unit_strains_;     // per point of the ring
-  std::vector<MovedPoint> moved_;
-  std::vector<Eigen::Matrix3d> unit_slopes_;  // per moved point; column: d/dx' of w, theta_x, theta_y of a unit field
-  std::vector<std::uint32_t> centre_;
+  TipSurroundings surroundings_;
+  Eigen::VectorXd extensions_;
+  std::vector<Eigen::Matrix3d> unit_slopes_;  // per point around; column: d/dx' of w, theta_x, theta_y of a unit field
 };
 
 }  // namespace post

@@ -26,10 +26,18 @@ Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const plate::Sec
   return {scale * split[0], scale * split[1], split[2]};
 }
 
+/// Of the rings that fit [length].
+double largest_radius(double clear, double spacing) {
+  double result = 0;
+  for (const auto& ring : rings(clear, INFINITY, spacing)) result = std::max(result, ring.outer);
+  return result;
+}
+
 }  // namespace
 
 TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double horizon, const SrifOptions& options)
-    : tip_(place.tip), section_(plate.section), methods_(options.methods) {
+    : tip_(place.tip), section_(plate.section), positions_(plate.positions), methods_(options.methods),
+      surroundings_(plate, centred(place.tip, plate), largest_radius(place.clear, plate.spacing)) {
   const geometry::Tip tip = centred(place.tip, plate);
   const PlateScale scale{plate.section, plate.spacing, horizon};
   const std::vector<geometry::Point> positions(plate.positions.begin(),
@@ -56,14 +64,14 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
 }
 
 TipMethods::Integral TipMethods::integral_of(const std::string& method, const BondedPlate& plate,
-                                             const geometry::Tip& tip, double clear) {
+                                             const geometry::Tip& tip, double clear) const {
   Integral result{method, rings(clear, INFINITY, plate.spacing), {}};
   if (result.rings.empty())
     throw std::invalid_argument(fmt::format("{}: no ring of 4 spacings fits: the next edge, crack, bend or load is {:.1f} "
                                             "spacings away; refine",
                                             method, clear / plate.spacing));
   for (const auto& ring : result.rings)
-    result.integrals.emplace_back(plate, tip, ring,
+    result.integrals.emplace_back(surroundings_, ring,
                                   method == "virtual_crack_extension" ? moved_bonds(plate, TipFrame(tip), ring)
                                                                       : domain_integral(plate, TipFrame(tip), ring));
   return result;
@@ -76,14 +84,20 @@ Eigen::Vector3d TipMethods::split(const plate::State& state, const plate::Forces
   return {opening.K1, opening.K2, opening.K3};
 }
 
-Srif TipMethods::of(const Integral& integral, const Eigen::Vector3d& mix, const plate::State& state,
-                    const plate::Forces& force) const {
+/// The first ring gives the result; its error comes from the other methods, or from the second ring.
+std::size_t TipMethods::rings_of(const Integral& integral, bool all) const {
+  const std::size_t count = integral.rings.size();
+  return all ? count : std::min<std::size_t>(count, integrals_.size() > 1 ? 1 : 2);
+}
+
+Srif TipMethods::of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix, const NearField& field,
+                    const Eigen::VectorXd& forward_work) const {
   Srif result;
   result.position = tip_.position;
   result.method = integral.method;
-  result.samples = integral.rings.size();
-  for (std::size_t i = 0; i < integral.rings.size(); ++i) {
-    const double G = integral.integrals[i](state, force);
+  result.samples = rings;
+  for (std::size_t i = 0; i < rings; ++i) {
+    const double G = integral.integrals[i](field, forward_work);
     const auto K = factors(G, mix, section_);
     result.rings.push_back({integral.rings[i].inner, integral.rings[i].outer, G, K[0], K[1], K[2]});
   }
@@ -122,12 +136,17 @@ void TipMethods::estimate(std::vector<Srif>& found, const Eigen::Vector3d& mix) 
       srif.estimated_error = std::max(srif.estimated_error.value_or(0), 1.5 * distance(srif, *best) / largest_factor(srif, h));
 }
 
-std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate::Forces& force) const {
+std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate::Forces& force, bool all_rings) const {
   const Eigen::Vector3d mix = integrals_.empty() ? Eigen::Vector3d::Zero() : split(state, force);
+  const NearField field(state, positions_, surroundings_.centre());
+  double radius = 0;
+  for (const auto& integral : integrals_)
+    for (std::size_t i = 0; i < rings_of(integral, all_rings); ++i) radius = std::max(radius, integral.rings[i].outer);
+  const Eigen::VectorXd work = integrals_.empty() ? Eigen::VectorXd() : surroundings_.forward_work(state, force, radius);
   std::vector<Srif> found;
   for (const auto& method : methods_) {
     for (const auto& integral : integrals_)
-      if (integral.method == method) found.push_back(of(integral, mix, state, force));
+      if (integral.method == method) found.push_back(of(integral, rings_of(integral, all_rings), mix, field, work));
     for (const auto& opening : openings_)
       if (auto srif = opening(state); srif.method == method) {
         found.push_back(std::move(srif));

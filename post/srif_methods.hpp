@@ -18,8 +18,9 @@ public:
   /// Methods that cannot work at this tip are left out; throws std::invalid_argument, with the reasons, where none can.
   TipMethods(const BondedPlate& plate, const TipPlace& place, double horizon, const SrifOptions& options);
 
-  /// `force`: internal force of the state (FamilyOperator::internal_force).
-  std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force) const;
+  /// `force`: internal force of the state (Operator::internal_force). `all_rings` = false: only those that the result needs,
+  /// for curves in time.
+  std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings = true) const;
 
   /// Why methods were left out.
   const std::vector<std::string>& left_out() const { return left_out_; }
@@ -34,15 +35,18 @@ private:
     std::vector<TipIntegral> integrals;  // one per ring
   };
 
-  static Integral integral_of(const std::string& method, const BondedPlate& plate, const geometry::Tip& tip, double clear);
-  Srif of(const Integral& integral, const Eigen::Vector3d& mix, const plate::State& state,
-          const plate::Forces& force) const;
+  Integral integral_of(const std::string& method, const BondedPlate& plate, const geometry::Tip& tip, double clear) const;
+  Srif of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix, const NearField& field,
+          const Eigen::VectorXd& forward_work) const;
+  std::size_t rings_of(const Integral& integral, bool all) const;
   void estimate(std::vector<Srif>& found, const Eigen::Vector3d& mix) const;
   Eigen::Vector3d split(const plate::State& state, const plate::Forces& force) const;
 
   geometry::Tip tip_;
   plate::Section section_;
+  const std::vector<geometry::Point>& positions_;
   std::vector<std::string> methods_, left_out_;
+  TipSurroundings surroundings_;
   std::vector<Integral> integrals_;
   std::vector<InteractionIntegral> interaction_;      // one, where the field of the thickness is resolved
   std::vector<DisplacementExtrapolation> openings_;

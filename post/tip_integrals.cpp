@@ -1,5 +1,6 @@
 #include "post/tip_integrals.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -27,20 +28,6 @@ double Ring::slope(double r) const {
   return -std::numbers::pi / (2 * width) * std::sin(std::numbers::pi * (r - inner) / width);
 }
 
-std::vector<MovedPoint> moved_points(const BondedPlate& plate, const TipFrame& frame, const Ring& ring) {
-  std::vector<MovedPoint> result;
-  for (std::uint32_t k = 0; k < plate.plate_points; ++k)
-    if (const double q = ring.extension((plate.positions[k] - frame.origin).norm()); q != 0) result.push_back({k, q});
-  return result;
-}
-
-std::vector<std::uint32_t> next_to_tip(const BondedPlate& plate, const TipFrame& frame) {
-  std::vector<std::uint32_t> result;
-  for (std::uint32_t k = 0; k < plate.plate_points; ++k)
-    if ((plate.positions[k] - frame.origin).norm() < 2 * plate.spacing) result.push_back(k);
-  return result;
-}
-
 NearField::NearField(const plate::State& state, const std::vector<Point>& positions, const std::vector<std::uint32_t>& centre)
     : state_(state), positions_(positions) {
   for (const auto k : centre) {
@@ -55,23 +42,38 @@ plate::Kinematics<> NearField::operator()(std::uint32_t k) const {
   return {u[0] - mean_[0] + mean_[2] * x.x() - mean_[1] * x.y(), u[1] - mean_[1], u[2] - mean_[2]};
 }
 
-TipIntegral::TipIntegral(const BondedPlate& plate, const geometry::Tip& tip, const Ring& ring,
-                         std::unique_ptr<EnergyRelease> release)
-    : plate_(plate), ahead_(tip.direction), release_(std::move(release)), moved_(moved_points(plate, TipFrame(tip), ring)),
-      centre_(next_to_tip(plate, TipFrame(tip))) {}
-
-double TipIntegral::operator()(const plate::State& state, const plate::Forces& force) const {
-  const NearField field(state, plate_.positions, centre_);
-  double G = (*release_)(field);
-  for (const auto& moved : moved_) {
-    const auto f = force.col(moved.point);
-    if (f.isZero(0)) continue;
-    const auto gradients = plate::gradients(moved.point, state, plate_.families, plate_.shapes, plate_.areas);
-    const auto own = field(moved.point);
-    const double w_slope = ahead_.dot(gradients.shear + Point(-own.theta_y, own.theta_x));  // gamma + psi
-    G += moved.extension * (f[0] * w_slope + f.tail<2>().dot(gradients.theta * ahead_));
+TipSurroundings::TipSurroundings(const BondedPlate& plate, const geometry::Tip& tip, double radius)
+    : plate_(plate), frame_(tip) {
+  for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
+    const double r = (plate.positions[k] - frame_.origin).norm();
+    if (r < radius) points_.push_back(k);
+    if (r < 2 * plate.spacing) centre_.push_back(k);
   }
-  return G;
+  const auto distance = [&](std::uint32_t k) { return (plate.positions[k] - frame_.origin).squaredNorm(); };
+  std::stable_sort(points_.begin(), points_.end(), [&](auto a, auto b) { return distance(a) < distance(b); });
+}
+
+Eigen::VectorXd TipSurroundings::extensions(const Ring& ring) const {
+  Eigen::VectorXd result(Eigen::Index(points_.size()));
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    result[Eigen::Index(i)] = ring.extension((plate_.positions[points_[i]] - frame_.origin).norm());
+  return result;
+}
+
+Eigen::VectorXd TipSurroundings::forward_work(const plate::State& state, const plate::Forces& force, double radius) const {
+  const NearField field(state, plate_.positions, centre_);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(points_.size()));
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const auto k = points_[i];
+    if ((plate_.positions[k] - frame_.origin).norm() > radius) break;
+    const Eigen::Vector3d f = force.col(k);
+    if (f.isZero(0)) continue;
+    const auto gradients = plate::gradients(k, state, plate_.families, plate_.shapes, plate_.areas);
+    const auto own = field(k);
+    const double w_slope = frame_.ahead.dot(gradients.shear + Point(-own.theta_y, own.theta_x));  // gamma + psi
+    result[Eigen::Index(i)] = f[0] * w_slope + f.tail<2>().dot(gradients.theta * frame_.ahead);
+  }
+  return result;
 }
 
 }  // namespace post

@@ -25,14 +25,6 @@ struct Ring {
   double slope(double r) const;       // dq/dr
 };
 
-/// A point that an extension moves.
-struct MovedPoint {
-  std::uint32_t point;
-  double extension;  // q
-};
-
-std::vector<MovedPoint> moved_points(const BondedPlate& plate, const TipFrame& frame, const Ring& ring);
-
 /// A state less the rigid motion of the points next to the tip, which does no work but would cost digits.
 class NearField {
 public:
@@ -62,24 +54,41 @@ std::unique_ptr<EnergyRelease> moved_bonds(const BondedPlate& plate, const TipFr
 /// By the domain integral of moments, shear forces and gradients at the points of the ring (J-integral; theory.md).
 std::unique_ptr<EnergyRelease> domain_integral(const BondedPlate& plate, const TipFrame& frame, const Ring& ring);
 
-/// Energy release rate of one tip from one ring (theory.md, Eq. 35a).
-class TipIntegral {
+/// What all integrals about a tip share: the points that their extensions may move, and the work of the forces there.
+class TipSurroundings {
 public:
-  TipIntegral(const BondedPlate& plate, const geometry::Tip& tip, const Ring& ring, std::unique_ptr<EnergyRelease> release);
+  /// All points within `radius` of the tip, the nearest first.
+  TipSurroundings(const BondedPlate& plate, const geometry::Tip& tip, double radius);
 
-  /// G [force]. `force`: internal force of the state, minus external forces plus inertia (FamilyOperator::internal_force).
-  double operator()(const plate::State& state, const plate::Forces& force) const;
+  const std::vector<std::uint32_t>& points() const { return points_; }
+  const std::vector<std::uint32_t>& centre() const { return centre_; }  // within two spacings of the tip
+  /// q of a ring at every point.
+  Eigen::VectorXd extensions(const Ring& ring) const;
+  /// f . du/dx' at every point within `radius`, 0 beyond [force]. `force`: internal force of the state, minus external
+  /// forces plus inertia (Operator::internal_force).
+  Eigen::VectorXd forward_work(const plate::State& state, const plate::Forces& force, double radius) const;
 
 private:
   BondedPlate plate_;
-  geometry::Point ahead_;
-  std::unique_ptr<EnergyRelease> release_;
-  std::vector<MovedPoint> moved_;
-  std::vector<std::uint32_t> centre_;  // points next to the tip
+  TipFrame frame_;
+  std::vector<std::uint32_t> points_, centre_;
 };
 
-/// Points within two spacings of a tip.
-std::vector<std::uint32_t> next_to_tip(const BondedPlate& plate, const TipFrame& frame);
+/// Energy release rate of one tip from one ring (theory.md, Eq. 35a).
+class TipIntegral {
+public:
+  TipIntegral(const TipSurroundings& surroundings, const Ring& ring, std::unique_ptr<EnergyRelease> release)
+      : extensions_(surroundings.extensions(ring)), release_(std::move(release)) {}
+
+  /// G [force]. `forward_work`: of the state, at the points of the surroundings.
+  double operator()(const NearField& field, const Eigen::VectorXd& forward_work) const {
+    return (*release_)(field) + extensions_.dot(forward_work);
+  }
+
+private:
+  Eigen::VectorXd extensions_;
+  std::unique_ptr<EnergyRelease> release_;
+};
 
 /// G of unit intensity factors: G = g1 (K1^2 + K2^2) + g3 K3^2 (theory.md).
 Eigen::Vector3d unit_release(const plate::Section& section);

@@ -123,7 +123,7 @@ TEST_CASE("the stable step is below 2 / omega_max of the dense matrix, and not b
   const double step = stable_time_step(m.plate, m.boundary.constraints, mass_of(m));
   const double limit = 2 / std::sqrt(largest_square(m));
   CHECK(step <= limit * (1 + 1e-12));
-  CHECK(step >= 0.5 * limit);  // measured: 0.67, the bound adds up absolute values
+  CHECK(step >= 0.98 * limit);  // measured: 0.995, the margin
 }
 
 TEST_CASE("observed at the start, every so many steps, and at the end") {
