@@ -9,8 +9,8 @@
 namespace cases {
 namespace {
 
-/// Iterations that conjugate gradients with the diagonal take to 1e-8: measured on square plates with a crack, held on two edges
-/// and (three times as many) on three points, sides of 125 to 500 spacings, side / thickness from 4 to 200.
+/// Iterations that conjugate gradients with the diagonal take to 1e-8: measured on square plates with a crack, held on
+/// two edges and (three times as many) on three points, sides of 125 to 500 spacings, side / thickness from 4 to 200.
 double iterations_with_diagonal(const Case& c) {
   const auto [low, high] = geometry::bounding_box(c.outline);
   const double side = (high - low).maxCoeff();
@@ -19,7 +19,9 @@ double iterations_with_diagonal(const Case& c) {
 }
 
 /// Bytes of the factor of the local plate: measured 220 N log2 N from 15,600 to 250,000 points.
-double factor_bytes(std::size_t points) { return 220 * double(points) * std::log2(double(points) + 2); }
+double factor_bytes(std::size_t points) {
+  return 220 * double(points) * std::log2(double(points) + 2);
+}
 
 double free_memory() {
   struct sysinfo info;
@@ -49,7 +51,8 @@ StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate:
     return {plate::adaptive_dynamic_relaxation(assembly.plate, constraints, load, options), "adr", {}, 0};
   if (c.analysis.method == direct) {
     const plate::AssembledPlate factor(assembly.plate, constraints);
-    return {plate::conjugate_gradients(assembly.plate, constraints, load, options, &factor), "direct", {}, factor.bytes()};
+    return {
+        plate::conjugate_gradients(assembly.plate, constraints, load, options, &factor), "direct", {}, factor.bytes()};
   }
   const auto wanted = c.analysis.preconditioner;
   if (wanted == diagonal || (wanted == automatic && !local_is_faster(c, assembly)))

@@ -88,7 +88,9 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& right) const {
   return Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(h.solution->x), right.rows(), right.cols());
 }
 
-std::size_t Factor::bytes() const { return handle_->factor->xsize * sizeof(double) + handle_->factor->ssize * sizeof(int); }
+std::size_t Factor::bytes() const {
+  return handle_->factor->xsize * sizeof(double) + handle_->factor->ssize * sizeof(int);
+}
 
 std::vector<int> nested_dissection(const Eigen::SparseMatrix<double>& lower) {
   Common common;

@@ -2,108 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <experimental/simd>
 #include <numeric>
+
+#include "plate/lanes.hpp"
 
 namespace plate {
 namespace {
 
-namespace simd = std::experimental;
-using Lane = simd::native_simd<double>;
-
-/// Several machine vectors of neighbouring points, so that what a bond broadcasts serves all of them.
-template <std::size_t N>
-struct Lanes {
-  static constexpr std::size_t size = N * Lane::size();
-  Lane part[N];
-
-  static Lanes load(const double* from) {
-    Lanes result;
-    for (std::size_t i = 0; i < N; ++i) result.part[i].copy_from(from + i * Lane::size(), simd::element_aligned);
-    return result;
-  }
-  static Lanes constant(double value) {
-    Lanes result;
-    for (auto& part : result.part) part = value;
-    return result;
-  }
-  void store(double* to) const {
-    for (std::size_t i = 0; i < N; ++i) part[i].copy_to(to + i * Lane::size(), simd::element_aligned);
-  }
-};
-
-template <std::size_t N, typename Op>
-Lanes<N> each(const Lanes<N>& a, const Lanes<N>& b, const Op& op) {
-  Lanes<N> result;
-  for (std::size_t i = 0; i < N; ++i) result.part[i] = op(a.part[i], b.part[i]);
-  return result;
+bool equal(double a, double b) {
+  return std::abs(a - b) <= 1e-13 * (std::abs(a) + std::abs(b));
 }
-template <std::size_t N>
-Lanes<N> operator+(const Lanes<N>& a, const Lanes<N>& b) {
-  return each(a, b, [](const Lane& x, const Lane& y) { return x + y; });
-}
-template <std::size_t N>
-Lanes<N> operator-(const Lanes<N>& a, const Lanes<N>& b) {
-  return each(a, b, [](const Lane& x, const Lane& y) { return x - y; });
-}
-template <std::size_t N>
-Lanes<N> operator*(const Lanes<N>& a, const Lanes<N>& b) {
-  return each(a, b, [](const Lane& x, const Lane& y) { return x * y; });
-}
-template <std::size_t N>
-Lanes<N> operator*(double factor, const Lanes<N>& a) {
-  Lanes<N> result;
-  for (std::size_t i = 0; i < N; ++i) result.part[i] = factor * a.part[i];
-  return result;
-}
-template <std::size_t N>
-Lanes<N>& operator+=(Lanes<N>& a, const Lanes<N>& b) {
-  for (std::size_t i = 0; i < N; ++i) a.part[i] += b.part[i];
-  return a;
-}
-
-/// Points that follow each other from k on.
-template <std::size_t N>
-struct Following {
-  using Vector = Lanes<N>;
-  std::size_t k;
-
-  Vector load(const double* values, std::int32_t step = 0) const { return Vector::load(values + k + step); }
-  void store(const Vector& value, double* values) const { value.store(values + k); }
-};
-
-Lane gather(const double* values, const std::uint32_t* points, std::int32_t step) {
-  // element by element: the gather instruction is slow where the processor guards against leaks through it
-  return Lane([&](auto i) { return values[static_cast<std::ptrdiff_t>(points[i]) + step]; });
-}
-
-/// The points of a packet, of which the last ones may repeat.
-struct Scattered {
-  using Vector = Lanes<1>;
-  const std::uint32_t* points;
-  std::size_t used;
-
-  Vector load(const double* values, std::int32_t step = 0) const { return {{gather(values, points, step)}}; }
-  void store(const Vector& value, double* values) const {
-    for (std::size_t i = 0; i < used; ++i) values[points[i]] = value.part[0][i];
-  }
-};
-
-/// Calls visit for pieces of a row, wide ones where it is long enough. The last piece may overlap those before it: the
-/// same values are computed twice.
-template <typename Visit>
-void along(std::size_t first, std::size_t length, const Visit& visit) {
-  const auto cut = [&]<std::size_t N>(std::integral_constant<std::size_t, N>) {
-    constexpr std::size_t size = N * Lane::size();
-    for (std::size_t k = first; k < first + length; k += size) visit(Following<N>{std::min(k, first + length - size)});
-  };
-  if (length >= 2 * Lane::size())
-    cut(std::integral_constant<std::size_t, 2>{});
-  else
-    cut(std::integral_constant<std::size_t, 1>{});
-}
-
-bool equal(double a, double b) { return std::abs(a - b) <= 1e-13 * (std::abs(a) + std::abs(b)); }
 
 /// Is b the mirror image of a in the point that has them both?
 bool opposite(const PatternBond& a, const PatternBond& b) {
@@ -175,7 +83,9 @@ void LatticeOperator::add_packets(Loose points) {
     for (; i < end; ++i) rest.push_back(points[i]);
   }
   // packets of points with about as many bonds
-  const auto bonds_of = [&](const auto& entry) { return patterns().first[entry.second + 1] - patterns().first[entry.second]; };
+  const auto bonds_of = [&](const auto& entry) {
+    return patterns().first[entry.second + 1] - patterns().first[entry.second];
+  };
   std::stable_sort(rest.begin(), rest.end(), [&](const auto& a, const auto& b) { return bonds_of(a) > bonds_of(b); });
   for (std::size_t i = 0; i < rest.size(); i += packet)
     add_mixed({rest.begin() + std::ptrdiff_t(i), rest.begin() + std::ptrdiff_t(std::min(i + packet, rest.size()))});
@@ -193,11 +103,12 @@ LatticeOperator::RowPattern LatticeOperator::row_pattern(const PatternBond* begi
     result.xx += own * a->mx * a->mx, result.xy += own * a->mx * a->my, result.yy += own * a->my * a->my;
     if (paired) {
       done[std::size_t(b - begin)] = 1;
-      result.pairs.push_back({a->mx, a->my, half, a->D_kj * a->mx, a->D_kj * a->my, a->D_jk, a->shear,
-                              bend, g, a->step, b->step});
+      result.pairs.push_back(
+          {a->mx, a->my, half, a->D_kj * a->mx, a->D_kj * a->my, a->D_jk, a->shear, bend, g, a->step, b->step});
       continue;
     }
-    result.singles.push_back({a->mx, a->my, half, a->D_kj * a->mx, a->D_kj * a->my, a->D_jk, a->shear, bend, g, a->step});
+    result.singles.push_back(
+        {a->mx, a->my, half, a->D_kj * a->mx, a->D_kj * a->my, a->D_jk, a->shear, bend, g, a->step});
     result.Dx += a->D_kj * a->mx, result.Dy += a->D_kj * a->my;
     result.force_x += g * a->mx, result.force_y += g * a->my;
   }
@@ -293,7 +204,8 @@ void LatticeOperator::mixed_dilatation(const MixedPacket& p, const State& state)
   Lanes<1> sum = Lanes<1>::constant(0);
   for (std::size_t b = p.first; b < p.end; ++b) {
     const MixedBond& bond = mixed_bonds_[b];
-    const Lane mx(bond.mx, simd::element_aligned), my(bond.my, simd::element_aligned), D(bond.D_kj, simd::element_aligned);
+    const Lane mx(bond.mx, simd::element_aligned), my(bond.my, simd::element_aligned),
+        D(bond.D_kj, simd::element_aligned);
     sum.part[0] += D * (mx * (gather(x, bond.neighbour, 0) - own_x) + my * (gather(y, bond.neighbour, 0) - own_y));
   }
   place.store(place.load(dilatation_stiffness().data()) * sum, q_.data());
@@ -355,9 +267,11 @@ void LatticeOperator::internal_force(const State& state, Forces& forces) const {
 }
 
 std::size_t LatticeOperator::bytes() const {
-  std::size_t sum = rows_.size() * sizeof(Row) + packets_.size() * sizeof(Packet) + mixed_.size() * sizeof(MixedPacket) +
-                    mixed_bonds_.size() * sizeof(MixedBond) + std::size_t(q_.size()) * sizeof(double);
-  for (const auto& pattern : row_patterns_) sum += pattern.pairs.size() * sizeof(Pair) + pattern.singles.size() * sizeof(Single);
+  std::size_t sum = rows_.size() * sizeof(Row) + packets_.size() * sizeof(Packet) +
+                    mixed_.size() * sizeof(MixedPacket) + mixed_bonds_.size() * sizeof(MixedBond) +
+                    std::size_t(q_.size()) * sizeof(double);
+  for (const auto& pattern : row_patterns_)
+    sum += pattern.pairs.size() * sizeof(Pair) + pattern.singles.size() * sizeof(Single);
   return sum;
 }
 

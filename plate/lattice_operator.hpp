@@ -5,9 +5,9 @@
 namespace plate {
 
 /// The same plate as a FamilyOperator, for many points at once: where neighbouring points share a pattern of bonds, as
-/// on the rows of a lattice, a vector of them is treated together, and bonds with an opposite one of the same weights go
-/// in pairs; all other points go in packets of one vector, which share a pattern or have weights lane by lane. Forces are
-/// gathered: any number of threads gives the same bits. One call at a time.
+/// on the rows of a lattice, a vector of them is treated together, and bonds with an opposite one of the same weights
+/// go in pairs; all other points go in packets of one vector, which share a pattern or have weights lane by lane.
+/// Forces are gathered: any number of threads gives the same bits. One call at a time.
 class LatticeOperator : public FamilyOperator {
 public:
   /// `places`: the points in units of the spacing; what is near in them is treated one after the other.
@@ -26,9 +26,9 @@ private:
   /// Two opposite bonds of a point with equal weights.
   struct Pair {
     double mx, my, half_length;
-    double Dx, Dy;            // D_kj m
+    double Dx, Dy;  // D_kj m
     double D_jk, shear;
-    double bend, g;           // of the curvature and shear differences in the couple
+    double bend, g;  // of the curvature and shear differences in the couple
     std::int32_t plus, minus;
   };
   struct Single {
@@ -41,9 +41,9 @@ private:
   struct RowPattern {
     std::vector<Pair> pairs;
     std::vector<Single> singles;
-    double Dx = 0, Dy = 0;                 // couple, per q
-    double xx = 0, xy = 0, yy = 0;         // couple, per rotation
-    double force_x = 0, force_y = 0;       // force, per rotation
+    double Dx = 0, Dy = 0;            // couple, per q
+    double xx = 0, xy = 0, yy = 0;    // couple, per rotation
+    double force_x = 0, force_y = 0;  // force, per rotation
   };
   struct Row {
     std::uint32_t first, length, pattern;

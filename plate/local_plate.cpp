@@ -16,7 +16,8 @@ constexpr double reach = 1.5;  // horizon of the local plate, in spacings
 Section bond_based(const Section& s) {
   Section result = s;
   result.poisson = 1.0 / 3;
-  const double D = s.bending_stiffness() * std::sqrt((1 - s.poisson * s.poisson) / (1 - result.poisson * result.poisson));
+  const double D =
+      s.bending_stiffness() * std::sqrt((1 - s.poisson * s.poisson) / (1 - result.poisson * result.poisson));
   result.young = 12 * D * (1 - result.poisson * result.poisson) / std::pow(s.thickness, 3);
   result.shear_correction *= s.shear_stiffness() / result.shear_stiffness();
   return result;
@@ -94,7 +95,8 @@ void LocalPlate::apply(const Forces& residual, State& result) const {
 }
 
 AssembledPlate::AssembledPlate(const FamilyOperator& plate, const Constraints& constraints)
-    : constraints_(constraints), unknowns_(unknowns(folded_diagonal(plate, constraints))),
+    : constraints_(constraints),
+      unknowns_(unknowns(folded_diagonal(plate, constraints))),
       factor_(std::make_unique<Factor>(stiffness_matrix(plate, constraints, unknowns_, true), std::vector<int>{})) {}
 
 void AssembledPlate::apply(const Forces& residual, State& result) const {

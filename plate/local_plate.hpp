@@ -6,12 +6,13 @@
 
 namespace plate {
 
-/// The same plate with a horizon of 1.5 spacings and without dilatation, factorised, between two Jacobi sweeps: its stiffness
-/// follows that of the plate for every wave that the lattice carries (theory.md, "Statics").
+/// The same plate with a horizon of 1.5 spacings and without dilatation, factorised, between two Jacobi sweeps: its
+/// stiffness follows that of the plate for every wave that the lattice carries (theory.md, "Statics").
 class LocalPlate : public Preconditioner {
 public:
   /// `plate` and `boundary` must outlive this.
-  LocalPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section, const Discretization& discretization);
+  LocalPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
+             const Discretization& discretization);
 
   void apply(const Forces& residual, State& result) const override;
 

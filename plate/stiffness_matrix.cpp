@@ -25,7 +25,9 @@ private:
   std::vector<std::uint32_t> pattern_;
 };
 
-double component(const PatternBond& bond, std::size_t c) { return c == 1 ? bond.mx : bond.my; }
+double component(const PatternBond& bond, std::size_t c) {
+  return c == 1 ? bond.mx : bond.my;
+}
 
 /// Calls add(degree of freedom, value) for a row of K, values of one entry in several parts.
 template <typename Add>
@@ -141,7 +143,8 @@ Eigen::SparseMatrix<double> point_graph(const geometry::Families& families) {
   const auto size = Eigen::Index(families.points());
   Eigen::SparseMatrix<double> result(size, size);
   std::vector<int> counts;
-  for (std::size_t k = 0; k < families.points(); ++k) counts.push_back(int(families.first[k + 1] - families.first[k]) + 1);
+  for (std::size_t k = 0; k < families.points(); ++k)
+    counts.push_back(int(families.first[k + 1] - families.first[k]) + 1);
   result.reserve(counts);
   for (std::size_t k = 0; k < families.points(); ++k) {
     result.insert(Eigen::Index(k), Eigen::Index(k)) = 1;

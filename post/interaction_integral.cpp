@@ -13,7 +13,8 @@ std::optional<GradientShares> quadratic_shares(const BondedPlate& plate, std::ui
   const auto& families = plate.families;
   GradientShares result;
   for (auto b = families.first[k]; b < families.first[k + 1]; ++b)
-    if (plate.shapes[families.vector_id[b]].length < reach * plate.spacing) result.bonds.push_back(static_cast<std::uint32_t>(b));
+    if (plate.shapes[families.vector_id[b]].length < reach * plate.spacing)
+      result.bonds.push_back(static_cast<std::uint32_t>(b));
   const auto count = static_cast<Eigen::Index>(result.bonds.size());
   if (count < 5) return std::nullopt;
   Eigen::MatrixXd basis(count, 5);
@@ -91,7 +92,8 @@ private:
 
 }  // namespace
 
-DomainRing::DomainRing(const BondedPlate& plate, const TipFrame& frame, const Ring& ring) : plate_(plate), ahead_(frame.ahead) {
+DomainRing::DomainRing(const BondedPlate& plate, const TipFrame& frame, const Ring& ring)
+    : plate_(plate), ahead_(frame.ahead) {
   for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
     const Point x = plate.positions[k] - frame.origin;
     if (const double slope = ring.slope(x.norm()); slope != 0)
@@ -100,7 +102,8 @@ DomainRing::DomainRing(const BondedPlate& plate, const TipFrame& frame, const Ri
 }
 
 double DomainRing::release(std::size_t i, const PointStrains& a, const PointStrains& b) const {
-  const double D = plate_.section.bending_stiffness(), nu = plate_.section.poisson, S = plate_.section.shear_stiffness();
+  const double D = plate_.section.bending_stiffness(), nu = plate_.section.poisson,
+               S = plate_.section.shear_stiffness();
   const auto moments = [&](const Eigen::Matrix2d& psi) -> Eigen::Matrix2d {
     const Eigen::Matrix2d kappa = (psi + psi.transpose()) / 2;
     return D * ((1 - nu) * kappa + nu * kappa.trace() * Eigen::Matrix2d::Identity());
@@ -117,8 +120,11 @@ std::unique_ptr<EnergyRelease> domain_integral(const BondedPlate& plate, const T
 }
 
 InteractionIntegral::InteractionIntegral(const BondedPlate& plate, const geometry::Tip& tip, const Ring& ring)
-    : plate_(plate), ring_(plate, TipFrame(tip), ring), unit_strains_(ring_.size()),
-      surroundings_(plate, tip, ring.outer), extensions_(surroundings_.extensions(ring)),
+    : plate_(plate),
+      ring_(plate, TipFrame(tip), ring),
+      unit_strains_(ring_.size()),
+      surroundings_(plate, tip, ring.outer),
+      extensions_(surroundings_.extensions(ring)),
       unit_slopes_(surroundings_.points().size(), Eigen::Matrix3d::Zero()) {
   const TipFrame frame(tip);
   for (int mode = 0; mode < 3; ++mode) {
@@ -138,7 +144,8 @@ Eigen::Vector3d InteractionIntegral::operator()(const plate::State& state, const
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const auto strains = ring_.strains(i, field);
-    for (std::size_t mode = 0; mode < 3; ++mode) sum[Eigen::Index(mode)] += ring_.release(i, strains, unit_strains_[i][mode]);
+    for (std::size_t mode = 0; mode < 3; ++mode)
+      sum[Eigen::Index(mode)] += ring_.release(i, strains, unit_strains_[i][mode]);
   }
   for (std::size_t i = 0; i < unit_slopes_.size(); ++i)
     sum += extensions_[Eigen::Index(i)] / 2 * unit_slopes_[i].transpose() * force.col(surroundings_.points()[i]);

@@ -1,7 +1,7 @@
 #pragma once
-#include "post/tip_integrals.hpp"
 #include <array>
 #include <optional>
+#include "post/tip_integrals.hpp"
 
 namespace post {
 
@@ -70,7 +70,7 @@ private:
 
   BondedPlate plate_;
   DomainRing ring_;
-  std::vector<Unit> unit_strains_;     // per point of the ring
+  std::vector<Unit> unit_strains_;  // per point of the ring
   TipSurroundings surroundings_;
   Eigen::VectorXd extensions_;
   std::vector<Eigen::Matrix3d> unit_slopes_;  // per point around; column: d/dx' of w, theta_x, theta_y of a unit field

@@ -28,7 +28,8 @@ double Ring::slope(double r) const {
   return -std::numbers::pi / (2 * width) * std::sin(std::numbers::pi * (r - inner) / width);
 }
 
-NearField::NearField(const plate::State& state, const std::vector<Point>& positions, const std::vector<std::uint32_t>& centre)
+NearField::NearField(const plate::State& state, const std::vector<Point>& positions,
+                     const std::vector<std::uint32_t>& centre)
     : state_(state), positions_(positions) {
   for (const auto k : centre) {
     mean_ += state.col(k) / double(centre.size());
@@ -60,7 +61,8 @@ Eigen::VectorXd TipSurroundings::extensions(const Ring& ring) const {
   return result;
 }
 
-Eigen::VectorXd TipSurroundings::forward_work(const plate::State& state, const plate::Forces& force, double radius) const {
+Eigen::VectorXd TipSurroundings::forward_work(const plate::State& state, const plate::Forces& force,
+                                              double radius) const {
   const NearField field(state, plate_.positions, centre_);
   Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(points_.size()));
   for (std::size_t i = 0; i < points_.size(); ++i) {

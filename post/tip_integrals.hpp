@@ -1,8 +1,8 @@
 #pragma once
+#include <memory>
 #include "plate/bond_weights.hpp"
 #include "plate/state.hpp"
 #include "post/tip_field.hpp"
-#include <memory>
 
 namespace post {
 
@@ -21,15 +21,16 @@ struct BondedPlate {
 struct Ring {
   double inner, outer;
 
-  double extension(double r) const;   // q
-  double slope(double r) const;       // dq/dr
+  double extension(double r) const;  // q
+  double slope(double r) const;      // dq/dr
 };
 
 /// A state less the rigid motion of the points next to the tip, which does no work but would cost digits.
 class NearField {
 public:
   /// `centre`: the points whose mean motion is taken away.
-  NearField(const plate::State& state, const std::vector<geometry::Point>& positions, const std::vector<std::uint32_t>& centre);
+  NearField(const plate::State& state, const std::vector<geometry::Point>& positions,
+            const std::vector<std::uint32_t>& centre);
 
   plate::Kinematics<> operator()(std::uint32_t k) const;
 

@@ -11,7 +11,7 @@ using geometry::Point;
 
 /// 8 x 7 cells, all sides named, horizon 3.015.
 inline plate::Boundary held(const std::vector<plate::Support>& supports,
-              const geometry::Outline& outline = geometry::rectangle(0, 0, 8, 7)) {
+                            const geometry::Outline& outline = geometry::rectangle(0, 0, 8, 7)) {
   const auto d = small_plate::spaced(1);
   return plate::boundary(geometry::lattice(outline, 1), outline, supports, d);
 }

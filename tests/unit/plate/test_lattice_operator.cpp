@@ -42,11 +42,15 @@ double difference(const LatticeOperator& lattice, unsigned seed) {
 TEST_CASE("rows of points and the family list give the same forces: holes, supports, cracks at any angle") {
   auto outline = geometry::rectangle(0, 0, 5, 4);
   outline.holes.push_back(geometry::Circle{{3.7, 2.9}, 0.43, "hole"});
-  const auto m = small_plate::model(
-      outline, {{SupportKind::clamped, {"left"}, {}}, {SupportKind::clamped_layer, {"right"}, {}}, {SupportKind::simply_supported, {"top"}, {}}},
-      small_plate::spaced(0.1));
-  for (const std::vector<geometry::Polyline>& cracks :
-       {std::vector<geometry::Polyline>{}, {{{1, 2}, {2.5, 2}}}, {{{1, 1}, {2.4, 2.1}}}, {{{1, 1}, {2, 2}, {2.6, 2}}, {{0, 3}, {1, 3}}}}) {
+  const auto m = small_plate::model(outline,
+                                    {{SupportKind::clamped, {"left"}, {}},
+                                     {SupportKind::clamped_layer, {"right"}, {}},
+                                     {SupportKind::simply_supported, {"top"}, {}}},
+                                    small_plate::spaced(0.1));
+  for (const std::vector<geometry::Polyline>& cracks : {std::vector<geometry::Polyline>{},
+                                                        {{{1, 2}, {2.5, 2}}},
+                                                        {{{1, 1}, {2.4, 2.1}}},
+                                                        {{{1, 1}, {2, 2}, {2.6, 2}}, {{0, 3}, {1, 3}}}}) {
     const auto lattice = cracked(m, outline, cracks);
     CAPTURE(cracks.size(), lattice.paired_share(), lattice.row_share());
     CHECK(difference(lattice, 21) < 1e-14);  // measured: 7e-16

@@ -18,7 +18,8 @@ small_plate::Model held(double spacing, bool cracked) {
     for (auto& crack : cracks)
       for (auto& vertex : crack.vertices) vertex /= spacing;
   }
-  return small_plate::model(outline, {{SupportKind::simply_supported, {"bottom"}, {}}, {SupportKind::clamped, {"top"}, {}}},
+  return small_plate::model(outline,
+                            {{SupportKind::simply_supported, {"bottom"}, {}}, {SupportKind::clamped, {"top"}, {}}},
                             small_plate::spaced(spacing), cracks);
 }
 
@@ -118,8 +119,8 @@ TEST_CASE("assembled plate: one or two iterations; many loads at once") {
 
 TEST_CASE("a stiffness that is not positive has no factor") {
   const auto m = small_plate::model(geometry::rectangle(0, 0, 1, 1), {}, small_plate::spaced(0.1));
-  Eigen::SparseMatrix<double> lower = stiffness_matrix(m.plate, m.boundary.constraints,
-                                                       unknowns(folded_diagonal(m.plate, m.boundary.constraints)), true);
+  Eigen::SparseMatrix<double> lower = stiffness_matrix(
+      m.plate, m.boundary.constraints, unknowns(folded_diagonal(m.plate, m.boundary.constraints)), true);
   lower.coeffRef(0, 0) *= -1;
   CHECK_THROWS_AS(Factor(lower, {}), NumericalError);
 }
