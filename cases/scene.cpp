@@ -15,6 +15,18 @@ std::string name_of(plate::SurfaceCorrection correction) {
   return "";
 }
 
+template <typename T>
+double bytes_of(const std::vector<T>& values) {
+  return double(values.size() * sizeof(T));
+}
+
+double weight_bytes(const plate::FamilyOperator& plate) {
+  const auto& weights = plate.weights();
+  return bytes_of(weights.kind) + bytes_of(weights.a) + bytes_of(weights.first) + bytes_of(weights.bonds) +
+         bytes_of(plate.patterns().bonds) + bytes_of(plate.patterns().first) + bytes_of(plate.runs().runs) +
+         bytes_of(plate.runs().example) + 3 * sizeof(double) * double(plate.points());
+}
+
 }  // namespace
 
 std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
@@ -28,8 +40,9 @@ std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
   std::vector<post::ScenePart> parts{
       {"points", "geometry", all * (2 * sizeof(geometry::Point) + sizeof(double)) / points, 0},
       {"family list", "families", list / points, 0},
-      {"parameters, surface correction " + name_of(c.discretization.surface_correction), "parameters",
-       all * (sizeof(plate::PointParameters) + 64) / points, 0}};
+      {"weights of the bonds, surface correction " + name_of(c.discretization.surface_correction), "parameters",
+       weight_bytes(assembly.plate) / points, 0},
+      {"rows and packets of points", "parameters", double(assembly.plate.bytes()) / points, 0}};
   if (!assembly.boundary.fictitious.empty())
     parts.push_back({"fictitious points (part of the points)", "", double(assembly.boundary.fictitious.size()) *
                      (sizeof(plate::FictitiousPoint) + 3 * sizeof(plate::Constraints::Tie)) / points, 0});
