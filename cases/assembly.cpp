@@ -189,8 +189,7 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
   for (const auto& one : loads) load += one.forces;
   check_mechanisms(file, plate::mechanisms(boundary, families, pieces, load), warnings);
   auto [weights, counts] = horizon_weights(c, boundary, families, shapes);
-  plate::LatticeOperator plate(plate::FamilyOperator(std::move(families), std::move(shapes), areas, std::move(weights)),
-                               boundary.lattice);
+  plate::LatticeOperator plate(plate::FamilyOperator(std::move(families), std::move(shapes), areas, std::move(weights)));
   stopwatch.lap("parameters");
 
   return {paths,

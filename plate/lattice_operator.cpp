@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "plate/lanes.hpp"
 
@@ -21,10 +20,10 @@ bool opposite(const PatternBond& a, const PatternBond& b) {
 
 }  // namespace
 
-LatticeOperator::LatticeOperator(FamilyOperator plate, const std::vector<geometry::Point>& places)
+LatticeOperator::LatticeOperator(FamilyOperator plate)
     : FamilyOperator(std::move(plate)), row_pattern_index_(patterns().first.size() - 1, -1) {
   q_.setZero(Eigen::Index(points()));
-  add_rows(places);
+  add_rows();
   Loose loose;
   for (const auto& run : runs().runs)
     for (std::uint32_t i = 0; run.length < Lane::size() && i < run.length; ++i)
@@ -42,28 +41,14 @@ std::uint32_t LatticeOperator::row_pattern_of(std::uint32_t pattern) {
   return std::uint32_t(index);
 }
 
-/// Rows are cut so that those of all rows above each other, as far as bonds reach, fit into the nearest cache.
-void LatticeOperator::add_rows(const std::vector<geometry::Point>& places) {
-  constexpr std::uint32_t longest = 128;
-  std::vector<std::int64_t> column;
+void LatticeOperator::add_rows() {
   std::size_t paired = 0, in_rows = 0;
   for (const auto& run : runs().runs) {
     if (run.length < Lane::size()) continue;
-    const std::uint32_t pieces = (run.length + longest - 1) / longest, pattern = row_pattern_of(run.pattern);
-    for (std::uint32_t i = 0; i < pieces; ++i) {
-      const std::uint32_t from = run.length * i / pieces, to = run.length * (i + 1) / pieces;
-      rows_.push_back({run.first_point + from, to - from, pattern});
-      column.push_back(std::int64_t(std::floor(places[run.first_point + (from + to) / 2].x() / longest)));
-    }
+    rows_.push_back({run.first_point, run.length, row_pattern_of(run.pattern)});
     in_rows += run.length;
-    if (row_patterns_[pattern].singles.empty()) paired += run.length;
+    if (row_patterns_[rows_.back().pattern].singles.empty()) paired += run.length;
   }
-  std::vector<std::uint32_t> order(rows_.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return column[a] < column[b]; });
-  std::vector<Row> sorted;
-  for (const auto i : order) sorted.push_back(rows_[i]);
-  rows_ = std::move(sorted);
   const double all = std::max<double>(1, double(points()));
   paired_share_ = double(paired) / all, row_share_ = double(in_rows) / all;
 }

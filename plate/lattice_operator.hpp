@@ -10,8 +10,7 @@ namespace plate {
 /// Forces are gathered: any number of threads gives the same bits. One call at a time.
 class LatticeOperator : public FamilyOperator {
 public:
-  /// `places`: the points in units of the spacing; what is near in them is treated one after the other.
-  LatticeOperator(FamilyOperator plate, const std::vector<geometry::Point>& places);
+  explicit LatticeOperator(FamilyOperator plate);
 
   void internal_force(const State& state, Forces& forces) const override;
 
@@ -66,7 +65,7 @@ private:
 
   RowPattern row_pattern(const PatternBond* begin, const PatternBond* end) const;
   std::uint32_t row_pattern_of(std::uint32_t pattern);
-  void add_rows(const std::vector<geometry::Point>& places);
+  void add_rows();
   void add_packets(Loose points);
   void add_mixed(const Loose& points);
   template <typename Place>

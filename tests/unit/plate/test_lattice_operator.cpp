@@ -24,7 +24,7 @@ LatticeOperator cracked(const small_plate::Model& m, const geometry::Outline& ou
   const auto& areas = m.boundary.cloud.areas;
   const auto kinds = family_kinds(families, areas, m.boundary.active);
   auto weights = position_aware(families, shapes, areas, m.boundary.active, kinds, small_plate::section).weights;
-  return {FamilyOperator(std::move(families), std::move(shapes), areas, std::move(weights)), m.boundary.lattice};
+  return LatticeOperator(FamilyOperator(std::move(families), std::move(shapes), areas, std::move(weights)));
 }
 
 /// Largest difference to the family list over the largest force.
