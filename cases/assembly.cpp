@@ -147,6 +147,11 @@ double Stopwatch::total() const {
   return sum;
 }
 
+plate::Forces mass_of(const Case& c, const Assembly& assembly) {
+  const auto& boundary = assembly.boundary;
+  return plate::mass(c.section, boundary.cloud.areas, boundary.active, boundary.constraints, c.analysis.rotary_inertia);
+}
+
 std::size_t Assembly::bonds() const {
   const auto& families = plate.families();
   std::size_t count = 0;

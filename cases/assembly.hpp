@@ -39,6 +39,9 @@ struct Assembly {
   std::size_t fictitious_bonds() const;  // directed, all others
 };
 
+/// Mass per degree of freedom, with the factor of the case for rotary inertia.
+plate::Forces mass_of(const Case& c, const Assembly& assembly);
+
 /// Throws CaseError where the plate is not held in statics, in whole or in a piece that cracks cut off, and where it has
 /// fewer modes than frequencies are asked for.
 Assembly assemble(const CaseFile& file, Stopwatch& stopwatch);

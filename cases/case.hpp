@@ -23,6 +23,7 @@ struct Analysis {
   std::size_t modes = 6;                  // frequencies
   double duration = 0;                    // dynamic [time]
   std::optional<double> time_step;        // dynamic; absent: from the computed bound
+  double rotary_inertia = 1;              // dynamic: over that of the plate
   double safety = 0.95;                   // dynamic: share of the stable step that is used
 };
 

@@ -27,8 +27,7 @@ void set_time_step(CaseFile& file, double share) {
   Stopwatch stopwatch;
   const auto assembly = assemble(file, stopwatch);
   const auto& constraints = assembly.boundary.constraints;
-  const auto mass =
-      plate::mass(file.content.section, assembly.boundary.cloud.areas, assembly.boundary.active, constraints);
+  const auto mass = mass_of(file.content, assembly);
   file.content.analysis.time_step = share * plate::stable_time_step(assembly.plate, constraints, mass);
 }
 

@@ -10,9 +10,7 @@ namespace {
 
 std::string dynamic_cost(const CaseFile& file, const Assembly& assembly) {
   const auto& constraints = assembly.boundary.constraints;
-  const auto& cloud = assembly.boundary.cloud;
-  const auto mass = plate::mass(file.content.section, cloud.areas, assembly.boundary.active, constraints);
-  const double limit = plate::stable_time_step(assembly.plate, constraints, mass);
+  const double limit = plate::stable_time_step(assembly.plate, constraints, mass_of(file.content, assembly));
   const TimeGrid grid = time_grid(file, limit);
   return fmt::format("time step     {:.6g} (stable limit {:.6g})\nsteps         {}\n", grid.time_step, limit, grid.steps);
 }

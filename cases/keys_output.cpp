@@ -153,6 +153,9 @@ Fields<Analysis> analysis_fields() {
           .in({A::Kind::frequencies}),
       number<A>("duration", "time", &A::duration, positive, "simulated time").required().in_dynamics(),
       time_step().in_dynamics(),
+      number<A>("rotary_inertia", "-", &A::rotary_inertia, {1, 1e6},
+                "factor of the rotary inertia: above 1 thin plates take longer steps, and short waves run slower")
+          .in_dynamics(),
       number<A>("safety", "-", &A::safety, {0, 1, true}, "share of the stable step that is used").in_dynamics(),
   };
 }

@@ -95,7 +95,7 @@ void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& resu
                    Stopwatch& stopwatch) {
   const Case& c = file.content;
   const auto& constraints = assembly.boundary.constraints;
-  const auto mass = plate::mass(c.section, assembly.boundary.cloud.areas, assembly.boundary.active, constraints);
+  const auto mass = mass_of(c, assembly);
   const double limit = plate::stable_time_step(assembly.plate, constraints, mass);
   const TimeGrid grid = time_grid(file, limit);
   summary.analysis.method = "central_difference";
@@ -139,7 +139,7 @@ void solve_frequencies(const Case& c, const Assembly& assembly, Results& results
   summary.analysis.method = "lanczos";
   summary.analysis.tolerance = c.analysis.tolerance;
   const auto& constraints = assembly.boundary.constraints;
-  const auto mass = plate::mass(c.section, assembly.boundary.cloud.areas, assembly.boundary.active, constraints);
+  const auto mass = mass_of(c, assembly);
   const auto solution = plate::frequencies(assembly.plate, constraints, mass, options);
   progress.done();
   stopwatch.lap("solve");

@@ -26,6 +26,17 @@ double lowest_wave(const Case& c, const plate::Boundary& boundary) {
   return std::numbers::pi * std::hypot(held[0] / sides.x(), held[1] / sides.y());
 }
 
+/// The lowest frequency of a plate goes as (1 + (k h)^2 / 12)^(-1/2) with its rotary inertia (theory.md, "Dynamics").
+void check_rotary_inertia(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
+  const double factor = c.analysis.rotary_inertia;
+  if (factor == 1) return;
+  const double kh = lowest_wave(c, boundary) * c.section.thickness, share = kh * kh / 12;
+  const double lower = 1 - std::sqrt((1 + share) / (1 + factor * share));
+  warnings.push_back(fmt::format("rotary inertia is {:g} times that of the plate: its lowest frequency is about {:.2g} % lower, those "
+                                 "of shorter waves more",
+                                 factor, 100 * lower));
+}
+
 /// Bending that varies over the plate locks where the horizon is much larger than the thickness (theory.md, Eq. 37).
 void check_thickness(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
   const double h = c.section.thickness, spacing = c.discretization.spacing, horizon = c.discretization.horizon();
@@ -88,6 +99,7 @@ void warn_of_distrust(const Case& c, const plate::Boundary& boundary, std::vecto
   check_thickness(c, boundary, warnings);
   check_edge_layer(c, boundary, warnings);
   check_isotropy(c, warnings);
+  check_rotary_inertia(c, boundary, warnings);
 }
 
 }  // namespace cases

@@ -146,10 +146,10 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
 }  // namespace
 
 Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
-            const Constraints& constraints) {
+            const Constraints& constraints, double rotary) {
   Forces result = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
   const double translation = section.density * section.thickness;
-  const double rotation = translation * section.thickness * section.thickness / 12;
+  const double rotation = rotary * translation * section.thickness * section.thickness / 12;
   for (std::size_t k = 0; k < areas.size(); ++k)
     if (active[k]) result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
   constraints.fold_diagonal(result);

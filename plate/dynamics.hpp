@@ -15,8 +15,9 @@ struct TimedLoad {
 
 /// Mass per degree of freedom, diag(rho h, rho h^3 / 12, rho h^3 / 12) times the area (Eq. 9), carried over to the
 /// free ones; zero at held degrees of freedom and at points that are not active (images that store no energy).
+/// `rotary`: factor of the rotary inertia; above 1 thin plates take longer steps (theory.md, "Dynamics").
 Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
-            const Constraints& constraints);
+            const Constraints& constraints, double rotary = 1);
 
 /// 2 / omega with omega^2 not below the largest eigenvalue of M^-1 K: the largest value of a Lanczos iteration, which comes
 /// from below, plus 1 %, or the bound of Collatz for |K|, whichever is smaller.

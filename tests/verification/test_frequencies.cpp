@@ -15,10 +15,6 @@ namespace vp = verified_plate;
 
 namespace {
 
-Forces mass_of(const cases::Case& c, const cases::Assembly& a) {
-  return plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, a.boundary.constraints);
-}
-
 FrequencySolution solved(const cases::Case& c, const cases::Assembly& a, std::size_t modes) {
   FrequencyOptions options;
   options.modes = modes;

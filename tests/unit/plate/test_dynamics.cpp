@@ -126,6 +126,15 @@ TEST_CASE("the stable step is below 2 / omega_max of the dense matrix, and not b
   CHECK(step >= 0.98 * limit);  // measured: 0.995, the margin
 }
 
+TEST_CASE("rotary inertia: a factor for the rotations alone, and a longer step for a thin plate") {
+  const auto m = held();
+  const auto& b = m.boundary;
+  const Forces one = mass_of(m), ten = mass(section, b.cloud.areas, b.active, b.constraints, 10);
+  CHECK(ten.row(0) == one.row(0));
+  CHECK((ten.bottomRows<2>() - 10 * one.bottomRows<2>()).norm() < 1e-15 * ten.norm());
+  CHECK(stable_time_step(m.plate, b.constraints, ten) > 1.5 * stable_time_step(m.plate, b.constraints, one));
+}
+
 TEST_CASE("observed at the start, every so many steps, and at the end") {
   const auto m = model({});
   std::vector<std::size_t> steps;
