@@ -74,6 +74,8 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
 
   summary.analysis.method = result.method;
   summary.analysis.preconditioner = result.preconditioner;
+  if (result.factor_bytes > 0)
+    summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(assembly.boundary.cloud.plate_points), 0});
   summary.analysis.iterations = solution.iterations;
   summary.analysis.residual = solution.residual;
   summary.analysis.tolerance = c.analysis.tolerance;
