@@ -42,7 +42,7 @@ std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
       {"family list", "families", list / points, 0},
       {"weights of the bonds, surface correction " + name_of(c.discretization.surface_correction), "parameters",
        weight_bytes(assembly.plate) / points, 0},
-      {"rows and packets of points", "parameters", double(assembly.plate.bytes()) / points, 0}};
+      {"rows of points", "parameters", double(assembly.plate.rows().bytes()) / points, 0}};
   if (!assembly.boundary.fictitious.empty())
     parts.push_back({"fictitious points (part of the points)", "", double(assembly.boundary.fictitious.size()) *
                      (sizeof(plate::FictitiousPoint) + 3 * sizeof(plate::Constraints::Tie)) / points, 0});

@@ -5,7 +5,7 @@
 namespace plate {
 namespace {
 
-constexpr std::uint32_t longest_run = 128;
+constexpr std::uint32_t longest_run = 256;
 
 Kinematics<> kinematics(const State& state, Eigen::Index k) { return {state(0, k), state(1, k), state(2, k)}; }
 
