@@ -156,7 +156,7 @@ std::size_t Assembly::bonds() const {
   const auto& families = plate.families();
   std::size_t count = 0;
   for (std::size_t k = 0; k < boundary.cloud.plate_points; ++k)
-    for (auto b = families.first[k]; b < families.first[k + 1]; ++b) count += boundary.is_plate(families.neighbour[b]);
+    for (const auto& bond : families[k]) count += boundary.is_plate(bond.neighbour);
   return count;
 }
 
@@ -185,7 +185,7 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
   warn_of_distrust(c, boundary, warnings);
   stopwatch.lap("families");
 
-  auto shapes = plate::bond_shapes(families.vectors, c.section, d);
+  auto shapes = plate::bond_shapes(families.vectors(), c.section, d);
   check_weights(file, shapes);
   auto cut = fracture::cut_share(whole, families, shapes, boundary.cloud.plate_points);
   const auto& areas = boundary.cloud.areas;

@@ -32,14 +32,14 @@ double weight_bytes(const plate::FamilyOperator& plate) {
 std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
   const double points = double(assembly.boundary.cloud.plate_points), all = double(assembly.boundary.cloud.size());
   const auto& families = assembly.plate.families();
-  const double list = double(families.bonds()) * 2 * sizeof(std::uint32_t) + all * sizeof(std::size_t);
+  const double list = double(families.bytes());
   const double loads = double(assembly.loads.size()) * vector_bytes * all / points;
   using enum Analysis::Method;
   const auto method = c.analysis.method;
 
   std::vector<post::ScenePart> parts{
       {"points", "geometry", all * (2 * sizeof(geometry::Point) + sizeof(double)) / points, 0},
-      {"family list", "families", list / points, 0},
+      {"families, by patterns of bonds", "families", list / points, 0},
       {"weights of the bonds, surface correction " + name_of(c.discretization.surface_correction), "parameters",
        weight_bytes(assembly.plate) / points, 0},
       {"rows of points", "parameters", double(assembly.plate.rows().bytes()) / points, 0}};

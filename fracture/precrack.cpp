@@ -42,11 +42,11 @@ std::vector<double> cut_share(const geometry::Families& whole, const geometry::F
   std::vector<double> share(plate_points, 0);
   const auto weight = [&](const geometry::Families& families, std::size_t k) {
     double sum = 0;
-    for (auto b = families.first[k]; b < families.first[k + 1]; ++b) sum += shapes[families.vector_id[b]].weight;
+    for (const auto& bond : families[k]) sum += shapes[bond.vector_id].weight;
     return sum;
   };
   for (std::size_t k = 0; k < plate_points; ++k) {
-    const auto before = whole.first[k + 1] - whole.first[k], after = severed.first[k + 1] - severed.first[k];
+    const auto before = whole[k].size(), after = severed[k].size();
     if (after < before) share[k] = 1 - weight(severed, k) / weight(whole, k);
   }
   return share;

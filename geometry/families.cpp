@@ -1,8 +1,9 @@
 #include "geometry/families.hpp"
 
+#include <omp.h>
 #include <algorithm>
 #include <cmath>
-#include <omp.h>
+#include <map>
 #include <unordered_map>
 
 namespace geometry {
@@ -58,77 +59,127 @@ private:
   std::vector<std::uint32_t> members_;
 };
 
-/// Runs `collect(k, out)` for every point and joins the lists in the order of the points.
+/// A bond before its vector has a number.
+struct Found {
+  std::int64_t step;
+  std::uint64_t vector;
+  auto operator<=>(const Found&) const = default;
+};
+using Pattern = std::vector<Found>;
+
+/// Numbers patterns in order of appearance.
+class Patterns {
+public:
+  std::uint32_t number(const Pattern& pattern) {
+    if (!order_.empty() && *order_[last_] == pattern) return last_;
+    const auto [entry, fresh] = known_.try_emplace(pattern, static_cast<std::uint32_t>(order_.size()));
+    if (fresh) order_.push_back(&entry->first);
+    return last_ = entry->second;
+  }
+  const std::vector<const Pattern*>& in_order() const { return order_; }
+
+private:
+  std::map<Pattern, std::uint32_t> known_;
+  std::vector<const Pattern*> order_;
+  std::uint32_t last_ = 0;
+};
+
+/// The patterns that `collect(k, scratch, pattern)` finds, and which of them every point has; the same for any number
+/// of threads, each of which sees points that follow each other.
 template <typename Collect>
-void gather(Families& result, std::size_t points, const Collect& collect) {
-  result.first.assign(points + 1, 0);
-  std::vector<std::vector<std::uint32_t>> parts(static_cast<std::size_t>(omp_get_max_threads()));
+std::pair<Patterns, std::vector<std::uint32_t>> patterns(std::size_t points, const Collect& collect) {
+  std::vector<std::uint32_t> pattern_of(points);
+  std::vector<Patterns> parts(static_cast<std::size_t>(omp_get_max_threads()));
+  std::vector<std::uint32_t> part_of(points);
 #pragma omp parallel
   {
-    auto& part = parts[static_cast<std::size_t>(omp_get_thread_num())];
-    std::vector<std::uint32_t> found;
+    const auto thread = static_cast<std::uint32_t>(omp_get_thread_num());
+    std::vector<std::uint32_t> scratch;
+    Pattern pattern;
 #pragma omp for schedule(static)
     for (std::size_t k = 0; k < points; ++k) {
-      const auto before = part.size();
-      collect(static_cast<std::uint32_t>(k), found, part);
-      result.first[k + 1] = part.size() - before;
+      pattern.clear();
+      collect(static_cast<std::uint32_t>(k), scratch, pattern);
+      pattern_of[k] = parts[thread].number(pattern);
+      part_of[k] = thread;
     }
   }
-  for (std::size_t k = 0; k < points; ++k) result.first[k + 1] += result.first[k];
-  result.neighbour.reserve(result.first.back());
-  for (auto& part : parts) {
-    result.neighbour.insert(result.neighbour.end(), part.begin(), part.end());
-    std::vector<std::uint32_t>().swap(part);
-  }
+  Patterns all;
+  std::vector<std::vector<std::uint32_t>> numbers(parts.size());
+  for (std::size_t t = 0; t < parts.size(); ++t)
+    for (const Pattern* pattern : parts[t].in_order()) numbers[t].push_back(all.number(*pattern));
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < points; ++k) pattern_of[k] = numbers[part_of[k]][pattern_of[k]];
+  return {std::move(all), std::move(pattern_of)};
 }
 
-/// Numbers the distinct bond vectors in order of appearance.
-void number_vectors(Families& families, const Buckets& buckets, double spacing) {
-  constexpr double grain = 1 << 20;
-  std::unordered_map<std::uint64_t, std::uint32_t> ids;
-  families.vector_id.resize(families.bonds());
-  for (std::uint32_t k = 0; k + 1 < families.first.size(); ++k)
-    for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
-      const Point xi = buckets.point(families.neighbour[b]) - buckets.point(k);
-      const auto x = static_cast<std::uint32_t>(std::llround(xi.x() * grain));
-      const auto y = static_cast<std::uint32_t>(std::llround(xi.y() * grain));
-      const auto [entry, fresh] =
-          ids.try_emplace((std::uint64_t{x} << 32) | y, static_cast<std::uint32_t>(families.vectors.size()));
-      if (fresh) families.vectors.push_back(spacing * xi);
-      families.vector_id[b] = entry->second;
-    }
+/// `vector_id(vector)`: number of a bond vector, asked for in order of appearance.
+template <typename VectorId>
+Families joined(const Patterns& patterns, std::vector<std::uint32_t> pattern_of, std::vector<Point>& vectors,
+                const VectorId& vector_id) {
+  std::vector<std::size_t> first{0};
+  std::vector<Families::Step> steps;
+  for (const Pattern* pattern : patterns.in_order()) {
+    for (const Found& bond : *pattern) steps.push_back({static_cast<std::int32_t>(bond.step), vector_id(bond.vector)});
+    first.push_back(steps.size());
+  }
+  return {std::move(vectors), std::move(pattern_of), std::move(first), std::move(steps)};
 }
 
 }  // namespace
 
+Families::Families(std::vector<Point> vectors, std::vector<std::uint32_t> pattern, std::vector<std::size_t> first,
+                   std::vector<Step> steps)
+    : vectors_(std::move(vectors)), pattern_(std::move(pattern)), first_(std::move(first)), steps_(std::move(steps)) {
+  for (const auto p : pattern_) bonds_ += first_[p + 1] - first_[p];
+}
+
+std::size_t Families::Family::find(std::uint32_t j) const {
+  const auto step = static_cast<std::int32_t>(j - point_);
+  const Step* const at = std::lower_bound(begin_, end_, step, [](const Step& a, std::int32_t b) { return a.step < b; });
+  return at < end_ && at->step == step ? static_cast<std::size_t>(at - begin_) : size();
+}
+
+std::size_t Families::bytes() const {
+  return pattern_.size() * sizeof(std::uint32_t) + steps_.size() * sizeof(Step) + first_.size() * sizeof(std::size_t) +
+         vectors_.size() * sizeof(Point);
+}
+
 Families families(const Cloud& cloud, double horizon, const Pairwise& sees) {
+  constexpr double grain = 1 << 20;  // bond vectors are numbered by multiples of this part of a spacing
   const double radius = horizon / cloud.units.spacing * (1 + 1e-9);
   const Buckets buckets(cloud, radius);
-  Families result;
-  gather(result, cloud.size(), [&](std::uint32_t k, auto& found, auto& part) {
-    buckets.within(k, radius, found);
-    for (const auto j : found)
-      if (sees(std::min(k, j), std::max(k, j))) part.push_back(j);
+  const auto [found, pattern_of] = patterns(cloud.size(), [&](std::uint32_t k, auto& near, Pattern& pattern) {
+    buckets.within(k, radius, near);
+    for (const auto j : near)
+      if (sees(std::min(k, j), std::max(k, j))) {
+        const Point xi = buckets.point(j) - buckets.point(k);
+        const auto x = static_cast<std::uint32_t>(std::llround(xi.x() * grain));
+        const auto y = static_cast<std::uint32_t>(std::llround(xi.y() * grain));
+        pattern.push_back({std::int64_t(j) - std::int64_t(k), (std::uint64_t{x} << 32) | y});
+      }
   });
-  number_vectors(result, buckets, cloud.units.spacing);
-  return result;
+  std::unordered_map<std::uint64_t, std::uint32_t> ids;
+  std::vector<Point> vectors;
+  const auto number = [&](std::uint64_t vector) {
+    const auto [entry, fresh] = ids.try_emplace(vector, static_cast<std::uint32_t>(vectors.size()));
+    if (fresh) {
+      const Point xi(static_cast<std::int32_t>(vector >> 32), static_cast<std::int32_t>(vector & 0xffffffff));
+      vectors.push_back(cloud.units.spacing / grain * xi);
+    }
+    return entry->second;
+  };
+  return joined(found, pattern_of, vectors, number);
 }
 
 Families without(const Families& families, const Pairwise& cut) {
-  Families result;
-  result.vectors = families.vectors;
-  std::vector<char> keep(families.bonds());
-  gather(result, families.points(), [&](std::uint32_t k, auto&, auto& part) {
-    for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
-      const auto j = families.neighbour[b];
-      keep[b] = !cut(std::min(k, j), std::max(k, j));
-      if (keep[b]) part.push_back(j);
-    }
+  const auto [found, pattern_of] = patterns(families.points(), [&](std::uint32_t k, auto&, Pattern& pattern) {
+    for (const auto& bond : families[k])
+      if (!cut(std::min(k, bond.neighbour), std::max(k, bond.neighbour)))
+        pattern.push_back({std::int64_t(bond.neighbour) - std::int64_t(k), bond.vector_id});
   });
-  result.vector_id.reserve(result.bonds());
-  for (std::size_t b = 0; b < families.bonds(); ++b)
-    if (keep[b]) result.vector_id.push_back(families.vector_id[b]);
-  return result;
+  auto vectors = families.vectors();
+  return joined(found, pattern_of, vectors, [](std::uint64_t id) { return static_cast<std::uint32_t>(id); });
 }
 
 }  // namespace geometry

@@ -5,24 +5,18 @@
 namespace geometry {
 namespace {
 
-/// Kind of point k, then step and kind of every neighbour.
-std::vector<std::int64_t> pattern_of(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t k) {
-  std::vector<std::int64_t> pattern{kind[k]};
-  for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
-    pattern.push_back(std::int64_t(families.neighbour[b]) - std::int64_t(k));
-    pattern.push_back(kind[families.neighbour[b]]);
-  }
-  return pattern;
+/// Kind of point k and pattern of its family, then the kind of every neighbour.
+std::vector<std::uint32_t> look_of(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t k) {
+  std::vector<std::uint32_t> look{kind[k], families.pattern(k)};
+  for (const auto& bond : families[k]) look.push_back(kind[bond.neighbour]);
+  return look;
 }
 
-/// Does point k have the pattern of the point before it?
+/// Does point k look like the point before it?
 bool alike(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t k) {
-  if (kind[k] != kind[k - 1]) return false;
-  const auto before = families.first[k - 1], own = families.first[k];
-  for (std::size_t i = 0; i < families.first[k + 1] - own; ++i) {
-    const auto j = families.neighbour[own + i], j_before = families.neighbour[before + i];
-    if (j_before + 1 != j || kind[j_before] != kind[j]) return false;
-  }
+  if (kind[k] != kind[k - 1] || families.pattern(k) != families.pattern(k - 1)) return false;
+  for (const auto& bond : families[k])
+    if (kind[bond.neighbour] != kind[bond.neighbour - 1]) return false;
   return true;
 }
 
@@ -30,7 +24,7 @@ bool alike(const Families& families, const std::vector<std::uint32_t>& kind, std
 
 FamilyRuns family_runs(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t longest) {
   FamilyRuns result;
-  std::map<std::vector<std::int64_t>, std::uint32_t> known;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> known;
   for (std::uint32_t k = 0; k < families.points(); ++k) {
     const bool same = k > 0 && alike(families, kind, k);
     if (same && result.runs.back().length < longest) {
@@ -41,8 +35,7 @@ FamilyRuns family_runs(const Families& families, const std::vector<std::uint32_t
       result.runs.push_back({k, 1, result.runs.back().pattern});
       continue;
     }
-    const auto [entry, fresh] =
-        known.try_emplace(pattern_of(families, kind, k), static_cast<std::uint32_t>(known.size()));
+    const auto [entry, fresh] = known.try_emplace(look_of(families, kind, k), static_cast<std::uint32_t>(known.size()));
     if (fresh) result.example.push_back(k);
     result.runs.push_back({k, 1, entry->second});
   }

@@ -41,21 +41,17 @@ FamilyOperator::FamilyOperator(geometry::Families families, std::vector<BondShap
   }
   patterns_.first.push_back(0);
   for (const std::size_t k : runs_.example) {
-    for (std::size_t i = 0; i < families_.first[k + 1] - families_.first[k]; ++i) patterns_.bonds.push_back(bond(k, i));
+    for (std::size_t i = 0; i < families_[k].size(); ++i) patterns_.bonds.push_back(bond(k, i));
     patterns_.first.push_back(patterns_.bonds.size());
   }
 }
 
 /// The i-th bond of point k.
 PatternBond FamilyOperator::bond(std::size_t k, std::size_t i) const {
-  const auto b = families_.first[k] + i;
-  const std::size_t j = families_.neighbour[b];
-  const auto begin = families_.neighbour.begin() + std::ptrdiff_t(families_.first[j]);
-  const auto end = families_.neighbour.begin() + std::ptrdiff_t(families_.first[j + 1]);
-  const auto back = std::lower_bound(begin, end, static_cast<std::uint32_t>(k)) - begin;
-  const BondWeights &own = weights_.of(k, i), &other = weights_.of(j, std::size_t(back));
+  const auto [j, id] = families_[k][i];
+  const BondWeights &own = weights_.of(k, i), &other = weights_.of(j, families_[j].find(static_cast<std::uint32_t>(k)));
   const double area = area_[Eigen::Index(k)], area_j = area_[Eigen::Index(j)];
-  const BondShape& shape = shapes_[families_.vector_id[b]];
+  const BondShape& shape = shapes_[id];
   return {shape.mx, shape.my, shape.length, own.D, other.D, 2 * (area * own.B + area_j * other.B),
           2 * (area * own.S + area_j * other.S), static_cast<std::int32_t>(std::ptrdiff_t(j) - std::ptrdiff_t(k))};
 }
@@ -138,12 +134,12 @@ Eigen::VectorXd FamilyOperator::energies(const State& state) const {
 #pragma omp parallel for schedule(static)
   for (Eigen::Index k = 0; k < result.size(); ++k) {
     const Kinematics<> own{state(0, k), state(1, k), state(2, k)};
-    const auto first = families_.first[std::size_t(k)];
     double dilatation = 0, sum = 0;
-    for (auto b = first; b < families_.first[std::size_t(k) + 1]; ++b) {
-      const BondShape& bond = shapes_[families_.vector_id[b]];
-      const BondWeights& weights = weights_.of(std::size_t(k), b - first);
-      const auto j = static_cast<Eigen::Index>(families_.neighbour[b]);
+    const auto family = families_[std::size_t(k)];
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      const BondShape& bond = shapes_[family[i].vector_id];
+      const BondWeights& weights = weights_.of(std::size_t(k), i);
+      const auto j = static_cast<Eigen::Index>(family[i].neighbour);
       const Kinematics<> other{state(0, j), state(1, j), state(2, j)};
       const double curvature = curvature_difference(bond, own, other);
       dilatation += weights.D * curvature;

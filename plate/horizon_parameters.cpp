@@ -77,17 +77,14 @@ std::vector<PointParameters> horizon_parameters(const geometry::Families& famili
                                        ? arbitrary_horizon(section, d.twist_match, full, full.twist)
                                        : disc_parameters(section, d.influence, d.horizon());
   std::vector<double> shares;
-  for (const auto& xi : families.vectors) shares.push_back(volume_share(d, xi));
+  for (const auto& xi : families.vectors()) shares.push_back(volume_share(d, xi));
 
   std::vector<PointParameters> result(families.points());
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < families.points(); ++k) {
-    if (!active[k] || families.first[k] == families.first[k + 1]) continue;
+    if (!active[k] || families[k].empty()) continue;
     FamilySums sums;
-    for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
-      const auto id = families.vector_id[b];
-      add(sums, shapes[id], shares[id], section.thickness, areas[families.neighbour[b]]);
-    }
+    for (const auto [j, id] : families[k]) add(sums, shapes[id], shares[id], section.thickness, areas[j]);
     switch (d.surface_correction) {
       case SurfaceCorrection::none: result[k] = constant; break;
       case SurfaceCorrection::volume: result[k] = scaled(constant, full.volume / sums.volume); break;

@@ -32,7 +32,7 @@ struct FamilySums {
 PointParameters arbitrary_horizon(const Section& section, TwistMatch match, const FamilySums& sums,
                                   double full_twist);
 
-/// Shape of every bond vector of the families: shapes[families.vector_id[bond]].
+/// Shape of every bond vector of the families: shapes[bond.vector_id].
 std::vector<BondShape> bond_shapes(const std::vector<geometry::Point>& vectors, const Section& section,
                                    const Discretization& discretization);
 

@@ -14,7 +14,7 @@ namespace {
 
 double shortest_bond(const FamilyOperator& plate) {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const auto& vector : plate.families().vectors) shortest = std::min(shortest, vector.norm());
+  for (const auto& vector : plate.families().vectors()) shortest = std::min(shortest, vector.norm());
   return shortest;
 }
 

@@ -30,7 +30,7 @@ FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& bound
   });
   Discretization full_cells = discretization;
   full_cells.volume_correction = VolumeCorrection::none;
-  auto shapes = bond_shapes(families.vectors, section, full_cells);
+  auto shapes = bond_shapes(families.vectors(), section, full_cells);
   const auto& areas = boundary.cloud.areas;
   const auto kinds = family_kinds(families, areas, boundary.active);
   auto weights = position_aware(families, shapes, areas, boundary.active, kinds, bond_based(section)).weights;

@@ -69,8 +69,8 @@ public:
   template <typename Visit>
   void for_each_bond(const Visit& visit) const {
     for (std::uint32_t k = 0; k < families_.points(); ++k)
-      for (auto b = families_.first[k]; b < families_.first[k + 1]; ++b)
-        if (const auto j = families_.neighbour[b]; j < k && (boundary_.active[k] || boundary_.active[j])) visit(k, j);
+      for (const auto& bond : families_[k])
+        if (const auto j = bond.neighbour; j < k && (boundary_.active[k] || boundary_.active[j])) visit(k, j);
   }
 
 private:
@@ -80,7 +80,7 @@ private:
   void number() {
     part_.assign(families_.points(), none);
     for (std::uint32_t k = 0; k < families_.points(); ++k) {
-      if (follows_[k] || (!boundary_.is_plate(k) && families_.first[k] == families_.first[k + 1])) continue;
+      if (follows_[k] || (!boundary_.is_plate(k) && families_[k].empty())) continue;
       const auto root = sets_.root(k);
       if (root == k) {
         part_[k] = std::uint32_t(first_.size());
@@ -96,19 +96,19 @@ private:
 
   /// Direction of the bonds where they lie on one line, else zero.
   Point line_of(std::uint32_t k) const {
-    const auto begin = families_.first[k], end = families_.first[k + 1];
-    if (begin == end) return {0, 0};
-    const Point one = to(k, families_.neighbour[begin]);
-    for (auto b = begin; b < end; ++b)
-      if (std::abs(cross(one, to(k, families_.neighbour[b]))) > straight) return {0, 0};
+    const auto family = families_[k];
+    if (family.empty()) return {0, 0};
+    const Point one = to(k, family[0].neighbour);
+    for (const auto& bond : family)
+      if (std::abs(cross(one, to(k, bond.neighbour))) > straight) return {0, 0};
     return one.normalized();
   }
 
   /// Two bonded points and a third that is bonded to both beside their line: none can turn against the others.
   void join_triangle(std::uint32_t k, std::uint32_t j) {
-    auto a = families_.first[k], b = families_.first[j];
-    while (a < families_.first[k + 1] && b < families_.first[j + 1]) {
-      const auto i = families_.neighbour[a], other = families_.neighbour[b];
+    const auto own = families_[k], others = families_[j];
+    for (std::size_t a = 0, b = 0; a < own.size() && b < others.size();) {
+      const auto i = own[a].neighbour, other = others[b].neighbour;
       if (i == other && stores(k, i) && stores(j, i) && std::abs(cross(to(k, j), to(k, i))) > straight) {
         sets_.join(k, j);
         sets_.join(k, i);

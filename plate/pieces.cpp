@@ -23,8 +23,8 @@ Eigen::Vector3d rigid(std::uint32_t dof, const geometry::Point& x) {
 std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families) {
   DisjointSets sets(families.points());
   for (std::uint32_t k = 0; k < families.points(); ++k)
-    for (auto b = families.first[k]; b < families.first[k + 1]; ++b)
-      if (families.neighbour[b] < k) sets.join(k, families.neighbour[b]);
+    for (const auto& bond : families[k])
+      if (bond.neighbour < k) sets.join(k, bond.neighbour);
   for (const auto& tie : boundary.constraints.ties()) sets.join(tie.follower / 3, tie.leader / 3);
 
   std::map<std::uint32_t, Piece> found;

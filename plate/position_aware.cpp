@@ -126,10 +126,7 @@ PositionAware position_aware(const geometry::Families& families, const std::vect
   std::vector<Match> match;
   for (const auto k : kinds.example) {
     std::vector<FamilyBond> bonds;
-    for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
-      const auto id = families.vector_id[b];
-      bonds.push_back({families.vectors[id], shapes[id].weight * areas[families.neighbour[b]]});
-    }
+    for (const auto [j, id] : families[k]) bonds.push_back({families.vectors()[id], shapes[id].weight * areas[j]});
     FamilyWeights own = active[k] ? position_aware(section, bonds) : FamilyWeights{};
     own.bonds.resize(bonds.size());  // a point that stores no energy has weights of zero
     result.weights.a.push_back(own.a);

@@ -22,12 +22,11 @@ Gradients gradients(std::size_t k, const State& state, const geometry::Families&
   const Kinematics<> own = kinematics(k);
   Gradients sum;
   Eigen::Matrix2d shape = Eigen::Matrix2d::Zero();
-  for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
-    const BondShape& bond = shapes[families.vector_id[b]];
-    const auto j = families.neighbour[b];
+  for (const auto [j, id] : families[k]) {
+    const BondShape& bond = shapes[id];
     const Kinematics<> other = kinematics(j);
-    const Eigen::Vector2d xi = families.vectors[families.vector_id[b]] * (bond.weight * areas[j]);
-    shape += xi * families.vectors[families.vector_id[b]].transpose();
+    const Eigen::Vector2d xi = families.vectors()[id] * (bond.weight * areas[j]);
+    shape += xi * families.vectors()[id].transpose();
     sum.theta += Eigen::Vector2d(other.theta_x - own.theta_x, other.theta_y - own.theta_y) * xi.transpose();
     sum.shear += xi * shear_difference(bond, own, other);
   }

@@ -144,12 +144,12 @@ Eigen::SparseMatrix<double> point_graph(const geometry::Families& families) {
   Eigen::SparseMatrix<double> result(size, size);
   std::vector<int> counts;
   for (std::size_t k = 0; k < families.points(); ++k)
-    counts.push_back(int(families.first[k + 1] - families.first[k]) + 1);
+    counts.push_back(int(families[k].size()) + 1);
   result.reserve(counts);
   for (std::size_t k = 0; k < families.points(); ++k) {
     result.insert(Eigen::Index(k), Eigen::Index(k)) = 1;
-    for (auto b = families.first[k]; b < families.first[k + 1]; ++b)
-      if (families.neighbour[b] > k) result.insert(families.neighbour[b], Eigen::Index(k)) = 1;
+    for (const auto& bond : families[k])
+      if (bond.neighbour > k) result.insert(bond.neighbour, Eigen::Index(k)) = 1;
   }
   result.makeCompressed();
   return result;

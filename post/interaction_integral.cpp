@@ -12,15 +12,15 @@ using geometry::Point;
 std::optional<GradientShares> quadratic_shares(const BondedPlate& plate, std::uint32_t k, double reach) {
   const auto& families = plate.families;
   GradientShares result;
-  for (auto b = families.first[k]; b < families.first[k + 1]; ++b)
-    if (plate.shapes[families.vector_id[b]].length < reach * plate.spacing)
-      result.bonds.push_back(static_cast<std::uint32_t>(b));
+  for (const auto& bond : families[k])
+    if (plate.shapes[bond.vector_id].length < reach * plate.spacing)
+      result.bonds.push_back(bond);
   const auto count = static_cast<Eigen::Index>(result.bonds.size());
   if (count < 5) return std::nullopt;
   Eigen::MatrixXd basis(count, 5);
   Eigen::VectorXd weight(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Point x = families.vectors[families.vector_id[result.bonds[std::size_t(i)]]] / plate.spacing;
+    const Point x = families.vectors()[result.bonds[std::size_t(i)].vector_id] / plate.spacing;
     basis.row(i) << x.x(), x.y(), x.x() * x.x(), x.x() * x.y(), x.y() * x.y();
     weight[i] = 1 / x.squaredNorm();
   }
@@ -36,10 +36,10 @@ GradientShares gradient_shares(const BondedPlate& plate, std::uint32_t k) {
     if (auto found = quadratic_shares(plate, k, reach)) return *found;
   GradientShares linear;
   const auto& families = plate.families;
-  Eigen::MatrixXd basis(Eigen::Index(families.first[k + 1] - families.first[k]), 2);
-  for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
-    basis.row(Eigen::Index(linear.bonds.size())) = families.vectors[families.vector_id[b]].transpose();
-    linear.bonds.push_back(static_cast<std::uint32_t>(b));
+  Eigen::MatrixXd basis(Eigen::Index(families[k].size()), 2);
+  for (const auto& bond : families[k]) {
+    basis.row(Eigen::Index(linear.bonds.size())) = families.vectors()[bond.vector_id].transpose();
+    linear.bonds.push_back(bond);
   }
   linear.share = basis.completeOrthogonalDecomposition().pseudoInverse();
   return linear;

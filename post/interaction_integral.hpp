@@ -14,7 +14,7 @@ struct PointStrains {
 
 /// Gradients at a point, by least squares over neighbours.
 struct GradientShares {
-  std::vector<std::uint32_t> bonds;
+  std::vector<geometry::Bond> bonds;
   Eigen::Matrix2Xd share;  // per bond: of a difference along the bond, in the gradient
 };
 
@@ -35,11 +35,11 @@ public:
     PointStrains result;
     const auto own = field(point.k);
     for (std::size_t n = 0; n < point.shares.bonds.size(); ++n) {
-      const auto b = point.shares.bonds[n];
-      const auto other = field(plate_.families.neighbour[b]);
+      const auto& bond = point.shares.bonds[n];
+      const auto other = field(bond.neighbour);
       const geometry::Point share = point.shares.share.col(Eigen::Index(n));
       result.psi += geometry::Point(own.theta_y - other.theta_y, other.theta_x - own.theta_x) * share.transpose();
-      result.gamma += share * shear_difference(plate_.shapes[plate_.families.vector_id[b]], own, other);
+      result.gamma += share * shear_difference(plate_.shapes[bond.vector_id], own, other);
     }
     result.w_slope = (result.gamma + geometry::Point(-own.theta_y, own.theta_x)).dot(ahead_);
     return result;

@@ -7,9 +7,7 @@ namespace post {
 namespace {
 
 bool bonded(const geometry::Families& families, std::uint32_t k, std::uint32_t j) {
-  const auto begin = families.neighbour.begin();
-  return std::binary_search(begin + static_cast<std::ptrdiff_t>(families.first[k]),
-                            begin + static_cast<std::ptrdiff_t>(families.first[k + 1]), j);
+  return families[k].find(j) < families[k].size();
 }
 
 bool all_bonded(const geometry::Families& families, const std::vector<std::uint32_t>& corners) {

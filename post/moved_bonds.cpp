@@ -22,23 +22,19 @@ public:
       const double divergence = x.norm() > 0 ? ring.slope(x.norm()) * x.dot(frame.ahead) / x.norm() : 0;
       const double own = extension(k);
       bool moves = divergence != 0;
-      for (auto b = plate.families.first[k]; b < plate.families.first[k + 1]; ++b)
-        moves = moves || extension(plate.families.neighbour[b]) != own;
+      for (const auto& bond : plate.families[k]) moves = moves || extension(bond.neighbour) != own;
       if (!moves) continue;
       for (const int sign : {1, -1}) {
         std::vector<plate::FamilyBond> bonds;
-        for (auto b = plate.families.first[k]; b < plate.families.first[k + 1]; ++b) {
-          const auto j = plate.families.neighbour[b];
-          const auto id = plate.families.vector_id[b];
-          bonds.push_back({plate.families.vectors[id] + sign * step * (extension(j) - own) * frame.ahead,
+        for (const auto [j, id] : plate.families[k])
+          bonds.push_back({plate.families.vectors()[id] + sign * step * (extension(j) - own) * frame.ahead,
                            plate.shapes[id].weight * plate.areas[j]});
-        }
         const auto weights = plate::position_aware(plate.section, bonds);
         const double share = -sign * plate.areas[k] * (1 + sign * step * divergence) / (2 * step);
         RingPoint point{k, share, weights.a, bonds_.size(), 0};
         for (std::size_t i = 0; i < bonds.size(); ++i) {
           const double length = bonds[i].vector.norm();
-          bonds_.push_back({plate.families.neighbour[plate.families.first[k] + i], bonds[i].vector.y() / length,
+          bonds_.push_back({plate.families[k][i].neighbour, bonds[i].vector.y() / length,
                             -bonds[i].vector.x() / length, length, weights.bonds[i]});
         }
         point.end = bonds_.size();

@@ -52,12 +52,18 @@ void list_with_geometry_on_the_fly(benchmark::State& run) {
   const auto& x = p.assembly.boundary.cloud.positions;
   const double delta = p.file.content.discretization.horizon(), area = p.assembly.boundary.cloud.areas.front();
   const auto points = families.points();
+  std::vector<std::uint32_t> neighbour;
+  std::vector<std::size_t> first{0};
+  for (std::size_t k = 0; k < points; ++k) {
+    for (const auto& bond : families[k]) neighbour.push_back(bond.neighbour);
+    first.push_back(neighbour.size());
+  }
   std::vector<double> dilatation(points);
   for (auto _ : run) {
     for (std::size_t k = 0; k < points; ++k) {
       double sum = 0;
-      for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
-        const auto j = families.neighbour[b];
+      for (auto b = first[k]; b < first[k + 1]; ++b) {
+        const auto j = neighbour[b];
         const geometry::Point xi = x[j] - x[k];
         const double length = xi.norm(), mx = xi.y() / length, my = -xi.x() / length;
         sum += delta / length * area * (mx * (p.state(1, j) - p.state(1, k)) + my * (p.state(2, j) - p.state(2, k)));
@@ -66,8 +72,8 @@ void list_with_geometry_on_the_fly(benchmark::State& run) {
     }
     for (std::size_t k = 0; k < points; ++k) {
       double force = 0, couple_x = 0, couple_y = 0;
-      for (auto b = families.first[k]; b < families.first[k + 1]; ++b) {
-        const auto j = families.neighbour[b];
+      for (auto b = first[k]; b < first[k + 1]; ++b) {
+        const auto j = neighbour[b];
         const geometry::Point xi = x[j] - x[k];
         const double length = xi.norm(), mx = xi.y() / length, my = -xi.x() / length, weight = delta / length * area;
         const double bend = mx * (p.state(1, j) - p.state(1, k)) + my * (p.state(2, j) - p.state(2, k));

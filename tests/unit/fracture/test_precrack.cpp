@@ -20,8 +20,8 @@ geometry::Families severed(const small_plate::Model& m, const std::vector<CrackP
 }
 
 bool bonded(const geometry::Families& families, std::uint32_t k, std::uint32_t j) {
-  for (auto b = families.first[k]; b < families.first[k + 1]; ++b)
-    if (families.neighbour[b] == j) return true;
+  for (const auto& bond : families[k])
+    if (bond.neighbour == j) return true;
   return false;
 }
 
@@ -37,13 +37,19 @@ bool segments_cross(const Point& p, const Point& q, const Point& a, const Point&
 const Point bent[] = {{3.137, 4.271}, {7.613, 6.889}, {9.241, 4.153}};
 const CrackPath crack{{bent[0], bent[1], bent[2]}, End::tip, End::tip};
 
+bool same(const geometry::Families& a, const geometry::Families& b) {
+  for (std::uint32_t k = 0; k < a.points(); ++k)
+    for (const auto& bond : b[k])
+      if (!bonded(a, k, bond.neighbour)) return false;
+  return a.bonds() == b.bonds();
+}
+
 }  // namespace
 
 TEST_CASE("without cracks nothing is severed") {
   const auto m = sheet();
   const auto rest = severed(m, {});
-  CHECK(rest.neighbour == m.plate.families().neighbour);
-  CHECK(rest.vector_id == m.plate.families().vector_id);
+  CHECK(same(rest, m.plate.families()));
 }
 
 TEST_CASE("a crack severs the bonds that cross it and no others") {
@@ -52,8 +58,8 @@ TEST_CASE("a crack severs the bonds that cross it and no others") {
   const auto rest = severed(m, {crack});
   std::size_t cut = 0, kept = 0;
   for (std::uint32_t k = 0; k < whole.points(); ++k)
-    for (auto b = whole.first[k]; b < whole.first[k + 1]; ++b) {
-      const auto j = whole.neighbour[b];
+    for (const auto& bond : whole[k]) {
+      const auto j = bond.neighbour;
       const Point &p = m.boundary.lattice[k], &q = m.boundary.lattice[j];
       const bool crosses = segments_cross(p, q, bent[0], bent[1]) || segments_cross(p, q, bent[1], bent[2]);
       REQUIRE(bonded(rest, k, j) == !crosses);
@@ -68,7 +74,7 @@ TEST_CASE("several cracks: each severs its own") {
   const CrackPath other{{{10.3, 9.1}, {12.7, 10.9}}, End::tip, End::tip};
   const auto both = severed(m, {crack, other});
   const auto one_by_one = sever(m.boundary, severed(m, {crack}), {other}, 3.015);
-  CHECK(both.neighbour == one_by_one.neighbour);
+  CHECK(same(both, one_by_one));
   CHECK(both.bonds() < severed(m, {crack}).bonds());
 }
 
@@ -80,8 +86,8 @@ TEST_CASE("bonds to mirror images are severed by the crack's mirror images") {
   const auto rest = severed(m, {to_edge});
   std::size_t cut = 0, images = 0;
   for (std::uint32_t k = 0; k < m.boundary.cloud.plate_points; ++k)
-    for (auto b = whole.first[k]; b < whole.first[k + 1]; ++b) {
-      const auto j = whole.neighbour[b];
+    for (const auto& bond : whole[k]) {
+      const auto j = bond.neighbour;
       if (m.boundary.is_plate(j)) continue;
       const Point &p = m.boundary.lattice[k], &q = m.boundary.lattice[j];
       const bool across = (p.y() > 5) != (q.y() > 5);  // within a horizon of x = 0, shorter than the crack

@@ -46,7 +46,7 @@ inline Model model(const geometry::Outline& outline, const std::vector<plate::Su
         if (geometry::severs(crack, boundary.lattice[k], boundary.lattice[j])) return true;
       return false;
     });
-  auto shapes = plate::bond_shapes(families.vectors, section, d);
+  auto shapes = plate::bond_shapes(families.vectors(), section, d);
   const auto& areas = boundary.cloud.areas;
   auto weights = horizon_weights(families, shapes, boundary, d);
   plate::FamilyOperator op(std::move(families), std::move(shapes), areas, std::move(weights));

@@ -20,7 +20,7 @@ LatticeOperator cracked(const small_plate::Model& m, const geometry::Outline& ou
       return geometry::severs(path, m.boundary.lattice[k], m.boundary.lattice[j]);
     });
   });
-  auto shapes = bond_shapes(families.vectors, small_plate::section, m.discretization);
+  auto shapes = bond_shapes(families.vectors(), small_plate::section, m.discretization);
   const auto& areas = m.boundary.cloud.areas;
   const auto kinds = family_kinds(families, areas, m.boundary.active);
   auto weights = position_aware(families, shapes, areas, m.boundary.active, kinds, small_plate::section).weights;

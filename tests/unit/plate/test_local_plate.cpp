@@ -38,7 +38,7 @@ Section of_thickness(double h) {
 /// A plate of another thickness than that of small_plate.
 FamilyOperator with(const small_plate::Model& m, const Section& section) {
   auto families = m.plate.families();
-  auto shapes = bond_shapes(families.vectors, section, m.discretization);
+  auto shapes = bond_shapes(families.vectors(), section, m.discretization);
   const auto& areas = m.boundary.cloud.areas;
   const auto kinds = family_kinds(families, areas, m.boundary.active);
   auto weights = position_aware(families, shapes, areas, m.boundary.active, kinds, section).weights;

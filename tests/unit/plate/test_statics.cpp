@@ -128,7 +128,7 @@ TEST_CASE("the solution does not depend on the units") {
     const auto cells = geometry::to_lattice(outline, cloud.units);
     auto b = boundary(std::move(cloud), cells, {{SupportKind::clamped, {"left", "right"}, {}}}, d);
     auto families = geometry::families(b.cloud, d.horizon(), sees(b, cells, d.horizon_ratio));
-    auto shapes = bond_shapes(families.vectors, section, d);
+    auto shapes = bond_shapes(families.vectors(), section, d);
     const auto kinds = family_kinds(families, b.cloud.areas, b.active);
     auto weights = position_aware(families, shapes, b.cloud.areas, b.active, kinds, section).weights;
     const FamilyOperator op(std::move(families), std::move(shapes), b.cloud.areas, std::move(weights));

@@ -29,7 +29,7 @@ struct Scene {
   geometry::Families families = geometry::without(
       geometry::families(cloud, 3.015, [](auto, auto) { return true; }),
       [this](std::uint32_t k, std::uint32_t j) { return geometry::severs(paths[0], cloud.positions[k], cloud.positions[j]); });
-  std::vector<plate::BondShape> shapes = plate::bond_shapes(families.vectors, section, small_plate::spaced(1));
+  std::vector<plate::BondShape> shapes = plate::bond_shapes(families.vectors(), section, small_plate::spaced(1));
   BondedPlate plate{cloud.positions, cloud.areas, families, shapes, cloud.plate_points, section, 1};
 
   plate::State field(int mode) const {
