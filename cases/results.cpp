@@ -149,7 +149,7 @@ void Results::frame(const plate::Instant& now) {
   }
   if (hdf5_) {
     const bool dynamic = case_.analysis.kind == Analysis::Kind::dynamic;
-    const plate::State velocity = dynamic ? plate::State(now.velocity.leftCols(Eigen::Index(plate_points))) : plate::State();
+    const plate::State velocity = dynamic ? plate::State(now.velocity().leftCols(Eigen::Index(plate_points))) : plate::State();
     hdf5_->write(frame, dynamic ? &velocity : nullptr);
   }
 }
@@ -158,8 +158,7 @@ void Results::mode(std::size_t number, const plate::Mode& mode) {
   const double omega = 2 * std::numbers::pi * mode.frequency;
   frequencies_.push_back({number, mode.frequency, omega, mode.residual});
   frequency_table_.rows.push_back({double(number), mode.frequency, omega, mode.residual});
-  const plate::State at_rest;
-  frame({number, double(number), mode.shape, at_rest, 0, 0, 0, 0});
+  frame({number, double(number), mode.shape, {}, 0, 0, 0, 0});
 }
 
 post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {

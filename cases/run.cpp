@@ -80,10 +80,9 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
   summary.analysis.residual = solution.residual;
   summary.analysis.tolerance = c.analysis.tolerance;
   summary.analysis.stop_reason = solution.stop_reason;
-  const plate::State at_rest;
   const double work = slow_work(assembly, solution.state);
   const double strain = assembly.plate.energies(solution.state).sum();
-  const plate::Instant end{solution.iterations, 0, solution.state, at_rest, 0, work, strain, -2 * work};
+  const plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, -2 * work};
   results.sample(end, true);
   stopwatch.lap("srif");
   results.frame(end);
@@ -97,7 +96,7 @@ void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& resu
                    Stopwatch& stopwatch) {
   const Case& c = file.content;
   const auto& constraints = assembly.boundary.constraints;
-  const auto mass = mass_of(c, assembly);
+  auto mass = mass_of(c, assembly);
   const double limit = plate::stable_time_step(assembly.plate, constraints, mass);
   const TimeGrid grid = time_grid(file, limit);
   summary.analysis.method = "central_difference";
@@ -123,7 +122,7 @@ void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& resu
                       {"kinetic", now.kinetic_energy},
                       {"external_work", now.external_work}};
   };
-  plate::central_differences(assembly.plate, constraints, mass, assembly.loads,
+  plate::central_differences(assembly.plate, constraints, std::move(mass), assembly.loads,
                              {grid.time_step, grid.steps, grid.steps_per_row}, observe);
   summary.analysis.stop_reason = "end of the duration";
 }

@@ -32,21 +32,39 @@ public:
   bool held(std::uint32_t dof) const;
 
   void impose(State& state) const;            // u = P q
+  void impose(Values<float>& state) const;
   void impose_absolute(State& state) const;   // u = |P| q
   void fold(Forces& forces) const;            // f = P^T f; zero at held dofs
+  void fold(Values<float>& forces) const;
   void fold_absolute(Forces& forces) const;   // f = |P|^T f; zero at held dofs
   void fold_diagonal(Forces& diagonal) const; // m = diag(P^T diag(m) P); zero at held dofs
 
 private:
-  template <typename Weight>
-  void impose_with(State& state, const Weight& weight) const;
-  template <typename Weight>
-  void fold_with(Forces& forces, const Weight& weight) const;
+  struct Place {
+    std::uint32_t component, point;
+  };
+  struct Share {
+    Place from;
+    double factor;
+  };
+  /// For every target the shares that it takes, so that targets can be treated at once.
+  struct Sums {
+    std::vector<Place> target;
+    std::vector<std::size_t> first{0};
+    std::vector<Share> shares;
+  };
+  static Sums sums(const std::vector<Tie>& ties, bool by_leader);
+  template <typename Real, typename Weight>
+  void impose_with(Values<Real>& state, const Weight& weight) const;
+  template <typename Real, typename Weight>
+  void fold_with(Values<Real>& forces, const Weight& weight) const;
 
   std::unordered_map<std::uint32_t, std::vector<Leader>> wanted_;  // until resolve()
   std::vector<Tie> ties_;
   std::vector<std::uint32_t> fixed_;
   std::vector<std::uint32_t> held_;  // sorted, by resolve()
+  std::vector<Place> zero_;          // held and follows none
+  Sums followers_, leaders_;         // of resolve()
 };
 
 }  // namespace plate

@@ -1,65 +1,130 @@
 #include "plate/dynamics.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
-#include <optional>
-#include <random>
+#include <map>
+
 #include "plate/numerical_error.hpp"
-#include "plate/reduction.hpp"
 
 namespace plate {
 namespace {
 
-Forces inverse_of(const Forces& mass) {
-  return mass.unaryExpr([](double m) { return m > 0 ? 1 / m : 0.0; });
-}
+using Triple = std::array<double, 3>;  // per component of a State
 
-double dot(const Forces& a, const State& b) {
-  return ordered_sum<1>(static_cast<std::size_t>(a.size()),
-                        [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
-}
+/// Mass and loads of a point; lattices have few different ones.
+struct PointClass {
+  Triple mass, inverse_mass, load;  // load: the sum at the time in hand
+  std::vector<Triple> loads;        // of every load, at factor 1
+};
 
-/// The loads at one time, and the work that they have done.
-class External {
+/// Points that follow each other in one class.
+struct Run {
+  std::uint32_t first, length, point_class;
+};
+
+/// Mass and loads of all points, and what they do: a table in place of arrays by point.
+class Masses {
 public:
-  External(const std::vector<TimedLoad>& loads, const Constraints& constraints) : loads_(loads) {
-    for (auto& load : loads_) constraints.fold(load.forces);
-    total_ = Forces::Zero(3, loads_.front().forces.cols());
-    work_.assign(loads_.size(), 0);
-    last_.assign(loads_.size(), {0, 0});
-    for (const auto& load : loads_) varies_ = varies_ || !load.history.constant();
-    assemble(0);
-  }
-
-  const Forces& at(double time) {
-    if (varies_) assemble(time);
-    return total_;
-  }
-
-  /// Work up to now. A load that varies needs a call each step (trapezoidal rule), a constant one does not.
-  double work(double time, const State& state) {
-    double sum = 0;
-    for (std::size_t i = 0; i < loads_.size(); ++i) {
-      const double share = dot(loads_[i].forces, state), now = factor(loads_[i].history, time);
-      auto& [share_before, factor_before] = last_[i];
-      work_[i] = loads_[i].history.constant() ? share : work_[i] + (now + factor_before) / 2 * (share - share_before);
-      last_[i] = {share, now};
-      sum += work_[i];
+  Masses(const Forces& mass, std::vector<TimedLoad> loads, const Constraints& constraints) {
+    constexpr std::uint32_t longest = 1024;  // runs are shared out among threads
+    for (auto& load : loads) {
+      constraints.fold(load.forces);
+      histories_.push_back(load.history);
+      varies_ = varies_ || !load.history.constant();
     }
-    return sum;
+    last_.assign(loads.size(), {0, 0});
+    work_.assign(loads.size(), 0);
+    std::map<std::vector<double>, std::uint32_t> known;
+    std::vector<double> key, before;
+    for (Eigen::Index k = 0; k < mass.cols(); ++k) {
+      key.assign(mass.col(k).begin(), mass.col(k).end());
+      for (const auto& load : loads) key.insert(key.end(), load.forces.col(k).begin(), load.forces.col(k).end());
+      if (key == before && runs_.back().length < longest) {
+        ++runs_.back().length;
+        continue;
+      }
+      const auto [entry, fresh] = known.try_emplace(key, std::uint32_t(known.size()));
+      if (fresh) classes_.push_back(class_of(key));
+      runs_.push_back({std::uint32_t(k), 1, entry->second});
+      before = key;
+    }
+    at(0);
   }
+
   bool varies() const { return varies_; }
 
-private:
-  void assemble(double time) {
-    total_.setZero();
-    for (const auto& load : loads_) total_ += factor(load.history, time) * load.forces;
+  void at(double time) {
+    for (auto& one : classes_) {
+      one.load = {0, 0, 0};
+      for (std::size_t i = 0; i < histories_.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) one.load[c] += factor(histories_[i], time) * one.loads[i][c];
+    }
   }
 
-  std::vector<TimedLoad> loads_;
-  Forces total_;
-  std::vector<double> work_;
+  /// visit(class, component, index of the first value, number of values) for all points, from several threads.
+  template <typename Visit>
+  void for_each(Eigen::Index points, const Visit& visit) const {
+#pragma omp parallel for schedule(static)
+    for (std::size_t r = 0; r < runs_.size(); ++r)
+      for (std::size_t c = 0; c < 3; ++c)
+        visit(classes_[runs_[r].point_class], c, Eigen::Index(c) * points + runs_[r].first, runs_[r].length);
+  }
+
+  /// Sums of term(class, component, index) -> std::array<double, N>, in one order for any number of threads.
+  template <std::size_t N, typename Term>
+  std::array<double, N> sum(Eigen::Index points, const Term& term) const {
+    std::vector<std::array<double, N>> partial(runs_.size());
+#pragma omp parallel for schedule(static)
+    for (std::size_t r = 0; r < runs_.size(); ++r) {
+      std::array<double, N> part{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto& one = classes_[runs_[r].point_class];
+        const Eigen::Index begin = Eigen::Index(c) * points + runs_[r].first;
+        for (Eigen::Index i = begin; i < begin + runs_[r].length; ++i) {
+          const auto value = term(one, c, i);
+          for (std::size_t n = 0; n < N; ++n) part[n] += value[n];
+        }
+      }
+      partial[r] = part;
+    }
+    std::array<double, N> total{};
+    for (const auto& part : partial)
+      for (std::size_t n = 0; n < N; ++n) total[n] += part[n];
+    return total;
+  }
+
+  /// Work of the loads up to now. A load that varies needs a call each step (trapezoidal rule), a constant one does not.
+  double work(double time, const State& state) {
+    double all = 0;
+    for (std::size_t l = 0; l < histories_.size(); ++l) {
+      const auto [share] = sum<1>(state.cols(), [&](const PointClass& one, std::size_t c, Eigen::Index i) {
+        return std::array<double, 1>{one.loads[l][c] * state.data()[i]};
+      });
+      const double now = factor(histories_[l], time);
+      auto& [share_before, factor_before] = last_[l];
+      work_[l] = histories_[l].constant() ? share : work_[l] + (now + factor_before) / 2 * (share - share_before);
+      last_[l] = {share, now};
+      all += work_[l];
+    }
+    return all;
+  }
+
+private:
+  /// `key`: mass, then every load.
+  static PointClass class_of(const std::vector<double>& key) {
+    PointClass result{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      result.mass[c] = key[c];
+      result.inverse_mass[c] = key[c] > 0 ? 1 / key[c] : 0;
+    }
+    for (std::size_t i = 3; i < key.size(); i += 3) result.loads.push_back({key[i], key[i + 1], key[i + 2]});
+    return result;
+  }
+
+  std::vector<PointClass> classes_;
+  std::vector<Run> runs_;
+  std::vector<History> histories_;
   std::vector<std::pair<double, double>> last_;  // F . u and factor of the call before
+  std::vector<double> work_;
   bool varies_ = false;
 };
 
@@ -74,130 +139,82 @@ void require_finite(const State& state, std::size_t step, double time) {
                          ", first at point " + std::to_string(first));
 }
 
-/// max over i of (|K| s)_i / (M_i s_i) for a positive s bounds the eigenvalues of M^-1 K. From s = M^(-1/2), scaled
-/// Gershgorin, improved by a few products.
-double collatz_bound(const Operator& plate, const Constraints& constraints, const Forces& mass) {
-  constexpr int improvements = 3;
-  const Forces inverse_mass = inverse_of(mass);
-  State scale = inverse_mass.cwiseSqrt();
-  Forces product;
-  double smallest_bound = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= improvements; ++i) {
-    constraints.impose_absolute(scale);
-    plate.absolute_product(scale, product);
-    constraints.fold_absolute(product);
-    const State next = product.cwiseProduct(inverse_mass);
-    double bound = 0, largest = 0;
-    for (Eigen::Index n = 0; n < next.size(); ++n)
-      if (mass.data()[n] > 0) {
-        bound = std::max(bound, next.data()[n] / scale.data()[n]);
-        largest = std::max(largest, next.data()[n] * std::sqrt(mass.data()[n]));
-      }
-    smallest_bound = std::min(smallest_bound, bound);
-    scale = next / largest;
-  }
-  return smallest_bound;
-}
-
-/// The largest eigenvalue of M^-1 K and a margin, by Lanczos's recursion without a basis: lost orthogonality repeats
-/// eigenvalues, but does not make the largest larger. Nothing where it does not settle.
-std::optional<double> lanczos_bound(const Operator& plate, const Constraints& constraints, const Forces& mass) {
-  constexpr double tolerance = 1e-3, margin = 0.01;
-  constexpr std::size_t most = 400, check_every = 10;
-  const Forces root = inverse_of(mass).cwiseSqrt();
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  State now = root.unaryExpr([&](double r) { return r > 0 ? uniform(random) : 0.0; }),
-        before = State::Zero(3, now.cols());
-  now /= std::sqrt(dot(now, now));
-  std::vector<double> alpha, beta;
-  Forces forces;
-  State scaled;
-  while (alpha.size() < most) {
-    scaled = root.cwiseProduct(now);
-    constraints.impose(scaled);
-    plate.internal_force(scaled, forces);
-    constraints.fold(forces);
-    State next = -root.cwiseProduct(forces);  // M^(-1/2) K M^(-1/2) now
-    if (!beta.empty()) next -= beta.back() * before;
-    alpha.push_back(dot(next, now));
-    next -= alpha.back() * now;
-    beta.push_back(std::sqrt(dot(next, next)));
-    if (alpha.size() % check_every == 0) {
-      const auto size = Eigen::Index(alpha.size());
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
-      ritz.computeFromTridiagonal(Eigen::Map<Eigen::VectorXd>(alpha.data(), size),
-                                  Eigen::Map<Eigen::VectorXd>(beta.data(), size - 1));
-      const double largest = ritz.eigenvalues()[size - 1];
-      if (beta.back() * std::abs(ritz.eigenvectors()(size - 1, size - 1)) < tolerance * largest)
-        return largest * (1 + margin);
-    }
-    if (!(beta.back() > 0)) return std::nullopt;  // a plate so small that the space is exhausted
-    before = std::move(now);
-    now = next / beta.back();
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
-            const Constraints& constraints, double rotary) {
-  Forces result = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
-  const double translation = section.density * section.thickness;
-  const double rotation = rotary * translation * section.thickness * section.thickness / 12;
-  for (std::size_t k = 0; k < areas.size(); ++k)
-    if (active[k])
-      result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
-  constraints.fold_diagonal(result);
-  return result;
-}
-
-double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass) {
-  const double bound = collatz_bound(plate, constraints, mass);
-  return 2 / std::sqrt(std::min(bound, lanczos_bound(plate, constraints, mass).value_or(bound)));
-}
-
-void central_differences(const Operator& plate, const Constraints& constraints, const Forces& mass,
-                         const std::vector<TimedLoad>& loads, const DynamicOptions& options,
-                         const std::function<void(const Instant&)>& observe) {
+/// `internal_force(state, force)` in the number Real, folded.
+template <typename Real, typename InternalForce>
+void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, Eigen::Index points,
+           const DynamicOptions& options, const std::function<void(const Instant&)>& observe) {
   const double dt = options.time_step;
-  const auto size = static_cast<std::size_t>(mass.size());
-  const Forces inverse_mass = inverse_of(mass);
-  External external(loads, constraints);
-  State state = State::Zero(3, mass.cols()), velocity = state;  // velocity at half steps
-  Forces force;
-
+  State state = State::Zero(3, points), velocity = state;  // velocity at half steps
+  Values<Real> force;
   for (std::size_t step = 0;; ++step) {
     const double time = static_cast<double>(step) * dt;
-    plate.internal_force(state, force);
-    constraints.fold(force);
-    const Forces& load = external.at(time);
+    internal_force(state, force);
+    if (masses.varies()) masses.at(time);
     const bool observed = step % options.observe_every == 0 || step == options.steps;
-    const double work = observed || external.varies() ? external.work(time, state) : 0;
+    const double work = observed || masses.varies() ? masses.work(time, state) : 0;
     if (observed) {
       // velocity at the full step: half a step on from the one before, none at the start
       const double half = step == 0 ? 0 : dt / 2;
-      State full_step(3, state.cols());
-      const auto [kinetic, product, potential, strain] = ordered_sum<4>(size, [&](std::size_t i) {
-        const double a = (force.data()[i] + load.data()[i]) * inverse_mass.data()[i];
-        const double v = full_step.data()[i] = velocity.data()[i] + half * a, change = dt / 2 * a;
-        return std::array<double, 4>{mass.data()[i] * v * v / 2, mass.data()[i] * (v * v - change * change) / 2,
-                                     load.data()[i] * state.data()[i], -force.data()[i] * state.data()[i] / 2};
-      });
+      const auto acceleration = [&](const PointClass& one, std::size_t c, Eigen::Index i) {
+        return (double(force.data()[i]) + one.load[c]) * one.inverse_mass[c];
+      };
+      const auto [kinetic, product, potential, strain] =
+          masses.sum<4>(points, [&](const PointClass& one, std::size_t c, Eigen::Index i) {
+            const double a = acceleration(one, c, i), v = velocity.data()[i] + half * a, change = dt / 2 * a;
+            return std::array<double, 4>{one.mass[c] * v * v / 2, one.mass[c] * (v * v - change * change) / 2,
+                                         one.load[c] * state.data()[i], -double(force.data()[i]) * state.data()[i] / 2};
+          });
       require_finite(state, step, time);
-      constraints.impose(full_step);
+      const auto full_step = [&] {
+        State result = velocity;
+        masses.for_each(points, [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
+          for (Eigen::Index i = first; i < first + length; ++i) result.data()[i] += half * acceleration(one, c, i);
+        });
+        constraints.impose(result);
+        return result;
+      };
       observe({step, time, state, full_step, kinetic, work, strain, product - potential});
     }
     if (step == options.steps) return;
     const double share = step == 0 ? dt / 2 : dt;
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < size; ++i) {
-      velocity.data()[i] += share * (force.data()[i] + load.data()[i]) * inverse_mass.data()[i];
-      state.data()[i] += dt * velocity.data()[i];
-    }
+    masses.for_each(points, [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
+      const double per_force = share * one.inverse_mass[c], load = one.load[c];
+      double* const v = velocity.data() + first;
+      double* const u = state.data() + first;
+      const Real* const f = force.data() + first;
+#pragma omp simd
+      for (std::uint32_t i = 0; i < length; ++i) {
+        v[i] += per_force * (double(f[i]) + load);
+        u[i] += dt * v[i];
+      }
+    });
     constraints.impose(state);
   }
+}
+
+}  // namespace
+
+void central_differences(const Operator& plate, const Constraints& constraints, Forces mass,
+                         const std::vector<TimedLoad>& loads, const DynamicOptions& options,
+                         const std::function<void(const Instant&)>& observe) {
+  Masses masses(mass, loads, constraints);
+  const auto points = mass.cols();
+  mass.resize(3, 0);
+  if (!options.single) {
+    const auto internal_force = [&](const State& state, Forces& force) {
+      plate.internal_force(state, force);
+      constraints.fold(force);
+    };
+    return steps<double>(internal_force, constraints, std::move(masses), points, options, observe);
+  }
+  Values<float> rounded(3, points);
+  const auto internal_force = [&](const State& state, Values<float>& force) {
+#pragma omp parallel for simd schedule(static)
+    for (Eigen::Index i = 0; i < state.size(); ++i) rounded.data()[i] = float(state.data()[i]);
+    options.single(rounded, force);
+    constraints.fold(force);
+  };
+  steps<float>(internal_force, constraints, std::move(masses), points, options, observe);
 }
 
 }  // namespace plate

@@ -28,7 +28,7 @@ struct Instant {
   std::size_t step;
   double time;
   const State& state;
-  const State& velocity;
+  std::function<State()> velocity;  // of this step; computed when asked for
   double kinetic_energy;
   double external_work;
   double strain_energy;
@@ -40,12 +40,14 @@ struct DynamicOptions {
   double time_step = 0;
   std::size_t steps = 0;
   std::size_t observe_every = 1;
+  /// Internal forces in single precision, where the plate's own are not wanted; displacements stay in double.
+  std::function<void(const Values<float>&, Values<float>&)> single;
 };
 
 /// Central differences (Eqs. 21-23) from rest, started with half a step's acceleration: u(dt) = a dt^2 / 2.
 /// Calls `observe` at step 0, every `observe_every` steps and at the end.
 /// Throws NumericalError where the deflection is not finite, with step, time and point.
-void central_differences(const Operator& plate, const Constraints& constraints, const Forces& mass,
+void central_differences(const Operator& plate, const Constraints& constraints, Forces mass,
                          const std::vector<TimedLoad>& loads, const DynamicOptions& options,
                          const std::function<void(const Instant&)>& observe);
 

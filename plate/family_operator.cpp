@@ -33,7 +33,7 @@ FamilyOperator::FamilyOperator(geometry::Families families, std::vector<BondShap
     : families_(std::move(families)), runs_(geometry::family_runs(families_, weights.kind, longest_run)),
       shapes_(std::move(shapes)), weights_(std::move(weights)) {
   const auto count = static_cast<Eigen::Index>(areas.size());
-  for (auto* values : {&area_, &dilatation_stiffness_, &q_}) values->setZero(count);
+  area_.resize(count), dilatation_stiffness_.resize(count);
 #pragma omp parallel for schedule(static)
   for (Eigen::Index k = 0; k < count; ++k) {
     area_[k] = areas[static_cast<std::size_t>(k)];
@@ -60,6 +60,7 @@ template <bool absolute>
 void FamilyOperator::product(const State& state, const Patterns& patterns, const Eigen::ArrayXd& stiffness,
                              Forces& forces) const {
   forces.resize(3, static_cast<Eigen::Index>(points()));
+  Eigen::ArrayXd q(forces.cols());  // by point: 2 A a theta
   const auto for_each_point = [&](const auto& visit) {
 #pragma omp for schedule(static)
     for (std::size_t r = 0; r < runs_.runs.size(); ++r) {
@@ -75,15 +76,15 @@ void FamilyOperator::product(const State& state, const Patterns& patterns, const
       const auto own = kinematics(state, k);
       double sum = 0;
       for (; bond < end; ++bond) sum += bond->D_kj * curvature<absolute>(*bond, own, kinematics(state, k + bond->step));
-      q_[k] = stiffness[k] * sum;
+      q[k] = stiffness[k] * sum;
     });
     for_each_point([&](Eigen::Index k, const PatternBond* bond, const PatternBond* end) {
       const auto own = kinematics(state, k);
       double force = 0, couple_x = 0, couple_y = 0;
       for (; bond < end; ++bond) {
         const auto other = kinematics(state, k + bond->step);
-        const auto f = bond_force<double>(bond->length, bond->D_kj, bond->D_jk, bond->curvature, bond->shear, q_[k],
-                                          q_[k + bond->step], curvature<absolute>(*bond, own, other),
+        const auto f = bond_force<double>(bond->length, bond->D_kj, bond->D_jk, bond->curvature, bond->shear, q[k],
+                                          q[k + bond->step], curvature<absolute>(*bond, own, other),
                                           shear<absolute>(*bond, own, other));
         force += f.force;
         couple_x += bond->mx * f.couple;

@@ -57,7 +57,6 @@ private:
   HorizonWeights weights_;
   Eigen::ArrayXd area_, dilatation_stiffness_;  // by point: A, 2 A a
   Patterns patterns_;
-  mutable Eigen::ArrayXd q_;                    // by point, of the state in hand: 2 A a theta
 };
 
 }  // namespace plate

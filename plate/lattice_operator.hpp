@@ -3,7 +3,8 @@
 
 namespace plate {
 
-/// The same plate as a FamilyOperator, with the forces of its LatticeRows. One call at a time.
+/// The same plate as a FamilyOperator, with the forces of its LatticeRows, in double or single precision. One call at a
+/// time.
 class LatticeOperator : public FamilyOperator {
 public:
   explicit LatticeOperator(FamilyOperator plate) : FamilyOperator(std::move(plate)), rows_(*this) {}
@@ -11,6 +12,7 @@ public:
   void internal_force(const State& state, Forces& forces) const override { rows_.internal_force(state, forces); }
 
   const LatticeRows<double>& rows() const { return rows_; }
+  LatticeRows<float> single_rows() const { return LatticeRows<float>(*this); }
 
 private:
   LatticeRows<double> rows_;

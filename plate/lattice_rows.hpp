@@ -3,9 +3,6 @@
 
 namespace plate {
 
-template <typename Real>
-using Values = Eigen::Matrix<Real, 3, Eigen::Dynamic, Eigen::RowMajor>;  // as State
-
 /// The forces of a FamilyOperator in the number `Real`, for many points at once. Points that follow each other and
 /// share a pattern of bonds are rows. Points one above the other that look alike, but not to the numbering, are
 /// gathered into rows with what they see. The rest goes in packets of one vector, with weights lane by lane.

@@ -5,7 +5,9 @@ namespace plate {
 
 /// Deflection and rotations of every point, one column each: w [length], theta_x, theta_y [rad]; in memory first all w.
 /// u = z theta_y, v = -z theta_x; gamma_xz = w,x + theta_y, gamma_yz = w,y - theta_x.
-using State = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
+template <typename Real>
+using Values = Eigen::Matrix<Real, 3, Eigen::Dynamic, Eigen::RowMajor>;
+using State = Values<double>;
 
 /// Nodal forces work-conjugate to State: force [force], couples [force length].
 using Forces = State;
