@@ -15,6 +15,7 @@ struct Analysis {
   enum class Kind { static_, dynamic, frequencies };
   enum class Method { adr, cg, direct, central_difference, lanczos };
   enum class Preconditioner { automatic, diagonal, local };
+  enum class Precision { double_, mixed };
   Kind kind = Kind::static_;
   Method method = Method::cg;
   Preconditioner preconditioner = Preconditioner::automatic;  // of cg
@@ -24,6 +25,7 @@ struct Analysis {
   double duration = 0;                    // dynamic [time]
   std::optional<double> time_step;        // dynamic; absent: from the computed bound
   double rotary_inertia = 1;              // dynamic: over that of the plate
+  Precision precision = Precision::double_;  // dynamic; mixed: internal forces in single
   double safety = 0.95;                   // dynamic: share of the stable step that is used
 };
 

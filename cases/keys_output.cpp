@@ -18,6 +18,9 @@ const Words<Analysis::Preconditioner> preconditioners{{{"auto", Analysis::Precon
                                                        {"diagonal", Analysis::Preconditioner::diagonal},
                                                        {"local", Analysis::Preconditioner::local}}};
 
+const Words<Analysis::Precision> precisions{{{"double", Analysis::Precision::double_},
+                                             {"mixed", Analysis::Precision::mixed}}};
+
 Field<Analysis> time_step() {
   return value<Analysis>(
       {"time_step", "time", "\"auto\" or a number > 0", "\"auto\"", "time step; auto: safety times the stable step"},
@@ -156,6 +159,10 @@ Fields<Analysis> analysis_fields() {
       number<A>("rotary_inertia", "-", &A::rotary_inertia, {1, 1e6},
                 "factor of the rotary inertia: above 1 thin plates take longer steps, and short waves run slower")
           .in_dynamics(),
+      choice<A, A::Precision>("precision", &A::precision, precisions,
+                              "dynamic: mixed has internal forces in single precision, displacements in double; refused "
+                              "where rounding would show")
+          .in({A::Kind::dynamic}),
       number<A>("safety", "-", &A::safety, {0, 1, true}, "share of the stable step that is used").in_dynamics(),
   };
 }

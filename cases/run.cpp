@@ -122,8 +122,13 @@ void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& resu
                       {"kinetic", now.kinetic_energy},
                       {"external_work", now.external_work}};
   };
-  plate::central_differences(assembly.plate, constraints, std::move(mass), assembly.loads,
-                             {grid.time_step, grid.steps, grid.steps_per_row}, observe);
+  plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}};
+  if (c.analysis.precision == Analysis::Precision::mixed)
+    options.single = [rows = assembly.plate.single_rows()](const plate::Values<float>& state,
+                                                           plate::Values<float>& force) {
+      rows.internal_force(state, force);
+    };
+  plate::central_differences(assembly.plate, constraints, std::move(mass), assembly.loads, options, observe);
   summary.analysis.stop_reason = "end of the duration";
 }
 

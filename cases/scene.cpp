@@ -24,7 +24,7 @@ double weight_bytes(const plate::FamilyOperator& plate) {
   const auto& weights = plate.weights();
   return bytes_of(weights.kind) + bytes_of(weights.a) + bytes_of(weights.first) + bytes_of(weights.bonds) +
          bytes_of(plate.patterns().bonds) + bytes_of(plate.patterns().first) + bytes_of(plate.runs().runs) +
-         bytes_of(plate.runs().example) + 3 * sizeof(double) * double(plate.points());
+         bytes_of(plate.runs().example) + 2 * sizeof(double) * double(plate.points());
 }
 
 }  // namespace
@@ -34,6 +34,7 @@ std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
   const auto& families = assembly.plate.families();
   const double list = double(families.bytes());
   const double loads = double(assembly.loads.size()) * vector_bytes * all / points;
+  const bool mixed = c.analysis.precision == Analysis::Precision::mixed;
   using enum Analysis::Method;
   const auto method = c.analysis.method;
 
@@ -42,13 +43,15 @@ std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
       {"families, by patterns of bonds", "families", list / points, 0},
       {"weights of the bonds, surface correction " + name_of(c.discretization.surface_correction), "parameters",
        weight_bytes(assembly.plate) / points, 0},
-      {"rows of points", "parameters", double(assembly.plate.rows().bytes()) / points, 0}};
+      {"rows of points", "parameters", double(assembly.plate.rows().bytes()) * (mixed ? 1.5 : 1) / points, 0}};
   if (!assembly.boundary.fictitious.empty())
     parts.push_back({"fictitious points (part of the points)", "", double(assembly.boundary.fictitious.size()) *
                      (sizeof(plate::FictitiousPoint) + 3 * sizeof(plate::Constraints::Tie)) / points, 0});
   if (!assembly.loads.empty()) parts.push_back({"loads", "", loads, 0});
   if (method == central_difference)
-    parts.push_back({"central differences: state, velocity, force, load, mass and its inverse", "solve", 6 * vector_bytes * all / points, 0});
+    parts.push_back({mixed ? "central differences: state, velocity; state and force in single precision"
+                           : "central differences: state, velocity, force",
+                     "solve", 3 * vector_bytes * all / points, 0});
   else if (method == adr)
     parts.push_back({"adaptive dynamic relaxation: 7 vectors", "solve", 7 * vector_bytes * all / points, 0});
   else if (method == cg || method == direct)

@@ -26,7 +26,9 @@ void expand(std::uint32_t dof, double factor, const Wanted& wanted, const std::u
 
 }  // namespace
 
-void Constraints::fix(std::uint32_t dof) { fixed_.push_back(dof); }
+void Constraints::fix(std::uint32_t dof) {
+  fixed_.push_back(dof);
+}
 
 void Constraints::tie(std::uint32_t follower, std::vector<Leader> leaders) {
   wanted_.try_emplace(follower, std::move(leaders));
@@ -75,7 +77,9 @@ Constraints::Sums Constraints::sums(const std::vector<Tie>& ties, bool by_leader
   return result;
 }
 
-bool Constraints::held(std::uint32_t dof) const { return std::binary_search(held_.begin(), held_.end(), dof); }
+bool Constraints::held(std::uint32_t dof) const {
+  return std::binary_search(held_.begin(), held_.end(), dof);
+}
 
 namespace {
 
@@ -99,8 +103,7 @@ void for_each_sum(const Sums& sums, const Values<Real>& values, const Weight& we
 template <typename Real, typename Weight>
 void Constraints::impose_with(Values<Real>& state, const Weight& weight) const {
   for (const Place& place : zero_) state(place.component, place.point) = 0;
-  for_each_sum(followers_, state, weight,
-               [&](const Place& to, Real sum) { state(to.component, to.point) = sum; });
+  for_each_sum(followers_, state, weight, [&](const Place& to, Real sum) { state(to.component, to.point) = sum; });
 }
 
 void Constraints::impose(State& state) const {
@@ -117,8 +120,7 @@ void Constraints::impose_absolute(State& state) const {
 
 template <typename Real, typename Weight>
 void Constraints::fold_with(Values<Real>& forces, const Weight& weight) const {
-  for_each_sum(leaders_, forces, weight,
-               [&](const Place& to, Real sum) { forces(to.component, to.point) += sum; });
+  for_each_sum(leaders_, forces, weight, [&](const Place& to, Real sum) { forces(to.component, to.point) += sum; });
   for (const Place& place : zero_) forces(place.component, place.point) = 0;
   for (const Place& place : followers_.target) forces(place.component, place.point) = 0;
 }

@@ -92,7 +92,8 @@ public:
     return total;
   }
 
-  /// Work of the loads up to now. A load that varies needs a call each step (trapezoidal rule), a constant one does not.
+  /// Work of the loads up to now. A load that varies needs a call each step (trapezoidal rule), a constant one does
+  /// not.
   double work(double time, const State& state) {
     double all = 0;
     for (std::size_t l = 0; l < histories_.size(); ++l) {

@@ -41,7 +41,7 @@ struct DynamicOptions {
   std::size_t steps = 0;
   std::size_t observe_every = 1;
   /// Internal forces in single precision, where the plate's own are not wanted; displacements stay in double.
-  std::function<void(const Values<float>&, Values<float>&)> single;
+  std::function<void(const Values<float>&, Values<float>&)> single = {};
 };
 
 /// Central differences (Eqs. 21-23) from rest, started with half a step's acceleration: u(dt) = a dt^2 / 2.

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -16,6 +17,24 @@ double shortest_bond(const FamilyOperator& plate) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& vector : plate.families().vectors()) shortest = std::min(shortest, vector.norm());
   return shortest;
+}
+
+/// Shear weights in single precision as multiples of one power of two, so that their sum over a family is exact: its
+/// rounding would act on the whole deflection, as a foundation does.
+template <typename Real>
+Patterns rounded(Patterns patterns) {
+  if constexpr (std::is_same_v<Real, float>) {
+    double largest = 0;  // sum over a family
+    for (std::size_t p = 0; p + 1 < patterns.first.size(); ++p) {
+      double sum = 0;
+      for (auto b = patterns.first[p]; b < patterns.first[p + 1]; ++b) sum += std::abs(patterns.bonds[b].shear);
+      largest = std::max(largest, sum);
+    }
+    const double quantum = std::exp2(std::ceil(std::log2(largest)) - std::numeric_limits<float>::digits);
+    if (largest > 0)
+      for (auto& bond : patterns.bonds) bond.shear = std::round(bond.shear / quantum) * quantum;
+  }
+  return patterns;
 }
 
 /// Rough time of a row, in operations on a vector.
@@ -46,33 +65,34 @@ LatticeRows<Real>::LatticeRows(const FamilyOperator& plate)
   const double spacing = shortest_bond(plate);
   std::vector<std::uint32_t> pattern_of(plate.points());
   for (const auto& run : plate.runs().runs) std::fill_n(pattern_of.begin() + run.first_point, run.length, run.pattern);
-  add_columns(plate, add_rows(plate, spacing), pattern_of, spacing);
+  const Patterns patterns = rounded<Real>(plate.patterns());
+  add_columns(patterns, add_rows(plate.runs(), patterns, spacing), pattern_of, spacing);
   share_out();
 }
 
 template <typename Real>
-std::vector<std::uint32_t> LatticeRows<Real>::add_rows(const FamilyOperator& plate, double spacing) {
+std::vector<std::uint32_t> LatticeRows<Real>::add_rows(const geometry::FamilyRuns& runs, const Patterns& patterns,
+                                                       double spacing) {
   std::vector<std::uint32_t> loose;
   std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known;  // pattern, may be folded
   std::size_t in_rows = 0, folded = 0;
   const auto pattern_of = [&](std::uint32_t pattern, bool foldable) {
     const auto [entry, fresh] = known.try_emplace({pattern, foldable}, std::uint32_t(patterns_.size()));
-    if (fresh) {
-      const auto& p = plate.patterns();
-      patterns_.push_back(row_pattern<Real>({p.bonds.data() + p.first[pattern], p.bonds.data() + p.first[pattern + 1]},
-                                            foldable ? std::optional(spacing) : std::nullopt));
-    }
+    if (fresh)
+      patterns_.push_back(row_pattern<Real>(
+          {patterns.bonds.data() + patterns.first[pattern], patterns.bonds.data() + patterns.first[pattern + 1]},
+          foldable ? std::optional(spacing) : std::nullopt));
     return entry->second;
   };
-  for (const auto& run : plate.runs().runs) {
-    if (run.length < packet) {
+  for (const auto& run : runs.runs) {
+    if (run.length < vector) {
       for (std::uint32_t i = 0; i < run.length; ++i) loose.push_back(run.first_point + i);
       continue;
     }
     auto pattern = pattern_of(run.pattern, true);
     const auto first = std::int64_t(run.first_point), last = first + run.length - 1;
     if (patterns_[pattern].fold && (first + patterns_[pattern].lowest < 0 ||
-                                    last + patterns_[pattern].highest + std::int64_t(packet) > stiffness_.size()))
+                                    last + patterns_[pattern].highest + std::int64_t(vector) > stiffness_.size()))
       pattern = pattern_of(run.pattern, false);  // a fold also reads beyond what its points see
     rows_.push_back({run.first_point, run.length, pattern});
     in_rows += run.length;
@@ -84,10 +104,10 @@ std::vector<std::uint32_t> LatticeRows<Real>::add_rows(const FamilyOperator& pla
 }
 
 template <typename Real>
-void LatticeRows<Real>::add_columns(const FamilyOperator& plate, const std::vector<std::uint32_t>& points,
+void LatticeRows<Real>::add_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
                                     const std::vector<std::uint32_t>& pattern_of, double spacing) {
   constexpr std::uint32_t longest = 128;
-  const auto found = point_columns(plate, points, pattern_of, spacing, packet, longest, farthest, pitch);
+  const auto found = point_columns(patterns, points, pattern_of, spacing, vector, longest, farthest, pitch);
   const auto first_pattern = std::uint32_t(patterns_.size());
   for (const auto& bonds : found.patterns) patterns_.push_back(row_pattern<Real>(bonds, spacing));
   for (const auto& column : found.columns) {
@@ -97,42 +117,12 @@ void LatticeRows<Real>::add_columns(const FamilyOperator& plate, const std::vect
     sources_.insert(sources_.end(), column.sources.begin(), column.sources.end());
   }
   packet_share_ = double(found.rest.size()) / std::max<double>(1, double(stiffness_.size()));
-  add_packets(plate, found.rest, pattern_of);
-}
-
-template <typename Real>
-void LatticeRows<Real>::add_packets(const FamilyOperator& plate, std::vector<std::uint32_t> points,
-                                    const std::vector<std::uint32_t>& pattern_of) {
-  const auto& patterns = plate.patterns();
-  const auto bonds = [&](std::uint32_t k) { return patterns.first[pattern_of[k] + 1] - patterns.first[pattern_of[k]]; };
-  // packets of points with about as many bonds
-  std::stable_sort(points.begin(), points.end(), [&](auto a, auto b) { return bonds(a) > bonds(b); });
-  for (std::size_t begin = 0; begin < points.size(); begin += packet) {
-    Packet result{{}, std::uint32_t(std::min(packet, points.size() - begin)), packet_bonds_.size(), 0};
-    for (std::size_t lane = 0; lane < packet; ++lane)
-      result.point[lane] = points[begin + std::min<std::size_t>(lane, result.used - 1)];
-    for (std::size_t i = 0; i < bonds(points[begin]); ++i) {
-      PacketBond bond{};
-      for (std::size_t lane = 0; lane < packet; ++lane) {
-        const auto k = result.point[lane];
-        bond.neighbour[lane] = k;  // a bond to itself without weight where it has no other
-        if (i >= bonds(k)) continue;
-        const PatternBond& one = patterns.bonds[patterns.first[pattern_of[k]] + i];
-        bond.mx[lane] = Real(one.mx), bond.my[lane] = Real(one.my), bond.half_length[lane] = Real(one.length / 2);
-        bond.D_kj[lane] = Real(one.D_kj), bond.D_jk[lane] = Real(one.D_jk);
-        bond.curvature[lane] = Real(one.curvature), bond.shear[lane] = Real(one.shear);
-        bond.neighbour[lane] = std::uint32_t(std::int64_t(k) + one.step);
-      }
-      packet_bonds_.push_back(bond);
-    }
-    result.end = packet_bonds_.size();
-    packets_.push_back(result);
-  }
+  packets_.add(patterns, found.rest, pattern_of);
 }
 
 template <typename Real>
 void LatticeRows<Real>::share_out() {
-  constexpr double per_source = 3, per_packet_bond = 120;
+  constexpr double per_source = 3;
   double sum = 0;
   const auto add = [&](double work) { work_.push_back(sum += work); };
   for (const auto& row : rows_) add(row_work(patterns_[row.pattern], row.length));
@@ -140,7 +130,7 @@ void LatticeRows<Real>::share_out() {
     add(row_work(patterns_[row.pattern], row.length) + per_source * (2 * row.reach + 1) * (row.length + 2 * row.reach));
     field_size_ = std::max(field_size_, std::size_t((2 * row.reach + 1) * pitch) + pitch);
   }
-  for (const auto& one : packets_) add(per_packet_bond * double(one.end - one.first));
+  for (std::size_t i = 0; i < packets_.size(); ++i) add(packets_.work(i));
 }
 
 template <typename Real>
@@ -206,49 +196,10 @@ void LatticeRows<Real>::gathered_force(const GatheredRow& row, const Fields<Real
   }
 }
 
-template <typename Real>
-void LatticeRows<Real>::packet_dilatation(const Packet& p, const Fields<Real>& in) const {
-  const Lane<Real> own_x = gather(in.x, p.point), own_y = gather(in.y, p.point);
-  Lane<Real> sum = 0;
-  for (std::size_t b = p.first; b < p.end; ++b) {
-    const PacketBond& bond = packet_bonds_[b];
-    const auto table = [](const Real* values) { return Lane<Real>(values, simd::element_aligned); };
-    sum += table(bond.D_kj) * (table(bond.mx) * (gather(in.x, bond.neighbour) - own_x) +
-                               table(bond.my) * (gather(in.y, bond.neighbour) - own_y));
-  }
-  for (std::size_t i = 0; i < p.used; ++i) q_[p.point[i]] = stiffness_[p.point[i]] * sum[i];
-}
-
-template <typename Real>
-void LatticeRows<Real>::packet_force(const Packet& p, const Fields<Real>& in, const ForceFields<Real>& out) const {
-  const Lane<Real> own_w = gather(in.w, p.point), own_x = gather(in.x, p.point), own_y = gather(in.y, p.point),
-                   own_q = gather(in.q, p.point);
-  Lane<Real> force = 0, couple_x = 0, couple_y = 0;
-  const auto table = [](const Real* values) { return Lane<Real>(values, simd::element_aligned); };
-  for (std::size_t b = p.first; b < p.end; ++b) {
-    const PacketBond& bond = packet_bonds_[b];
-    const auto* const j = bond.neighbour;
-    const Lane<Real> mx = table(bond.mx), my = table(bond.my), half = table(bond.half_length);
-    const Lane<Real> x_j = gather(in.x, j), y_j = gather(in.y, j);
-    const Lane<Real> curvature = mx * (x_j - own_x) + my * (y_j - own_y);
-    const Lane<Real> shear =
-        table(bond.shear) * (gather(in.w, j) - own_w - half * (mx * (x_j + own_x) + my * (y_j + own_y)));
-    const Lane<Real> couple = table(bond.D_kj) * own_q + table(bond.D_jk) * gather(in.q, j) +
-                              table(bond.curvature) * curvature + half * shear;
-    force += shear;
-    couple_x += mx * couple;
-    couple_y += my * couple;
-  }
-  for (std::size_t i = 0; i < p.used; ++i) {
-    const auto k = p.point[i];
-    out.force[k] = force[i], out.couple_x[k] = couple_x[i], out.couple_y[k] = couple_y[i];
-  }
-}
-
 /// Calls the right one for every row, gathered row and packet of a thread's share.
 template <typename Real>
 template <typename OnRow, typename OnGathered, typename OnPacket>
-void LatticeRows<Real>::for_share(const OnRow& row, const OnGathered& gathered, const OnPacket& one) const {
+void LatticeRows<Real>::for_share(const OnRow& row, const OnGathered& gathered, const OnPacket& packet) const {
   const double thread = omp_get_thread_num(), threads = omp_get_num_threads(), all = work_.empty() ? 0 : work_.back();
   const auto bound = [&](double share) {
     return std::size_t(std::lower_bound(work_.begin(), work_.end(), all * share) - work_.begin());
@@ -260,7 +211,7 @@ void LatticeRows<Real>::for_share(const OnRow& row, const OnGathered& gathered, 
     else if (task < rows_.size() + gathered_.size())
       gathered(gathered_[task - rows_.size()]);
     else
-      one(packets_[task - rows_.size() - gathered_.size()]);
+      packet(task - rows_.size() - gathered_.size());
   }
 }
 
@@ -276,19 +227,19 @@ void LatticeRows<Real>::internal_force(const Values<Real>& state, Values<Real>& 
     Scratch scratch(field_size_);
     for_share([&](const Row& row) { row_dilatation(row, in, q_.data(), stiffness_.data()); },
               [&](const GatheredRow& row) { gathered_dilatation(row, in, scratch); },
-              [&](const Packet& one) { packet_dilatation(one, in); });
+              [&](std::size_t one) { packets_.dilatation(one, in, stiffness_.data(), q_.data()); });
 #pragma omp barrier
     for_share([&](const Row& row) { row_force(row, in, out); },
               [&](const GatheredRow& row) { gathered_force(row, in, out, scratch); },
-              [&](const Packet& one) { packet_force(one, in, out); });
+              [&](std::size_t one) { packets_.force(one, in, out); });
   }
 }
 
 template <typename Real>
 std::size_t LatticeRows<Real>::bytes() const {
   const auto of = [](const auto& values) { return values.size() * sizeof(values[0]); };
-  std::size_t sum = of(rows_) + of(gathered_) + of(gathered_points_) + of(sources_) + of(packets_) + of(packet_bonds_) +
-                    of(work_) + 2 * std::size_t(q_.size()) * sizeof(Real);
+  std::size_t sum = of(rows_) + of(gathered_) + of(gathered_points_) + of(sources_) + packets_.bytes() + of(work_) +
+                    2 * std::size_t(q_.size()) * sizeof(Real);
   for (const auto& pattern : patterns_) sum += of(pattern.pairs) + of(pattern.singles);
   return sum;
 }

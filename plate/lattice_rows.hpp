@@ -1,11 +1,11 @@
 #pragma once
-#include "plate/row_kernels.hpp"
+#include "plate/packets.hpp"
 
 namespace plate {
 
 /// The forces of a FamilyOperator in the number `Real`, for many points at once. Points that follow each other and
 /// share a pattern of bonds are rows. Points one above the other that look alike, but not to the numbering, are
-/// gathered into rows with what they see. The rest goes in packets of one vector, with weights lane by lane.
+/// gathered into rows with what they see. The rest goes in packets.
 /// Any number of threads gives the same bits. One call at a time.
 template <typename Real>
 class LatticeRows {
@@ -20,7 +20,7 @@ public:
   std::size_t bytes() const;
 
 private:
-  static constexpr std::size_t packet = Lane<Real>::size();  // points
+  static constexpr std::size_t vector = Lane<Real>::size();  // points
   static constexpr std::size_t pitch = 192;                  // of gathered rows
   static constexpr std::uint32_t farthest = 16;              // spacings that a gathered row sees
 
@@ -32,23 +32,11 @@ private:
     std::uint32_t length, pattern, reach;
     std::size_t first_point, first_source;  // in gathered_points_ and sources_
   };
-  /// One bond of every point of a packet.
-  struct PacketBond {
-    Real mx[packet], my[packet], half_length[packet];
-    Real D_kj[packet], D_jk[packet], curvature[packet], shear[packet];
-    std::uint32_t neighbour[packet];
-  };
-  struct Packet {
-    std::uint32_t point[packet], used;
-    std::size_t first, end;  // in packet_bonds_
-  };
   struct Scratch;
 
-  std::vector<std::uint32_t> add_rows(const FamilyOperator& plate, double spacing);
-  void add_columns(const FamilyOperator& plate, const std::vector<std::uint32_t>& points,
+  std::vector<std::uint32_t> add_rows(const geometry::FamilyRuns& runs, const Patterns& patterns, double spacing);
+  void add_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
                    const std::vector<std::uint32_t>& pattern_of, double spacing);
-  void add_packets(const FamilyOperator& plate, std::vector<std::uint32_t> points,
-                   const std::vector<std::uint32_t>& pattern_of);
   void share_out();
 
   void row_dilatation(const Row& row, const Fields<Real>& in, Real* q, const Real* stiffness) const;
@@ -57,17 +45,14 @@ private:
   void gathered_dilatation(const GatheredRow& row, const Fields<Real>& in, Scratch& scratch) const;
   void gathered_force(const GatheredRow& row, const Fields<Real>& in, const ForceFields<Real>& out,
                       Scratch& scratch) const;
-  void packet_dilatation(const Packet& packet, const Fields<Real>& in) const;
-  void packet_force(const Packet& packet, const Fields<Real>& in, const ForceFields<Real>& out) const;
   template <typename OnRow, typename OnGathered, typename OnPacket>
-  void for_share(const OnRow& row, const OnGathered& gathered, const OnPacket& one) const;
+  void for_share(const OnRow& row, const OnGathered& gathered, const OnPacket& packet) const;
 
   std::vector<RowPattern<Real>> patterns_;
   std::vector<Row> rows_;
   std::vector<GatheredRow> gathered_;
   std::vector<std::uint32_t> gathered_points_, sources_;
-  std::vector<Packet> packets_;
-  std::vector<PacketBond> packet_bonds_;
+  Packets<Real> packets_;
   std::vector<double> work_;                         // up to every row, gathered row and packet, in this order
   std::size_t field_size_ = 0;                       // of Scratch
   Eigen::Array<Real, Eigen::Dynamic, 1> stiffness_;  // by point: 2 A a

@@ -28,15 +28,15 @@ std::optional<std::vector<std::pair<LatticeOffset, PatternBond>>> turned(std::sp
 
 class Finder {
 public:
-  Finder(const FamilyOperator& plate, const std::vector<std::uint32_t>& pattern_of, double spacing,
+  Finder(const Patterns& patterns, const std::vector<std::uint32_t>& pattern_of, double spacing,
          std::uint32_t farthest, std::int32_t pitch)
-      : plate_(plate),
+      : patterns_(patterns),
         pattern_of_(pattern_of),
         spacing_(spacing),
         farthest_(farthest),
         pitch_(pitch),
-        look_(plate.points(), none),
-        taken_(plate.points(), 0) {}
+        look_(pattern_of.size(), none),
+        taken_(pattern_of.size(), 0) {}
 
   PointColumns columns(const std::vector<std::uint32_t>& points, std::uint32_t shortest, std::uint32_t longest) {
     for (const auto k : points) look_[k] = look(k);
@@ -68,9 +68,8 @@ private:
   }
 
   std::span<const PatternBond> bonds(std::uint32_t k) const {
-    const auto& patterns = plate_.patterns();
-    const PatternBond* const all = patterns.bonds.data();
-    return {all + patterns.first[pattern_of_[k]], all + patterns.first[pattern_of_[k] + 1]};
+    const PatternBond* const all = patterns_.bonds.data();
+    return {all + patterns_.first[pattern_of_[k]], all + patterns_.first[pattern_of_[k] + 1]};
   }
 
   /// The neighbour one spacing above or below.
@@ -125,7 +124,7 @@ private:
     return result;
   }
 
-  const FamilyOperator& plate_;
+  const Patterns& patterns_;
   const std::vector<std::uint32_t>& pattern_of_;
   double spacing_;
   std::uint32_t farthest_;
@@ -138,10 +137,10 @@ private:
 
 }  // namespace
 
-PointColumns point_columns(const FamilyOperator& plate, const std::vector<std::uint32_t>& points,
+PointColumns point_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
                            const std::vector<std::uint32_t>& pattern_of, double spacing, std::uint32_t shortest,
                            std::uint32_t longest, std::uint32_t farthest, std::int32_t pitch) {
-  return Finder(plate, pattern_of, spacing, farthest, pitch).columns(points, shortest, longest);
+  return Finder(patterns, pattern_of, spacing, farthest, pitch).columns(points, shortest, longest);
 }
 
 }  // namespace plate

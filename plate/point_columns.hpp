@@ -20,8 +20,8 @@ struct PointColumns {
 };
 
 /// Columns of `shortest` to `longest` of the given points that reach no further than `farthest` spacings.
-/// `pattern_of` [points of the plate]: which pattern of the plate a point has.
-PointColumns point_columns(const FamilyOperator& plate, const std::vector<std::uint32_t>& points,
+/// `pattern_of` [points of the plate]: which of the patterns a point has.
+PointColumns point_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
                            const std::vector<std::uint32_t>& pattern_of, double spacing, std::uint32_t shortest,
                            std::uint32_t longest, std::uint32_t farthest, std::int32_t pitch);
 

@@ -44,6 +44,16 @@ TEST_CASE("what is not in this version is refused with the reason") {
          "must be one of \"virtual_crack_extension\"");
 }
 
+TEST_CASE("mixed precision is for motions, and not for plates so thin that rounding would show") {
+  const auto with = [](const char* thickness, const char* analysis) {
+    return with_line(with_line(plain, 17, analysis), 4, std::string("density = 1\nthickness = ") + thickness);
+  };
+  const char* const motion = "kind = \"dynamic\"\nduration = 1\nprecision = \"mixed\"";
+  CHECK(read(with("0.1", motion)).content.analysis.precision == cases::Analysis::Precision::mixed);
+  expect(with("0.001", motion), ":20", "analysis.precision", "above 0.3; choose \"double\"");
+  expect(with("0.1", "kind = \"static\"\nprecision = \"mixed\""), ":19", "analysis.precision", "dynamics only");
+}
+
 TEST_CASE("missing keys are reported at their table") {
   expect(with_line(plain, 2, ""), ":1", "section.young", "is missing, must be a number > 0");
   expect(with_line(plain, 6, ""), ":5", "geometry.outline", "is missing");

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "plate/lattice_operator.hpp"
 #include "plate/loads.hpp"
 #include "plate/numerical_error.hpp"
 #include "tests/unit/plate/small_plate.hpp"
@@ -141,6 +142,23 @@ TEST_CASE("observed at the start, every so many steps, and at the end") {
   central_differences(m.plate, m.boundary.constraints, mass_of(m), pressure(m, 1), {0.001, 10, 4},
                       [&](const Instant& now) { steps.push_back(now.step); });
   CHECK(steps == std::vector<std::size_t>{0, 4, 8, 10});
+}
+
+TEST_CASE("forces in single precision move a thick plate as those in double do") {
+  const auto m = held();
+  const LatticeOperator rows{FamilyOperator(m.plate)};
+  const auto M = mass_of(m);
+  DynamicOptions options{0.9 * stable_time_step(m.plate, m.boundary.constraints, M), 200, 20};
+  std::vector<State> states;
+  const auto keep = [&](const Instant& now) { states.push_back(now.state); };
+  central_differences(rows, m.boundary.constraints, M, pressure(m, 2), options, keep);
+  options.single = [single = rows.single_rows()](const Values<float>& u, Values<float>& f) { single.internal_force(u, f); };
+  central_differences(rows, m.boundary.constraints, M, pressure(m, 2), options, keep);
+  REQUIRE(states.size() == 22);
+  for (std::size_t i = 1; i < 11; ++i) {
+    CHECK((states[i] - states[i + 11]).norm() < 2e-5 * states[i].norm());  // measured: 5e-6 where it passes through zero
+    CHECK(states[i] != states[i + 11]);
+  }
 }
 
 TEST_CASE("velocities fulfil the constraints too") {

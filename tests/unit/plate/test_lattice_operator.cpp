@@ -73,6 +73,27 @@ TEST_CASE("plates narrower than a vector, and a single point") {
   }
 }
 
+TEST_CASE("single precision: close to double, and no foundation under a deflection that is large against its differences") {
+  const auto outline = geometry::rectangle(0, 0, 6, 5);
+  const auto m = small_plate::model(outline, {{SupportKind::clamped, {"left", "top"}, {}}}, small_plate::spaced(0.1));
+  const auto lattice = cracked(m, outline, {{{1, 1}, {2.4, 2.1}}});
+  const auto single = lattice.single_rows();
+  State u = small_plate::random_state(Eigen::Index(lattice.points()), 24);
+  Forces exact;
+  Values<float> force;
+  lattice.internal_force(u, exact);
+  single.internal_force(u.cast<float>(), force);
+  CHECK((force.cast<double>() - exact).norm() < 3e-6 * exact.norm());  // measured: 4e-7
+
+  u.setZero();
+  for (Eigen::Index k = 0; k < u.cols(); ++k) u(0, k) = std::sin(0.5 * m.boundary.cloud.positions[std::size_t(k)].x());
+  lattice.internal_force(u, exact);
+  single.internal_force(u.cast<float>(), force);
+  const double stiffness = lattice.diagonal().row(0).maxCoeff();
+  const double foundation = (force.row(0).cast<double>() - exact.row(0)).mean() / (stiffness * u.row(0).mean());
+  CHECK(std::abs(foundation) < 2e-9);  // measured: 7e-10; 6e-9 where the sum of the weights is rounded
+}
+
 TEST_CASE("rows of points: the same bits for any number of threads") {
   const auto outline = geometry::rectangle(0, 0, 4, 4);
   const auto m = small_plate::model(outline, {}, small_plate::spaced(0.1));
