@@ -59,6 +59,11 @@ void check_mechanisms(const CaseFile& file, const plate::Mechanisms& found, std:
     warnings.push_back(fmt::format("parts that hang by bonds along one line can move in {} way{} without resistance{}",
                                    found.motions, found.motions == 1 ? "" : "s",
                                    found.driven ? ": " + hanging(*found.driven) : "; no load does so"));
+  const bool may_move = found.motions > 0 || !found.searched;
+  if (may_move && file.content.analysis.preconditioner == Analysis::Preconditioner::two_level)
+    throw CaseError({{file.place("analysis.preconditioner"), "analysis.preconditioner",
+                      "\"two_level\" needs a plate without motions that nothing resists, and parts of this one hang by "
+                      "bonds along one line; choose \"diagonal\""}});
   if (!found.searched)
     warnings.push_back(fmt::format("bonds along one line divide the plate into {} parts, too many to look for motions "
                                    "without resistance", found.parts));
@@ -192,7 +197,8 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
   auto loads = timed_loads(c, boundary.cloud);
   plate::Forces load = plate::Forces::Zero(3, Eigen::Index(boundary.cloud.size()));
   for (const auto& one : loads) load += one.forces;
-  check_mechanisms(file, plate::mechanisms(boundary, families, pieces, load), warnings);
+  const auto mechanisms = plate::mechanisms(boundary, families, pieces, load);
+  check_mechanisms(file, mechanisms, warnings);
   auto [weights, counts] = horizon_weights(c, boundary, families, shapes);
   plate::LatticeOperator plate(plate::FamilyOperator(std::move(families), std::move(shapes), areas, std::move(weights)));
   stopwatch.lap("parameters");
@@ -204,7 +210,8 @@ Assembly assemble(const CaseFile& file, Stopwatch& stopwatch) {
           std::move(plate),
           counts,
           std::move(loads),
-          std::move(warnings)};
+          std::move(warnings),
+          mechanisms.motions > 0 || !mechanisms.searched};
 }
 
 }  // namespace cases

@@ -34,6 +34,7 @@ struct Assembly {
   std::optional<plate::MatchCounts> match;  // of the position-aware correction
   std::vector<plate::TimedLoad> loads;
   std::vector<std::string> warnings;
+  bool may_move = false;  // parts that hang by bonds along one line may move without resistance
 
   std::size_t bonds() const;             // directed, between points of the plate
   std::size_t fictitious_bonds() const;  // directed, all others

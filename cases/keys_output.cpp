@@ -16,7 +16,8 @@ const Words<Analysis::Method> methods{{{"adr", Analysis::Method::adr},
 
 const Words<Analysis::Preconditioner> preconditioners{{{"auto", Analysis::Preconditioner::automatic},
                                                        {"diagonal", Analysis::Preconditioner::diagonal},
-                                                       {"local", Analysis::Preconditioner::local}}};
+                                                       {"local", Analysis::Preconditioner::local},
+                                                       {"two_level", Analysis::Preconditioner::two_level}}};
 
 const Words<Analysis::Precision> precisions{{{"double", Analysis::Precision::double_},
                                              {"mixed", Analysis::Precision::mixed}}};
@@ -143,8 +144,8 @@ Fields<Analysis> analysis_fields() {
                            "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; the others have one method each")
           .standard("static: \"cg\"; dynamic: \"central_difference\"; frequencies: \"lanczos\""),
       choice<A, A::Preconditioner>("preconditioner", &A::preconditioner, preconditioners,
-                                   "of cg: the diagonal, the factor of a plate with a horizon of 1.5 spacings, or what is likely "
-                                   "to be faster (theory.md, \"Statics\")")
+                                   "of cg: the diagonal; the factor of a plate with a horizon of 1.5 spacings; the same on every "
+                                   "second point each way; or what is likely to be fastest of first and last (theory.md, \"Statics\")")
           .in({A::Kind::static_}),
       number<A>("tolerance", "-", &A::tolerance, {1e-14, 0.1},
                 "residual / load at which a solution is accepted; of the eigenpairs")

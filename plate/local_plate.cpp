@@ -23,6 +23,8 @@ Section bond_based(const Section& s) {
   return result;
 }
 
+}  // namespace
+
 FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
                               const Discretization& discretization) {
   auto families = geometry::without(plate.families(), [&](std::uint32_t k, std::uint32_t j) {
@@ -37,10 +39,9 @@ FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& bound
   return {std::move(families), std::move(shapes), areas, std::move(weights)};
 }
 
-/// Points in the order of nested dissection, with their unknowns one after the other.
-std::vector<int> order_of(const Unknowns& unknowns, const geometry::Families& families) {
+std::vector<int> order_of(const Unknowns& unknowns, const Eigen::SparseMatrix<double>& graph) {
   std::vector<int> result;
-  for (const int k : nested_dissection(point_graph(families)))
+  for (const int k : nested_dissection(graph))
     for (std::size_t c = 0; c < 3; ++c)
       if (const auto index = unknowns.index[3 * std::size_t(k) + c]; index >= 0) result.push_back(index);
   return result;
@@ -61,8 +62,6 @@ Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces) {
   return result;
 }
 
-}  // namespace
-
 Forces folded_diagonal(const Operator& plate, const Constraints& constraints) {
   Forces diagonal = plate.diagonal();
   constraints.fold_diagonal(diagonal);
@@ -76,7 +75,7 @@ LocalPlate::LocalPlate(const FamilyOperator& plate, const Boundary& boundary, co
   inverse_diagonal_ = diagonal.unaryExpr([](double d) { return d > 0 ? sweep / d : 0.0; });
   const FamilyOperator local = local_operator(plate, boundary, section, discretization);
   unknowns_ = unknowns(folded_diagonal(local, constraints_).cwiseMin(diagonal));
-  factor_ = factorised(stiffness_matrix(local, constraints_, unknowns_, false), order_of(unknowns_, local.families()));
+  factor_ = factorised(stiffness_matrix(local, constraints_, unknowns_, false), order_of(unknowns_, point_graph(local.families())));
 }
 
 void LocalPlate::apply(const Forces& residual, State& result) const {

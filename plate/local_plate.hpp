@@ -45,6 +45,19 @@ private:
   std::unique_ptr<Factor> factor_;
 };
 
+/// The plate of LocalPlate: bonds up to 1.5 spacings, bond-based, with the stiffness of the plate given.
+FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
+                              const Discretization& discretization);
+
+/// Unknowns in the order of nested dissection of their points; `graph`: pairs of points, lower triangle.
+std::vector<int> order_of(const Unknowns& unknowns, const Eigen::SparseMatrix<double>& graph);
+
+/// The factor of a matrix (lower triangle) that is positive but for zeros, which are lifted.
+std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order);
+
+/// The unknowns of nodal forces, one after the other.
+Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces);
+
 /// The diagonal of P^T K P, zero at held degrees of freedom.
 Forces folded_diagonal(const Operator& plate, const Constraints& constraints);
 
