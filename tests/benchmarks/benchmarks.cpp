@@ -6,7 +6,7 @@
 #include <map>
 
 #include "cases/assembly.hpp"
-#include "plate/local_plate.hpp"
+#include "plate/two_level_plate.hpp"
 #include "plate/statics.hpp"
 
 namespace {
@@ -144,7 +144,7 @@ void triad(benchmark::State& run) {
   rate(run, "bytes", 24.0 * double(size));
 }
 
-enum class Way { adr, diagonal, local, direct };
+enum class Way { adr, diagonal, local, two_level, direct };
 
 template <Way way>
 void statics(benchmark::State& run) {
@@ -162,6 +162,9 @@ void statics(benchmark::State& run) {
     else if constexpr (way == Way::local) {
       const plate::LocalPlate local(a.plate, a.boundary, c.section, c.discretization);
       iterations = plate::conjugate_gradients(a.plate, a.boundary.constraints, p.load, options, &local).iterations;
+    } else if constexpr (way == Way::two_level) {
+      const plate::TwoLevelPlate coarse(a.plate, a.boundary, c.section, c.discretization);
+      iterations = plate::conjugate_gradients(a.plate, a.boundary.constraints, p.load, options, &coarse).iterations;
     } else {
       const plate::AssembledPlate factor(a.plate, a.boundary.constraints);
       iterations = plate::conjugate_gradients(a.plate, a.boundary.constraints, p.load, options, &factor).iterations;
@@ -170,13 +173,14 @@ void statics(benchmark::State& run) {
   run.counters["iterations"] = double(iterations);
 }
 
-/// One more load, once the local plate is factorised.
+/// One more load, once the preconditioner is there.
+template <typename Factorised>
 void next_load(benchmark::State& run) {
   omp_set_num_threads(2);
   Plate& p = plate_of(run.range(0));
   const auto& a = p.assembly;
-  const plate::LocalPlate local(a.plate, a.boundary, p.file.content.section, p.file.content.discretization);
-  for (auto _ : run) plate::conjugate_gradients(a.plate, a.boundary.constraints, p.load, {1e-8, 1000, {}}, &local);
+  const Factorised factor(a.plate, a.boundary, p.file.content.section, p.file.content.discretization);
+  for (auto _ : run) plate::conjugate_gradients(a.plate, a.boundary.constraints, p.load, {1e-8, 1000, {}}, &factor);
 }
 
 /// `range(1)` loads on one factorisation of the plate.
@@ -209,7 +213,9 @@ BENCHMARK(single_precision)->Args({250, 1})->Args({250, 2})->Args({1000, 2})->Un
 BENCHMARK(statics<Way::adr>)->Arg(100)->Arg(250)->Unit(ms)->UseRealTime()->Iterations(1);
 BENCHMARK(statics<Way::diagonal>)->Arg(100)->Arg(250)->Arg(500)->Unit(ms)->UseRealTime()->Iterations(1);
 BENCHMARK(statics<Way::local>)->Arg(100)->Arg(250)->Arg(500)->Unit(ms)->UseRealTime()->Iterations(1);
-BENCHMARK(next_load)->Arg(250)->Unit(ms)->UseRealTime()->Iterations(1);
+BENCHMARK(statics<Way::two_level>)->Arg(100)->Arg(250)->Arg(500)->Arg(1000)->Unit(ms)->UseRealTime()->Iterations(1);
+BENCHMARK(next_load<plate::LocalPlate>)->Arg(250)->Unit(ms)->UseRealTime()->Iterations(1);
+BENCHMARK(next_load<plate::TwoLevelPlate>)->Arg(250)->Unit(ms)->UseRealTime()->Iterations(1);
 BENCHMARK(statics<Way::direct>)->Arg(100)->Unit(ms)->UseRealTime()->Iterations(1);
 BENCHMARK(loads_on_one_factor)->Args({100, 1})->Args({100, 10})->Unit(ms)->UseRealTime()->Iterations(1);
 

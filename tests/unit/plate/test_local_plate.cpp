@@ -1,4 +1,4 @@
-#include "plate/local_plate.hpp"
+#include "plate/two_level_plate.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -76,12 +76,14 @@ TEST_CASE("assembled stiffness: P^T K P, with and without dilatation") {
   CHECK((expected - bonds).trace() < 0);
 }
 
-TEST_CASE("local plate: symmetric, positive, and near the inverse of the plate for every spacing and thickness") {
+TEMPLATE_TEST_CASE("local plate on all or on every second point: symmetric, positive, and near the inverse of the plate "
+                   "for every spacing and thickness",
+                   "", LocalPlate, TwoLevelPlate) {
   for (const double h : {0.25, 0.05}) {
     const auto m = held(0.25, true);
     const auto section = of_thickness(h);
     const auto plate = with(m, section);
-    const LocalPlate local(plate, m.boundary, section, m.discretization);
+    const TestType local(plate, m.boundary, section, m.discretization);
     const auto free = unknowns(folded_diagonal(plate, m.boundary.constraints));
     const Eigen::MatrixXd M = dense(local, free, m.points());
     CHECK((M - M.transpose()).norm() < 1e-12 * M.norm());  // measured: 1e-15
@@ -92,7 +94,7 @@ TEST_CASE("local plate: symmetric, positive, and near the inverse of the plate f
       const auto m = held(spacing, true);
       const auto section = of_thickness(h);
       const auto plate = with(m, section);
-      const LocalPlate local(plate, m.boundary, section, m.discretization);
+      const TestType local(plate, m.boundary, section, m.discretization);
       const auto solution = conjugate_gradients(plate, m.boundary.constraints, pressure(m), {1e-8, 1000, {}}, &local);
       INFO(spacing << ' ' << h << ' ' << solution.iterations);
       CHECK(solution.converged);
