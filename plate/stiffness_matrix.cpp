@@ -5,7 +5,7 @@
 namespace plate {
 namespace {
 
-using Entry = std::pair<std::int32_t, double>;
+using Entry = MatrixColumn::value_type;
 
 /// The bonds of every point, by its run.
 class Bonds {
@@ -89,6 +89,22 @@ Unknowns unknowns(const Forces& diagonal) {
   return result;
 }
 
+Eigen::SparseMatrix<double> compressed(const std::vector<MatrixColumn>& columns) {
+  const auto size = Eigen::Index(columns.size());
+  Eigen::SparseMatrix<double> result(size, size);
+  std::int64_t count = 0;
+  for (Eigen::Index u = 0; u < size; ++u)
+    result.outerIndexPtr()[u] = int(count), count += std::int64_t(columns[std::size_t(u)].size());
+  result.outerIndexPtr()[size] = int(count);
+  result.resizeNonZeros(count);
+  for (Eigen::Index u = 0; u < size; ++u) {
+    auto at = result.outerIndexPtr()[u];
+    for (const auto& [row, value] : columns[std::size_t(u)])
+      result.innerIndexPtr()[at] = row, result.valuePtr()[at++] = value;
+  }
+  return result;
+}
+
 Eigen::SparseMatrix<double> stiffness_matrix(const FamilyOperator& plate, const Constraints& constraints,
                                              const Unknowns& unknowns, bool with_dilatation) {
   const Bonds bonds(plate);
@@ -102,7 +118,7 @@ Eigen::SparseMatrix<double> stiffness_matrix(const FamilyOperator& plate, const 
     }
 
   const auto size = unknowns.size();
-  std::vector<std::vector<Entry>> columns(static_cast<std::size_t>(size));
+  std::vector<MatrixColumn> columns(static_cast<std::size_t>(size));
 #pragma omp parallel
   {
     std::vector<Entry> entries;
@@ -125,18 +141,7 @@ Eigen::SparseMatrix<double> stiffness_matrix(const FamilyOperator& plate, const 
       columns[std::size_t(u)] = entries;
     }
   }
-  Eigen::SparseMatrix<double> result(size, size);
-  std::int64_t count = 0;
-  for (Eigen::Index u = 0; u < size; ++u)
-    result.outerIndexPtr()[u] = int(count), count += std::int64_t(columns[std::size_t(u)].size());
-  result.outerIndexPtr()[size] = int(count);
-  result.resizeNonZeros(count);
-  for (Eigen::Index u = 0; u < size; ++u) {
-    auto at = result.outerIndexPtr()[u];
-    for (const auto& [row, value] : columns[std::size_t(u)])
-      result.innerIndexPtr()[at] = row, result.valuePtr()[at++] = value;
-  }
-  return result;
+  return compressed(columns);
 }
 
 Eigen::SparseMatrix<double> point_graph(const geometry::Families& families) {

@@ -17,6 +17,10 @@ struct Unknowns {
 /// `diagonal`: of P^T diag(K) P, zero at held degrees of freedom (Constraints::fold_diagonal).
 Unknowns unknowns(const Forces& diagonal);
 
+/// Rows, ascending, and values of one column.
+using MatrixColumn = std::vector<std::pair<std::int32_t, double>>;
+Eigen::SparseMatrix<double> compressed(const std::vector<MatrixColumn>& columns);
+
 /// P^T K P of the unknowns, lower triangle. `with_dilatation` = false leaves out the energy a theta^2 and with it the
 /// couplings between the neighbours of a point.
 Eigen::SparseMatrix<double> stiffness_matrix(const FamilyOperator& plate, const Constraints& constraints,

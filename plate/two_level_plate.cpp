@@ -1,6 +1,6 @@
 #include "plate/two_level_plate.hpp"
 
-#include <map>
+#include <algorithm>
 
 #include "plate/lattice_operator.hpp"
 
@@ -41,19 +41,39 @@ int remainder(std::int32_t i) {
   return ((i % window) + window) % window;
 }
 
-/// The graph of points of a matrix of unknowns, lower triangle.
-Eigen::SparseMatrix<double> graph_of(const Eigen::SparseMatrix<double>& matrix, const Unknowns& unknowns,
-                                     std::size_t points) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t k = 0; k < points; ++k) entries.emplace_back(k, k, 1);
-  for (Eigen::Index u = 0; u < matrix.outerSize(); ++u)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, u); it; ++it) {
-      const auto j = unknowns.dof[std::size_t(u)] / 3, i = unknowns.dof[std::size_t(it.row())] / 3;
-      if (i != j && unknowns.dof[std::size_t(u)] % 3 == 0) entries.emplace_back(std::max(i, j), std::min(i, j), 1);
-    }
-  Eigen::SparseMatrix<double> result{Eigen::Index(points), Eigen::Index(points)};
-  result.setFromTriplets(entries.begin(), entries.end());
+/// The diagonal of columns of a lower triangle, one column for every degree of freedom.
+Forces diagonal_of(const std::vector<MatrixColumn>& columns) {
+  Forces result(3, Eigen::Index(columns.size() / 3));
+  for (std::size_t dof = 0; dof < columns.size(); ++dof) {
+    const auto& column = columns[dof];
+    at_dof(result, dof) = !column.empty() && column.front().first == std::int32_t(dof) ? column.front().second : 0;
+  }
   return result;
+}
+
+/// Drops what is zero but for rounding: it would fill the factor.
+void without_rounding(std::vector<MatrixColumn>& columns) {
+  constexpr double rounding = 1e-12;
+  const Forces diagonal = diagonal_of(columns);
+#pragma omp parallel for schedule(static)
+  for (std::size_t dof = 0; dof < columns.size(); ++dof)
+    std::erase_if(columns[dof], [&](const auto& entry) {
+      const double scale = at_dof(diagonal, dof) * at_dof(diagonal, std::size_t(entry.first));
+      return entry.second * entry.second <= rounding * rounding * scale;
+    });
+}
+
+/// Pairs of points that the columns couple, lower triangle.
+Eigen::SparseMatrix<double> graph_of(const std::vector<MatrixColumn>& columns) {
+  std::vector<MatrixColumn> result(columns.size() / 3);
+  for (std::size_t dof = 0; dof < columns.size(); ++dof)
+    for (const auto& [row, value] : columns[dof]) result[dof / 3].emplace_back(row / 3, 1);
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    result[k].emplace_back(std::int32_t(k), 1);
+    std::sort(result[k].begin(), result[k].end());
+    result[k].erase(std::unique(result[k].begin(), result[k].end()), result[k].end());
+  }
+  return compressed(result);
 }
 
 }  // namespace
@@ -64,36 +84,31 @@ TwoLevelPlate::TwoLevelPlate(const FamilyOperator& plate, const Boundary& bounda
   const Forces diagonal = folded_diagonal(plate, constraints_);
   inverse_diagonal_ = diagonal.unaryExpr([](double d) { return d > 0 ? weight / d : 0.0; });
   const LatticeOperator local(local_operator(plate, boundary, section, discretization));
-  const Eigen::SparseMatrix<double> all = coarse_stiffness(local);
-  Forces coarse_diagonal(3, Eigen::Index(transfer_.coarse_points()));
-  for (Eigen::Index dof = 0; dof < all.cols(); ++dof) at_dof(coarse_diagonal, std::size_t(dof)) = all.coeff(dof, dof);
-  constexpr double rounding = 1e-24;
+  const auto columns = coarse_stiffness(local);
+  const Forces coarse_diagonal = diagonal_of(columns);
   unknowns_ = unknowns(coarse_diagonal);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index column = 0; column < all.outerSize(); ++column)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(all, column); it; ++it) {
-      const auto i = unknowns_.index[std::size_t(it.row())], j = unknowns_.index[std::size_t(column)];
-      const double scale = at_dof(coarse_diagonal, std::size_t(it.row())) * at_dof(coarse_diagonal, std::size_t(column));
-      if (i >= 0 && j >= 0 && it.value() * it.value() > rounding * scale) entries.emplace_back(i, j, it.value());
-    }
-  Eigen::SparseMatrix<double> matrix(unknowns_.size(), unknowns_.size());
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  factor_ = factorised(matrix, order_of(unknowns_, graph_of(matrix, unknowns_, transfer_.coarse_points())));
+  std::vector<MatrixColumn> free;
+  for (const auto dof : unknowns_.dof) {
+    free.emplace_back();
+    for (const auto& [row, value] : columns[dof])
+      if (const auto index = unknowns_.index[std::size_t(row)]; index >= 0) free.back().emplace_back(index, value);
+  }
+  factor_ = factorised(compressed(free), order_of(unknowns_, graph_of(columns)));
 }
 
-/// R L R^T of the local plate L, lower triangle: one product with L for all coarse points that are too far from each
-/// other to meet in it.
-Eigen::SparseMatrix<double> TwoLevelPlate::coarse_stiffness(const FamilyOperator& local) const {
+/// Columns of R L R^T with the local plate L, lower triangle: one product with L for all coarse points that are too far
+/// from each other to meet in it.
+std::vector<MatrixColumn> TwoLevelPlate::coarse_stiffness(const FamilyOperator& local) const {
   const auto& cells = transfer_.cells();
   const Cells index(cells);
-  const auto points = Eigen::Index(local.points()), coarse_points = Eigen::Index(cells.size());
-  std::vector<std::vector<std::pair<std::int32_t, double>>> rows(std::size_t(3 * coarse_points));
-  State coarse(3, coarse_points), fine(3, points);
+  const auto coarse_points = Eigen::Index(cells.size());
+  std::vector<MatrixColumn> columns(std::size_t(3 * coarse_points));
+  State coarse(3, coarse_points), fine(3, Eigen::Index(local.points()));
   Forces force;
   for (int color = 0; color < window * window; ++color)
     for (int component = 0; component < 3; ++component) {
-      coarse.setZero(), fine.setZero();
       const int column = color % window, row = color / window;
+      coarse.setZero(), fine.setZero();
       for (Eigen::Index i = 0; i < coarse_points; ++i)
         if (remainder(cells[std::size_t(i)].column) == column && remainder(cells[std::size_t(i)].row) == row)
           coarse(component, i) = 1;
@@ -104,22 +119,19 @@ Eigen::SparseMatrix<double> TwoLevelPlate::coarse_stiffness(const FamilyOperator
       transfer_.restrict_to(coarse, force);
 #pragma omp parallel for schedule(static)
       for (Eigen::Index i = 0; i < coarse_points; ++i) {
-        // the point of this color in the window about i
+        // the point of this color in the window about i; what i has of it, it has of i
         const auto& c = cells[std::size_t(i)];
         const int x = remainder(column - c.column + window / 2) - window / 2,
                   y = remainder(row - c.row + window / 2) - window / 2;
         const auto j = index.at({c.column + x, c.row + y});
         for (int d = 0; j >= 0 && d < 3; ++d)
-          if (const double value = -coarse(d, i); value != 0 && 3 * i + d >= 3 * Eigen::Index(j) + component)
-            rows[std::size_t(3 * i + d)].emplace_back(3 * j + component, value);
+          if (const double value = -coarse(d, i); value != 0 && 3 * j + component >= std::int32_t(3 * i) + d)
+            columns[std::size_t(3 * i + d)].emplace_back(3 * j + component, value);
       }
     }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (const auto& [c, value] : rows[r]) entries.emplace_back(int(r), c, value);
-  Eigen::SparseMatrix<double> result(3 * coarse_points, 3 * coarse_points);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
+  for (auto& column : columns) std::sort(column.begin(), column.end());
+  without_rounding(columns);
+  return columns;
 }
 
 void TwoLevelPlate::apply(const Forces& residual, State& result) const {

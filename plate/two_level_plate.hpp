@@ -17,7 +17,7 @@ public:
   std::size_t bytes() const { return factor_->bytes(); }
 
 private:
-  Eigen::SparseMatrix<double> coarse_stiffness(const FamilyOperator& local) const;
+  std::vector<MatrixColumn> coarse_stiffness(const FamilyOperator& local) const;
 
   const FamilyOperator& plate_;
   const Constraints& constraints_;
