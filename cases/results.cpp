@@ -145,13 +145,19 @@ void Results::frame(const plate::Instant& now) {
     frame.resultants = plate::resultants(now.state, assembly_.plate.families(), assembly_.plate.shapes(),
                                          assembly_.boundary.cloud.areas, plate_points, case_.section);
     frame.damage.assign(plate_points, 0);
-    vtk_->write(frame);
   }
-  if (hdf5_) {
-    const bool dynamic = case_.analysis.kind == Analysis::Kind::dynamic;
-    const plate::State velocity = dynamic ? plate::State(now.velocity().leftCols(Eigen::Index(plate_points))) : plate::State();
-    hdf5_->write(frame, dynamic ? &velocity : nullptr);
-  }
+  const bool dynamic = case_.analysis.kind == Analysis::Kind::dynamic;
+  plate::State velocity;
+  if (hdf5_ && dynamic) velocity = now.velocity().leftCols(Eigen::Index(plate_points));
+  wait_for_frame();
+  writing_ = std::async(std::launch::async, [this, dynamic, frame = std::move(frame), velocity = std::move(velocity)] {
+    if (vtk_) vtk_->write(frame);
+    if (hdf5_) hdf5_->write(frame, dynamic ? &velocity : nullptr);
+  });
+}
+
+void Results::wait_for_frame() {
+  if (writing_.valid()) writing_.get();
 }
 
 void Results::mode(std::size_t number, const plate::Mode& mode) {
@@ -168,6 +174,7 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
   post::write_csv(folder_ / (name + ".csv"), main);
   if (!probes_.empty()) post::write_csv(folder_ / "probes.csv", probe_table_);
   if (!tip_methods_.empty()) post::write_csv(folder_ / "srif.csv", srif_table_);
+  wait_for_frame();
   if (hdf5_) {
     hdf5_->write(name, main);
     if (!probes_.empty()) hdf5_->write("probes", probe_table_);

@@ -1,4 +1,6 @@
 #pragma once
+#include <future>
+
 #include "cases/assembly.hpp"
 #include "plate/frequencies.hpp"
 #include "post/hdf5.hpp"
@@ -29,7 +31,8 @@ public:
   void coarser(std::vector<post::Srif> srifs) { coarser_ = std::move(srifs); }
   /// A row of history, probes and intensity factors; of the last, all rings go into the summary.
   void sample(const plate::Instant& now, bool last);
-  /// A frame for ParaView and HDF5.
+  /// A frame for ParaView and HDF5, written while the solver goes on. What went wrong with a frame is thrown with the
+  /// next one, or by finish().
   void frame(const plate::Instant& now);
   /// A row of frequencies.csv and a frame, number `number` (from 1).
   void mode(std::size_t number, const plate::Mode& mode);
@@ -39,6 +42,7 @@ public:
   double strain_energy() const { return strain_energy_; }
 
 private:
+  void wait_for_frame();
   void sample_probes(const plate::Instant& now);
   void sample_srifs(const plate::Instant& now, bool last);
   std::vector<post::Srif> widened_srifs(const plate::State& state, bool all_rings) const;
@@ -55,6 +59,7 @@ private:
   std::vector<post::Srif> latest_, coarser_;
   std::vector<post::Frequency> frequencies_;
   double strain_energy_ = 0;
+  std::future<void> writing_;  // of the last frame; ends before what it writes to
 };
 
 }  // namespace cases

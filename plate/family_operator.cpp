@@ -43,6 +43,7 @@ FamilyOperator::FamilyOperator(geometry::Families families, std::vector<BondShap
   for (const std::size_t k : runs_.example) {
     for (std::size_t i = 0; i < families_[k].size(); ++i) patterns_.bonds.push_back(bond(k, i));
     patterns_.first.push_back(patterns_.bonds.size());
+    patterns_.stiffness.push_back(dilatation_stiffness_[Eigen::Index(k)]);
   }
 }
 

@@ -17,6 +17,7 @@ struct PatternBond {
 struct Patterns {
   std::vector<PatternBond> bonds;
   std::vector<std::size_t> first;
+  std::vector<double> stiffness;  // 2 A a of the points, per pattern
 };
 
 /// The ordinary state-based plate on the families of any cloud, point by point and bond by bond: state -> internal force, and

@@ -12,6 +12,10 @@ constexpr int disc_width(int radius_squared, int j) {
   return i;
 }
 
+/// A vector as wide as the columns beside a point on both sides, from several of the machine's where these are short.
+template <typename Real>
+using FoldLane = std::conditional_t<(Lane<Real>::size() >= 8), Lane<Real>, simd::fixed_size_simd<Real, 8>>;
+
 /// Calls visit with the constants 0 ... count - 1.
 template <int count, typename Visit>
 [[gnu::always_inline]] inline void unrolled(const Visit& visit) {
@@ -34,10 +38,10 @@ public:
   FoldedRow(const RowPattern<Real>& pattern, const Fields<Real>& in, std::ptrdiff_t first, std::ptrdiff_t length)
       : pattern_(pattern), fold_(*pattern.fold), in_(in), first_(first), length_(length) {}
 
-  void dilatation(Real* q, const Real* stiffness) {
+  void dilatation(Real* q) {
     sweep<1>([&](std::ptrdiff_t c, std::ptrdiff_t at) { dilatation_columns(c, at); },
              [&](std::ptrdiff_t k, std::ptrdiff_t at, const auto& put) {
-               put(load(stiffness + k) * gathered(at, 0), q + k);
+               put(pattern_.stiffness * gathered(at, 0), q + k);
              });
   }
 
@@ -52,7 +56,7 @@ public:
   }
 
 private:
-  using Vector = Lane<Real>;
+  using Vector = FoldLane<Real>;
   static constexpr auto size = std::ptrdiff_t(Vector::size());
 
   /// What the columns i beside a point give: the same to both sides, and with opposite signs.

@@ -59,8 +59,7 @@ struct LatticeRows<Real>::Scratch {
 };
 
 template <typename Real>
-LatticeRows<Real>::LatticeRows(const FamilyOperator& plate)
-    : stiffness_(plate.dilatation_stiffness().template cast<Real>()) {
+LatticeRows<Real>::LatticeRows(const FamilyOperator& plate) {
   q_.setZero(Eigen::Index(plate.points()));
   const double spacing = shortest_bond(plate);
   std::vector<std::uint32_t> pattern_of(plate.points());
@@ -81,24 +80,25 @@ std::vector<std::uint32_t> LatticeRows<Real>::add_rows(const geometry::FamilyRun
     if (fresh)
       patterns_.push_back(row_pattern<Real>(
           {patterns.bonds.data() + patterns.first[pattern], patterns.bonds.data() + patterns.first[pattern + 1]},
-          foldable ? std::optional(spacing) : std::nullopt));
+          patterns.stiffness[pattern], foldable ? std::optional(spacing) : std::nullopt));
     return entry->second;
   };
   for (const auto& run : runs.runs) {
-    if (run.length < vector) {
+    if (run.length < lanes) {
       for (std::uint32_t i = 0; i < run.length; ++i) loose.push_back(run.first_point + i);
       continue;
     }
     auto pattern = pattern_of(run.pattern, true);
     const auto first = std::int64_t(run.first_point), last = first + run.length - 1;
-    if (patterns_[pattern].fold && (first + patterns_[pattern].lowest < 0 ||
-                                    last + patterns_[pattern].highest + std::int64_t(vector) > stiffness_.size()))
+    if (patterns_[pattern].fold &&
+        (first + patterns_[pattern].lowest < 0 ||
+         last + patterns_[pattern].highest + std::int64_t(FoldLane<Real>::size()) > q_.size()))
       pattern = pattern_of(run.pattern, false);  // a fold also reads beyond what its points see
     rows_.push_back({run.first_point, run.length, pattern});
     in_rows += run.length;
     if (patterns_[pattern].fold) folded += run.length;
   }
-  const double all = std::max<double>(1, double(stiffness_.size()));
+  const double all = std::max<double>(1, double(q_.size()));
   row_share_ = double(in_rows) / all, folded_share_ = double(folded) / all;
   return loose;
 }
@@ -107,16 +107,16 @@ template <typename Real>
 void LatticeRows<Real>::add_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
                                     const std::vector<std::uint32_t>& pattern_of, double spacing) {
   constexpr std::uint32_t longest = 128;
-  const auto found = point_columns(patterns, points, pattern_of, spacing, vector, longest, farthest, pitch);
+  const auto found = point_columns(patterns, points, pattern_of, spacing, lanes, longest, farthest, pitch);
   const auto first_pattern = std::uint32_t(patterns_.size());
-  for (const auto& bonds : found.patterns) patterns_.push_back(row_pattern<Real>(bonds, spacing));
+  for (const auto& one : found.patterns) patterns_.push_back(row_pattern<Real>(one.bonds, one.stiffness, spacing));
   for (const auto& column : found.columns) {
     gathered_.push_back({std::uint32_t(column.points.size()), first_pattern + column.pattern, column.reach,
                          gathered_points_.size(), sources_.size()});
     gathered_points_.insert(gathered_points_.end(), column.points.begin(), column.points.end());
     sources_.insert(sources_.end(), column.sources.begin(), column.sources.end());
   }
-  packet_share_ = double(found.rest.size()) / std::max<double>(1, double(stiffness_.size()));
+  packet_share_ = double(found.rest.size()) / std::max<double>(1, double(q_.size()));
   packets_.add(patterns, found.rest, pattern_of);
 }
 
@@ -134,16 +134,16 @@ void LatticeRows<Real>::share_out() {
 }
 
 template <typename Real>
-void LatticeRows<Real>::row_dilatation(const Row& row, const Fields<Real>& in, Real* q, const Real* stiffness) const {
+void LatticeRows<Real>::row_dilatation(const Row& row, const Fields<Real>& in, Real* q) const {
   const auto& pattern = patterns_[row.pattern];
   if (pattern.fold) {
     visit_disc(pattern.fold->radius_squared, [&]<int r>(std::integral_constant<int, r>) {
-      FoldedRow<Real, r>(pattern, in, row.first, row.length).dilatation(q, stiffness);
+      FoldedRow<Real, r>(pattern, in, row.first, row.length).dilatation(q);
     });
     return;
   }
   along<Real>(row.first, row.length,
-              [&](const auto& place) { place.store(place.load(stiffness) * dilatation(place, pattern, in), q); });
+              [&](const auto& place) { place.store(pattern.stiffness * dilatation(place, pattern, in), q); });
 }
 
 template <typename Real>
@@ -177,9 +177,8 @@ template <typename Real>
 void LatticeRows<Real>::gathered_dilatation(const GatheredRow& row, const Fields<Real>& in, Scratch& scratch) const {
   const std::uint32_t* const points = gathered_points_.data() + row.first_point;
   const Row local = gather_row(row, in, false, scratch);
-  Real *const q = scratch.of(4), *const stiffness = scratch.of(5);
-  for (std::uint32_t i = 0; i < row.length; ++i) stiffness[local.first + i] = stiffness_[points[i]];
-  row_dilatation(local, scratch.fields(), q, stiffness);
+  Real* const q = scratch.of(4);
+  row_dilatation(local, scratch.fields(), q);
   for (std::uint32_t i = 0; i < row.length; ++i) q_[points[i]] = q[local.first + i];
 }
 
@@ -225,9 +224,9 @@ void LatticeRows<Real>::internal_force(const Values<Real>& state, Values<Real>& 
 #pragma omp parallel
   {
     Scratch scratch(field_size_);
-    for_share([&](const Row& row) { row_dilatation(row, in, q_.data(), stiffness_.data()); },
+    for_share([&](const Row& row) { row_dilatation(row, in, q_.data()); },
               [&](const GatheredRow& row) { gathered_dilatation(row, in, scratch); },
-              [&](std::size_t one) { packets_.dilatation(one, in, stiffness_.data(), q_.data()); });
+              [&](std::size_t one) { packets_.dilatation(one, in, q_.data()); });
 #pragma omp barrier
     for_share([&](const Row& row) { row_force(row, in, out); },
               [&](const GatheredRow& row) { gathered_force(row, in, out, scratch); },
@@ -239,7 +238,7 @@ template <typename Real>
 std::size_t LatticeRows<Real>::bytes() const {
   const auto of = [](const auto& values) { return values.size() * sizeof(values[0]); };
   std::size_t sum = of(rows_) + of(gathered_) + of(gathered_points_) + of(sources_) + packets_.bytes() + of(work_) +
-                    2 * std::size_t(q_.size()) * sizeof(Real);
+                    std::size_t(q_.size()) * sizeof(Real);
   for (const auto& pattern : patterns_) sum += of(pattern.pairs) + of(pattern.singles);
   return sum;
 }

@@ -20,9 +20,9 @@ public:
   std::size_t bytes() const;
 
 private:
-  static constexpr std::size_t vector = Lane<Real>::size();  // points
-  static constexpr std::size_t pitch = 192;                  // of gathered rows
-  static constexpr std::uint32_t farthest = 16;              // spacings that a gathered row sees
+  static constexpr std::size_t lanes = Lane<Real>::size();  // points
+  static constexpr std::size_t pitch = 192;                 // of gathered rows
+  static constexpr std::uint32_t farthest = 16;             // spacings that a gathered row sees
 
   struct Row {
     std::uint32_t first, length, pattern;
@@ -39,7 +39,7 @@ private:
                    const std::vector<std::uint32_t>& pattern_of, double spacing);
   void share_out();
 
-  void row_dilatation(const Row& row, const Fields<Real>& in, Real* q, const Real* stiffness) const;
+  void row_dilatation(const Row& row, const Fields<Real>& in, Real* q) const;
   void row_force(const Row& row, const Fields<Real>& in, const ForceFields<Real>& out) const;
   Row gather_row(const GatheredRow& row, const Fields<Real>& in, bool all, Scratch& scratch) const;
   void gathered_dilatation(const GatheredRow& row, const Fields<Real>& in, Scratch& scratch) const;
@@ -55,7 +55,6 @@ private:
   Packets<Real> packets_;
   std::vector<double> work_;                         // up to every row, gathered row and packet, in this order
   std::size_t field_size_ = 0;                       // of Scratch
-  Eigen::Array<Real, Eigen::Dynamic, 1> stiffness_;  // by point: 2 A a
   mutable Eigen::Array<Real, Eigen::Dynamic, 1> q_;  // by point, of the state in hand: 2 A a theta
   double row_share_ = 0, folded_share_ = 0, packet_share_ = 0;
 };

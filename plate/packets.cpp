@@ -11,9 +11,11 @@ void Packets<Real>::add(const Patterns& patterns, std::vector<std::uint32_t> poi
   // packets of points with about as many bonds
   std::stable_sort(points.begin(), points.end(), [&](auto a, auto b) { return bonds(a) > bonds(b); });
   for (std::size_t begin = 0; begin < points.size(); begin += lanes) {
-    Packet result{{}, std::uint32_t(std::min(lanes, points.size() - begin)), bonds_.size(), 0};
-    for (std::size_t lane = 0; lane < lanes; ++lane)
+    Packet result{{}, std::uint32_t(std::min(lanes, points.size() - begin)), {}, bonds_.size(), 0};
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
       result.point[lane] = points[begin + std::min<std::size_t>(lane, result.used - 1)];
+      result.stiffness[lane] = Real(patterns.stiffness[pattern_of[result.point[lane]]]);
+    }
     for (std::size_t i = 0; i < bonds(points[begin]); ++i) {
       Bond bond{};
       for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -34,7 +36,7 @@ void Packets<Real>::add(const Patterns& patterns, std::vector<std::uint32_t> poi
 }
 
 template <typename Real>
-void Packets<Real>::dilatation(std::size_t i, const Fields<Real>& in, const Real* stiffness, Real* q) const {
+void Packets<Real>::dilatation(std::size_t i, const Fields<Real>& in, Real* q) const {
   const Packet& p = packets_[i];
   const Lane<Real> own_x = gather(in.x, p.point), own_y = gather(in.y, p.point);
   Lane<Real> sum = 0;
@@ -44,7 +46,7 @@ void Packets<Real>::dilatation(std::size_t i, const Fields<Real>& in, const Real
     sum += table(bond.D_kj) * (table(bond.mx) * (gather(in.x, bond.neighbour) - own_x) +
                                table(bond.my) * (gather(in.y, bond.neighbour) - own_y));
   }
-  for (std::size_t lane = 0; lane < p.used; ++lane) q[p.point[lane]] = stiffness[p.point[lane]] * sum[lane];
+  for (std::size_t lane = 0; lane < p.used; ++lane) q[p.point[lane]] = p.stiffness[lane] * sum[lane];
 }
 
 template <typename Real>

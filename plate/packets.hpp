@@ -11,7 +11,7 @@ public:
   void add(const Patterns& patterns, std::vector<std::uint32_t> points, const std::vector<std::uint32_t>& pattern_of);
 
   std::size_t size() const { return packets_.size(); }
-  void dilatation(std::size_t i, const Fields<Real>& in, const Real* stiffness, Real* q) const;
+  void dilatation(std::size_t i, const Fields<Real>& in, Real* q) const;
   void force(std::size_t i, const Fields<Real>& in, const ForceFields<Real>& out) const;
 
   /// Rough time of a packet, in operations on a vector.
@@ -29,6 +29,7 @@ private:
   };
   struct Packet {
     std::uint32_t point[lanes], used;
+    Real stiffness[lanes];   // 2 A a
     std::size_t first, end;  // in bonds_
   };
   std::vector<Packet> packets_;

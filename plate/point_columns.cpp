@@ -28,8 +28,8 @@ std::optional<std::vector<std::pair<LatticeOffset, PatternBond>>> turned(std::sp
 
 class Finder {
 public:
-  Finder(const Patterns& patterns, const std::vector<std::uint32_t>& pattern_of, double spacing,
-         std::uint32_t farthest, std::int32_t pitch)
+  Finder(const Patterns& patterns, const std::vector<std::uint32_t>& pattern_of, double spacing, std::uint32_t farthest,
+         std::int32_t pitch)
       : patterns_(patterns),
         pattern_of_(pattern_of),
         spacing_(spacing),
@@ -83,17 +83,18 @@ private:
   std::uint32_t look(std::uint32_t k) {
     const auto list = turned(bonds(k), spacing_);
     if (!list || list->empty()) return none;
-    Key key;
+    const double stiffness = patterns_.stiffness[pattern_of_[k]];
+    Key key{stiffness};
     for (const auto& [offset, bond] : *list) {
       if (std::uint32_t(std::max(std::abs(offset.i), std::abs(offset.j))) > farthest_) return none;
       key.insert(key.end(), {double(offset.i), double(offset.j), bond.D_kj, bond.D_jk, bond.curvature, bond.shear});
     }
     const auto [entry, fresh] = known_.try_emplace(std::move(key), std::uint32_t(known_.size()));
     if (fresh) {
-      result_.patterns.emplace_back();
+      result_.patterns.push_back({{}, stiffness});
       for (auto [offset, bond] : *list) {
         bond.step = offset.j * pitch_ + offset.i;
-        result_.patterns.back().push_back(bond);
+        result_.patterns.back().bonds.push_back(bond);
       }
     }
     return entry->second;

@@ -14,8 +14,12 @@ struct PointColumn {
 /// The bonds of a pattern are turned so that the column lies along x: the rotations about x and y are theta_y and
 /// -theta_x, and `step` is that between points kept in rows of `pitch`.
 struct PointColumns {
+  struct Pattern {
+    std::vector<PatternBond> bonds;
+    double stiffness;  // as in Patterns
+  };
   std::vector<PointColumn> columns;
-  std::vector<std::vector<PatternBond>> patterns;
+  std::vector<Pattern> patterns;
   std::vector<std::uint32_t> rest;  // points in no column
 };
 

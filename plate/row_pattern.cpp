@@ -114,8 +114,9 @@ std::optional<LatticeOffset> lattice_offset(const PatternBond& bond, double spac
 }
 
 template <typename Real>
-RowPattern<Real> row_pattern(std::span<const PatternBond> bonds, std::optional<double> spacing) {
+RowPattern<Real> row_pattern(std::span<const PatternBond> bonds, double stiffness, std::optional<double> spacing) {
   RowPattern<Real> result;
+  result.stiffness = Real(stiffness);
   if (spacing) result.fold = fold_of<Real>(bonds, *spacing);
   double xx = 0, xy = 0, yy = 0, Dx = 0, Dy = 0, force_x = 0, force_y = 0;
   std::vector<char> done(bonds.size(), 0);
@@ -143,7 +144,7 @@ RowPattern<Real> row_pattern(std::span<const PatternBond> bonds, std::optional<d
   return result;
 }
 
-template RowPattern<double> row_pattern<double>(std::span<const PatternBond>, std::optional<double>);
-template RowPattern<float> row_pattern<float>(std::span<const PatternBond>, std::optional<double>);
+template RowPattern<double> row_pattern<double>(std::span<const PatternBond>, double, std::optional<double>);
+template RowPattern<float> row_pattern<float>(std::span<const PatternBond>, double, std::optional<double>);
 
 }  // namespace plate

@@ -43,6 +43,7 @@ struct RowPattern {
   std::vector<Pair> pairs;
   std::vector<Single> singles;
   std::optional<Fold> fold;              // then neither pairs nor singles
+  Real stiffness = 0;                    // 2 A a
   Real Dx = 0, Dy = 0;                   // couple, per q
   Real xx = 0, xy = 0, yy = 0;           // couple, per rotation
   Real force_x = 0, force_y = 0;         // force, per rotation
@@ -58,9 +59,9 @@ std::optional<LatticeOffset> lattice_offset(const PatternBond& bond, double spac
 
 /// Folded where the bonds allow it and `spacing`, the shortest bond of the plate, is given.
 template <typename Real>
-RowPattern<Real> row_pattern(std::span<const PatternBond> bonds, std::optional<double> spacing);
+RowPattern<Real> row_pattern(std::span<const PatternBond> bonds, double stiffness, std::optional<double> spacing);
 
-extern template RowPattern<double> row_pattern<double>(std::span<const PatternBond>, std::optional<double>);
-extern template RowPattern<float> row_pattern<float>(std::span<const PatternBond>, std::optional<double>);
+extern template RowPattern<double> row_pattern<double>(std::span<const PatternBond>, double, std::optional<double>);
+extern template RowPattern<float> row_pattern<float>(std::span<const PatternBond>, double, std::optional<double>);
 
 }  // namespace plate

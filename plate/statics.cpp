@@ -1,5 +1,6 @@
 #include "plate/statics.hpp"
 
+#include "plate/dynamics.hpp"
 #include "plate/local_plate.hpp"
 #include "plate/numerical_error.hpp"
 #include "plate/reduction.hpp"
@@ -15,16 +16,10 @@ Forces inverse(const Forces& diagonal) {
   return diagonal.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
 }
 
-/// 1 / lambda of Eq. 14 with lambda_i = (1/4) sum_j |K_ij| s_j / s_i, so that no frequency exceeds 2 with time step 1
-/// (Gershgorin). The scale s = K_ii^(-1/2) makes the bound the same in all units.
-Forces inverse_fictitious_mass(const Operator& plate, const Constraints& constraints,
-                               const Forces& inverse_diagonal) {
-  State scale = inverse_diagonal.cwiseSqrt();
-  Forces bound;
-  constraints.impose_absolute(scale);
-  plate.absolute_product(scale, bound);
-  constraints.fold_absolute(bound);
-  return bound.binaryExpr(scale, [](double b, double s) { return b > 0 && s > 0 ? 4 * s / b : 0.0; });
+/// 1 / lambda of Eq. 14: the diagonal, scaled so that no frequency exceeds 2 with time step 1.
+Forces inverse_fictitious_mass(const Operator& plate, const Constraints& constraints, const Forces& diagonal) {
+  const double step = stable_time_step(plate, constraints, diagonal);
+  return inverse(diagonal) * (step * step);
 }
 
 double weighted_norm(const Forces& forces, const Forces& weight) {
@@ -113,8 +108,8 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
 StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constraints& constraints,
                                            const Forces& load, const StaticOptions& options) {
   const auto size = static_cast<std::size_t>(load.size());
-  const Forces weight = inverse(folded_diagonal(plate, constraints));
-  const Forces inverse_mass = inverse_fictitious_mass(plate, constraints, weight);
+  const Forces diagonal = folded_diagonal(plate, constraints), weight = inverse(diagonal);
+  const Forces inverse_mass = inverse_fictitious_mass(plate, constraints, diagonal);
   Forces external = load;
   constraints.fold(external);
   const double load_norm = weighted_norm(external, weight);
