@@ -62,6 +62,18 @@ TEST_CASE("rows of points and the family list give the same forces: holes, suppo
   }
 }
 
+TEST_CASE("rows of points and the family list give the same forces for every disc of bonds") {
+  const auto outline = geometry::rectangle(0, 0, 4, 3);
+  for (const double ratio : {2.015, 2.3, 2.9, 3.015, 3.2, 3.7, 4.015, 5.015}) {
+    auto d = small_plate::spaced(0.1);
+    d.horizon_ratio = ratio;
+    const auto lattice = cracked(small_plate::model(outline, {{SupportKind::clamped, {"left"}, {}}}, d), outline, {});
+    INFO(ratio);
+    CHECK(difference(lattice, 25) < 1e-14);  // as above
+    CHECK((lattice.rows().folded_share() > 0.2) == (ratio < 5));  // beyond: pairs
+  }
+}
+
 TEST_CASE("plates narrower than a vector, and a single point") {
   for (const auto& outline : {geometry::rectangle(0, 0, 0.5, 3), geometry::rectangle(0, 0, 0.1, 0.1)}) {
     const auto m = small_plate::model(outline, {}, small_plate::spaced(0.1));
