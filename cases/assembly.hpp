@@ -1,8 +1,11 @@
 #pragma once
 #include <chrono>
 #include <utility>
+#include <variant>
 #include "cases/case_file.hpp"
 #include "fracture/precrack.hpp"
+#include "plate/galerkin_boundary.hpp"
+#include "plate/galerkin_operator.hpp"
 #include "plate/dynamics.hpp"
 #include "plate/lattice_operator.hpp"
 #include "plate/pieces.hpp"
@@ -24,17 +27,32 @@ private:
   std::vector<std::pair<std::string, double>> seconds_;
 };
 
+/// The Galerkin plate and what its outputs need.
+struct GalerkinPlate {
+  geometry::Tessellation cells;
+  plate::GalerkinOperator op;
+  std::vector<geometry::Point> seen;      // geometry::seen_positions()
+  std::vector<plate::BondShape> shapes;   // of the vectors of its families
+};
+
 /// A case turned into points, bonds and loads: everything that a solver asks for, and nothing has been solved yet.
 struct Assembly {
   std::vector<geometry::CrackPath> paths;  // [length]
   std::vector<geometry::Tip> tips;
   plate::Boundary boundary;
   std::vector<double> cut;  // per plate point: share of the family severed by cracks
-  plate::LatticeOperator plate;
+  std::variant<plate::LatticeOperator, GalerkinPlate> formulation;
   std::optional<plate::MatchCounts> match;  // of the position-aware correction
   std::vector<plate::TimedLoad> loads;
   std::vector<std::string> warnings;
   bool may_move = false;  // parts that hang by bonds along one line may move without resistance
+
+  const plate::Operator& plate() const;
+  /// nullptr where the plate is of the other formulation.
+  const plate::LatticeOperator* ordinary() const { return std::get_if<plate::LatticeOperator>(&formulation); }
+  const GalerkinPlate* galerkin() const { return std::get_if<GalerkinPlate>(&formulation); }
+  const geometry::Families& families() const;
+  double strain_energy(const plate::State& state) const;
 
   std::size_t bonds() const;             // directed, between points of the plate
   std::size_t fictitious_bonds() const;  // directed, all others

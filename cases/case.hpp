@@ -14,7 +14,7 @@ namespace cases {
 struct Analysis {
   enum class Kind { static_, dynamic, frequencies };
   enum class Method { adr, cg, direct, central_difference, lanczos };
-  enum class Preconditioner { automatic, diagonal, local, two_level };
+  enum class Preconditioner { automatic, diagonal, local, two_level, levels };
   enum class Precision { double_, mixed };
   Kind kind = Kind::static_;
   Method method = Method::cg;

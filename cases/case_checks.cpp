@@ -39,10 +39,13 @@ bool axis_parallel(const geometry::Outline& outline, const std::string& name) {
   return true;
 }
 
-bool needs_axis_parallel(SupportKind kind) {
+bool is_layer(SupportKind kind) {
   using enum SupportKind;
-  return kind == symmetry || kind == simply_supported_hard || kind == clamped_layer || kind == simply_supported_layer ||
-         kind == simply_supported_hard_layer;
+  return kind == clamped_layer || kind == simply_supported_layer || kind == simply_supported_hard_layer;
+}
+
+bool needs_axis_parallel(SupportKind kind) {
+  return kind == SupportKind::symmetry || kind == SupportKind::simply_supported_hard || is_layer(kind);
 }
 
 /// Shape and cracks; true where edges and points can be checked against the shape.
@@ -79,7 +82,12 @@ void check_supports(const Case& content, Reading& reading) {
       if (!fresh && first->second != i)
         reading.complain(entry + ".edges",
                          fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second));
-      if (needs_axis_parallel(support.kind) && reading.sound(entry + ".kind") && !axis_parallel(content.outline, edge))
+      const bool galerkin = content.discretization.formulation == plate::Formulation::galerkin;
+      if (galerkin && is_layer(support.kind))
+        reading.complain(entry + ".kind",
+                         "a layer outside the plate has no meaning with formulation = \"galerkin\", whose points lie on the "
+                         "edges; choose \"clamped\", \"simply_supported\" or \"simply_supported_hard\"");
+      if (!galerkin && needs_axis_parallel(support.kind) && reading.sound(entry + ".kind") && !axis_parallel(content.outline, edge))
         reading.complain(entry + ".edges",
                          fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
                                      "of support needs because it mirrors or extends the lattice there",
@@ -130,6 +138,23 @@ void check_precision(const Case& content, Reading& reading) {
                                  rounding, largest));
 }
 
+/// What one formulation has and the other has not.
+void check_formulation(const Case& content, Reading& reading) {
+  using enum Analysis::Preconditioner;
+  const auto wanted = content.analysis.preconditioner;
+  if (content.discretization.formulation == plate::Formulation::ordinary) {
+    if (wanted == levels)
+      reading.complain("analysis.preconditioner",
+                       "\"levels\" is of formulation = \"galerkin\"; choose \"auto\", \"diagonal\", \"local\" or \"two_level\"");
+    return;
+  }
+  if (wanted == local || wanted == two_level)
+    reading.complain("analysis.preconditioner", "the plate with a short horizon is of formulation = \"ordinary\"; choose "
+                                                "\"auto\", \"diagonal\" or \"levels\"");
+  if (content.analysis.precision == Analysis::Precision::mixed)
+    reading.complain("analysis.precision", "\"mixed\" is of formulation = \"ordinary\"; choose \"double\"");
+}
+
 void check_probes(const Case& content, Reading& reading) {
   for (const auto& [name, point] : content.output.probes)
     if (!on_plate(content.outline, point))
@@ -152,6 +177,7 @@ void check_case(const Case& content, Reading& reading) {
   if (!check_geometry(content, reading)) return;
   check_spacing(content, reading);
   check_precision(content, reading);
+  check_formulation(content, reading);
   check_supports(content, reading);
   check_loads(content, reading);
   check_probes(content, reading);

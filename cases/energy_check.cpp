@@ -16,7 +16,7 @@ double strain_energy(const CaseFile& file) {
   c.analysis.method = Analysis::Method::cg;
   const auto solution = solve_at_rest(c, assembly, {1e-9, c.analysis.max_iterations, {}}).solution;
   if (!solution.converged) throw plate::NumericalError("energy check: conjugate gradients: " + solution.stop_reason);
-  return assembly.plate.energies(solution.state).sum();
+  return assembly.strain_energy(solution.state);
 }
 
 /// The case with the tip moved straight ahead by `step`.

@@ -28,7 +28,7 @@ void set_time_step(CaseFile& file, double share) {
   const auto assembly = assemble(file, stopwatch);
   const auto& constraints = assembly.boundary.constraints;
   const auto mass = mass_of(file.content, assembly);
-  file.content.analysis.time_step = share * plate::stable_time_step(assembly.plate, constraints, mass);
+  file.content.analysis.time_step = share * plate::stable_time_step(assembly.plate(), constraints, mass);
 }
 
 Run run_row(const Extremes& extremes, const ExtremeRow& row, const ExtremeOptions& options, const fs::path& folder) {

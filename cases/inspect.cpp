@@ -10,7 +10,7 @@ namespace {
 
 std::string dynamic_cost(const CaseFile& file, const Assembly& assembly) {
   const auto& constraints = assembly.boundary.constraints;
-  const double limit = plate::stable_time_step(assembly.plate, constraints, mass_of(file.content, assembly));
+  const double limit = plate::stable_time_step(assembly.plate(), constraints, mass_of(file.content, assembly));
   const TimeGrid grid = time_grid(file, limit);
   return fmt::format("time step     {:.6g} (stable limit {:.6g})\nsteps         {}\n", grid.time_step, limit, grid.steps);
 }
@@ -26,9 +26,9 @@ std::string cost(const CaseFile& file) {
   // one product, timed, as the measure of a step
   plate::State state = plate::State::Zero(3, Eigen::Index(cloud.size()));
   plate::Forces forces;
-  assembly.plate.internal_force(state, forces);
+  assembly.plate().internal_force(state, forces);
   stopwatch.lap("first product");
-  assembly.plate.internal_force(state, forces);
+  assembly.plate().internal_force(state, forces);
   stopwatch.lap("product");
 
   std::string text = fmt::format("{}\npoints        {} and {} fictitious\nbonds         {} and {} to fictitious points\n",

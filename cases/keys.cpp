@@ -18,26 +18,34 @@ Fields<plate::Section> section_fields() {
   };
 }
 
-/// The only formulation of this version; others are known by name.
-Field<plate::Discretization> formulation() {
-  static const Words<int> words{{{"ordinary", 0}},
-                                {{"galerkin", "this version has only the ordinary state-based plate"}}};
-  return value<plate::Discretization>(
-      {"formulation", "-", "one of " + words.text(), "", "bonds of the ordinary state-based plate"},
-      [](const Value& given, plate::Discretization&) {
-        if (const auto text = given.text()) words.find(given, *text);
-      },
-      [](const plate::Discretization&) { return words.text(); });
+/// The Galerkin plate has no horizon to correct.
+void check_formulation(const Value& given, plate::Discretization& d) {
+  if (d.formulation != plate::Formulation::galerkin) return;
+  const plate::Discretization standard;
+  const auto refuse = [&](const std::string& name, bool is_standard, const std::string& reason) {
+    if (!is_standard)
+      given.reading().complain(given.below(name), "has no meaning with formulation = \"galerkin\": " + reason + "; remove it");
+  };
+  refuse("influence", d.influence == standard.influence, "its families are the points of the cells about a point");
+  refuse("volume_correction", d.volume_correction == standard.volume_correction, "its families end at whole cells");
+  refuse("surface_correction", d.surface_correction == standard.surface_correction,
+         "points lie on edges and cracks, nothing is to be corrected there");
+  refuse("full_horizon", d.full_horizon == standard.full_horizon, "its families need no calibration");
+  refuse("twist_match", d.twist_match == standard.twist_match, "its families need no calibration");
 }
 
 Fields<plate::Discretization> discretization_fields() {
   using namespace plate;
   using D = Discretization;
+  const Condition<D> galerkin{"formulation", "formulation = galerkin",
+                              [](const D& d) { return d.formulation == Formulation::galerkin; }};
   return {
       number<D>("spacing", "length", &D::spacing, positive, "distance of the points; at least 4 across the plate")
           .required(),
       number<D>("horizon_ratio", "-", &D::horizon_ratio, {1.5, 20}, "horizon / spacing"),
-      formulation(),
+      choice<D, Formulation>("formulation", &D::formulation,
+                             {{{"ordinary", Formulation::ordinary}, {"galerkin", Formulation::galerkin}}},
+                             "bonds of the ordinary state-based plate, or the Galerkin plate"),
       choice<D, Influence>("influence", &D::influence,
                            {{{"inverse", Influence::inverse}, {"constant", Influence::constant}}},
                            "influence function: horizon / length, or 1"),
@@ -59,6 +67,10 @@ Fields<plate::Discretization> discretization_fields() {
       choice<D, TwistMatch>("twist_match", &D::twist_match,
                             {{{"frame_invariant", TwistMatch::frame_invariant}, {"paper", TwistMatch::paper}}},
                             "calibration of the twist constant: independent of the axes, or as in Dai et al., Eq. 35"),
+      number<D>("tip_spacing", "length", &D::tip_spacing, positive, "distance of the points at crack tips").with(galerkin),
+      number<D>("hole_spacing", "length", &D::hole_spacing, positive, "distance of the points at holes").with(galerkin),
+      number<D>("spacing_growth", "-", &D::spacing_growth, {0.02, 1}, "growth of that distance per length from there")
+          .with(galerkin),
   };
 }
 
@@ -94,7 +106,7 @@ const Fields<Case>& case_fields() {
       table<Case, plate::Section>("section", Layout::block, &Case::section, section_fields()),
       table<Case, Case>("geometry", Layout::block, std::identity{}, geometry_fields(), name_holes),
       table<Case, plate::Discretization>("discretization", Layout::block, &Case::discretization,
-                                         discretization_fields()),
+                                         discretization_fields(), check_formulation),
       tables<Case, plate::Support>("support", Layout::block, &Case::supports, support_fields()),
       tables<Case, plate::Load>("load", Layout::block, &Case::loads, load_fields(), check_load)
           .used_in(loaded),

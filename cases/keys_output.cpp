@@ -17,7 +17,8 @@ const Words<Analysis::Method> methods{{{"adr", Analysis::Method::adr},
 const Words<Analysis::Preconditioner> preconditioners{{{"auto", Analysis::Preconditioner::automatic},
                                                        {"diagonal", Analysis::Preconditioner::diagonal},
                                                        {"local", Analysis::Preconditioner::local},
-                                                       {"two_level", Analysis::Preconditioner::two_level}}};
+                                                       {"two_level", Analysis::Preconditioner::two_level},
+                                                       {"levels", Analysis::Preconditioner::levels}}};
 
 const Words<Analysis::Precision> precisions{{{"double", Analysis::Precision::double_},
                                              {"mixed", Analysis::Precision::mixed}}};

@@ -11,6 +11,8 @@ namespace {
 
 /// The points of the plate about a place that no crack parts from it.
 std::vector<post::Share> probe(const Assembly& assembly, const geometry::Point& at) {
+  if (const auto* galerkin = assembly.galerkin()) 
+    return post::interpolation(geometry::CellLocator(galerkin->cells), galerkin->cells.units.spacing, at);
   const auto& boundary = assembly.boundary;
   const geometry::Point u = boundary.cloud.units.to_lattice(at);
   const auto paths = geometry::to_lattice(assembly.paths, boundary.cloud.units);
@@ -40,10 +42,19 @@ std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& 
   std::vector<Problem> problems;
   if (!c.srif) return result;
   const auto& cloud = assembly.boundary.cloud;
-  const post::BondedPlate plate{cloud.positions,         cloud.areas, assembly.plate.families(), assembly.plate.shapes(),
-                                cloud.plate_points, c.section,   c.discretization.spacing};
+  const auto* galerkin = assembly.galerkin();
+  const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
+  const post::BondedPlate plate{galerkin ? galerkin->seen : cloud.positions,
+                                cloud.areas,
+                                assembly.families(),
+                                galerkin ? galerkin->shapes : assembly.ordinary()->shapes(),
+                                cloud.plate_points,
+                                c.section,
+                                spacing,
+                                galerkin ? &galerkin->op.families() : nullptr,
+                                galerkin ? &galerkin->cells : nullptr};
   for (const auto& tip : assembly.tips) {
-    double clear = post::clear_distance(c.outline, assembly.paths, tip, c.discretization.spacing);
+    double clear = post::clear_distance(c.outline, assembly.paths, tip, spacing);
     for (const auto& load : c.loads)
       if (load.kind == plate::Load::Kind::point_force) clear = std::min(clear, (load.position - tip.position).norm());
     for (const auto& support : c.supports)
@@ -73,7 +84,7 @@ std::vector<post::Srif> srifs(const Case& content, const Assembly& assembly, con
                               const plate::State& state, bool all_rings) {
   plate::Forces force;
   if (std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
-    assembly.plate.internal_force(state, force);
+    assembly.plate().internal_force(state, force);
   std::vector<std::vector<post::Srif>> by_tip(methods.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t tip = 0; tip < methods.size(); ++tip) by_tip[tip] = methods[tip](state, force, all_rings);
@@ -100,7 +111,10 @@ Results::Results(const CaseFile& file, const Assembly& assembly, std::filesystem
   std::filesystem::create_directories(folder_);
   post::write_whole(folder_ / "case.resolved.toml", resolved_);
   if (!case_.output.vtk && !case_.output.hdf5) return;
-  const auto mesh = post::mesh(assembly.boundary, assembly.plate.families(), assembly.cut, case_.section.thickness);
+  const auto* galerkin = assembly.galerkin();
+  const double h = case_.section.thickness;
+  const auto mesh = galerkin ? post::mesh(galerkin->cells, assembly.boundary.cloud.areas, assembly.cut, h)
+                             : post::mesh(assembly.boundary, assembly.families(), assembly.cut, h);
   if (case_.output.vtk) vtk_.emplace(folder_, mesh);
   if (case_.output.hdf5) hdf5_.emplace(folder_ / "state.h5", mesh, resolved_, PDPLATE_VERSION);
 }
@@ -142,8 +156,10 @@ void Results::frame(const plate::Instant& now) {
   const auto plate_points = assembly_.boundary.cloud.plate_points;
   post::Frame frame{now.time, now.step, now.state.leftCols(Eigen::Index(plate_points)), {}, {}};
   if (vtk_) {
-    frame.resultants = plate::resultants(now.state, assembly_.plate.families(), assembly_.plate.shapes(),
-                                         assembly_.boundary.cloud.areas, plate_points, case_.section);
+    const auto* galerkin = assembly_.galerkin();
+    frame.resultants = galerkin ? plate::resultants(now.state, galerkin->op.families(), case_.section)
+                                : plate::resultants(now.state, assembly_.families(), assembly_.ordinary()->shapes(),
+                                                    assembly_.boundary.cloud.areas, plate_points, case_.section);
     frame.damage.assign(plate_points, 0);
   }
   const bool dynamic = case_.analysis.kind == Analysis::Kind::dynamic;

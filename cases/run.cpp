@@ -81,7 +81,7 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
   summary.analysis.tolerance = c.analysis.tolerance;
   summary.analysis.stop_reason = solution.stop_reason;
   const double work = slow_work(assembly, solution.state);
-  const double strain = assembly.plate.energies(solution.state).sum();
+  const double strain = assembly.strain_energy(solution.state);
   const plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, -2 * work};
   results.sample(end, true);
   stopwatch.lap("srif");
@@ -97,7 +97,7 @@ void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& resu
   const Case& c = file.content;
   const auto& constraints = assembly.boundary.constraints;
   auto mass = mass_of(c, assembly);
-  const double limit = plate::stable_time_step(assembly.plate, constraints, mass);
+  const double limit = plate::stable_time_step(assembly.plate(), constraints, mass);
   const TimeGrid grid = time_grid(file, limit);
   summary.analysis.method = "central_difference";
   summary.analysis.time_step = grid.time_step;
@@ -124,11 +124,11 @@ void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& resu
   };
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}};
   if (c.analysis.precision == Analysis::Precision::mixed)
-    options.single = [rows = assembly.plate.single_rows()](const plate::Values<float>& state,
+    options.single = [rows = assembly.ordinary()->single_rows()](const plate::Values<float>& state,
                                                            plate::Values<float>& force) {
       rows.internal_force(state, force);
     };
-  plate::central_differences(assembly.plate, constraints, std::move(mass), assembly.loads, options, observe);
+  plate::central_differences(assembly.plate(), constraints, std::move(mass), assembly.loads, options, observe);
   summary.analysis.stop_reason = "end of the duration";
 }
 
@@ -146,7 +146,7 @@ void solve_frequencies(const Case& c, const Assembly& assembly, Results& results
   summary.analysis.tolerance = c.analysis.tolerance;
   const auto& constraints = assembly.boundary.constraints;
   const auto mass = mass_of(c, assembly);
-  const auto solution = plate::frequencies(assembly.plate, constraints, mass, options);
+  const auto solution = plate::frequencies(assembly.plate(), constraints, mass, options);
   progress.done();
   stopwatch.lap("solve");
 

@@ -27,12 +27,15 @@ double weight_bytes(const plate::FamilyOperator& plate) {
          bytes_of(plate.runs().example) + 2 * sizeof(double) * double(plate.points());
 }
 
+double cell_bytes(const geometry::Tessellation& cells) {
+  return bytes_of(cells.positions) + bytes_of(cells.squares) + bytes_of(cells.triangles) + bytes_of(cells.borders);
+}
+
 }  // namespace
 
 std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
   const double points = double(assembly.boundary.cloud.plate_points), all = double(assembly.boundary.cloud.size());
-  const auto& families = assembly.plate.families();
-  const double list = double(families.bytes());
+  const double list = double(assembly.families().bytes());
   const double loads = double(assembly.loads.size()) * vector_bytes * all / points;
   const bool mixed = c.analysis.precision == Analysis::Precision::mixed;
   using enum Analysis::Method;
@@ -40,10 +43,16 @@ std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
 
   std::vector<post::ScenePart> parts{
       {"points", "geometry", all * (2 * sizeof(geometry::Point) + sizeof(double)) / points, 0},
-      {"families, by patterns of bonds", "families", list / points, 0},
-      {"weights of the bonds, surface correction " + name_of(c.discretization.surface_correction), "parameters",
-       weight_bytes(assembly.plate) / points, 0},
-      {"rows of points", "parameters", double(assembly.plate.rows().bytes()) * (mixed ? 1.5 : 1) / points, 0}};
+      {"families, by patterns of bonds", "families", list / points, 0}};
+  if (const auto* galerkin = assembly.galerkin()) {
+    parts.push_back({"weights of the families, rows and bonds", "parameters", double(galerkin->op.bytes()) / points, 0});
+    parts.push_back({"cells", "geometry", cell_bytes(galerkin->cells) / points, 0});
+  } else {
+    const auto& plate = *assembly.ordinary();
+    parts.push_back({"weights of the bonds, surface correction " + name_of(c.discretization.surface_correction),
+                     "parameters", weight_bytes(plate) / points, 0});
+    parts.push_back({"rows of points", "parameters", double(plate.rows().bytes()) * (mixed ? 1.5 : 1) / points, 0});
+  }
   if (!assembly.boundary.fictitious.empty())
     parts.push_back({"fictitious points (part of the points)", "", double(assembly.boundary.fictitious.size()) *
                      (sizeof(plate::FictitiousPoint) + 3 * sizeof(plate::Constraints::Tie)) / points, 0});

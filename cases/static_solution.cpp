@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cases/assembly_galerkin.hpp"
 #include "plate/two_level_plate.hpp"
 
 namespace cases {
@@ -33,7 +34,29 @@ double free_memory() {
 bool two_level_is_faster(const Case& c, const Assembly& assembly) {
   constexpr double worth = 600;
   if (assembly.may_move) return false;  // the factor would enlarge the rounding of a motion without resistance
-  return iterations_with_diagonal(c) > worth && factor_bytes(assembly.plate.points()) < free_memory() / 2;
+  return iterations_with_diagonal(c) > worth && factor_bytes(assembly.plate().points()) < free_memory() / 2;
+}
+
+plate::AssembledPlate assembled_plate(const Assembly& assembly) {
+  if (const auto* galerkin = assembly.galerkin()) return {galerkin->op, assembly.boundary.constraints};
+  return {*assembly.ordinary(), assembly.boundary.constraints};
+}
+
+/// Conjugate gradients on the Galerkin plate.
+StaticResult solve_galerkin_at_rest(const Case& c, const Assembly& assembly, const plate::Forces& load,
+                                    const plate::StaticOptions& options) {
+  const auto& constraints = assembly.boundary.constraints;
+  using enum Analysis::Preconditioner;
+  if (c.analysis.preconditioner == diagonal)
+    return {plate::conjugate_gradients(assembly.plate(), constraints, load, options), "cg", "diagonal", 0};
+  if (auto coarser = coarser_plates(c, assembly); !coarser.empty()) {
+    const auto* galerkin = assembly.galerkin();
+    const plate::GalerkinLevels levels(galerkin->op, constraints, galerkin->seen, std::move(coarser));
+    return {plate::conjugate_gradients(assembly.plate(), constraints, load, options, &levels), "cg", "levels",
+            levels.bytes()};
+  }
+  const auto factor = assembled_plate(assembly);
+  return {plate::conjugate_gradients(assembly.plate(), constraints, load, options, &factor), "cg", "levels", factor.bytes()};
 }
 
 }  // namespace
@@ -50,21 +73,22 @@ StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate:
   using enum Analysis::Method;
   using enum Analysis::Preconditioner;
   if (c.analysis.method == adr)
-    return {plate::adaptive_dynamic_relaxation(assembly.plate, constraints, load, options), "adr", {}, 0};
+    return {plate::adaptive_dynamic_relaxation(assembly.plate(), constraints, load, options), "adr", {}, 0};
   if (c.analysis.method == direct) {
-    const plate::AssembledPlate factor(assembly.plate, constraints);
+    const plate::AssembledPlate factor = assembled_plate(assembly);
     return {
-        plate::conjugate_gradients(assembly.plate, constraints, load, options, &factor), "direct", {}, factor.bytes()};
+        plate::conjugate_gradients(assembly.plate(), constraints, load, options, &factor), "direct", {}, factor.bytes()};
   }
+  if (assembly.galerkin()) return solve_galerkin_at_rest(c, assembly, load, options);
   const auto wanted = c.analysis.preconditioner;
   if (wanted == diagonal || (wanted == automatic && !two_level_is_faster(c, assembly)))
-    return {plate::conjugate_gradients(assembly.plate, constraints, load, options), "cg", "diagonal", 0};
+    return {plate::conjugate_gradients(assembly.plate(), constraints, load, options), "cg", "diagonal", 0};
   if (wanted == local) {
-    const plate::LocalPlate twin(assembly.plate, assembly.boundary, c.section, c.discretization);
-    return {plate::conjugate_gradients(assembly.plate, constraints, load, options, &twin), "cg", "local", twin.bytes()};
+    const plate::LocalPlate twin(*assembly.ordinary(), assembly.boundary, c.section, c.discretization);
+    return {plate::conjugate_gradients(assembly.plate(), constraints, load, options, &twin), "cg", "local", twin.bytes()};
   }
-  const plate::TwoLevelPlate coarse(assembly.plate, assembly.boundary, c.section, c.discretization);
-  return {plate::conjugate_gradients(assembly.plate, constraints, load, options, &coarse), "cg", "two_level",
+  const plate::TwoLevelPlate coarse(*assembly.ordinary(), assembly.boundary, c.section, c.discretization);
+  return {plate::conjugate_gradients(assembly.plate(), constraints, load, options, &coarse), "cg", "two_level",
           coarse.bytes()};
 }
 

@@ -30,7 +30,7 @@ public:
     for (std::uint32_t k = 0; k < points_.size(); ++k) members_[next[bucket(points_[k])]++] = k;
   }
 
-  const Point& point(std::uint32_t k) const { return points_[k]; }
+  const std::vector<Point>& points() const { return points_; }
 
   /// The points other than k within `radius` of it, ascending.
   void within(std::uint32_t k, double radius, std::vector<std::uint32_t>& found) const {
@@ -145,19 +145,17 @@ std::size_t Families::bytes() const {
          vectors_.size() * sizeof(Point);
 }
 
-Families families(const Cloud& cloud, double horizon, const Pairwise& sees) {
+Families families(const LatticeUnits& units, const std::vector<Point>& lattice, const Neighbours& neighbours) {
   constexpr double grain = 1 << 20;  // bond vectors are numbered by multiples of this part of a spacing
-  const double radius = horizon / cloud.units.spacing * (1 + 1e-9);
-  const Buckets buckets(cloud, radius);
-  const auto [found, pattern_of] = patterns(cloud.size(), [&](std::uint32_t k, auto& near, Pattern& pattern) {
-    buckets.within(k, radius, near);
-    for (const auto j : near)
-      if (sees(std::min(k, j), std::max(k, j))) {
-        const Point xi = buckets.point(j) - buckets.point(k);
-        const auto x = static_cast<std::uint32_t>(std::llround(xi.x() * grain));
-        const auto y = static_cast<std::uint32_t>(std::llround(xi.y() * grain));
-        pattern.push_back({std::int64_t(j) - std::int64_t(k), (std::uint64_t{x} << 32) | y});
-      }
+  const auto [found, pattern_of] = patterns(lattice.size(), [&](std::uint32_t k, auto& near, Pattern& pattern) {
+    near.clear();
+    neighbours(k, near);
+    for (const auto j : near) {
+      const Point xi = lattice[j] - lattice[k];
+      const auto x = static_cast<std::uint32_t>(std::llround(xi.x() * grain));
+      const auto y = static_cast<std::uint32_t>(std::llround(xi.y() * grain));
+      pattern.push_back({std::int64_t(j) - std::int64_t(k), (std::uint64_t{x} << 32) | y});
+    }
   });
   std::unordered_map<std::uint64_t, std::uint32_t> ids;
   std::vector<Point> vectors;
@@ -165,11 +163,20 @@ Families families(const Cloud& cloud, double horizon, const Pairwise& sees) {
     const auto [entry, fresh] = ids.try_emplace(vector, static_cast<std::uint32_t>(vectors.size()));
     if (fresh) {
       const Point xi(static_cast<std::int32_t>(vector >> 32), static_cast<std::int32_t>(vector & 0xffffffff));
-      vectors.push_back(cloud.units.spacing / grain * xi);
+      vectors.push_back(units.spacing / grain * xi);
     }
     return entry->second;
   };
   return joined(found, pattern_of, vectors, number);
+}
+
+Families families(const Cloud& cloud, double horizon, const Pairwise& sees) {
+  const double radius = horizon / cloud.units.spacing * (1 + 1e-9);
+  const Buckets buckets(cloud, radius);
+  return families(cloud.units, buckets.points(), [&](std::uint32_t k, std::vector<std::uint32_t>& near) {
+    buckets.within(k, radius, near);
+    std::erase_if(near, [&](std::uint32_t j) { return !sees(std::min(k, j), std::max(k, j)); });
+  });
 }
 
 Families without(const Families& families, const Pairwise& cut) {

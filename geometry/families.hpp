@@ -75,6 +75,12 @@ private:
 /// A question about the points k < j of a cloud; asked from several threads at once.
 using Pairwise = std::function<bool(std::uint32_t k, std::uint32_t j)>;
 
+/// Adds the neighbours of point k to an empty list, ascending; asked from several threads at once.
+using Neighbours = std::function<void(std::uint32_t k, std::vector<std::uint32_t>& found)>;
+
+/// The families that `neighbours` lists. `lattice`: the points in lattice units.
+Families families(const LatticeUnits& units, const std::vector<Point>& lattice, const Neighbours& neighbours);
+
 /// All pairs within the horizon that see each other.
 Families families(const Cloud& cloud, double horizon, const Pairwise& sees);
 

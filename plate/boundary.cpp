@@ -40,19 +40,6 @@ bool convex_corner(const Side& first, const Side& second) {
   return a.x() * b.y() - a.y() * b.x() > 0;
 }
 
-std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports) {
-  std::vector<Side> sides;
-  for (const auto& edge : geometry::straight_edges(outline)) sides.push_back({edge.name, false, edge, {0, 0}, 0, {}});
-  for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
-      sides.push_back({circle->name, true, {}, circle->centre, circle->radius, {}});
-  for (auto& side : sides)
-    for (const auto& support : supports)
-      if (std::find(support.edges.begin(), support.edges.end(), side.name) != support.edges.end())
-        side.kind = support.kind;
-  return sides;
-}
-
 /// Builds the fictitious points and ties of one plate.
 class Builder {
 public:

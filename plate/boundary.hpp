@@ -57,6 +57,9 @@ struct Boundary {
                  const std::function<bool(const geometry::Point&, const geometry::Point&)>& test) const;
 };
 
+/// The edges and circles of an outline, and how the supports hold them.
+std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports);
+
 /// `outline` in lattice units.
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
                   const Discretization& discretization);

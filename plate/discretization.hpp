@@ -1,6 +1,11 @@
 #pragma once
 
+#include <optional>
+
 namespace plate {
+
+/// Bonds over a horizon (Dai et al. 2021), or families of cells (theory.md, "The Galerkin plate").
+enum class Formulation { ordinary, galerkin };
 
 /// omega(xi)
 enum class Influence { inverse /* horizon / length */, constant /* 1 */ };
@@ -30,6 +35,10 @@ struct Discretization {
   SurfaceCorrection surface_correction = SurfaceCorrection::position_aware;
   FullHorizon full_horizon = FullHorizon::continuum;
   TwistMatch twist_match = TwistMatch::frame_invariant;
+
+  Formulation formulation = Formulation::ordinary;
+  std::optional<double> tip_spacing, hole_spacing;  // galerkin [length]
+  double spacing_growth = 0.2;                      // galerkin: of the spacing, per distance from tips and holes
 
   double horizon() const { return horizon_ratio * spacing; }
 };

@@ -1,6 +1,7 @@
 #include "plate/loads.hpp"
 
 #include "plate/state.hpp"
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -99,7 +100,43 @@ void add_edge_load(const Load& load, const geometry::Cloud& cloud, const geometr
       }
 }
 
+void add_edge_load(const Load& load, const geometry::Tessellation& cells, Forces& forces) {
+  for (const auto& border : cells.borders) {
+    if (border.edge == geometry::Curves::crack) continue;
+    const auto& name = cells.names[std::size_t(border.edge)];
+    if (std::find(load.edges.begin(), load.edges.end(), name) == load.edges.end()) continue;
+    const Point along = cells.positions[border.to] - cells.positions[border.from];
+    for (const int end : {1, -1}) {
+      const auto k = end > 0 ? border.from : border.to;
+      // a force q on a piece from 0 to l, deflections by the third-order line through both ends: q l^2 / 12 on the slopes
+      forces.col(k) += load.kind == Load::Kind::edge_moment
+                           ? edge_couple(load, Point(along.y(), -along.x()) / 2)
+                           : moved_force(load.value * along.norm() / 2, Point(along * (end / 6.0)));
+    }
+  }
+}
+
 }  // namespace
+
+Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas) {
+  Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
+  switch (load.kind) {
+    case Load::Kind::pressure:
+      for (std::size_t k = 0; k < areas.size(); ++k) forces(0, Eigen::Index(k)) = load.value * areas[k];
+      break;
+    case Load::Kind::point_force: {
+      std::size_t nearest = 0;
+      for (std::size_t k = 0; k < areas.size(); ++k)
+        if ((cells.positions[k] - load.position).squaredNorm() < (cells.positions[nearest] - load.position).squaredNorm())
+          nearest = k;
+      forces.col(Eigen::Index(nearest)) = moved_force(load.value, load.position - cells.positions[nearest]);
+      break;
+    }
+    case Load::Kind::edge_moment:
+    case Load::Kind::edge_shear: add_edge_load(load, cells, forces); break;
+  }
+  return forces;
+}
 
 Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(cloud.size()));

@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/cloud.hpp"
+#include "geometry/tessellation.hpp"
 #include "plate/history.hpp"
 #include "plate/state.hpp"
 #include <Eigen/Core>
@@ -24,5 +24,9 @@ struct Load {
 /// Edge loads act on the edge line: what a point takes over is moved to it with the couple of its lever.
 /// `outline` is in the cloud's own units.
 Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline);
+
+/// The same on points that lie on the edges: half of every piece of an edge at either end, with the couples that make a shear
+/// force do the right work on deflections of the third order. `areas` of the points [length^2].
+Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas);
 
 }  // namespace plate

@@ -98,6 +98,12 @@ AssembledPlate::AssembledPlate(const FamilyOperator& plate, const Constraints& c
       unknowns_(unknowns(folded_diagonal(plate, constraints))),
       factor_(std::make_unique<Factor>(stiffness_matrix(plate, constraints, unknowns_, true), std::vector<int>{})) {}
 
+AssembledPlate::AssembledPlate(const GalerkinOperator& plate, const Constraints& constraints)
+    : constraints_(constraints), unknowns_(unknowns(folded_diagonal(plate, constraints))) {
+  const auto matrix = stiffness_matrix(plate, constraints, unknowns_);
+  factor_ = std::make_unique<Factor>(matrix, order_of(unknowns_, point_graph(plate.families().families)));
+}
+
 void AssembledPlate::apply(const Forces& residual, State& result) const {
   const Eigen::MatrixXd solution = factor_->solve(gathered(unknowns_, residual));
   result.setZero(3, residual.cols());

@@ -31,6 +31,7 @@ private:
 class AssembledPlate : public Preconditioner {
 public:
   AssembledPlate(const FamilyOperator& plate, const Constraints& constraints);
+  AssembledPlate(const GalerkinOperator& plate, const Constraints& constraints);
 
   void apply(const Forces& residual, State& result) const override;
 

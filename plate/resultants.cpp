@@ -11,6 +11,21 @@ double von_mises(const Eigen::Vector3d& stress) {
                    3 * stress[2] * stress[2]);
 }
 
+Resultants zero_resultants(Eigen::Index points) {
+  return {Eigen::Matrix3Xd(3, points), Eigen::Matrix2Xd(2, points), Eigen::VectorXd(points)};
+}
+
+/// `theta`: as in Gradients. `shear`: shear force.
+void set(Resultants& result, Eigen::Index k, const Section& section, const Eigen::Matrix2d& theta,
+         const Eigen::Vector2d& shear) {
+  const double D = section.bending_stiffness(), nu = section.poisson, h = section.thickness;
+  // strains at z: z * (theta_y,x , -theta_x,y , theta_y,y - theta_x,x)
+  const double xx = theta(1, 0), yy = -theta(0, 1), twice_xy = theta(1, 1) - theta(0, 0);
+  result.moments.col(k) << D * (xx + nu * yy), D * (yy + nu * xx), D * (1 - nu) / 2 * twice_xy;
+  result.shear.col(k) = shear;
+  result.von_mises[k] = von_mises(result.moments.col(k) * (6 / (h * h)));
+}
+
 }  // namespace
 
 Gradients gradients(std::size_t k, const State& state, const geometry::Families& families,
@@ -40,16 +55,25 @@ Gradients gradients(std::size_t k, const State& state, const geometry::Families&
 Resultants resultants(const State& state, const geometry::Families& families, const std::vector<BondShape>& shapes,
                       const std::vector<double>& areas, std::size_t plate_points, const Section& section) {
   const auto count = static_cast<Eigen::Index>(plate_points);
-  Resultants result{Eigen::Matrix3Xd(3, count), Eigen::Matrix2Xd(2, count), Eigen::VectorXd(count)};
-  const double D = section.bending_stiffness(), nu = section.poisson, h = section.thickness;
+  Resultants result = zero_resultants(count);
 #pragma omp parallel for schedule(static)
   for (Eigen::Index k = 0; k < count; ++k) {
     const Gradients g = gradients(static_cast<std::size_t>(k), state, families, shapes, areas);
-    // strains at z: z * (theta_y,x , -theta_x,y , theta_y,y - theta_x,x)
-    const double xx = g.theta(1, 0), yy = -g.theta(0, 1), twice_xy = g.theta(1, 1) - g.theta(0, 0);
-    result.moments.col(k) << D * (xx + nu * yy), D * (yy + nu * xx), D * (1 - nu) / 2 * twice_xy;
-    result.shear.col(k) = section.shear_stiffness() * g.shear;
-    result.von_mises[k] = von_mises(result.moments.col(k) * (6 / (h * h)));
+    set(result, k, section, g.theta, section.shear_stiffness() * g.shear);
+  }
+  return result;
+}
+
+Resultants resultants(const State& state, const GalerkinFamilies& families, const Section& section) {
+  const auto count = static_cast<Eigen::Index>(families.areas.size());
+  Resultants result = zero_resultants(count);
+#pragma omp parallel for schedule(static)
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto strains = family_strains(families, std::size_t(k), state);
+    const GalerkinStiffness stiffness(section, families.square(std::size_t(k)));
+    Eigen::Matrix2d theta;  // psi = (-theta_y, theta_x)
+    theta << strains.psi.row(1), -strains.psi.row(0);
+    set(result, k, section, theta, stiffness.shear * strains.gamma);
   }
   return result;
 }

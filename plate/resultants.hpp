@@ -1,8 +1,7 @@
 #pragma once
 #include "geometry/families.hpp"
 #include "plate/bond_law.hpp"
-#include "plate/section.hpp"
-#include "plate/state.hpp"
+#include "plate/galerkin_law.hpp"
 
 namespace plate {
 
@@ -28,5 +27,9 @@ Gradients gradients(std::size_t k, const State& state, const geometry::Families&
 /// rotations, so that thin plates show no spurious shear). `state` includes fictitious points.
 Resultants resultants(const State& state, const geometry::Families& families, const std::vector<BondShape>& shapes,
                       const std::vector<double>& areas, std::size_t plate_points, const Section& section);
+
+/// The same from the mean strains of the Galerkin plate's families; shear forces with its shear scaling, which they
+/// contain.
+Resultants resultants(const State& state, const GalerkinFamilies& families, const Section& section);
 
 }  // namespace plate

@@ -1,5 +1,6 @@
 #include "plate/boundary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plate {
@@ -32,6 +33,19 @@ Point Side::mirrored(const Point& u) const {
   Point image = u;
   image[normal_axis()] = 2 * edge.from[normal_axis()] - u[normal_axis()];
   return image;
+}
+
+std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports) {
+  std::vector<Side> sides;
+  for (const auto& edge : geometry::straight_edges(outline)) sides.push_back({edge.name, false, edge, {0, 0}, 0, {}});
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
+      sides.push_back({circle->name, true, {}, circle->centre, circle->radius, {}});
+  for (auto& side : sides)
+    for (const auto& support : supports)
+      if (std::find(support.edges.begin(), support.edges.end(), side.name) != support.edges.end())
+        side.kind = support.kind;
+  return sides;
 }
 
 }  // namespace plate

@@ -77,6 +77,89 @@ void merge(std::vector<Entry>& entries) {
   if (!entries.empty()) entries.resize(last + 1);
 }
 
+/// P^T K P of the unknowns, lower triangle. Every thread makes its own `rows`: rows(dof, add) calls add(degree of freedom,
+/// value) for a row of K, values of one entry in several parts.
+template <typename MakeRows>
+Eigen::SparseMatrix<double> folded_matrix(const MakeRows& make_rows, const Constraints& constraints,
+                                          const Unknowns& unknowns) {
+  // what every degree of freedom follows, and what follows every unknown
+  std::vector<std::vector<std::pair<std::uint32_t, double>>> followers(unknowns.dof.size());
+  std::vector<std::vector<Entry>> leaders(unknowns.index.size());
+  for (const auto& tie : constraints.ties())
+    if (const auto leader = unknowns.index[tie.leader]; leader >= 0) {
+      followers[std::size_t(leader)].emplace_back(tie.follower, tie.factor);
+      leaders[tie.follower].emplace_back(leader, tie.factor);
+    }
+
+  const auto size = unknowns.size();
+  std::vector<MatrixColumn> columns(static_cast<std::size_t>(size));
+#pragma omp parallel
+  {
+    std::vector<Entry> entries;
+    auto rows = make_rows();
+#pragma omp for schedule(dynamic, 256)
+    for (Eigen::Index u = 0; u < size; ++u) {
+      entries.clear();
+      const auto add_row = [&](std::uint32_t dof, double factor) {
+        rows(dof, [&](std::size_t other, double value) {
+          if (const auto index = unknowns.index[other]; index >= 0) {
+            if (index >= u) entries.emplace_back(index, factor * value);
+            return;
+          }
+          for (const auto& [index, share] : leaders[other])
+            if (index >= u) entries.emplace_back(index, factor * share * value);
+        });
+      };
+      add_row(unknowns.dof[std::size_t(u)], 1);
+      for (const auto& [dof, factor] : followers[std::size_t(u)]) add_row(dof, factor);
+      merge(entries);
+      columns[std::size_t(u)] = entries;
+    }
+  }
+  return compressed(columns);
+}
+
+/// Rows of the Galerkin plate's K; those of one point are found together.
+class FamilyRowsOf {
+public:
+  explicit FamilyRowsOf(const GalerkinOperator& plate) : plate_(plate) {}
+
+  template <typename Add>
+  void operator()(std::size_t dof, const Add& add) {
+    if (point_ != dof / 3) find(std::uint32_t(dof / 3));
+    for (const auto& [point, block] : blocks_)
+      for (std::size_t d = 0; d < 3; ++d) add(3 * std::size_t(point) + d, block(Eigen::Index(dof % 3), Eigen::Index(d)));
+  }
+
+private:
+  void find(std::uint32_t k) {
+    point_ = k;
+    blocks_.clear();
+    const auto& families = plate_.families();
+    add(k, k);
+    for (const auto& bond : families.families[k]) add(bond.neighbour, k);
+  }
+
+  /// The rows of k in the family of `owner`.
+  void add(std::uint32_t owner, std::uint32_t k) {
+    const auto& families = plate_.families();
+    const auto family = families.families[owner];
+    if (families.kind[owner] == 0 && lattice_.size() == 0)
+      lattice_ = family_stiffness(families, plate_.section(), owner);
+    const Eigen::MatrixXd own =
+        families.kind[owner] == 0 ? Eigen::MatrixXd() : family_stiffness(families, plate_.section(), owner);
+    const Eigen::MatrixXd& K = families.kind[owner] == 0 ? lattice_ : own;
+    const auto row = owner == k ? 0 : Eigen::Index(3 * (family.find(k) + 1));
+    for (std::size_t b = 0; b <= family.size(); ++b)
+      blocks_.emplace_back(b == 0 ? owner : family[b - 1].neighbour, K.block<3, 3>(row, Eigen::Index(3 * b)));
+  }
+
+  const GalerkinOperator& plate_;
+  std::size_t point_ = std::size_t(-1);
+  Eigen::MatrixXd lattice_;  // of kind 0
+  std::vector<std::pair<std::uint32_t, Eigen::Matrix3d>> blocks_;
+};
+
 }  // namespace
 
 Unknowns unknowns(const Forces& diagonal) {
@@ -108,40 +191,15 @@ Eigen::SparseMatrix<double> compressed(const std::vector<MatrixColumn>& columns)
 Eigen::SparseMatrix<double> stiffness_matrix(const FamilyOperator& plate, const Constraints& constraints,
                                              const Unknowns& unknowns, bool with_dilatation) {
   const Bonds bonds(plate);
-  // what every degree of freedom follows, and what follows every unknown
-  std::vector<std::vector<std::pair<std::uint32_t, double>>> followers(unknowns.dof.size());
-  std::vector<std::vector<Entry>> leaders(unknowns.index.size());
-  for (const auto& tie : constraints.ties())
-    if (const auto leader = unknowns.index[tie.leader]; leader >= 0) {
-      followers[std::size_t(leader)].emplace_back(tie.follower, tie.factor);
-      leaders[tie.follower].emplace_back(leader, tie.factor);
-    }
+  const auto make_rows = [&] {
+    return [&](std::size_t dof, const auto& add) { row_of(plate, bonds, dof, with_dilatation, add); };
+  };
+  return folded_matrix(make_rows, constraints, unknowns);
+}
 
-  const auto size = unknowns.size();
-  std::vector<MatrixColumn> columns(static_cast<std::size_t>(size));
-#pragma omp parallel
-  {
-    std::vector<Entry> entries;
-#pragma omp for schedule(dynamic, 256)
-    for (Eigen::Index u = 0; u < size; ++u) {
-      entries.clear();
-      const auto add_row = [&](std::uint32_t dof, double factor) {
-        row_of(plate, bonds, dof, with_dilatation, [&](std::size_t other, double value) {
-          if (const auto index = unknowns.index[other]; index >= 0) {
-            if (index >= u) entries.emplace_back(index, factor * value);
-            return;
-          }
-          for (const auto& [index, share] : leaders[other])
-            if (index >= u) entries.emplace_back(index, factor * share * value);
-        });
-      };
-      add_row(unknowns.dof[std::size_t(u)], 1);
-      for (const auto& [dof, factor] : followers[std::size_t(u)]) add_row(dof, factor);
-      merge(entries);
-      columns[std::size_t(u)] = entries;
-    }
-  }
-  return compressed(columns);
+Eigen::SparseMatrix<double> stiffness_matrix(const GalerkinOperator& plate, const Constraints& constraints,
+                                             const Unknowns& unknowns) {
+  return folded_matrix([&] { return FamilyRowsOf(plate); }, constraints, unknowns);
 }
 
 Eigen::SparseMatrix<double> point_graph(const geometry::Families& families) {

@@ -3,6 +3,7 @@
 
 #include "plate/constraints.hpp"
 #include "plate/family_operator.hpp"
+#include "plate/galerkin_operator.hpp"
 
 namespace plate {
 
@@ -25,6 +26,9 @@ Eigen::SparseMatrix<double> compressed(const std::vector<MatrixColumn>& columns)
 /// couplings between the neighbours of a point.
 Eigen::SparseMatrix<double> stiffness_matrix(const FamilyOperator& plate, const Constraints& constraints,
                                              const Unknowns& unknowns, bool with_dilatation);
+
+Eigen::SparseMatrix<double> stiffness_matrix(const GalerkinOperator& plate, const Constraints& constraints,
+                                             const Unknowns& unknowns);
 
 /// Pairs of points that share a bond, lower triangle; the ones that the matrix couples without dilatation.
 Eigen::SparseMatrix<double> point_graph(const geometry::Families& families);

@@ -62,6 +62,15 @@ std::vector<double> distances(const std::vector<Beside>& beside, double row, dou
   return r;
 }
 
+/// Distances behind the tip of the points on one face, from 2.5 spacings on: next to the tip their opening is 15 % and 2 % off.
+std::vector<double> face_distances(const std::vector<Beside>& beside, double window, double spacing) {
+  std::vector<double> r;
+  for (const auto& b : beside)
+    if (b.face > 0 && std::abs(b.y) < 1e-4 * spacing && b.r > 2.5 * spacing && b.r <= window * (1 + 1e-9)) r.push_back(b.r);
+  std::sort(r.begin(), r.end());
+  return r;
+}
+
 struct Line {
   double at_zero, residual;
 };
@@ -79,14 +88,17 @@ Line fit(const std::vector<double>& r, const Eigen::VectorXd& value, int degree)
 
 OpeningFit paper_fit(const PlateScale& scale, const SrifOptions& options) {
   return {"displacement_extrapolation", options.window.value_or(options.window_horizons * scale.horizon), options.skip,
-          options.rows};
+          options.rows,    1, false, scale.points_on_faces};
 }
 
 OpeningFit series_fit(const PlateScale& scale) {
-  return {"opening_series", std::max(scale.section.thickness / 2, 8 * scale.spacing), 1, 2, 2, true};
+  const double window = std::max(scale.section.thickness / 2, 8 * scale.spacing);
+  if (scale.points_on_faces) return {"opening_series", window, 0, 1, 2, false, true};
+  return {"opening_series", window, 1, 2, 2, true};
 }
 
 OpeningFit narrow_fit(const PlateScale& scale) {
+  if (scale.points_on_faces) return {"opening", 5.1 * scale.spacing, 0, 1, 0, false, true};
   return {"opening", 3.1 * scale.spacing, 0, 1, 0, true};
 }
 
@@ -98,9 +110,11 @@ DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& p
   const double straight = tip.at_back ? (v.back() - v[v.size() - 2]).norm() : (v.front() - v[1]).norm();
   const double window = std::min(how.window, straight);
   const auto beside = beside_crack(positions, tip, window, (how.rows + 1.5) * scale.spacing, scale.spacing);
-  const double upper = first_row(beside, 1, scale.spacing), lower = first_row(beside, -1, scale.spacing);
+  const double upper = how.points_on_faces ? 0 : first_row(beside, 1, scale.spacing);
+  const double lower = how.points_on_faces ? 0 : first_row(beside, -1, scale.spacing);
 
-  const auto r_of_samples = distances(beside, upper, window, scale.spacing);
+  const auto r_of_samples = how.points_on_faces ? face_distances(beside, window, scale.spacing)
+                                                : distances(beside, upper, window, scale.spacing);
   const bool between = how.tip_between_columns && !r_of_samples.empty() && r_of_samples[0] < scale.spacing * (1 - 1e-6);
   const double shift = between ? scale.spacing / 2 - r_of_samples[0] : 0;
   int skipped = 0;

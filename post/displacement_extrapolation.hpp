@@ -11,6 +11,7 @@ struct OpeningFit {
   int rows = 1;                  // rows of points on each side: 1 nearest row, 2 extrapolated to the crack
   int degree = 1;                // of the polynomial K(r)
   bool tip_between_columns = false;  // a tip between two columns of points counts as half way
+  bool points_on_faces = false;      // samples there, from 2.5 spacings behind the tip on
 };
 
 /// The recipe of Dai et al. 2021, section 3.2: a straight line over two horizons, or what the options say.

@@ -32,6 +32,15 @@ std::optional<GradientShares> quadratic_shares(const BondedPlate& plate, std::ui
 
 /// From the nearest neighbours that suffice: the layer beside a face is as thin as a few spacings.
 GradientShares gradient_shares(const BondedPlate& plate, std::uint32_t k) {
+  if (plate.galerkin) {
+    const auto family = plate.families[k];
+    GradientShares own{{}, Eigen::Matrix2Xd(2, Eigen::Index(family.size()))};
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      own.bonds.push_back(family[i]);
+      own.share.col(Eigen::Index(i)) = plate.galerkin->of(k)[i].gradient;
+    }
+    return own;
+  }
   for (const double reach : {1.5, 2.1, 3.0, 100.0})
     if (auto found = quadratic_shares(plate, k, reach)) return *found;
   GradientShares linear;
@@ -94,16 +103,26 @@ private:
 
 DomainRing::DomainRing(const BondedPlate& plate, const TipFrame& frame, const Ring& ring)
     : plate_(plate), ahead_(frame.ahead) {
+  const double S = plate.section.shear_stiffness();
+  const auto extension = [&](std::uint32_t k) { return ring.extension((plate.positions[k] - frame.origin).norm()); };
   for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
     const Point x = plate.positions[k] - frame.origin;
-    if (const double slope = ring.slope(x.norm()); slope != 0)
-      points_.push_back({k, plate.areas[k] * slope * x / x.norm(), gradient_shares(plate, k)});
+    if (plate.galerkin) {  // the gradient of its families, for which Gauss's theorem holds
+      if (x.norm() > 2 * ring.outer) continue;
+      Point slope(0, 0);
+      const auto family = plate.families[k];
+      for (std::size_t i = 0; i < family.size(); ++i)
+        slope += plate.galerkin->of(k)[i].gradient * (extension(family[i].neighbour) - extension(k));
+      const plate::GalerkinStiffness stiffness(plate.section, plate.galerkin->square(k));
+      if (slope.norm() > 0) points_.push_back({k, plate.areas[k] * slope, stiffness.shear, gradient_shares(plate, k)});
+    } else if (const double slope = ring.slope(x.norm()); slope != 0) {
+      points_.push_back({k, plate.areas[k] * slope * x / x.norm(), S, gradient_shares(plate, k)});
+    }
   }
 }
 
 double DomainRing::release(std::size_t i, const PointStrains& a, const PointStrains& b) const {
-  const double D = plate_.section.bending_stiffness(), nu = plate_.section.poisson,
-               S = plate_.section.shear_stiffness();
+  const double D = plate_.section.bending_stiffness(), nu = plate_.section.poisson, S = points_[i].shear_stiffness;
   const auto moments = [&](const Eigen::Matrix2d& psi) -> Eigen::Matrix2d {
     const Eigen::Matrix2d kappa = (psi + psi.transpose()) / 2;
     return D * ((1 - nu) * kappa + nu * kappa.trace() * Eigen::Matrix2d::Identity());

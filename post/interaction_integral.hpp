@@ -49,6 +49,7 @@ private:
   struct RingPoint {
     std::uint32_t k;
     geometry::Point slope;  // area times grad q
+    double shear_stiffness; // [force / length]
     GradientShares shares;
   };
 

@@ -24,4 +24,11 @@ std::vector<Share> interpolation(const std::vector<std::pair<std::uint32_t, geom
   return shares;
 }
 
+std::vector<Share> interpolation(const geometry::CellLocator& cells, double spacing, const geometry::Point& at) {
+  const auto found = cells(at + spacing * geometry::Point(1e-6, 1e-7), at);
+  std::vector<Share> result;
+  for (std::size_t i = 0; i < found.count; ++i) result.push_back({found.points[i], found.weights[i]});
+  return result;
+}
+
 }  // namespace post

@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/outline.hpp"
+#include "geometry/cell_locator.hpp"
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -16,5 +16,9 @@ struct Share {
 /// points span the plane, the point's own value where `at` is one of them, empty without points. Lengths in spacings.
 std::vector<Share> interpolation(const std::vector<std::pair<std::uint32_t, geometry::Point>>& points,
                                  const geometry::Point& at);
+
+/// Linear in a triangle, bilinear in a square: in the cell about `at` [length], or nearest to it. A place on a crack belongs to
+/// the cell on the side of +x, or of +y where the crack is horizontal.
+std::vector<Share> interpolation(const geometry::CellLocator& cells, double spacing, const geometry::Point& at);
 
 }  // namespace post

@@ -59,4 +59,10 @@ Mesh mesh(const plate::Boundary& boundary, const geometry::Families& families, s
   return result;
 }
 
+Mesh mesh(const geometry::Tessellation& cells, const std::vector<double>& areas, std::vector<double> cut,
+          double thickness) {
+  return {cells.positions, areas,         std::move(cut),      cells.squares,
+          cells.triangles, cells.units.spacing, thickness};
+}
+
 }  // namespace post

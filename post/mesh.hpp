@@ -1,4 +1,5 @@
 #pragma once
+#include "geometry/tessellation.hpp"
 #include "plate/boundary.hpp"
 #include "post/frame.hpp"
 
@@ -7,6 +8,10 @@ namespace post {
 /// The points of the plate, and quadrilaterals and triangles between neighbouring lattice points whose sides are all
 /// bonds: a crack appears as a gap one cell wide.
 Mesh mesh(const plate::Boundary& boundary, const geometry::Families& families, std::vector<double> cut,
+          double thickness);
+
+/// The cells of the Galerkin plate: a crack appears as two faces. `areas` of the points [length^2].
+Mesh mesh(const geometry::Tessellation& cells, const std::vector<double>& areas, std::vector<double> cut,
           double thickness);
 
 }  // namespace post

@@ -50,6 +50,7 @@ struct Srif {
 struct PlateScale {
   plate::Section section;
   double spacing, horizon;  // [length]
+  bool points_on_faces = false;
 };
 
 /// The largest of |K1|, |K2|, |K3| h.

@@ -39,7 +39,7 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
     : tip_(place.tip), section_(plate.section), positions_(plate.positions), methods_(options.methods),
       surroundings_(plate, centred(place.tip, plate), largest_radius(place.clear, plate.spacing)) {
   const geometry::Tip tip = centred(place.tip, plate);
-  const PlateScale scale{plate.section, plate.spacing, horizon};
+  const PlateScale scale{plate.section, plate.spacing, horizon, plate.galerkin != nullptr};
   const std::vector<geometry::Point> positions(plate.positions.begin(),
                                                plate.positions.begin() + std::ptrdiff_t(plate.plate_points));
   for (const auto& method : methods_) {
@@ -72,8 +72,9 @@ TipMethods::Integral TipMethods::integral_of(const std::string& method, const Bo
                                             method, clear / plate.spacing));
   for (const auto& ring : result.rings)
     result.integrals.emplace_back(surroundings_, ring,
-                                  method == "virtual_crack_extension" ? moved_bonds(plate, TipFrame(tip), ring)
-                                                                      : domain_integral(plate, TipFrame(tip), ring));
+                                  method != "virtual_crack_extension" ? domain_integral(plate, TipFrame(tip), ring)
+                                  : plate.galerkin                    ? moved_points(plate, TipFrame(tip), ring)
+                                                                      : moved_bonds(plate, TipFrame(tip), ring));
   return result;
 }
 

@@ -10,6 +10,18 @@ namespace post {
 
 using geometry::Point;
 
+namespace {
+
+plate::Gradients gradients_at(const BondedPlate& plate, std::uint32_t k, const plate::State& state) {
+  if (!plate.galerkin) return plate::gradients(k, state, plate.families, plate.shapes, plate.areas);
+  const auto strains = plate::family_strains(*plate.galerkin, k, state);
+  plate::Gradients result{Eigen::Matrix2d(), strains.gamma};
+  result.theta << strains.psi.row(1), -strains.psi.row(0);  // psi = (-theta_y, theta_x)
+  return result;
+}
+
+}  // namespace
+
 Eigen::Vector3d unit_release(const plate::Section& s) {
   const double bending = 12 * std::numbers::pi / (s.young * std::pow(s.thickness, 3));
   const double shear = std::numbers::pi * (1 + s.poisson) / (s.shear_correction * s.young * s.thickness);
@@ -70,7 +82,7 @@ Eigen::VectorXd TipSurroundings::forward_work(const plate::State& state, const p
     if ((plate_.positions[k] - frame_.origin).norm() > radius) break;
     const Eigen::Vector3d f = force.col(k);
     if (f.isZero(0)) continue;
-    const auto gradients = plate::gradients(k, state, plate_.families, plate_.shapes, plate_.areas);
+    const auto gradients = gradients_at(plate_, k, state);
     const auto own = field(k);
     const double w_slope = frame_.ahead.dot(gradients.shear + Point(-own.theta_y, own.theta_x));  // gamma + psi
     result[Eigen::Index(i)] = f[0] * w_slope + f.tail<2>().dot(gradients.theta * frame_.ahead);

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include "plate/bond_weights.hpp"
+#include "plate/galerkin_law.hpp"
 #include "plate/state.hpp"
 #include "post/tip_field.hpp"
 
@@ -15,6 +16,8 @@ struct BondedPlate {
   std::size_t plate_points;
   plate::Section section;
   double spacing;
+  const plate::GalerkinFamilies* galerkin = nullptr;  // of the Galerkin plate, with their gradients; `families` are theirs
+  const geometry::Tessellation* cells = nullptr;      // of the Galerkin plate; positions: seen_positions()
 };
 
 /// The annulus in which the extension q falls from 1 to 0 [length].
@@ -51,6 +54,9 @@ public:
 
 /// By moving the bonds of the ring and matching the position-aware weights again (virtual crack extension; theory.md).
 std::unique_ptr<EnergyRelease> moved_bonds(const BondedPlate& plate, const TipFrame& frame, const Ring& ring);
+
+/// The same by moving the points of the Galerkin plate.
+std::unique_ptr<EnergyRelease> moved_points(const BondedPlate& plate, const TipFrame& frame, const Ring& ring);
 
 /// By the domain integral of moments, shear forces and gradients at the points of the ring (J-integral; theory.md).
 std::unique_ptr<EnergyRelease> domain_integral(const BondedPlate& plate, const TipFrame& frame, const Ring& ring);

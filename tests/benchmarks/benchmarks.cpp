@@ -20,7 +20,7 @@ struct Plate {
   State state, forces;
   plate::Forces load;
 
-  double bonds() const { return double(assembly.plate.families().bonds()); }
+  double bonds() const { return double(assembly.ordinary()->families().bonds()); }
 };
 
 Plate& plate_of(std::int64_t cells) {
@@ -32,7 +32,7 @@ Plate& plate_of(std::int64_t cells) {
                                         "discretization.spacing=" + std::to_string(2.0 / double(cells))});
     cases::Stopwatch stopwatch;
     auto assembly = cases::assemble(file, stopwatch);
-    const auto points = Eigen::Index(assembly.plate.points());
+    const auto points = Eigen::Index(assembly.ordinary()->points());
     auto load = assembly.loads.front().forces;
     entry.reset(
         new Plate{file, std::move(assembly), State::Random(3, points), State::Zero(3, points), std::move(load)});
@@ -48,7 +48,7 @@ void rate(benchmark::State& run, const char* name, double each) {
 void list_with_geometry_on_the_fly(benchmark::State& run) {
   omp_set_num_threads(1);
   Plate& p = plate_of(run.range(0));
-  const auto& families = p.assembly.plate.families();
+  const auto& families = p.assembly.ordinary()->families();
   const auto& x = p.assembly.boundary.cloud.positions;
   const double delta = p.file.content.discretization.horizon(), area = p.assembly.boundary.cloud.areas.front();
   const auto points = families.points();
@@ -92,7 +92,7 @@ void list_with_geometry_on_the_fly(benchmark::State& run) {
 void family_list(benchmark::State& run) {
   omp_set_num_threads(int(run.range(1)));
   Plate& p = plate_of(run.range(0));
-  const plate::FamilyOperator list = p.assembly.plate;
+  const plate::FamilyOperator list = *p.assembly.ordinary();
   for (auto _ : run) list.internal_force(p.state, p.forces);
   rate(run, "bonds", p.bonds());
 }
@@ -100,9 +100,9 @@ void family_list(benchmark::State& run) {
 void lattice_operator(benchmark::State& run) {
   omp_set_num_threads(int(run.range(1)));
   Plate& p = plate_of(run.range(0));
-  for (auto _ : run) p.assembly.plate.internal_force(p.state, p.forces);
+  for (auto _ : run) p.assembly.ordinary()->internal_force(p.state, p.forces);
   rate(run, "bonds", p.bonds());
-  rate(run, "points", double(p.assembly.plate.points()));
+  rate(run, "points", double(p.assembly.ordinary()->points()));
   // per point of a folded row with 28 bonds: 34 and 150 operations of a vector unit on as many points as it has lanes
   rate(run, "vector_operations", p.bonds() * 184 / 28 / double(std::experimental::native_simd<double>::size()));
 }
@@ -110,7 +110,7 @@ void lattice_operator(benchmark::State& run) {
 void single_precision(benchmark::State& run) {
   omp_set_num_threads(int(run.range(1)));
   Plate& p = plate_of(run.range(0));
-  const auto rows = p.assembly.plate.single_rows();
+  const auto rows = p.assembly.ordinary()->single_rows();
   const plate::Values<float> state = p.state.cast<float>();
   plate::Values<float> forces;
   for (auto _ : run) rows.internal_force(state, forces);
@@ -156,18 +156,18 @@ void statics(benchmark::State& run) {
   std::size_t iterations = 0;
   for (auto _ : run) {
     if constexpr (way == Way::adr)
-      iterations = plate::adaptive_dynamic_relaxation(a.plate, a.boundary.constraints, p.load, options).iterations;
+      iterations = plate::adaptive_dynamic_relaxation(*a.ordinary(), a.boundary.constraints, p.load, options).iterations;
     else if constexpr (way == Way::diagonal)
-      iterations = plate::conjugate_gradients(a.plate, a.boundary.constraints, p.load, options).iterations;
+      iterations = plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, p.load, options).iterations;
     else if constexpr (way == Way::local) {
-      const plate::LocalPlate local(a.plate, a.boundary, c.section, c.discretization);
-      iterations = plate::conjugate_gradients(a.plate, a.boundary.constraints, p.load, options, &local).iterations;
+      const plate::LocalPlate local(*a.ordinary(), a.boundary, c.section, c.discretization);
+      iterations = plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, p.load, options, &local).iterations;
     } else if constexpr (way == Way::two_level) {
-      const plate::TwoLevelPlate coarse(a.plate, a.boundary, c.section, c.discretization);
-      iterations = plate::conjugate_gradients(a.plate, a.boundary.constraints, p.load, options, &coarse).iterations;
+      const plate::TwoLevelPlate coarse(*a.ordinary(), a.boundary, c.section, c.discretization);
+      iterations = plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, p.load, options, &coarse).iterations;
     } else {
-      const plate::AssembledPlate factor(a.plate, a.boundary.constraints);
-      iterations = plate::conjugate_gradients(a.plate, a.boundary.constraints, p.load, options, &factor).iterations;
+      const plate::AssembledPlate factor(*a.ordinary(), a.boundary.constraints);
+      iterations = plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, p.load, options, &factor).iterations;
     }
   }
   run.counters["iterations"] = double(iterations);
@@ -179,8 +179,8 @@ void next_load(benchmark::State& run) {
   omp_set_num_threads(2);
   Plate& p = plate_of(run.range(0));
   const auto& a = p.assembly;
-  const Factorised factor(a.plate, a.boundary, p.file.content.section, p.file.content.discretization);
-  for (auto _ : run) plate::conjugate_gradients(a.plate, a.boundary.constraints, p.load, {1e-8, 1000, {}}, &factor);
+  const Factorised factor(*a.ordinary(), a.boundary, p.file.content.section, p.file.content.discretization);
+  for (auto _ : run) plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, p.load, {1e-8, 1000, {}}, &factor);
 }
 
 /// `range(1)` loads on one factorisation of the plate.
@@ -189,7 +189,7 @@ void loads_on_one_factor(benchmark::State& run) {
   Plate& p = plate_of(run.range(0));
   const std::vector<plate::Forces> loads(std::size_t(run.range(1)), p.load);
   for (auto _ : run) {
-    const plate::AssembledPlate factor(p.assembly.plate, p.assembly.boundary.constraints);
+    const plate::AssembledPlate factor(*p.assembly.ordinary(), p.assembly.boundary.constraints);
     benchmark::DoNotOptimize(factor.solve(loads));
   }
 }

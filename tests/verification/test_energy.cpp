@@ -22,7 +22,7 @@ double force_error(const cases::Assembly& a) {
       State moved = u;
       plate::at_dof(moved, std::size_t(n)) += step;
       constraints.impose(moved);
-      difference += step * a.plate.energies(moved).sum() / 2;
+      difference += step * a.ordinary()->energies(moved).sum() / 2;
     }
     worst = std::max(worst, std::abs(plate::at_dof(force, std::size_t(n)) + difference));
     ++compared;

@@ -34,12 +34,12 @@ double solved_deflection(const cases::Case& c) {
   INFO(solution.iterations << " iterations, residual " << solution.residual);
   CHECK(solution.converged);
   CHECK(solution.state.allFinite());
-  const auto r = plate::resultants(solution.state, a.plate.families(), a.plate.shapes(), a.boundary.cloud.areas,
+  const auto r = plate::resultants(solution.state, a.ordinary()->families(), a.ordinary()->shapes(), a.boundary.cloud.areas,
                                    a.boundary.cloud.plate_points, c.section);
   CHECK(r.moments.allFinite());
   CHECK(r.shear.allFinite());
   CHECK(r.von_mises.allFinite());
-  CHECK(a.plate.energies(solution.state).allFinite());
+  CHECK(a.ordinary()->energies(solution.state).allFinite());
   const double w = solution.state.row(0).maxCoeff();
   CHECK(w > 0);  // the pressure acts along +w
   return w;

@@ -20,13 +20,13 @@ FrequencySolution solved(const cases::Case& c, const cases::Assembly& a, std::si
   options.modes = modes;
   options.tolerance = 1e-6;
   options.shift = shift_of(c.section, 2);
-  return frequencies(a.plate, a.boundary.constraints, mass_of(c, a), options);
+  return frequencies(*a.ordinary(), a.boundary.constraints, mass_of(c, a), options);
 }
 
 /// Frequencies of the dense eigenproblem P^T K P q = omega^2 P^T M P q.
 Eigen::VectorXd dense(const cases::Case& c, const cases::Assembly& a) {
   const auto& constraints = a.boundary.constraints;
-  const Eigen::MatrixXd K = small_plate::stiffness(a.plate), P = small_plate::prolongation(constraints, K.rows());
+  const Eigen::MatrixXd K = small_plate::stiffness(*a.ordinary()), P = small_plate::prolongation(constraints, K.rows());
   Forces all = Forces::Zero(3, vp::size(a));
   const double h = c.section.thickness, rho = c.section.density;
   for (Eigen::Index k = 0; k < all.cols(); ++k)

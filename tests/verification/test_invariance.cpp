@@ -144,8 +144,8 @@ TEST_CASE("millimetres instead of metres: the same factors F in as many iteratio
     for (const auto& c : {first, second}) {
       const auto a = vp::assembled(c);
       const StaticOptions options{1e-8, 100000, {}};
-      const auto solution = adr ? adaptive_dynamic_relaxation(a.plate, a.boundary.constraints, vp::loads(a), options)
-                                : conjugate_gradients(a.plate, a.boundary.constraints, vp::loads(a), options);
+      const auto solution = adr ? adaptive_dynamic_relaxation(*a.ordinary(), a.boundary.constraints, vp::loads(a), options)
+                                : conjugate_gradients(*a.ordinary(), a.boundary.constraints, vp::loads(a), options);
       REQUIRE(solution.converged);
       iterations.push_back(solution.iterations);
       found.push_back(intensity_factors(c, a, solution.state));

@@ -42,7 +42,7 @@ std::vector<std::size_t> inner_points(const cases::Assembly& a, double horizon) 
 
 /// Largest relative deviation of the energy per area from `expected` over the inner points.
 double energy_error(const cases::Assembly& a, const Discretization& d, const Patch& p, double expected) {
-  const Eigen::VectorXd energies = a.plate.energies(field(a, p));
+  const Eigen::VectorXd energies = a.ordinary()->energies(field(a, p));
   double worst = 0;
   for (const auto k : inner_points(a, d.horizon()))
     worst = std::max(worst, std::abs(energies[Eigen::Index(k)] / a.boundary.cloud.areas[k] / expected - 1));
@@ -132,13 +132,13 @@ TEST_CASE("constant curvature: no force inside the plate; constant shear: the co
     const auto a = vp::assembled(c);
     Forces force;
     for (const Patch& p : curvatures) {
-      a.plate.internal_force(field(a, p), force);
+      a.ordinary()->internal_force(field(a, p), force);
       const double outside = force.cwiseAbs().maxCoeff();
       for (const auto k : inner_points(a, c.discretization.horizon()))
         REQUIRE(force.col(Eigen::Index(k)).cwiseAbs().maxCoeff() < 1e-10 * outside);  // measured: 2e-16
     }
     for (const Patch& p : shears) {
-      a.plate.internal_force(field(a, p), force);
+      a.ordinary()->internal_force(field(a, p), force);
       for (const auto k : inner_points(a, c.discretization.horizon())) {
         // dU/d(theta_y) = Qx A, dU/d(theta_x) = -Qy A
         const Eigen::Vector3d couple =

@@ -12,7 +12,7 @@ namespace {
 Resultants resultants_of(const cases::Case& c, const cases::Assembly& a) {
   const auto solution = vp::solved(a);
   REQUIRE(solution.converged);
-  return plate::resultants(solution.state, a.plate.families(), a.plate.shapes(), a.boundary.cloud.areas,
+  return plate::resultants(solution.state, a.ordinary()->families(), a.ordinary()->shapes(), a.boundary.cloud.areas,
                            a.boundary.cloud.plate_points, c.section);
 }
 

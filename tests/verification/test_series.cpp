@@ -20,10 +20,10 @@ double first_frequency(const cases::Case& c) {
   double eigenvalue = 0, before = 1;
   for (int i = 0; i < 30 && std::abs(eigenvalue / before - 1) > 1e-7; ++i) {
     before = eigenvalue;
-    const auto next = conjugate_gradients(a.plate, constraints, mass.cwiseProduct(x), {1e-9, 20000, {}});
+    const auto next = conjugate_gradients(*a.ordinary(), constraints, mass.cwiseProduct(x), {1e-9, 20000, {}});
     REQUIRE(next.converged);
     x = next.state / next.state.cwiseAbs().maxCoeff();
-    eigenvalue = 2 * a.plate.energies(x).sum() / x.cwiseProduct(mass.cwiseProduct(x)).sum();
+    eigenvalue = 2 * a.ordinary()->energies(x).sum() / x.cwiseProduct(mass.cwiseProduct(x)).sum();
   }
   return std::sqrt(eigenvalue) / (2 * std::numbers::pi);
 }

@@ -82,15 +82,15 @@ TEST_CASE("rigid motions need no force") {
     c.discretization.surface_correction = correction;
     const auto a = vp::assembled(c);
     Forces force;
-    a.plate.internal_force(vp::random_state(a, 34), force);
+    a.ordinary()->internal_force(vp::random_state(a, 34), force);
     const double scale = force.cwiseAbs().maxCoeff();
     for (const Eigen::Vector3d& motion : {Eigen::Vector3d(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {7, -2, 5}}) {
       const State u = vp::field(a, [&](const geometry::Point& x) {
         return Eigen::Vector3d(motion[0] + motion[1] * x.x() + motion[2] * x.y(), motion[2], -motion[1]);
       });
-      a.plate.internal_force(u, force);
+      a.ordinary()->internal_force(u, force);
       CHECK(force.cwiseAbs().maxCoeff() < 1e-13 * u.cwiseAbs().maxCoeff() * scale);   // measured: 2e-16 of it
-      CHECK(a.plate.energies(u).cwiseAbs().sum() < 1e-26 * u.squaredNorm() * scale);  // measured: below 1e-18 in all
+      CHECK(a.ordinary()->energies(u).cwiseAbs().sum() < 1e-26 * u.squaredNorm() * scale);  // measured: below 1e-18 in all
     }
   }
 }
