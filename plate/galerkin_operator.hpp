@@ -1,4 +1,5 @@
 #pragma once
+#include "plate/galerkin_lists.hpp"
 #include "plate/galerkin_rows.hpp"
 #include "plate/operator.hpp"
 
@@ -24,33 +25,14 @@ public:
   std::size_t bytes() const;
 
 private:
-  /// Strains and stress resultants of one family, as its members need them.
-  struct Resultants {
-    Eigen::Matrix2d strain, moment;       // H; V M - sum t (x) n
-    geometry::Point gamma, shear;         // gamma; V Q - sum tau n
-  };
-  /// A bond of a point i in no row, from both of its ends: i's family has it, and j's.
-  struct Bond {
-    std::uint32_t neighbour, family;      // j; place of j's family among those kept
-    geometry::Point x;                    // x_j - x_i [length]
-    geometry::Point own, others;          // G^i_j, G^j_i
-    double own_bending, others_bending, own_shear, others_shear;  // c t_b D and c t_s e S of both, over the length
-  };
-
-  Resultants resultants(std::size_t k, const State& state) const;
-  Eigen::Vector3d force(std::size_t i, const State& state) const;
   template <typename Local>
   void gather(const Local& local, Forces& result) const;
 
   GalerkinFamilies families_;
   Section section_;
   GalerkinRows rows_;
-  std::vector<std::uint32_t> kept_;   // families of points in no row, and of their neighbours
-  std::vector<std::uint32_t> place_;  // per point in no row: of its own family among those
-  std::vector<std::size_t> first_;    // per point in no row: where its bonds begin
-  std::vector<Bond> bonds_;
+  GalerkinLists lists_;
   Eigen::MatrixXd lattice_stiffness_;  // of a family of kind 0
-  mutable std::vector<Resultants> resultants_;
 };
 
 }  // namespace plate

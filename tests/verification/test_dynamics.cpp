@@ -31,13 +31,13 @@ Balance balance(const History& history, std::size_t steps = 1000, double share =
   const auto a = vp::assembled(c);
   const auto& constraints = a.boundary.constraints;
   const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints);
-  const double dt = share * stable_time_step(*a.ordinary(), constraints, mass);
+  const double dt = share * stable_time_step(a.plate(), constraints, mass);
   Forces load = a.loads.front().forces;
   constraints.fold(load);
   Balance result;
   std::vector<std::array<double, 3>> sums;
   central_differences(
-      *a.ordinary(), constraints, mass, {{a.loads.front().forces, history}}, {dt, steps, 1}, [&](const Instant& now) {
+      a.plate(), constraints, mass, {{a.loads.front().forces, history}}, {dt, steps, 1}, [&](const Instant& now) {
         const double strain = a.ordinary()->energies(now.state).sum();
         const double sum = now.kinetic_energy + strain - now.external_work;
         const Forces f = vp::folded_force(a, now.state) + factor(history, now.time) * load;
@@ -62,7 +62,7 @@ double stable_step() {
   const auto c = cracked_plate();
   const auto a = vp::assembled(c);
   const auto& constraints = a.boundary.constraints;
-  return stable_time_step(*a.ordinary(), constraints,
+  return stable_time_step(a.plate(), constraints,
                           plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints));
 }
 
@@ -122,8 +122,8 @@ TEST_CASE("one thread and two give the same bits: dynamics") {
     const auto& constraints = a.boundary.constraints;
     const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints);
     State last;
-    central_differences(*a.ordinary(), constraints, mass, a.loads,
-                        {0.9 * stable_time_step(*a.ordinary(), constraints, mass), 200, 200},
+    central_differences(a.plate(), constraints, mass, a.loads,
+                        {0.9 * stable_time_step(a.plate(), constraints, mass), 200, 200},
                         [&](const Instant& now) { last = now.state; });
     return last;
   };
@@ -140,8 +140,8 @@ TEST_CASE("one thread and two give the same bits: relaxation and conjugate gradi
       const auto a = vp::assembled(c);
       const StaticOptions options{1e-6, 300, {}};
       const auto& constraints = a.boundary.constraints;
-      return adr ? adaptive_dynamic_relaxation(*a.ordinary(), constraints, vp::loads(a), options).state
-                 : conjugate_gradients(*a.ordinary(), constraints, vp::loads(a), options).state;
+      return adr ? adaptive_dynamic_relaxation(a.plate(), constraints, vp::loads(a), options).state
+                 : conjugate_gradients(a.plate(), constraints, vp::loads(a), options).state;
     };
     const State one = with_threads(1, run), two = with_threads(2, run);
     CHECK(one.cwiseAbs().maxCoeff() > 0);

@@ -46,8 +46,8 @@ cases::Case section_4_1(double spacing, SurfaceCorrection correction) {
 std::array<post::Srif, 2> factors(const cases::Case& c, bool adr, double tolerance) {
   const auto a = vp::assembled(c);
   const StaticOptions options{tolerance, 100000, {}};
-  const auto solution = adr ? adaptive_dynamic_relaxation(*a.ordinary(), a.boundary.constraints, vp::loads(a), options)
-                            : conjugate_gradients(*a.ordinary(), a.boundary.constraints, vp::loads(a), options);
+  const auto solution = adr ? adaptive_dynamic_relaxation(a.plate(), a.boundary.constraints, vp::loads(a), options)
+                            : conjugate_gradients(a.plate(), a.boundary.constraints, vp::loads(a), options);
   REQUIRE(solution.converged);
   const auto methods = cases::tip_methods({c, {}}, a);
   REQUIRE(methods.size() == 2);
@@ -89,7 +89,7 @@ TEST_CASE("virtual crack extension and domain integral: F1 at spacing 1/125, ins
   auto c = section_4_1(0.008, SurfaceCorrection::position_aware);
   c.srif->methods = {"virtual_crack_extension", "domain_integral"};
   const auto a = vp::assembled(c);
-  const auto solution = conjugate_gradients(*a.ordinary(), a.boundary.constraints, vp::loads(a), {1e-8, 100000, {}});
+  const auto solution = conjugate_gradients(a.plate(), a.boundary.constraints, vp::loads(a), {1e-8, 100000, {}});
   REQUIRE(solution.converged);
   const auto found = cases::srifs(c, a, cases::tip_methods({c, {}}, a), solution.state);
   REQUIRE(found.size() == 4);

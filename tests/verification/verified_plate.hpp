@@ -58,11 +58,11 @@ inline plate::Forces loads(const cases::Assembly& a) {
 }
 
 inline plate::StaticSolution solved(const cases::Assembly& a, double tolerance = 1e-10) {
-  return plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, loads(a), {tolerance, 100000, {}});
+  return plate::conjugate_gradients(a.plate(), a.boundary.constraints, loads(a), {tolerance, 100000, {}});
 }
 
 inline Eigen::Index size(const cases::Assembly& a) {
-  return static_cast<Eigen::Index>(a.ordinary()->points());
+  return static_cast<Eigen::Index>(a.plate().points());
 }
 
 /// Random at free degrees of freedom, what the constraints say at all others.
@@ -77,7 +77,7 @@ inline plate::State random_state(const cases::Assembly& a, unsigned seed) {
 /// P^T f of a state u = P q.
 inline plate::Forces folded_force(const cases::Assembly& a, const plate::State& u) {
   plate::Forces force;
-  a.ordinary()->internal_force(u, force);
+  a.plate().internal_force(u, force);
   a.boundary.constraints.fold(force);
   return force;
 }

@@ -1,0 +1,150 @@
+// The Galerkin plate of the program: patch tests, locking, spectrum, convergence. Figures to compare with are those of the
+// formulation's first implementation (theory.md, "The Galerkin plate").
+#include <catch2/catch.hpp>
+
+#include "plate/exact.hpp"
+#include "plate/local_plate.hpp"
+#include "tests/unit/plate/galerkin_plate.hpp"
+#include "tests/verification/galerkin_plate.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+using namespace plate;
+namespace vp = verified_plate;
+namespace gp = galerkin_plate;
+namespace gs = galerkin_systems;
+using geometry::Point;
+
+namespace {
+
+cases::Case galerkin(cases::Case c) {
+  c.discretization.formulation = Formulation::galerkin;
+  return c;
+}
+
+Section of_thickness(double thickness, double poisson = 0.3) {
+  Section s = gp::section;
+  s.thickness = thickness, s.poisson = poisson;
+  return s;
+}
+
+/// Constant shear angles gamma: w = gamma . x, psi = 0.
+State sheared(const geometry::Tessellation& cells, const Point& gamma) {
+  State u = State::Zero(3, Eigen::Index(cells.positions.size()));
+  for (Eigen::Index k = 0; k < u.cols(); ++k) u(0, k) = gamma.dot(cells.positions[std::size_t(k)]);
+  return u;
+}
+
+/// What holds constant shear in balance: Q . n on all edges, and -Q as a couple on the rotations.
+Forces shear_load(const geometry::Tessellation& cells, const GalerkinFamilies& families, const Point& Q) {
+  Forces sum = Forces::Zero(3, Eigen::Index(families.areas.size()));
+  for (const auto& border : cells.borders) {
+    const Point along = (cells.positions[border.to] - cells.positions[border.from]).normalized();
+    geometry::Tessellation one = cells;
+    one.borders = {{border.from, border.to, 0}};
+    one.names = {"edge"};
+    Load load;
+    load.kind = Load::Kind::edge_shear, load.edges = {"edge"}, load.value = Q.dot(Point(along.y(), -along.x()));
+    sum += nodal_forces(load, one, families.areas);
+  }
+  for (Eigen::Index k = 0; k < sum.cols(); ++k) {
+    const Point couple = -families.areas[std::size_t(k)] * Q;
+    sum.col(k) += Eigen::Vector3d(0, couple.y(), -couple.x());
+  }
+  return sum;
+}
+
+/// Error of the deflection at the middle of a square of side 1 under unit pressure, in percent.
+double centre_error(int cells, double thickness, SupportKind kind) {
+  auto c = galerkin(vp::free_plate(geometry::rectangle(0, 0, 1, 1), 1.0 / cells));
+  c.section = of_thickness(thickness);
+  c.supports = {vp::held_all_round(kind)};
+  const auto a = vp::assembled(c);
+  const AssembledPlate factor(a.galerkin()->op, a.boundary.constraints);
+  const double w = factor.solve({vp::loads(a)})[0](0, Eigen::Index(geometry::nearest_plate_point(a.boundary.cloud, {0.5, 0.5})));
+  gs::Plate plate;
+  plate.thickness = thickness;
+  const double exact = kind == SupportKind::clamped ? gs::ritz_deflection(plate, gs::Held::clamped, 22)
+                                                    : exact::navier_deflection(c.section, 1, 1, 1, 0.5, 0.5);
+  return 100 * (w / exact - 1);
+}
+
+}  // namespace
+
+TEST_CASE("Galerkin plate: constant curvature and constant shear are solutions on any points") {
+  for (const auto& cells : gp::scenes())
+    for (const double thickness : {0.1, 0.001}) {
+      const auto families = gp::families(cells);
+      const Section section = of_thickness(thickness);
+      const GalerkinOperator op(families, section);
+      const double D = section.bending_stiffness(), rounding = thickness == 0.1 ? 1e-11 : 1e-8;
+      for (const Eigen::Vector3d& k : {Eigen::Vector3d(1, 0, 0), {0, 1, 0}, {0, 0, 1}}) {
+        Load load;
+        load.kind = Load::Kind::edge_moment, load.has_tensor = true, load.edges = cells.names, load.edges.push_back("crack");
+        load.tensor = {-D * (k[0] + 0.3 * k[1]), -D * (k[1] + 0.3 * k[0]), -D * 0.7 * k[2]};
+        auto named = cells;
+        named.names.push_back("crack");
+        for (auto& border : named.borders)
+          if (border.edge < 0) border.edge = std::int32_t(named.names.size()) - 1;
+        Forces force;
+        op.internal_force(gp::bent(cells, k[0], k[1], k[2]), force);
+        const Forces edge = nodal_forces(load, named, families.areas);
+        const double off = (force + edge).cwiseAbs().maxCoeff() / edge.cwiseAbs().maxCoeff();
+        WARN("curvature " << thickness << " off " << off);
+        CHECK(off < rounding);
+      }
+      const Point gamma(1, 0.5);
+      Forces force;
+      op.internal_force(sheared(cells, gamma), force);
+      const GalerkinStiffness stiffness(section, families.square(0));
+      const Forces load = shear_load(cells, families, stiffness.shear * gamma);
+      const double off = (force + load).cwiseAbs().maxCoeff() / load.cwiseAbs().maxCoeff();
+      WARN("shear " << thickness << " off " << off << " graded " << cells.graded);
+      CHECK(off < (cells.graded ? 1 : rounding));
+    }
+}
+
+TEST_CASE("Galerkin plate: deflections of squares, thick to thin") {
+  for (const double thickness : {0.1, 0.01, 0.001, 0.0001})
+    for (const int cells : {8, 16, 32})
+      WARN("h " << thickness << " N " << cells << " simply " << centre_error(cells, thickness, SupportKind::simply_supported_hard)
+                << " clamped " << centre_error(cells, thickness, SupportKind::clamped));
+}
+
+TEST_CASE("Galerkin plate: cantilever under a shear force at its end") {
+  for (const double spacing : {0.1, 0.05, 0.025}) {
+    auto c = galerkin(vp::free_plate(geometry::rectangle(0, 0, 1.2, 0.8), spacing));
+    c.section = of_thickness(0.1, 0);
+    c.supports = {vp::held(SupportKind::clamped, {"left"})};
+    c.loads[0].kind = Load::Kind::edge_shear, c.loads[0].edges = {"right"};
+    const auto a = vp::assembled(c);
+    const State u = AssembledPlate(a.galerkin()->op, a.boundary.constraints).solve({vp::loads(a)})[0];
+    const double L = 1.2, D = c.section.bending_stiffness(), S = c.section.shear_stiffness();
+    const double w_end = L * L * L / (3 * D) + L / S, psi_end = L * L / (2 * D);
+    double w_off = 0, psi_off = 0;
+    for (Eigen::Index k = 0; k < u.cols(); ++k) {
+      const double x = a.boundary.cloud.positions[std::size_t(k)].x();
+      w_off = std::max(w_off, std::abs(u(0, k) - (L * x * x / 2 - x * x * x / 6) / D - x / S) / w_end);
+      psi_off = std::max(psi_off, std::abs(-u(2, k) - (L * x - x * x / 2) / D) / psi_end);
+    }
+    WARN("cantilever " << spacing << " w " << w_off << " psi " << psi_off);
+  }
+}
+
+TEST_CASE("Galerkin plate: spectrum of a free square") {
+  for (const double thickness : {0.1, 0.01}) {
+    auto c = galerkin(vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.05));
+    c.section = of_thickness(thickness);
+    c.section.density = 1;
+    const auto a = vp::assembled(c);
+    const auto families = a.galerkin()->op.families();
+    const Eigen::MatrixXd K = gp::stiffness(families, c.section);
+    const Forces mass = mass_of(c, a);
+    const Eigen::VectorXd root = mass.reshaped<Eigen::ColMajor>().cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(root.asDiagonal() * K * root.asDiagonal(), Eigen::EigenvaluesOnly);
+    gs::Plate plate;
+    plate.thickness = thickness;
+    const Eigen::VectorXd ritz = gs::ritz_frequencies(plate, 14);
+    for (const int n : {4, 6, 10, 20, 30})
+      WARN("h " << thickness << " f" << n << " " << 100 * (std::sqrt(eigen.eigenvalues()[n - 1] / ritz[n - 1]) - 1));
+  }
+}
