@@ -16,10 +16,11 @@ std::string free_motion(const plate::Piece& piece) {
 }
 
 std::string hanging(const plate::LoosePart& part) {
-  return fmt::format("the part of {} point{} about ({:g}, {:g}) hangs by bonds along one line through ({:g}, {:g}) and "
-                     "can turn about it",
-                     part.points, part.points == 1 ? "" : "s", part.position.x(), part.position.y(), part.ligament.x(),
-                     part.ligament.y());
+  return fmt::format(
+      "the part of {} point{} about ({:g}, {:g}) hangs by bonds along one line through ({:g}, {:g}) and "
+      "can turn about it",
+      part.points, part.points == 1 ? "" : "s", part.position.x(), part.position.y(), part.ligament.x(),
+      part.ligament.y());
 }
 
 }  // namespace
@@ -46,13 +47,13 @@ void check_mechanisms(const CaseFile& file, const plate::Mechanisms& found, std:
   for (const auto& part : {found.driven, found.twisted})
     if (part && statics)
       throw CaseError({{file.place("geometry.cracks"), "geometry.cracks",
-                        "cracks and edges leave a ligament one row of points wide, which is a hinge: " + hanging(*part) +
-                            " under the load; a finer spacing gives it two rows"}});
+                        "cracks and edges leave a ligament one row of points wide, which is a hinge: " +
+                            hanging(*part) + " under the load; a finer spacing gives it two rows"}});
   if (found.twisting > 0)
-    warnings.push_back(fmt::format("{} point{} bonds along one line only, in ligaments one row of points wide: the "
-                                   "rotation about that line has no stiffness{}",
-                                   found.twisting, found.twisting == 1 ? " has" : "s have",
-                                   statics ? " and no load, and stays zero" : ""));
+    warnings.push_back(fmt::format(
+        "{} point{} bonds along one line only, in ligaments one row of points wide: the "
+        "rotation about that line has no stiffness{}",
+        found.twisting, found.twisting == 1 ? " has" : "s have", statics ? " and no load, and stays zero" : ""));
   if (found.motions > 0)
     warnings.push_back(fmt::format("parts that hang by bonds along one line can move in {} way{} without resistance{}",
                                    found.motions, found.motions == 1 ? "" : "s",
@@ -63,8 +64,10 @@ void check_mechanisms(const CaseFile& file, const plate::Mechanisms& found, std:
                       "\"two_level\" needs a plate without motions that nothing resists, and parts of this one hang by "
                       "bonds along one line; choose \"diagonal\""}});
   if (!found.searched)
-    warnings.push_back(fmt::format("bonds along one line divide the plate into {} parts, too many to look for motions "
-                                   "without resistance", found.parts));
+    warnings.push_back(
+        fmt::format("bonds along one line divide the plate into {} parts, too many to look for motions "
+                    "without resistance",
+                    found.parts));
 }
 
 void check_edges_fit(const plate::Boundary& boundary, double spacing, std::vector<std::string>& warnings) {
@@ -81,8 +84,7 @@ void check_edges_fit(const plate::Boundary& boundary, double spacing, std::vecto
 
 void check_modes(const CaseFile& file, const plate::Boundary& boundary) {
   if (file.content.analysis.kind != Analysis::Kind::frequencies) return;
-  const auto mass =
-      plate::mass(file.content.section, boundary.cloud.areas, boundary.active, boundary.constraints);
+  const auto mass = plate::mass(file.content.section, boundary.cloud.areas, boundary.active, boundary.constraints);
   const auto most = std::size_t((mass.array() > 0).count()) / 4;
   if (file.content.analysis.modes > most)
     throw CaseError({{file.place("analysis.modes"), "analysis.modes",
@@ -93,10 +95,11 @@ void check_modes(const CaseFile& file, const plate::Boundary& boundary) {
 void check_weights(const CaseFile& file, const std::vector<plate::BondShape>& shapes) {
   for (const auto& bond : shapes)
     if (bond.weight < 0)
-      throw CaseError({{file.place("discretization.volume_correction"), "discretization.volume_correction",
-                        fmt::format("\"lattice_fitted\" has a negative weight at horizon_ratio {:g}; choose \"linear\", or "
-                                    "a ratio a little above a whole number",
-                                    file.content.discretization.horizon_ratio)}});
+      throw CaseError(
+          {{file.place("discretization.volume_correction"), "discretization.volume_correction",
+            fmt::format("\"lattice_fitted\" has a negative weight at horizon_ratio {:g}; choose \"linear\", or "
+                        "a ratio a little above a whole number",
+                        file.content.discretization.horizon_ratio)}});
 }
 
 }  // namespace cases

@@ -3,8 +3,8 @@
 #include "plate/bond_law.hpp"
 #include "plate/mechanisms.hpp"
 
-/// What may be wrong with a case once it is turned into points and bonds. Each throws CaseError, or adds a warning where a
-/// run still makes sense.
+/// What may be wrong with a case once it is turned into points and bonds. Each throws CaseError, or adds a warning
+/// where a run still makes sense.
 namespace cases {
 
 /// Statics: nothing may move freely. Otherwise a loose piece is allowed, and said.

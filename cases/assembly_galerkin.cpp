@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "cases/assembly_checks.hpp"
+#include "cases/trust.hpp"
 
 namespace cases {
 namespace {
@@ -20,7 +21,8 @@ std::vector<geometry::Point> single_points(const Case& c) {
   return points;
 }
 
-/// The share of what lies about a place that other points there stand for: both faces of a crack, parted from each other.
+/// The share of what lies about a place that other points there stand for: both faces of a crack, parted from each
+/// other.
 std::vector<double> cut_share(const geometry::Tessellation& cells, const std::vector<double>& areas) {
   std::map<std::pair<double, double>, double> around;
   std::vector<char> faces(areas.size(), 0);
@@ -38,7 +40,9 @@ std::vector<double> cut_share(const geometry::Tessellation& cells, const std::ve
 /// With all spacings `factor` times as wide.
 geometry::Tessellation cells_of(const Case& c, const std::vector<geometry::CrackPath>& paths, double factor) {
   const auto& d = c.discretization;
-  const auto times = [&](std::optional<double> spacing) { return spacing ? std::optional(factor * *spacing) : spacing; };
+  const auto times = [&](std::optional<double> spacing) {
+    return spacing ? std::optional(factor * *spacing) : spacing;
+  };
   return geometry::tessellation(c.outline, paths, factor * d.spacing, single_points(c),
                                 {times(d.tip_spacing), times(d.hole_spacing), d.spacing_growth});
 }
@@ -67,6 +71,7 @@ Assembly assemble_galerkin(const CaseFile& file, std::vector<geometry::CrackPath
   check_modes(file, boundary);
   std::vector<std::string> warnings;
   check_held(file, plate::pieces(boundary, families.families), warnings);
+  warn_of_distrust(c, boundary, warnings);
   auto shapes = plate::bond_shapes(families.families.vectors(), c.section, c.discretization);
   auto cut = cut_share(cells, families.areas);
   std::vector<plate::TimedLoad> loads;
@@ -101,7 +106,8 @@ std::vector<plate::GalerkinLevel> coarser_plates(const Case& c, const Assembly& 
     try {
       auto cells = cells_of(c, assembly.paths, factor);
       auto families = plate::galerkin_families(cells);
-      auto boundary = plate::galerkin_boundary(cells, families.areas, geometry::to_lattice(c.outline, cells.units), c.supports);
+      auto boundary =
+          plate::galerkin_boundary(cells, families.areas, geometry::to_lattice(c.outline, cells.units), c.supports);
       if (pieces_of(boundary, families.families) != pieces) break;
       auto seen = geometry::seen_positions(cells);
       result.push_back({std::move(cells), std::move(seen), std::move(boundary),

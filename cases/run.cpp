@@ -7,6 +7,7 @@
 #include "cases/scene.hpp"
 #include "plate/frequencies.hpp"
 #include "plate/numerical_error.hpp"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -137,9 +138,13 @@ void solve_frequencies(const Case& c, const Assembly& assembly, Results& results
   const auto [low, high] = geometry::bounding_box(c.outline);
   Progress progress(quiet, "Lanczos iteration");
   const double usual = 4 * double(c.analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
+  std::unique_ptr<plate::Preconditioner> coarser;
+  const bool held = std::ranges::all_of(plate::pieces(assembly.boundary, assembly.families()),
+                                        [](const auto& piece) { return piece.free_modes == 0; });
+  if (assembly.galerkin() && held) coarser = galerkin_levels(c, assembly);
   const plate::FrequencyOptions options{
       c.analysis.modes, c.analysis.tolerance, c.analysis.max_iterations,
-      plate::shift_of(c.section, (high - low).maxCoeff()), [&](std::size_t solution) {
+      plate::shift_of(c.section, (high - low).maxCoeff()), coarser.get(), [&](std::size_t solution) {
         progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
       }};
   summary.analysis.method = "lanczos";

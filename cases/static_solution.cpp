@@ -42,29 +42,20 @@ plate::AssembledPlate assembled_plate(const Assembly& assembly) {
   return {*assembly.ordinary(), assembly.boundary.constraints};
 }
 
-/// Conjugate gradients on the Galerkin plate.
-StaticResult solve_galerkin_at_rest(const Case& c, const Assembly& assembly, const plate::Forces& load,
-                                    const plate::StaticOptions& options) {
-  const auto& constraints = assembly.boundary.constraints;
-  using enum Analysis::Preconditioner;
-  if (c.analysis.preconditioner == diagonal)
-    return {plate::conjugate_gradients(assembly.plate(), constraints, load, options), "cg", "diagonal", 0};
-  if (auto coarser = coarser_plates(c, assembly); !coarser.empty()) {
-    const auto* galerkin = assembly.galerkin();
-    const plate::GalerkinLevels levels(galerkin->op, constraints, galerkin->seen, std::move(coarser));
-    return {plate::conjugate_gradients(assembly.plate(), constraints, load, options, &levels), "cg", "levels",
-            levels.bytes()};
-  }
-  const auto factor = assembled_plate(assembly);
-  return {plate::conjugate_gradients(assembly.plate(), constraints, load, options, &factor), "cg", "levels", factor.bytes()};
-}
-
 }  // namespace
 
 plate::Forces total_load(const Assembly& assembly) {
   plate::Forces load = assembly.loads.front().forces;
   for (std::size_t i = 1; i < assembly.loads.size(); ++i) load += assembly.loads[i].forces;
   return load;
+}
+
+std::unique_ptr<plate::Preconditioner> galerkin_levels(const Case& c, const Assembly& assembly) {
+  const auto& constraints = assembly.boundary.constraints;
+  auto coarser = coarser_plates(c, assembly);
+  const auto* galerkin = assembly.galerkin();
+  if (coarser.empty()) return std::make_unique<plate::AssembledPlate>(galerkin->op, constraints);
+  return std::make_unique<plate::GalerkinLevels>(galerkin->op, constraints, galerkin->seen, std::move(coarser));
 }
 
 StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate::StaticOptions& options) {
@@ -79,8 +70,12 @@ StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate:
     return {
         plate::conjugate_gradients(assembly.plate(), constraints, load, options, &factor), "direct", {}, factor.bytes()};
   }
-  if (assembly.galerkin()) return solve_galerkin_at_rest(c, assembly, load, options);
   const auto wanted = c.analysis.preconditioner;
+  if (assembly.galerkin() && wanted != diagonal) {
+    const auto coarser = galerkin_levels(c, assembly);
+    return {plate::conjugate_gradients(assembly.plate(), constraints, load, options, coarser.get()), "cg", "levels",
+            coarser->bytes()};
+  }
   if (wanted == diagonal || (wanted == automatic && !two_level_is_faster(c, assembly)))
     return {plate::conjugate_gradients(assembly.plate(), constraints, load, options), "cg", "diagonal", 0};
   if (wanted == local) {

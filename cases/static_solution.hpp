@@ -15,6 +15,10 @@ struct StaticResult {
 /// All loads at their last values together.
 plate::Forces total_load(const Assembly& assembly);
 
+/// The Galerkin plate on coarser points (plate::GalerkinLevels), or its factor where it has few points. Held plates only.
+/// `assembly` must outlive it.
+std::unique_ptr<plate::Preconditioner> galerkin_levels(const Case& c, const Assembly& assembly);
+
 /// By the method and with the preconditioner of the case; `options` in place of the case's tolerance and limit.
 /// Throws NumericalError as the solvers do.
 StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate::StaticOptions& options);

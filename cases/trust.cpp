@@ -66,6 +66,16 @@ void check_edge_layer(const Case& c, const plate::Boundary& boundary, std::vecto
                            : "soft supports are"));
 }
 
+/// The same for the Galerkin plate: K3 of a twisted plate is 7 % off with 3.8 spacings in the layer, 1.1 % with 7.9.
+void check_layer_spacing(const Case& c, std::vector<std::string>& warnings) {
+  const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing),
+               layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
+  if (!c.srif || spacing <= layer / 6) return;
+  warnings.push_back(fmt::format("spacing at the tips is {:.2g} times thickness / sqrt(12 shear_correction), the width of the layer "
+                                 "in which twist and shear change: K3 needs a sixth of it or less",
+                                 spacing / layer));
+}
+
 /// What the full lattice family makes of the bending stiffness: D11 / D - 1 (theory.md, Eqs. 14-16).
 double anisotropy(const plate::Section& section, const plate::Discretization& d) {
   double fourth = 0, twist = 0;
@@ -96,6 +106,11 @@ void check_isotropy(const Case& c, std::vector<std::string>& warnings) {
 }  // namespace
 
 void warn_of_distrust(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
+  if (c.discretization.formulation == plate::Formulation::galerkin) {
+    check_layer_spacing(c, warnings);
+    check_rotary_inertia(c, boundary, warnings);
+    return;
+  }
   check_thickness(c, boundary, warnings);
   check_edge_layer(c, boundary, warnings);
   check_isotropy(c, warnings);

@@ -25,7 +25,7 @@ private:
 
   const Tessellation& cells_;
   long columns_, rows_;
-  std::vector<std::size_t> first_;     // per bucket, one spacing wide
+  std::vector<std::size_t> first_;      // per bucket, one spacing wide
   std::vector<std::uint32_t> members_;  // squares, then triangles
 };
 

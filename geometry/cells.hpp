@@ -3,8 +3,8 @@
 
 namespace geometry {
 
-/// Cells before cracks part them: points at different places, and the pieces of edges and cracks among the sides of cells.
-/// In lattice units.
+/// Cells before cracks part them: points at different places, and the pieces of edges and cracks among the sides of
+/// cells. In lattice units.
 struct Cells {
   std::vector<Point> positions;
   std::vector<Tessellation::Square> squares;

@@ -22,8 +22,8 @@ struct Segment {
   std::vector<Point> stops = {};  // between the ends
 };
 
-/// Positions 0 ... 1 along a curve of this length, without the ends, so that neighbours are as far apart as wanted: at most 1.2
-/// times as far.
+/// Positions 0 ... 1 along a curve of this length, without the ends, so that neighbours are as far apart as wanted: at
+/// most 1.2 times as far.
 std::vector<double> subdivision(double length, const std::function<Point(double)>& at, const Sizing& sizing) {
   const int samples = std::max(16, int(4 * length));
   std::vector<double> sum{0};  // of length / size

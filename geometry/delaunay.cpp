@@ -12,9 +12,9 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 using Face = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>,
-    CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 }  // namespace
 

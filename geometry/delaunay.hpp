@@ -4,8 +4,8 @@
 
 namespace geometry {
 
-/// Triangles, counter-clockwise, of all points, with the pieces among their sides. Throws std::invalid_argument where pieces
-/// cross.
+/// Triangles, counter-clockwise, of all points, with the pieces among their sides. Throws std::invalid_argument where
+/// pieces cross.
 std::vector<std::array<std::uint32_t, 3>> delaunay(const std::vector<Point>& points,
                                                    const std::vector<std::array<std::uint32_t, 2>>& pieces);
 

@@ -134,6 +134,15 @@ Families::Families(std::vector<Point> vectors, std::vector<std::uint32_t> patter
   for (const auto p : pattern_) bonds_ += first_[p + 1] - first_[p];
 }
 
+void Families::set(std::size_t k, const std::vector<Step>& steps) {
+  if (k < pattern_.size()) bonds_ -= (*this)[k].size();
+  pattern_.resize(std::max(k + 1, pattern_.size()));
+  pattern_[k] = std::uint32_t(first_.size() - 1);
+  steps_.insert(steps_.end(), steps.begin(), steps.end());
+  first_.push_back(steps_.size());
+  bonds_ += steps.size();
+}
+
 std::size_t Families::Family::find(std::uint32_t j) const {
   const auto step = static_cast<std::int32_t>(j - point_);
   const Step* const at = std::lower_bound(begin_, end_, step, [](const Step& a, std::int32_t b) { return a.step < b; });

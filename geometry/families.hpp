@@ -58,6 +58,9 @@ public:
     const Step* const all = steps_.data();
     return {static_cast<std::uint32_t>(k), all + first_[pattern_[k]], all + first_[pattern_[k] + 1]};
   }
+  /// Gives point k, or the next new point, a family of its own: `steps` ascending.
+  void set(std::size_t k, const std::vector<Step>& steps);
+
   std::size_t points() const { return pattern_.size(); }
   std::size_t bonds() const { return bonds_; }
   std::uint32_t pattern(std::size_t k) const { return pattern_[k]; }

@@ -17,7 +17,8 @@ Cells graded_cells(const Curves& curves, const Sizing& sizing) {
     return strip != other ? strip < other : x.x() != y.x() ? x.x() < y.x() : x.y() < y.y();
   });
   Cells result;
-  for (std::uint32_t i = 0; i < order.size(); ++i) index[order[i]] = i, result.positions.push_back(found.points[order[i]]);
+  for (std::uint32_t i = 0; i < order.size(); ++i)
+    index[order[i]] = i, result.positions.push_back(found.points[order[i]]);
   for (const auto& [a, b, c] : found.triangles) result.triangles.push_back({index[a], index[b], index[c]});
   std::sort(result.triangles.begin(), result.triangles.end());
   for (const auto& piece : found.pieces) result.pieces.push_back({index[piece.from], index[piece.to], piece.edge});

@@ -202,10 +202,10 @@ private:
   }
 
   const Curves& curves_;
-  long columns_, rows_;               // of cells
-  std::vector<std::int32_t> place_;   // per lattice point: which point, or none
-  std::vector<char> near_, square_;   // per lattice point; per cell
-  std::vector<std::int32_t> node_;    // per node of the curves: which point
+  long columns_, rows_;              // of cells
+  std::vector<std::int32_t> place_;  // per lattice point: which point, or none
+  std::vector<char> near_, square_;  // per lattice point; per cell
+  std::vector<std::int32_t> node_;   // per node of the curves: which point
   std::map<Side, std::int32_t> edge_of_;
   Cells result_;
 };

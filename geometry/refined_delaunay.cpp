@@ -17,7 +17,9 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<Kernel>, CGAL::Delaunay_mesh_face_base_2<Kernel>>,
+    Kernel,
+    CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<Kernel>,
+                                         CGAL::Delaunay_mesh_face_base_2<Kernel>>,
     CGAL::No_constraint_intersection_requiring_constructions_tag>;
 using Vertex = Triangulation::Vertex_handle;
 using Face = Triangulation::Face_handle;
@@ -52,7 +54,8 @@ public:
       const auto [shortest, middle, longest] = squares;
       const double twice = cross(b - a, c - a), wanted = (*sizing_)((a + b + c) / 3);
       // the mean side is what counts; Lloyd's optimisation evens them out
-      quality = {std::sqrt(std::cbrt(shortest * middle * longest)) / (1.15 * wanted), twice * twice / (middle * longest)};
+      quality = {std::sqrt(std::cbrt(shortest * middle * longest)) / (1.15 * wanted),
+                 twice * twice / (middle * longest)};
       return (*this)(quality);
     }
 

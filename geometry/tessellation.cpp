@@ -29,8 +29,8 @@ void for_cells(Cells& cells, const Visit& visit) {
 }
 
 struct Corner {
-  std::uint32_t* point;          // in its cell
-  std::uint32_t before, after;   // the corners next to it
+  std::uint32_t* point;         // in its cell
+  std::uint32_t before, after;  // the corners next to it
   std::size_t part = 0;
 };
 
@@ -57,8 +57,8 @@ std::size_t parts(std::vector<Corner>& corners, std::uint32_t k, const std::unor
   return count;
 }
 
-/// Gives every part of the cells about a point on a curve its own point, new points last; returns for every point the one
-/// that it comes from.
+/// Gives every part of the cells about a point on a curve its own point, new points last; returns for every point the
+/// one that it comes from.
 std::vector<std::uint32_t> part_cells(Cells& cells) {
   std::unordered_map<Side, std::int32_t> cracks;
   std::map<std::uint32_t, std::vector<Corner>> on_curves;
@@ -101,8 +101,7 @@ std::vector<Tessellation::Border> borders(const Cells& cells, const std::vector<
     for (std::size_t c = 0; c < count; ++c) {
       const auto from = corner[c], to = corner[(c + 1) % count];
       if (!curved[origin[from]] || !curved[origin[to]]) continue;
-      if (open.erase(side(from, to)) == 0)
-        open[side(from, to)] = {from, to}, order.push_back(side(from, to));
+      if (open.erase(side(from, to)) == 0) open[side(from, to)] = {from, to}, order.push_back(side(from, to));
     }
   });
   std::vector<Tessellation::Border> result;

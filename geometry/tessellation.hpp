@@ -30,10 +30,10 @@ struct Grading {
   double growth = 0.2;                      // of the distance of neighbouring points per distance from there
 };
 
-/// The lattice with its squares wherever nothing disturbs it, and triangles (constrained Delaunay) between it and edges, holes
-/// and cracks that do not follow it; lattice points closer than 0.6 spacings to those are left out. With a grading, triangles
-/// all over. `singles`: places that get a point of their own.
-/// Throws std::invalid_argument where the pieces of edges and cracks cross each other.
+/// The lattice with its squares wherever nothing disturbs it, and triangles (constrained Delaunay) between it and
+/// edges, holes and cracks that do not follow it; lattice points closer than 0.6 spacings to those are left out. With a
+/// grading, triangles all over. `singles`: places that get a point of their own. Throws std::invalid_argument where the
+/// pieces of edges and cracks cross each other.
 Tessellation tessellation(const Outline& outline, const std::vector<CrackPath>& cracks, double spacing,
                           const std::vector<Point>& singles, const Grading& grading);
 

@@ -43,7 +43,7 @@ public:
     if (options_.progress) options_.progress(solutions_);
     const VectorXd rest = without_found(Eigen::Map<const VectorXd>(x, rows()));
     const Forces load = root_mass_.cwiseProduct(Eigen::Map<const Forces>(rest.data(), 3, root_mass_.cols()));
-    const auto solution = conjugate_gradients(plate_, constraints_, shift_, load, solve_);
+    const auto solution = conjugate_gradients(plate_, constraints_, shift_, load, solve_, options_.preconditioner);
     ++solutions_;
     iterations_ += solution.iterations;
     if (!solution.converged)

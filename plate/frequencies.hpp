@@ -2,6 +2,7 @@
 #include <functional>
 #include "plate/constraints.hpp"
 #include "plate/operator.hpp"
+#include "plate/preconditioner.hpp"
 #include "plate/section.hpp"
 
 namespace plate {
@@ -11,6 +12,7 @@ struct FrequencyOptions {
   double tolerance = 1e-4;              // of the eigenvectors; errors of omega^2 are of its second order
   std::size_t max_iterations = 200000;  // of conjugate gradients in each solution
   double shift = 0;                     // sigma [1/time^2] > 0; shift_of() gives one that suits the plate
+  const Preconditioner* preconditioner = nullptr;  // of K; absent: the diagonal of K + sigma M
   std::function<void(std::size_t solution)> progress;  // before each solution of (K + sigma M) q = f
 };
 

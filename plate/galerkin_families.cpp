@@ -18,11 +18,13 @@ std::array<Point, 3> area_gradients(const std::array<Point, 3>& x) {
   return result;
 }
 
-/// Calls visit(triangle, share) for the triangles and for the halves of squares along both diagonals, of which each counts half.
+/// Calls visit(triangle, share) for the triangles and for the halves of squares along both diagonals, of which each
+/// counts half.
 template <typename Visit>
 void for_triangles(const Tessellation& cells, const Visit& visit) {
   for (const auto& [a, b, c, d] : cells.squares)
-    for (const auto& triangle : {Tessellation::Triangle{a, b, c}, {a, c, d}, {a, b, d}, {b, c, d}}) visit(triangle, 0.5);
+    for (const auto& triangle : {Tessellation::Triangle{a, b, c}, {a, c, d}, {a, b, d}, {b, c, d}})
+      visit(triangle, 0.5);
   for (const auto& triangle : cells.triangles) visit(triangle, 1.0);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/tessellation.hpp"
+#include "geometry/cell_parting.hpp"
 
 namespace plate {
 
@@ -30,8 +30,15 @@ GalerkinFamilies galerkin_families(const geometry::Tessellation& cells);
 /// The same for cells whose points have been moved: no two points share anything, squares need not be squares.
 GalerkinFamilies moved_galerkin_families(const geometry::Tessellation& cells);
 
-/// Largest residuals, in spacings, of the two conditions of variational consistency (Bode's thesis, Eqs. 5.16 and 5.24):
-/// sum_k V_k G^k_i = A_i, the normals of the border at i, and sum_k V_k X_k (x) G^k_i = integral of x phi_i n - V_i I.
+/// Families and weights of the points that a parting of the cells has touched, and the shares of bonds of those next to
+/// them; all others stay. Areas are shared out among the points at a place: mass and load stay in sum. `parting`: of
+/// `cells`, after which they are. Not for cells with a grading's own scaling of shear.
+void update(GalerkinFamilies& families, const geometry::Tessellation& cells, const geometry::CellParting& about,
+            const geometry::Parting& parting);
+
+/// Largest residuals, in spacings, of the two conditions of variational consistency (Bode's thesis, Eqs. 5.16
+/// and 5.24): sum_k V_k G^k_i = A_i, the normals of the border at i, and sum_k V_k X_k (x) G^k_i = integral of x phi_i
+/// n - V_i I.
 struct ConsistencyResiduals {
   double first = 0, second = 0;
 };

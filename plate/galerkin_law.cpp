@@ -32,8 +32,9 @@ double family_energy(const GalerkinFamilies& families, const Section& section, s
   const FamilyStrains strains = family_strains(families, k, state);
   const Eigen::Matrix2d kappa = (strains.psi + strains.psi.transpose()) / 2;
   const double nu = stiffness.nu;
-  double energy = families.areas[k] / 2 * (stiffness.D * ((1 - nu) * kappa.squaredNorm() + nu * kappa.trace() * kappa.trace()) +
-                                           stiffness.shear * strains.gamma.squaredNorm());
+  double energy = families.areas[k] / 2 *
+                  (stiffness.D * ((1 - nu) * kappa.squaredNorm() + nu * kappa.trace() * kappa.trace()) +
+                   stiffness.shear * strains.gamma.squaredNorm());
   const auto family = families.families[k];
   const auto* bonds = families.of(k);
   for (std::size_t i = 0; i < family.size(); ++i) {
@@ -42,8 +43,9 @@ double family_energy(const GalerkinFamilies& families, const Section& section, s
     const double length = x.norm();
     const Point n = x / length, r = (psi_of(state, j) - psi_of(state, k)) / length - strains.psi * n;
     const double along = r.dot(n), rho = bond_shear(state, k, j, x) / length - n.dot(strains.gamma);
-    energy += bonds[i].share / 2 * (stiffness.bending_residual * ((1 - nu) / 2 * r.squaredNorm() + (1 + nu) / 2 * along * along) +
-                                    stiffness.shear_residual * rho * rho);
+    energy += bonds[i].share / 2 *
+              (stiffness.bending_residual * ((1 - nu) / 2 * r.squaredNorm() + (1 + nu) / 2 * along * along) +
+               stiffness.shear_residual * rho * rho);
   }
   return energy;
 }
@@ -53,7 +55,8 @@ namespace {
 /// Rows of factors of the degrees of freedom of a family, of which the energy is half the sum of squares.
 class SquareRows {
 public:
-  SquareRows(std::size_t bonds) : rows_(Eigen::MatrixXd::Zero(Eigen::Index(5 + 3 * bonds), Eigen::Index(3 * (bonds + 1)))) {}
+  SquareRows(std::size_t bonds)
+      : rows_(Eigen::MatrixXd::Zero(Eigen::Index(5 + 3 * bonds), Eigen::Index(3 * (bonds + 1)))) {}
 
   using Row = Eigen::RowVectorXd;
   Row zero() const { return Row::Zero(rows_.cols()); }

@@ -8,10 +8,11 @@ namespace plate {
 
 /// Weights of the parts of its energy.
 struct GalerkinWeights {
-  double bending_residual = 0.5;   // t_b, of the bending residuals of bonds
-  double shear_residual = 1;       // t_s, of their shear residuals
-  double shear_scaling = 0.05;     // f = h^2 / (h^2 + this spacing^2): soft where points are wider apart than the plate is thick
-  double residual_scaling = 1;     // e, in the same way
+  double bending_residual = 0.5;  // t_b, of the bending residuals of bonds
+  double shear_residual = 1;      // t_s, of their shear residuals
+  double shear_scaling =
+      0.05;  // f = h^2 / (h^2 + this spacing^2): soft where points are wider apart than the plate is thick
+  double residual_scaling = 1;  // e, in the same way
 };
 
 /// Stiffnesses of one family, by the square of the spacing about it.

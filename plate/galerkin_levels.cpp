@@ -8,7 +8,7 @@
 namespace plate {
 namespace {
 
-constexpr int sweeps = 2;       // before and after
+constexpr int sweeps = 2;      // before and after
 constexpr double share = 1.5;  // weight of a sweep times the largest eigenvalue
 
 }  // namespace
@@ -56,7 +56,8 @@ GalerkinLevels::GalerkinLevels(const GalerkinOperator& plate, const Constraints&
     const auto& held = level == 0 ? constraints : coarser_[level - 1].boundary.constraints;
     Sweeps s{&finer, &held, folded_diagonal(finer, held), {}, {}, {}, {}, {}, {}};
     const double step = stable_time_step(finer, held, s.inverse_diagonal);
-    s.inverse_diagonal = s.inverse_diagonal.unaryExpr([&](double d) { return d > 0 ? share * step * step / 4 / d : 0; });
+    s.inverse_diagonal =
+        s.inverse_diagonal.unaryExpr([&](double d) { return d > 0 ? share * step * step / 4 / d : 0; });
     s.from_coarser = transfer(level == 0 ? seen : coarser_[level - 1].seen, coarser_[level].cells);
     s.to_coarser = transposed(s.from_coarser, coarser_[level].plate.points());
     sweeps_.push_back(std::move(s));
@@ -121,8 +122,10 @@ void GalerkinLevels::apply(const Forces& residual, State& result) const {
 std::size_t GalerkinLevels::bytes() const {
   std::size_t sum = last_->bytes();
   for (const auto& level : coarser_)
-    sum += level.plate.bytes() + level.plate.families().families.bytes() + level.seen.size() * 2 * sizeof(geometry::Point);
-  for (const auto& s : sweeps_) sum += 2 * s.from_coarser.shares.size() * sizeof(Share) + 6 * s.rest.size() * sizeof(double);
+    sum +=
+        level.plate.bytes() + level.plate.families().families.bytes() + level.seen.size() * 2 * sizeof(geometry::Point);
+  for (const auto& s : sweeps_)
+    sum += 2 * s.from_coarser.shares.size() * sizeof(Share) + 6 * s.rest.size() * sizeof(double);
   return sum;
 }
 

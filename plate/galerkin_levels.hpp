@@ -13,8 +13,8 @@ struct GalerkinLevel {
 };
 
 /// The same plate on coarser and coarser points, the last of them factorised, between Jacobi sweeps on each (theory.md,
-/// "Statics"): rotations interpolated in the coarser cells, the deflection with what the rotations add to it in a plate without
-/// shear.
+/// "Statics"): rotations interpolated in the coarser cells, the deflection with what the rotations add to it in a plate
+/// without shear.
 class GalerkinLevels : public Preconditioner {
 public:
   /// `plate`, `constraints` and `seen` must outlive this. `coarser`: at least one.
@@ -23,7 +23,7 @@ public:
 
   void apply(const Forces& residual, State& result) const override;
 
-  std::size_t bytes() const;
+  std::size_t bytes() const override;
 
 private:
   struct Share {

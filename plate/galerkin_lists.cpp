@@ -42,7 +42,8 @@ GalerkinLists::GalerkinLists(const GalerkinFamilies& families, const Section& se
   // by size within pieces that stay in the cache
   constexpr std::size_t piece = 2048;
   for (std::size_t begin = 0; begin < kept_.size(); begin += piece)
-    std::stable_sort(kept_.begin() + std::ptrdiff_t(begin), kept_.begin() + std::ptrdiff_t(std::min(kept_.size(), begin + piece)),
+    std::stable_sort(kept_.begin() + std::ptrdiff_t(begin),
+                     kept_.begin() + std::ptrdiff_t(std::min(kept_.size(), begin + piece)),
                      [&](auto a, auto b) { return families.families[a].size() < families.families[b].size(); });
   for (std::size_t first = 0; first < kept_.size(); first += lanes) add_block(families, section, first);
   find_slots(families, points);
@@ -74,10 +75,10 @@ void GalerkinLists::add_block(const GalerkinFamilies& families, const Section& s
       const Point& x = families.families.vectors()[family[b].vector_id];
       const auto& bond = families.of(k)[b];
       const double length = x.norm(), nx = x.x() / length, ny = x.y() / length, c = bond.share;
-      const std::array<double, bond_numbers> numbers{nx, ny, 1 / length, bond.gradient.x() * length,
-                                                     bond.gradient.y() * length, c};
+      const std::array<double, bond_numbers> numbers{
+          nx, ny, 1 / length, bond.gradient.x() * length, bond.gradient.y() * length, c};
       for (std::size_t n = 0; n < bond_numbers; ++n) bonds_[(at * bond_numbers + n) * lanes + lane] = numbers[n];
-      const std::array<double, 8> products{nx * nx,           nx * ny,           ny * ny,          nx * nx * nx * nx,
+      const std::array<double, 8> products{nx * nx,           nx * ny,           ny * ny,           nx * nx * nx * nx,
                                            nx * nx * nx * ny, nx * nx * ny * ny, nx * ny * ny * ny, ny * ny * ny * ny};
       for (std::size_t n = 0; n < products.size(); ++n) sums[4 + n] += c * products[n];
     }
@@ -112,7 +113,9 @@ void GalerkinLists::act(std::size_t block, const State& state) const {
   const auto [first, count] = blocks_[block];
   const std::uint32_t* const owners = kept_lanes_.data() + block * lanes;
   const Vector own_w = gather(w, owners), own_x = -gather(theta_y, owners), own_y = gather(theta_x, owners);
-  const auto number = [&](std::size_t b, std::size_t n) { return loaded(bonds_.data() + ((first + b) * bond_numbers + n) * lanes); };
+  const auto number = [&](std::size_t b, std::size_t n) {
+    return loaded(bonds_.data() + ((first + b) * bond_numbers + n) * lanes);
+  };
 
   Vector turn_x[most_bonds], turn_y[most_bonds], shear[most_bonds];  // (psi_i - psi_k) / length, bond shear angle
   Vector Hxx = 0, Hxy = 0, Hyx = 0, Hyy = 0, gamma_x = 0, gamma_y = 0;
@@ -120,7 +123,8 @@ void GalerkinLists::act(std::size_t block, const State& state) const {
   for (std::size_t b = 0; b < count; ++b) {
     const std::uint32_t* const members = members_.data() + (first + b) * lanes;
     const Vector x = -gather(theta_y, members), y = gather(theta_x, members);
-    const Vector nx = number(b, 0), ny = number(b, 1), inverse = number(b, 2), Gx = number(b, 3), Gy = number(b, 4), c = number(b, 5);
+    const Vector nx = number(b, 0), ny = number(b, 1), inverse = number(b, 2), Gx = number(b, 3), Gy = number(b, 4),
+                 c = number(b, 5);
     const Vector ux = (x - own_x) * inverse, uy = (y - own_y) * inverse;
     const Vector g = (gather(w, members) - own_w) * inverse - 0.5 * (nx * (x + own_x) + ny * (y + own_y));
     turn_x[b] = ux, turn_y[b] = uy, shear[b] = g;
@@ -136,23 +140,27 @@ void GalerkinLists::act(std::size_t block, const State& state) const {
   const auto sum = [&](std::size_t n) { return loaded(own + n * lanes); };
   const double less = (1 - poisson_) / 2, more = (1 + poisson_) / 2;
   const Vector VD = sum(0), VS = sum(1), bending = sum(2), residual = sum(3);
-  const Vector xx = sum(4), xy = sum(5), yy = sum(6), xxxx = sum(7), xxxy = sum(8), xxyy = sum(9), xyyy = sum(10), yyyy = sum(11);
+  const Vector xx = sum(4), xy = sum(5), yy = sum(6), xxxx = sum(7), xxxy = sum(8), xxyy = sum(9), xyyy = sum(10),
+               yyyy = sum(11);
   // moments less the sum of t (x) n, shear force less the sum of tau n
   const Vector twist = VD * less * (Hxy + Hyx);
-  const Vector Mxx = VD * (Hxx + poisson_ * Hyy) - bending * (less * (Axx - Hxx * xx - Hxy * xy) +
-                                                               more * (Bxx - Hxx * xxxx - (Hxy + Hyx) * xxxy - Hyy * xxyy));
+  const Vector Mxx =
+      VD * (Hxx + poisson_ * Hyy) -
+      bending * (less * (Axx - Hxx * xx - Hxy * xy) + more * (Bxx - Hxx * xxxx - (Hxy + Hyx) * xxxy - Hyy * xxyy));
   const Vector cross = more * (Bxy - Hxx * xxxy - (Hxy + Hyx) * xxyy - Hyy * xyyy);
   const Vector Mxy = twist - bending * (less * (Axy - Hxx * xy - Hxy * yy) + cross);
   const Vector Myx = twist - bending * (less * (Ayx - Hyx * xx - Hyy * xy) + cross);
-  const Vector Myy = VD * (Hyy + poisson_ * Hxx) - bending * (less * (Ayy - Hyx * xy - Hyy * yy) +
-                                                               more * (Byy - Hxx * xxyy - (Hxy + Hyx) * xyyy - Hyy * yyyy));
+  const Vector Myy =
+      VD * (Hyy + poisson_ * Hxx) -
+      bending * (less * (Ayy - Hyx * xy - Hyy * yy) + more * (Byy - Hxx * xxyy - (Hxy + Hyx) * xyyy - Hyy * yyyy));
   const Vector Qx = VS * gamma_x - residual * (shear_x - xx * gamma_x - xy * gamma_y);
   const Vector Qy = VS * gamma_y - residual * (shear_y - xy * gamma_x - yy * gamma_y);
 
   // gradients of the energy: phi on w of the member, m on its psi; the owner takes the opposite, and both the lever
   Vector sum_w = 0, sum_x = 0, sum_y = 0;
   for (std::size_t b = 0; b < count; ++b) {
-    const Vector nx = number(b, 0), ny = number(b, 1), inverse = number(b, 2), Gx = number(b, 3), Gy = number(b, 4), c = number(b, 5);
+    const Vector nx = number(b, 0), ny = number(b, 1), inverse = number(b, 2), Gx = number(b, 3), Gy = number(b, 4),
+                 c = number(b, 5);
     const Vector rx = turn_x[b] - Hxx * nx - Hxy * ny, ry = turn_y[b] - Hyx * nx - Hyy * ny;
     const Vector along = more * (rx * nx + ry * ny), weight = c * bending;
     const Vector tau = c * residual * (shear[b] - nx * gamma_x - ny * gamma_y);
@@ -187,7 +195,8 @@ void GalerkinLists::internal_force(const State& state, Forces& forces) const {
 }
 
 std::size_t GalerkinLists::bytes() const {
-  return sizeof(std::uint32_t) * (kept_.size() + kept_lanes_.size() + members_.size() + points_.size() + slots_.size()) +
+  return sizeof(std::uint32_t) *
+             (kept_.size() + kept_lanes_.size() + members_.size() + points_.size() + slots_.size()) +
          sizeof(double) * (bonds_.size() + families_.size() + given_.size()) + sizeof(Block) * blocks_.size() +
          sizeof(std::size_t) * first_slot_.size();
 }

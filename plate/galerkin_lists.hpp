@@ -3,8 +3,8 @@
 
 namespace plate {
 
-/// The points of a Galerkin plate that are in no row of lattice points, with the families that act on them: as many families
-/// at once as a machine vector has lanes.
+/// The points of a Galerkin plate that are in no row of lattice points, with the families that act on them: as many
+/// families at once as a machine vector has lanes.
 class GalerkinLists {
 public:
   /// `points`: those in no row.
@@ -30,14 +30,15 @@ private:
   std::vector<std::uint32_t> kept_;        // sorted so that families of one size are side by side
   std::vector<std::uint32_t> kept_lanes_;  // the same by blocks, the last one filled up
   std::vector<Block> blocks_;
-  std::vector<std::uint32_t> members_;     // per bond and lane
-  std::vector<double> bonds_;              // per bond: direction, 1 / length, gradient times length, share; lanes of each
-  std::vector<double> families_;           // per block: stiffnesses and sums over the bonds; lanes of each
-  std::vector<std::uint32_t> points_;      // in no row
-  std::vector<std::size_t> first_slot_;    // per point of those
-  std::vector<std::uint32_t> slots_;       // where families leave forces for it
+  std::vector<std::uint32_t> members_;   // per bond and lane
+  std::vector<double> bonds_;            // per bond: direction, 1 / length, gradient times length, share; lanes of each
+  std::vector<double> families_;         // per block: stiffnesses and sums over the bonds; lanes of each
+  std::vector<std::uint32_t> points_;    // in no row
+  std::vector<std::size_t> first_slot_;  // per point of those
+  std::vector<std::uint32_t> slots_;     // where families leave forces for it
   double poisson_;
-  mutable std::vector<double> given_;      // force and couples that families leave: per bond and family, three rows of lanes
+  mutable std::vector<double>
+      given_;  // force and couples that families leave: per bond and family, three rows of lanes
 };
 
 }  // namespace plate

@@ -47,7 +47,8 @@ void GalerkinOperator::absolute_product(const State& state, Forces& forces) cons
     const auto family = families_.families[k];
     Eigen::VectorXd own(K.cols());
     own.head<3>() = state.col(k);
-    for (std::size_t b = 0; b < family.size(); ++b) own.segment<3>(Eigen::Index(3 * (b + 1))) = state.col(family[b].neighbour);
+    for (std::size_t b = 0; b < family.size(); ++b)
+      own.segment<3>(Eigen::Index(3 * (b + 1))) = state.col(family[b].neighbour);
     return K.cwiseAbs() * own;
   };
   gather(local, forces);

@@ -11,7 +11,8 @@ constexpr int reach = 2, width = 5;
 constexpr auto shortest_row = std::size_t(Lane<double>::size());
 constexpr std::size_t longest_row = 256;  // pieces of work for threads
 
-/// Neighbours of a point in the 25 places about it; nothing where one is missing or has another kind of family within its own.
+/// Neighbours of a point in the 25 places about it; nothing where one is missing or has another kind of family within
+/// its own.
 std::optional<std::array<std::int32_t, 5>> steps_about(const GalerkinFamilies& f, std::uint32_t k, double spacing) {
   if (f.kind[k] != 0) return std::nullopt;
   std::array<std::int32_t, 5> steps{};
@@ -73,7 +74,8 @@ GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const Section& sect
     place.push_back(families.families.vectors()[bond.vector_id] / spacing);
   for (std::size_t a = 0; a < place.size(); ++a)
     for (std::size_t b = 0; b < place.size(); ++b) {
-      const auto at = std::lround((place[b] - place[a]).y() + reach) * width + std::lround((place[b] - place[a]).x() + reach);
+      const auto at =
+          std::lround((place[b] - place[a]).y() + reach) * width + std::lround((place[b] - place[a]).x() + reach);
       for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t d = 0; d < 3; ++d)
           factors_[std::size_t(at) * 9 + 3 * c + d] -= K(Eigen::Index(3 * a + c), Eigen::Index(3 * b + d));

@@ -4,8 +4,8 @@
 
 namespace plate {
 
-/// Rows of lattice points whose forces come from the 25 points about each with the same factors: the families of a point and
-/// of its neighbours, summed once for all.
+/// Rows of lattice points whose forces come from the 25 points about each with the same factors: the families of a
+/// point and of its neighbours, summed once for all.
 class GalerkinRows {
 public:
   GalerkinRows(const GalerkinFamilies& families, const Section& section);
@@ -23,7 +23,8 @@ private:
     std::uint32_t first, length;
     std::array<std::int32_t, 5> step;  // to the middle of the five rows of points about it
   };
-  using Factors = std::array<double, 225>;  // 25 places, lowest row first; of each the force's component, then the state's
+  using Factors =
+      std::array<double, 225>;  // 25 places, lowest row first; of each the force's component, then the state's
 
   template <typename Apply>
   void apply(const Apply& apply) const;

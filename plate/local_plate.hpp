@@ -16,7 +16,7 @@ public:
 
   void apply(const Forces& residual, State& result) const override;
 
-  std::size_t bytes() const { return factor_->bytes(); }
+  std::size_t bytes() const override { return factor_->bytes(); }
 
 private:
   const FamilyOperator& plate_;
@@ -38,7 +38,7 @@ public:
   /// P^T K P u = P^T f for several loads at once.
   std::vector<State> solve(const std::vector<Forces>& loads) const;
 
-  std::size_t bytes() const { return factor_->bytes(); }
+  std::size_t bytes() const override { return factor_->bytes(); }
 
 private:
   const Constraints& constraints_;

@@ -10,6 +10,8 @@ public:
 
   /// result = M^-1 residual, zero at held degrees of freedom, as `residual` is [3 x points].
   virtual void apply(const Forces& residual, State& result) const = 0;
+
+  virtual std::size_t bytes() const = 0;
 };
 
 }  // namespace plate

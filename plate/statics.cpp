@@ -169,7 +169,8 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
 }
 
 StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& shift,
-                                   const Forces& load, const StaticOptions& options) {
+                                   const Forces& load, const StaticOptions& options,
+                                   const Preconditioner* preconditioner) {
   const auto product = [&](State& direction, Forces& forces) {
     constraints.impose(direction);
     plate.internal_force(direction, forces);
@@ -177,7 +178,7 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
     forces -= shift.cwiseProduct(direction);
   };
   const Forces weight = inverse(folded_diagonal(plate, constraints) + shift);
-  return iterate(product, constraints, weight, nullptr, load, options);
+  return iterate(product, constraints, weight, preconditioner, load, options);
 }
 
 }  // namespace plate

@@ -36,6 +36,7 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
 
 /// The same for the stiffness K + diag(shift), shift >= 0 and zero at held degrees of freedom [3 x points].
 StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& shift,
-                                   const Forces& load, const StaticOptions& options);
+                                   const Forces& load, const StaticOptions& options,
+                                   const Preconditioner* preconditioner = nullptr);
 
 }  // namespace plate

@@ -14,7 +14,7 @@ public:
 
   void apply(const Forces& residual, State& result) const override;
 
-  std::size_t bytes() const { return factor_->bytes(); }
+  std::size_t bytes() const override { return factor_->bytes(); }
 
 private:
   std::vector<MatrixColumn> coarse_stiffness(const FamilyOperator& local) const;

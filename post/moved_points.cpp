@@ -71,8 +71,8 @@ private:
 
   plate::Section section_;
   double step_;
-  std::vector<std::uint32_t> points_;      // of the plate, by the numbers of the moved families
-  plate::GalerkinFamilies moved_[2];       // one step ahead, one step back
+  std::vector<std::uint32_t> points_;  // of the plate, by the numbers of the moved families
+  plate::GalerkinFamilies moved_[2];   // one step ahead, one step back
   std::vector<std::size_t> changed_;
 };
 

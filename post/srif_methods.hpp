@@ -44,6 +44,8 @@ private:
 
   geometry::Tip tip_;
   plate::Section section_;
+  bool galerkin_;
+  double least_error_;  // of the estimates
   const std::vector<geometry::Point>& positions_;
   std::vector<std::string> methods_, left_out_;
   TipSurroundings surroundings_;

@@ -1,5 +1,5 @@
-// The Galerkin plate of the program: patch tests, locking, spectrum, convergence. Figures to compare with are those of the
-// formulation's first implementation (theory.md, "The Galerkin plate").
+// The Galerkin plate of the program: patch tests, locking, spectrum, convergence. Figures to compare with are those of
+// the formulation's first implementation (theory.md, "The Galerkin plate").
 #include <catch2/catch.hpp>
 
 #include "plate/exact.hpp"
@@ -60,7 +60,8 @@ double centre_error(int cells, double thickness, SupportKind kind) {
   c.supports = {vp::held_all_round(kind)};
   const auto a = vp::assembled(c);
   const AssembledPlate factor(a.galerkin()->op, a.boundary.constraints);
-  const double w = factor.solve({vp::loads(a)})[0](0, Eigen::Index(geometry::nearest_plate_point(a.boundary.cloud, {0.5, 0.5})));
+  const double w =
+      factor.solve({vp::loads(a)})[0](0, Eigen::Index(geometry::nearest_plate_point(a.boundary.cloud, {0.5, 0.5})));
   gs::Plate plate;
   plate.thickness = thickness;
   const double exact = kind == SupportKind::clamped ? gs::ritz_deflection(plate, gs::Held::clamped, 22)
@@ -79,7 +80,8 @@ TEST_CASE("Galerkin plate: constant curvature and constant shear are solutions o
       const double D = section.bending_stiffness(), rounding = thickness == 0.1 ? 1e-11 : 1e-8;
       for (const Eigen::Vector3d& k : {Eigen::Vector3d(1, 0, 0), {0, 1, 0}, {0, 0, 1}}) {
         Load load;
-        load.kind = Load::Kind::edge_moment, load.has_tensor = true, load.edges = cells.names, load.edges.push_back("crack");
+        load.kind = Load::Kind::edge_moment, load.has_tensor = true, load.edges = cells.names,
+        load.edges.push_back("crack");
         load.tensor = {-D * (k[0] + 0.3 * k[1]), -D * (k[1] + 0.3 * k[0]), -D * 0.7 * k[2]};
         auto named = cells;
         named.names.push_back("crack");
@@ -89,8 +91,7 @@ TEST_CASE("Galerkin plate: constant curvature and constant shear are solutions o
         op.internal_force(gp::bent(cells, k[0], k[1], k[2]), force);
         const Forces edge = nodal_forces(load, named, families.areas);
         const double off = (force + edge).cwiseAbs().maxCoeff() / edge.cwiseAbs().maxCoeff();
-        WARN("curvature " << thickness << " off " << off);
-        CHECK(off < rounding);
+        CHECK(off < rounding);  // measured: 9e-13; 2e-11 for the thin plate
       }
       const Point gamma(1, 0.5);
       Forces force;
@@ -98,19 +99,30 @@ TEST_CASE("Galerkin plate: constant curvature and constant shear are solutions o
       const GalerkinStiffness stiffness(section, families.square(0));
       const Forces load = shear_load(cells, families, stiffness.shear * gamma);
       const double off = (force + load).cwiseAbs().maxCoeff() / load.cwiseAbs().maxCoeff();
-      WARN("shear " << thickness << " off " << off << " graded " << cells.graded);
-      CHECK(off < (cells.graded ? 1 : rounding));
+      if (!cells.graded) CHECK(off < rounding);  // measured: 4e-15
     }
 }
 
-TEST_CASE("Galerkin plate: deflections of squares, thick to thin") {
-  for (const double thickness : {0.1, 0.01, 0.001, 0.0001})
-    for (const int cells : {8, 16, 32})
-      WARN("h " << thickness << " N " << cells << " simply " << centre_error(cells, thickness, SupportKind::simply_supported_hard)
-                << " clamped " << centre_error(cells, thickness, SupportKind::clamped));
+TEST_CASE("Galerkin plate: deflections of squares, thick to thin, do not lock") {
+  struct Row {
+    double thickness;
+    std::array<double, 3> simply, clamped;  // percent, with 8, 16 and 32 cells: measured
+  };
+  for (const auto& row :
+       {Row{0.1, {0.52, 0.152, 0.0413}, {8.20, 2.23, 0.575}}, Row{0.01, {0.30, 0.088, 0.0254}, {8.31, 2.58, 0.727}},
+        Row{0.001, {0.30, 0.086, 0.0240}, {8.12, 2.49, 0.700}},
+        Row{0.0001, {0.30, 0.086, 0.0240}, {8.12, 2.49, 0.699}}})
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int cells = 8 << i;
+      INFO("thickness " << row.thickness << ", " << cells << " cells");
+      CHECK(centre_error(cells, row.thickness, SupportKind::simply_supported_hard) ==
+            Approx(row.simply[i]).epsilon(0.02));
+      CHECK(centre_error(cells, row.thickness, SupportKind::clamped) == Approx(row.clamped[i]).epsilon(0.02));
+    }
 }
 
-TEST_CASE("Galerkin plate: cantilever under a shear force at its end") {
+TEST_CASE("Galerkin plate: a cantilever converges with the second order") {
+  double w_before = 0, psi_before = 0;
   for (const double spacing : {0.1, 0.05, 0.025}) {
     auto c = galerkin(vp::free_plate(geometry::rectangle(0, 0, 1.2, 0.8), spacing));
     c.section = of_thickness(0.1, 0);
@@ -126,25 +138,39 @@ TEST_CASE("Galerkin plate: cantilever under a shear force at its end") {
       w_off = std::max(w_off, std::abs(u(0, k) - (L * x * x / 2 - x * x * x / 6) / D - x / S) / w_end);
       psi_off = std::max(psi_off, std::abs(-u(2, k) - (L * x - x * x / 2) / D) / psi_end);
     }
-    WARN("cantilever " << spacing << " w " << w_off << " psi " << psi_off);
+    CAPTURE(spacing, w_off, psi_off);
+    if (w_before > 0) {
+      CHECK(std::log2(w_before / w_off) > 1.9);      // measured: 1.97, 1.99
+      CHECK(std::log2(psi_before / psi_off) > 1.9);  // measured: 1.94, 1.94
+    }
+    if (spacing == 0.05) CHECK(w_off < 6.4e-4);    // measured: 6.25e-4
+    if (spacing == 0.05) CHECK(psi_off < 1.1e-3);  // measured: 1.08e-3
+    w_before = w_off, psi_before = psi_off;
   }
 }
 
 TEST_CASE("Galerkin plate: spectrum of a free square") {
-  for (const double thickness : {0.1, 0.01}) {
+  struct Row {
+    double thickness;
+    std::array<double, 5> off;  // percent of f4, f6, f10, f20, f30: measured
+  };
+  for (const auto& row :
+       {Row{0.1, {-0.102, -0.912, -1.995, -3.374, -5.811}}, Row{0.01, {-0.424, -0.954, -2.084, -3.558, -5.620}}}) {
     auto c = galerkin(vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.05));
-    c.section = of_thickness(thickness);
+    c.section = of_thickness(row.thickness);
     c.section.density = 1;
     const auto a = vp::assembled(c);
-    const auto families = a.galerkin()->op.families();
-    const Eigen::MatrixXd K = gp::stiffness(families, c.section);
-    const Forces mass = mass_of(c, a);
-    const Eigen::VectorXd root = mass.reshaped<Eigen::ColMajor>().cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(root.asDiagonal() * K * root.asDiagonal(), Eigen::EigenvaluesOnly);
+    const Eigen::MatrixXd K = gp::stiffness(a.galerkin()->op.families(), c.section);
+    const Eigen::VectorXd root = mass_of(c, a).reshaped<Eigen::ColMajor>().cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(root.asDiagonal() * K * root.asDiagonal(),
+                                                               Eigen::EigenvaluesOnly);
     gs::Plate plate;
-    plate.thickness = thickness;
+    plate.thickness = row.thickness;
     const Eigen::VectorXd ritz = gs::ritz_frequencies(plate, 14);
-    for (const int n : {4, 6, 10, 20, 30})
-      WARN("h " << thickness << " f" << n << " " << 100 * (std::sqrt(eigen.eigenvalues()[n - 1] / ritz[n - 1]) - 1));
+    const std::array<int, 5> modes{4, 6, 10, 20, 30};
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      const auto n = Eigen::Index(modes[i] - 1);
+      CHECK(100 * (std::sqrt(eigen.eigenvalues()[n] / ritz[n]) - 1) == Approx(row.off[i]).margin(0.02));
+    }
   }
 }

@@ -93,7 +93,8 @@ TEST_CASE("cells fill the plate, each turning to the left") {
     double wanted = area(scene.outline);
     if (!scene.outline.holes.empty() && std::holds_alternative<Circle>(scene.outline.holes[0]))
       wanted += chord_area(cells, round_hole);
-    CHECK(cell_area(cells) == Approx(wanted).epsilon(1e-5));  // measured: 4e-6 where places are rounded to 2^-20 spacings
+    CHECK(cell_area(cells) ==
+          Approx(wanted).epsilon(1e-5));  // measured: 4e-6 where places are rounded to 2^-20 spacings
   }
 }
 
@@ -123,7 +124,8 @@ TEST_CASE("every face of a crack lies on it, once to either side") {
       ++sides[{{a.x(), a.y()}, {b.x(), b.y()}}];
       length += (b - a).norm();
       double nearest = 1;
-      for (const auto& crack : scene.cracks) nearest = std::min({nearest, std::max(distance(crack, a), distance(crack, b))});
+      for (const auto& crack : scene.cracks)
+        nearest = std::min({nearest, std::max(distance(crack, a), distance(crack, b))});
       CHECK(nearest < 2e-6 * scene.spacing);
     }
     for (const auto& [side, times] : sides) {
@@ -138,7 +140,8 @@ TEST_CASE("every face of a crack lies on it, once to either side") {
 
 TEST_CASE("a tip is one point, a place on a crack has two, a crossing four, a place asked for has one") {
   const auto at = [](const Tessellation& cells, const Point& x) {
-    return std::count_if(cells.positions.begin(), cells.positions.end(), [&](const Point& p) { return (p - x).norm() < 1e-6; });
+    return std::count_if(cells.positions.begin(), cells.positions.end(),
+                         [&](const Point& p) { return (p - x).norm() < 1e-6; });
   };
   const auto crossing = cells_of({plate, {{{-0.5, 0}, {0.5, 0}}, {{0, -0.45}, {0, 0.45}}}, 0.1});
   CHECK(at(crossing, {0.5, 0}) == 1);

@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
-#include <Eigen/Eigenvalues>
 #include <omp.h>
+#include <Eigen/Eigenvalues>
+#include <catch2/catch.hpp>
 
 #include "plate/resultants.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
@@ -25,7 +25,8 @@ TEST_CASE("the force of the Galerkin plate is minus the derivative of its energy
     Forces force;
     op.internal_force(u, force);
     const double ahead = energy(op.families(), gp::section, u + v), back = energy(op.families(), gp::section, u - v);
-    CHECK(-force.cwiseProduct(v).sum() == Approx((ahead - back) / 2).epsilon(1e-11));  // measured: 1e-13; it is quadratic
+    CHECK(-force.cwiseProduct(v).sum() ==
+          Approx((ahead - back) / 2).epsilon(1e-11));  // measured: 1e-13; it is quadratic
     CHECK(op.energies(u).sum() == Approx(energy(op.families(), gp::section, u)).epsilon(1e-12));
     CHECK(-force.cwiseProduct(u).sum() == Approx(2 * energy(op.families(), gp::section, u)).epsilon(1e-12));
   }
@@ -46,8 +47,10 @@ TEST_CASE("the rows and lists of the Galerkin plate are the sum of its families"
       Forces force, absolute;
       op.internal_force(u, force);
       const double scale = (K * u.reshaped<Eigen::ColMajor>()).cwiseAbs().maxCoeff();
-      CHECK((force.reshaped<Eigen::ColMajor>() + K * u.reshaped<Eigen::ColMajor>()).cwiseAbs().maxCoeff() < 1e-13 * scale);
-      CHECK((op.diagonal().reshaped<Eigen::ColMajor>() - K.diagonal()).cwiseAbs().maxCoeff() < 1e-13 * K.diagonal().maxCoeff());
+      CHECK((force.reshaped<Eigen::ColMajor>() + K * u.reshaped<Eigen::ColMajor>()).cwiseAbs().maxCoeff() <
+            1e-13 * scale);
+      CHECK((op.diagonal().reshaped<Eigen::ColMajor>() - K.diagonal()).cwiseAbs().maxCoeff() <
+            1e-13 * K.diagonal().maxCoeff());
       const State positive = u.cwiseAbs();
       op.absolute_product(positive, absolute);
       const Eigen::VectorXd least = K.cwiseAbs() * positive.reshaped<Eigen::ColMajor>();
@@ -56,7 +59,8 @@ TEST_CASE("the rows and lists of the Galerkin plate are the sum of its families"
 }
 
 TEST_CASE("any number of threads gives the same force") {
-  const GalerkinOperator op(galerkin_families(gp::cells(gp::with_hole(), 0.02, {{{0.8, 0.42}, {1.0, 0.47}}})), gp::section);
+  const GalerkinOperator op(galerkin_families(gp::cells(gp::with_hole(), 0.02, {{{0.8, 0.42}, {1.0, 0.47}}})),
+                            gp::section);
   const State u = gp::random_state(op.points(), 4);
   const int before = omp_get_max_threads();
   Forces one, three;
@@ -84,7 +88,8 @@ TEST_CASE("constant curvature has its moments, no shear, and no force but on the
       for (const auto& border : cells.borders) {
         const geometry::Point along = cells.positions[border.to] - cells.positions[border.from];
         const geometry::Point half(along.y() / 2, -along.x() / 2);
-        const geometry::Point m(wanted[0] * half.x() + wanted[2] * half.y(), wanted[2] * half.x() + wanted[1] * half.y());
+        const geometry::Point m(wanted[0] * half.x() + wanted[2] * half.y(),
+                                wanted[2] * half.x() + wanted[1] * half.y());
         for (const auto p : {border.from, border.to}) edge.col(p) += Eigen::Vector3d(0, -m.y(), m.x());
       }
       CHECK((force + edge).cwiseAbs().maxCoeff() < 1e-11 * edge.cwiseAbs().maxCoeff());
