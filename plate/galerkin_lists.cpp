@@ -27,6 +27,76 @@ void store(const Vector& value, double* to) {
   value.copy_to(to, simd::element_aligned);
 }
 
+/// A bond of every lane.
+struct BondLanes {
+  Vector x, y, inverse, Gx, Gy, share;
+
+  BondLanes(const double* bonds, std::size_t b)
+      : x(number(bonds, b, 0)),
+        y(number(bonds, b, 1)),
+        inverse(number(bonds, b, 2)),
+        Gx(number(bonds, b, 3)),
+        Gy(number(bonds, b, 4)),
+        share(number(bonds, b, 5)) {}
+
+private:
+  static Vector number(const double* bonds, std::size_t b, std::size_t n) {
+    return loaded(bonds + (b * bond_numbers + n) * lanes);
+  }
+};
+
+/// Strains of the families of all lanes, and sums over their bonds that the residuals need.
+struct Strains {
+  Vector turn_x[most_bonds], turn_y[most_bonds], shear[most_bonds];  // (psi_i - psi_k) / length, bond shear angle
+  Vector Hxx = 0, Hxy = 0, Hyx = 0, Hyy = 0, gamma_x = 0, gamma_y = 0;
+  // sums of share (turn (x) n), of share (turn . n) n (x) n and of share shear n
+  Vector Axx = 0, Axy = 0, Ayx = 0, Ayy = 0, Bxx = 0, Bxy = 0, Byy = 0, shear_x = 0, shear_y = 0;
+
+  Strains(const State& state, const std::uint32_t* owners, const std::uint32_t* members, const double* bonds,
+          std::size_t count) {
+    const double* const w = state.row(0).data();
+    const double* const theta_x = state.row(1).data();
+    const double* const theta_y = state.row(2).data();
+    const Vector own_w = gather(w, owners), own_x = -gather(theta_y, owners), own_y = gather(theta_x, owners);
+    for (std::size_t b = 0; b < count; ++b, members += lanes) {
+      const BondLanes n(bonds, b);
+      const Vector x = -gather(theta_y, members), y = gather(theta_x, members);
+      const Vector ux = (x - own_x) * n.inverse, uy = (y - own_y) * n.inverse;
+      const Vector g = (gather(w, members) - own_w) * n.inverse - 0.5 * (n.x * (x + own_x) + n.y * (y + own_y));
+      turn_x[b] = ux, turn_y[b] = uy, shear[b] = g;
+      Hxx += ux * n.Gx, Hxy += ux * n.Gy, Hyx += uy * n.Gx, Hyy += uy * n.Gy;
+      gamma_x += g * n.Gx, gamma_y += g * n.Gy;
+      const Vector cx = n.share * n.x, cy = n.share * n.y, along = ux * n.x + uy * n.y;
+      Axx += ux * cx, Axy += ux * cy, Ayx += uy * cx, Ayy += uy * cy;
+      Bxx += along * n.x * cx, Bxy += along * n.x * cy, Byy += along * n.y * cy;
+      shear_x += g * cx, shear_y += g * cy;
+    }
+  }
+};
+
+/// Moments times area less the sum of t (x) n, shear force times area less the sum of tau n.
+struct Resultants {
+  Vector Mxx, Mxy, Myx, Myy, Qx, Qy;
+
+  Resultants(const Strains& e, const double* own, double nu) {
+    const auto sum = [&](std::size_t n) { return loaded(own + n * lanes); };
+    const double less = (1 - nu) / 2, more = (1 + nu) / 2;
+    const Vector VD = sum(0), VS = sum(1), bending = sum(2), residual = sum(3);
+    const Vector xx = sum(4), xy = sum(5), yy = sum(6), xxxx = sum(7), xxxy = sum(8), xxyy = sum(9), xyyy = sum(10),
+                 yyyy = sum(11);
+    const Vector both = e.Hxy + e.Hyx, twist = VD * less * both;
+    const Vector along_xx = more * (e.Bxx - e.Hxx * xxxx - both * xxxy - e.Hyy * xxyy);
+    const Vector along_xy = more * (e.Bxy - e.Hxx * xxxy - both * xxyy - e.Hyy * xyyy);
+    const Vector along_yy = more * (e.Byy - e.Hxx * xxyy - both * xyyy - e.Hyy * yyyy);
+    Mxx = VD * (e.Hxx + nu * e.Hyy) - bending * (less * (e.Axx - e.Hxx * xx - e.Hxy * xy) + along_xx);
+    Mxy = twist - bending * (less * (e.Axy - e.Hxx * xy - e.Hxy * yy) + along_xy);
+    Myx = twist - bending * (less * (e.Ayx - e.Hyx * xx - e.Hyy * xy) + along_xy);
+    Myy = VD * (e.Hyy + nu * e.Hxx) - bending * (less * (e.Ayy - e.Hyx * xy - e.Hyy * yy) + along_yy);
+    Qx = VS * e.gamma_x - residual * (e.shear_x - xx * e.gamma_x - xy * e.gamma_y);
+    Qy = VS * e.gamma_y - residual * (e.shear_y - xy * e.gamma_x - yy * e.gamma_y);
+  }
+};
+
 }  // namespace
 
 GalerkinLists::GalerkinLists(const GalerkinFamilies& families, const Section& section,
@@ -105,73 +175,30 @@ void GalerkinLists::find_slots(const GalerkinFamilies& families, const std::vect
   }
 }
 
-/// One block of families: strains, then what each bond leaves at its member and at its owner.
+/// One block of families: strains, then what each bond leaves at its member and at its owner: gradients of the energy,
+/// phi on w of the member, m on its psi; the owner takes the opposite, and both the lever of phi.
 void GalerkinLists::act(std::size_t block, const State& state) const {
-  const double* const w = state.row(0).data();
-  const double* const theta_x = state.row(1).data();
-  const double* const theta_y = state.row(2).data();
   const auto [first, count] = blocks_[block];
-  const std::uint32_t* const owners = kept_lanes_.data() + block * lanes;
-  const Vector own_w = gather(w, owners), own_x = -gather(theta_y, owners), own_y = gather(theta_x, owners);
-  const auto number = [&](std::size_t b, std::size_t n) {
-    return loaded(bonds_.data() + ((first + b) * bond_numbers + n) * lanes);
-  };
-
-  Vector turn_x[most_bonds], turn_y[most_bonds], shear[most_bonds];  // (psi_i - psi_k) / length, bond shear angle
-  Vector Hxx = 0, Hxy = 0, Hyx = 0, Hyy = 0, gamma_x = 0, gamma_y = 0;
-  Vector Axx = 0, Axy = 0, Ayx = 0, Ayy = 0, Bxx = 0, Bxy = 0, Byy = 0, shear_x = 0, shear_y = 0;
-  for (std::size_t b = 0; b < count; ++b) {
-    const std::uint32_t* const members = members_.data() + (first + b) * lanes;
-    const Vector x = -gather(theta_y, members), y = gather(theta_x, members);
-    const Vector nx = number(b, 0), ny = number(b, 1), inverse = number(b, 2), Gx = number(b, 3), Gy = number(b, 4),
-                 c = number(b, 5);
-    const Vector ux = (x - own_x) * inverse, uy = (y - own_y) * inverse;
-    const Vector g = (gather(w, members) - own_w) * inverse - 0.5 * (nx * (x + own_x) + ny * (y + own_y));
-    turn_x[b] = ux, turn_y[b] = uy, shear[b] = g;
-    Hxx += ux * Gx, Hxy += ux * Gy, Hyx += uy * Gx, Hyy += uy * Gy;
-    gamma_x += g * Gx, gamma_y += g * Gy;
-    const Vector cx = c * nx, cy = c * ny, along = ux * nx + uy * ny;
-    Axx += ux * cx, Axy += ux * cy, Ayx += uy * cx, Ayy += uy * cy;
-    Bxx += along * nx * cx, Bxy += along * nx * cy, Byy += along * ny * cy;
-    shear_x += g * cx, shear_y += g * cy;
-  }
-
+  const double* const bonds = bonds_.data() + first * bond_numbers * lanes;
   const double* const own = families_.data() + block * lanes * family_numbers;
-  const auto sum = [&](std::size_t n) { return loaded(own + n * lanes); };
+  const Strains e(state, kept_lanes_.data() + block * lanes, members_.data() + first * lanes, bonds, count);
+  const Resultants r(e, own, poisson_);
+  const Vector bending = loaded(own + 2 * lanes), residual = loaded(own + 3 * lanes);
   const double less = (1 - poisson_) / 2, more = (1 + poisson_) / 2;
-  const Vector VD = sum(0), VS = sum(1), bending = sum(2), residual = sum(3);
-  const Vector xx = sum(4), xy = sum(5), yy = sum(6), xxxx = sum(7), xxxy = sum(8), xxyy = sum(9), xyyy = sum(10),
-               yyyy = sum(11);
-  // moments less the sum of t (x) n, shear force less the sum of tau n
-  const Vector twist = VD * less * (Hxy + Hyx);
-  const Vector Mxx =
-      VD * (Hxx + poisson_ * Hyy) -
-      bending * (less * (Axx - Hxx * xx - Hxy * xy) + more * (Bxx - Hxx * xxxx - (Hxy + Hyx) * xxxy - Hyy * xxyy));
-  const Vector cross = more * (Bxy - Hxx * xxxy - (Hxy + Hyx) * xxyy - Hyy * xyyy);
-  const Vector Mxy = twist - bending * (less * (Axy - Hxx * xy - Hxy * yy) + cross);
-  const Vector Myx = twist - bending * (less * (Ayx - Hyx * xx - Hyy * xy) + cross);
-  const Vector Myy =
-      VD * (Hyy + poisson_ * Hxx) -
-      bending * (less * (Ayy - Hyx * xy - Hyy * yy) + more * (Byy - Hxx * xxyy - (Hxy + Hyx) * xyyy - Hyy * yyyy));
-  const Vector Qx = VS * gamma_x - residual * (shear_x - xx * gamma_x - xy * gamma_y);
-  const Vector Qy = VS * gamma_y - residual * (shear_y - xy * gamma_x - yy * gamma_y);
-
-  // gradients of the energy: phi on w of the member, m on its psi; the owner takes the opposite, and both the lever
   Vector sum_w = 0, sum_x = 0, sum_y = 0;
   for (std::size_t b = 0; b < count; ++b) {
-    const Vector nx = number(b, 0), ny = number(b, 1), inverse = number(b, 2), Gx = number(b, 3), Gy = number(b, 4),
-                 c = number(b, 5);
-    const Vector rx = turn_x[b] - Hxx * nx - Hxy * ny, ry = turn_y[b] - Hyx * nx - Hyy * ny;
-    const Vector along = more * (rx * nx + ry * ny), weight = c * bending;
-    const Vector tau = c * residual * (shear[b] - nx * gamma_x - ny * gamma_y);
-    const Vector phi = (Qx * Gx + Qy * Gy + tau) * inverse;
-    const Vector mx = (Mxx * Gx + Mxy * Gy + weight * (less * rx + along * nx)) * inverse;
-    const Vector my = (Myx * Gx + Myy * Gy + weight * (less * ry + along * ny)) * inverse;
-    const Vector lever = 0.5 * (Qx * Gx + Qy * Gy + tau);  // phi length / 2
+    const BondLanes n(bonds, b);
+    const Vector rx = e.turn_x[b] - e.Hxx * n.x - e.Hxy * n.y, ry = e.turn_y[b] - e.Hyx * n.x - e.Hyy * n.y;
+    const Vector along = more * (rx * n.x + ry * n.y), weight = n.share * bending;
+    const Vector tau = n.share * residual * (e.shear[b] - n.x * e.gamma_x - n.y * e.gamma_y);
+    const Vector phi_length = r.Qx * n.Gx + r.Qy * n.Gy + tau;
+    const Vector mx = (r.Mxx * n.Gx + r.Mxy * n.Gy + weight * (less * rx + along * n.x)) * n.inverse;
+    const Vector my = (r.Myx * n.Gx + r.Myy * n.Gy + weight * (less * ry + along * n.y)) * n.inverse;
+    const Vector phi = phi_length * n.inverse, lever = 0.5 * phi_length;
     double* const to = given_.data() + 3 * lanes * (first + b);
-    // force -phi; couples -(psi_y), +(psi_x)
-    store(-phi, to), store(lever * ny - my, to + lanes), store(mx - lever * nx, to + 2 * lanes);
-    sum_w += phi, sum_x += mx + lever * nx, sum_y += my + lever * ny;
+    // force on w; couples on theta_x = psi_y and theta_y = -psi_x
+    store(-phi, to), store(lever * n.y - my, to + lanes), store(mx - lever * n.x, to + 2 * lanes);
+    sum_w += phi, sum_x += mx + lever * n.x, sum_y += my + lever * n.y;
   }
   double* const to = given_.data() + 3 * lanes * (members_.size() / lanes + block);
   store(sum_w, to), store(sum_y, to + lanes), store(-sum_x, to + 2 * lanes);

@@ -4,6 +4,7 @@
 
 #include "plate/exact.hpp"
 #include "plate/local_plate.hpp"
+#include "plate/resultants.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 #include "tests/verification/galerkin_plate.hpp"
 #include "tests/verification/verified_plate.hpp"
@@ -172,5 +173,34 @@ TEST_CASE("Galerkin plate: spectrum of a free square") {
       const auto n = Eigen::Index(modes[i] - 1);
       CHECK(100 * (std::sqrt(eigen.eigenvalues()[n] / ritz[n]) - 1) == Approx(row.off[i]).margin(0.02));
     }
+  }
+}
+
+TEST_CASE("Galerkin plate: moments about a hole against Reissner's closed form") {
+  // half a side of 40 radii: the edges change the moments at the hole by about its square, 0.1 %
+  for (const double thickness : {0.5, 1.0, 2.0}) {
+    std::vector<double> error;
+    for (const double at_hole : {0.1, 0.05}) {
+      auto outline = geometry::rectangle(-40, -40, 40, 40);
+      outline.holes.push_back(geometry::Circle{{0, 0}, 1, "hole0"});
+      auto c = galerkin(vp::free_plate(outline, 4));
+      c.section = of_thickness(thickness);
+      c.discretization.hole_spacing = at_hole, c.discretization.spacing_growth = 2 * at_hole;
+      c.supports = {{SupportKind::pinned, {}, {{-40, -40}, {40, -40}, {40, 40}}}};
+      auto& load = c.loads[0];
+      load.kind = Load::Kind::edge_moment, load.edges = {"left", "right", "bottom", "top"};
+      load.has_tensor = true, load.tensor = {1, 0, 0};
+      const auto a = vp::assembled(c);
+      const State u = AssembledPlate(a.galerkin()->op, a.boundary.constraints).solve({vp::loads(a)})[0];
+      const auto r = resultants(u, a.galerkin()->op.families(), c.section);
+      const auto top = Eigen::Index(geometry::nearest_plate_point(a.boundary.cloud, {0, 1}));
+      error.push_back(100 * (r.moments(0, top) / exact::hole_moment_concentration(c.section, 1) - 1));
+    }
+    // the mean over the cells at the edge, which reach inwards: of the first order. Measured: -4.3, -2.5 (h/R = 0.5), -4.8, -2.7
+    // (1), -5.1, -2.8 % (2), and half of that at a fortieth of the radius
+    CAPTURE(thickness, error);
+    CHECK(std::abs(error[0]) < 5.2);
+    CHECK(std::abs(error[1]) < 2.9);
+    CHECK(std::log2(error[0] / error[1]) > 0.75);  // measured: 0.80 to 0.86
   }
 }

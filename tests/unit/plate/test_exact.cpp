@@ -66,3 +66,16 @@ TEST_CASE("frequency of a thick plate: the lowest eigenvalue of the amplitudes' 
   }
   CHECK(natural_frequency(thick, 2, 2, 1, 2) == natural_frequency(thick, 2, 2, 2, 1));
 }
+
+TEST_CASE("moments about a hole lie between those of thin plates and of plane stress") {
+  const auto concentration = [](double thickness) {
+    return plate::exact::hole_moment_concentration({1000, 0.3, thickness, 5.0 / 6, 1}, 1);
+  };
+  CHECK(concentration(1e-4) == Approx((5 + 3 * 0.3) / (3 + 0.3)).epsilon(1e-3));
+  CHECK(concentration(1e3) == Approx(3).epsilon(1e-3));
+  double before = 0;
+  for (const double thickness : {0.01, 0.1, 0.5, 1.0, 2.0, 10.0}) {
+    CHECK(concentration(thickness) > before);
+    before = concentration(thickness);
+  }
+}
