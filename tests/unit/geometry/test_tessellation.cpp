@@ -94,7 +94,7 @@ TEST_CASE("cells fill the plate, each turning to the left") {
     if (!scene.outline.holes.empty() && std::holds_alternative<Circle>(scene.outline.holes[0]))
       wanted += chord_area(cells, round_hole);
     CHECK(cell_area(cells) ==
-          Approx(wanted).epsilon(1e-5));  // measured: 4e-6 where places are rounded to 2^-20 spacings
+          Approx(wanted).epsilon(1e-6));  // measured: 6e-8 where places are rounded to 2^-20 spacings
   }
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("points keep their distance from each other") {
     for (const auto& x : families.vectors()) nearest = std::min(nearest, x.norm());
     const double wanted = graded ? *scene.grading.at_tips : scene.spacing;
     INFO("scene with " << cells.squares.size() << " squares, " << cells.triangles.size() << " triangles");
-    CHECK(nearest > 0.3 * wanted);  // measured: 0.34 at a triangular hole's acute corner
+    CHECK(nearest > 0.45 * wanted);  // measured: 0.5
   }
 }
 

@@ -9,8 +9,8 @@ TEST_CASE("the families of the Galerkin plate obey Gauss's theorem for constants
   for (const auto& cells : gp::scenes()) {
     const auto families = gp::families(cells);
     const auto residuals = consistency_residuals(families, cells);
-    CHECK(residuals.first < 1e-13);   // measured: 2e-15
-    CHECK(residuals.second < 1e-13);  // measured: 3e-15
+    CHECK(residuals.first < 1e-13);   // measured: 5e-16
+    CHECK(residuals.second < 1e-13);  // measured: 1e-15
   }
 }
 
