@@ -209,6 +209,13 @@ Fields<SrifOptions> srif_fields() {
                },
                [](const S& options) { return std::string(options.richardson ? "true" : "false"); })
           .in({Analysis::Kind::static_}),
+      value<S>({"second_formulation", "-", "true or false", "false",
+                "also run the case in the other formulation, into a folder of its name within the results; the difference "
+                "counts in the estimated error"},
+               [](const Value& given, S& options) {
+                 if (const auto wanted = given.boolean()) options.second_formulation = *wanted;
+               },
+               [](const S& options) { return std::string(options.second_formulation ? "true" : "false"); }),
       table<S, Normalization>("normalize", Layout::inline_, &S::normalize, normalization_fields(), check_normalization),
       number<S>("half_length", "length", &S::half_length, positive,
                 "the a of the normalisation; required with normalize"),

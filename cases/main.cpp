@@ -31,6 +31,10 @@ void print_result(const post::Summary& summary, const std::filesystem::path& fol
                  normalized ? fmt::format(" {:>9.5f} {:>9.5f} {:>9.5f}", *s.F1, *s.F2, *s.F3) : "",
                  s.estimated_error ? fmt::format("{:.1f} %", 100 * *s.estimated_error) : "");
   }
+  for (const auto& s : summary.srif)
+    if (s.second && (&s == &summary.srif.front() || (&s)[-1].tip != s.tip))
+      fmt::print("tip {}: {} by {} gives K1 {:.6g}, K2 {:.6g}, K3 {:.6g}: {:.2f} % apart\n", s.tip, s.second->formulation,
+                 s.second->method, s.second->K1, s.second->K2, s.second->K3, 100 * s.second->difference);
   if (!summary.frequencies.empty()) fmt::print("{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");
   for (const auto& f : summary.frequencies)
     fmt::print("{:>4} {:>13.6f} {:>13.5f} {:>9.1e}\n", f.mode, f.frequency, f.omega, f.residual);

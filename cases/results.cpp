@@ -143,12 +143,19 @@ std::vector<post::Srif> Results::widened_srifs(const plate::State& state, bool a
   for (auto& srif : result)
     for (const auto& other : coarser_)
       if (other.tip == srif.tip && other.method == srif.method) post::widen(srif, other, case_.section.thickness);
+  const auto& [formulation, rows] = second_;
+  if (srif_rows_.size() >= rows.size()) return result;
+  const auto& row = rows[srif_rows_.size()];
+  for (auto& srif : result)
+    if (const auto other = std::ranges::find(row, srif.tip, &post::Srif::tip); other != row.end())
+      post::compare_with(srif, *other, formulation, case_.section.thickness);
   return result;
 }
 
 void Results::sample_srifs(const plate::Instant& now, bool last) {
   latest_ = widened_srifs(now.state, last);
   post::append(srif_table_, now.time, latest_);
+  srif_rows_.push_back(latest_);
 }
 
 void Results::frame(const plate::Instant& now) {

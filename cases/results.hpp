@@ -29,6 +29,12 @@ public:
 
   /// Intensity factors of the same tips and methods with twice the spacing: the difference counts in estimated errors.
   void coarser(std::vector<post::Srif> srifs) { coarser_ = std::move(srifs); }
+  /// Intensity factors of the same tips in another formulation, row by row, the recommended of each tip first.
+  void second(std::string formulation, std::vector<std::vector<post::Srif>> rows) {
+    second_ = {std::move(formulation), std::move(rows)};
+  }
+  /// Those of every row so far.
+  std::vector<std::vector<post::Srif>> srif_rows() && { return std::move(srif_rows_); }
   /// A row of history, probes and intensity factors; of the last, all rings go into the summary.
   void sample(const plate::Instant& now, bool last);
   /// A frame for ParaView and HDF5, written while the solver goes on. What went wrong with a frame is thrown with the
@@ -57,6 +63,8 @@ private:
   std::vector<post::TipMethods> tip_methods_;
   post::Table history_, probe_table_, srif_table_, frequency_table_;
   std::vector<post::Srif> latest_, coarser_;
+  std::vector<std::vector<post::Srif>> srif_rows_;
+  std::pair<std::string, std::vector<std::vector<post::Srif>>> second_;  // formulation, rows
   std::vector<post::Frequency> frequencies_;
   double strain_energy_ = 0;
   std::future<void> writing_;  // of the last frame; ends before what it writes to

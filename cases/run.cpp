@@ -5,6 +5,7 @@
 #include "cases/static_solution.hpp"
 #include "cases/results.hpp"
 #include "cases/scene.hpp"
+#include "cases/second_formulation.hpp"
 #include "plate/frequencies.hpp"
 #include "plate/numerical_error.hpp"
 #include <algorithm>
@@ -59,6 +60,26 @@ std::vector<post::Srif> coarser_srifs(const CaseFile& file) {
   return srifs(c, assembly, methods, result.solution.state);
 }
 
+/// A case with all that can be refused behind it: nothing has been written or solved yet.
+struct Prepared {
+  struct Steps {
+    double limit;
+    TimeGrid grid;
+  };
+  explicit Prepared(CaseFile wanted) : file(std::move(wanted)), assembly(assemble(file, stopwatch)) {
+    if (file.content.analysis.kind != Analysis::Kind::dynamic) return;
+    const auto mass = mass_of(file.content, assembly);
+    const double limit = plate::stable_time_step(assembly.plate(), assembly.boundary.constraints, mass);
+    steps = {limit, time_grid(file, limit)};
+    stopwatch.lap("solve");
+  }
+
+  CaseFile file;
+  Stopwatch stopwatch;
+  Assembly assembly;
+  std::optional<Steps> steps;  // of dynamics
+};
+
 void solve_static(const Case& c, const Assembly& assembly, Results& results, post::Summary& summary, bool quiet,
                   Stopwatch& stopwatch) {
   using enum Analysis::Method;
@@ -93,13 +114,11 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
                                             solution.stop_reason, solution.residual, c.analysis.tolerance));
 }
 
-void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& results, post::Summary& summary, bool quiet,
-                   Stopwatch& stopwatch) {
-  const Case& c = file.content;
+void solve_dynamic(const Prepared& prepared, Results& results, post::Summary& summary, bool quiet, Stopwatch& stopwatch) {
+  const Case& c = prepared.file.content;
+  const auto& assembly = prepared.assembly;
+  const auto& [limit, grid] = *prepared.steps;
   const auto& constraints = assembly.boundary.constraints;
-  auto mass = mass_of(c, assembly);
-  const double limit = plate::stable_time_step(assembly.plate(), constraints, mass);
-  const TimeGrid grid = time_grid(file, limit);
   summary.analysis.method = "central_difference";
   summary.analysis.time_step = grid.time_step;
   summary.analysis.time_step_limit = limit;
@@ -129,7 +148,7 @@ void solve_dynamic(const CaseFile& file, const Assembly& assembly, Results& resu
                                                            plate::Values<float>& force) {
       rows.internal_force(state, force);
     };
-  plate::central_differences(assembly.plate(), constraints, std::move(mass), assembly.loads, options, observe);
+  plate::central_differences(assembly.plate(), constraints, mass_of(c, assembly), assembly.loads, options, observe);
   summary.analysis.stop_reason = "end of the duration";
 }
 
@@ -185,23 +204,23 @@ TimeGrid time_grid(const CaseFile& file, double limit) {
   return {between / double(steps), rows * steps, steps};
 }
 
-post::Summary run(const CaseFile& file, const RunOptions& options) {
-  Stopwatch stopwatch;
-  const Assembly assembly = assemble(file, stopwatch);
-  post::Summary summary = about(file.content, assembly);
-  Results results(file, assembly, options.folder);
-  stopwatch.lap("output");
-  if (file.content.srif && file.content.srif->richardson) results.coarser(coarser_srifs(file)), stopwatch.lap("srif");
+namespace {
+
+void solve(const Prepared& prepared, Results& results, post::Summary& summary, bool quiet, Stopwatch& stopwatch) {
+  const Case& c = prepared.file.content;
+  switch (c.analysis.kind) {
+    case Analysis::Kind::static_: return solve_static(c, prepared.assembly, results, summary, quiet, stopwatch);
+    case Analysis::Kind::dynamic: return solve_dynamic(prepared, results, summary, quiet, stopwatch);
+    case Analysis::Kind::frequencies: return solve_frequencies(c, prepared.assembly, results, summary, quiet, stopwatch);
+  }
+}
+
+using SrifRows = std::vector<std::vector<post::Srif>>;
+
+post::Summary run(const Prepared& prepared, Results& results, const RunOptions& options, Stopwatch& stopwatch) {
+  post::Summary summary = about(prepared.file.content, prepared.assembly);
   try {
-    switch (file.content.analysis.kind) {
-      case Analysis::Kind::static_:
-        solve_static(file.content, assembly, results, summary, options.quiet, stopwatch);
-        break;
-      case Analysis::Kind::dynamic: solve_dynamic(file, assembly, results, summary, options.quiet, stopwatch); break;
-      case Analysis::Kind::frequencies:
-        solve_frequencies(file.content, assembly, results, summary, options.quiet, stopwatch);
-        break;
-    }
+    solve(prepared, results, summary, options.quiet, stopwatch);
     summary.outcome = "done";
   } catch (const plate::NumericalError& error) {
     summary.outcome = fmt::format("failed: {}", error.what());
@@ -210,6 +229,37 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
     throw;
   }
   return results.finish(std::move(summary), stopwatch);
+}
+
+/// The whole run of a case in its other formulation.
+SrifRows run_second(const Prepared& prepared, const RunOptions& options) {
+  Stopwatch stopwatch = prepared.stopwatch;
+  Results results(prepared.file, prepared.assembly, options.folder);
+  run(prepared, results, options, stopwatch);
+  return std::move(results).srif_rows();
+}
+
+}  // namespace
+
+post::Summary run(const CaseFile& file, const RunOptions& options) {
+  const Prepared prepared(file);
+  Stopwatch stopwatch = prepared.stopwatch;
+  std::optional<Prepared> second;
+  if (file.content.srif && file.content.srif->second_formulation) {
+    second.emplace(in_other_formulation(file));
+    tip_methods(second->file, second->assembly);  // for what they refuse
+    stopwatch.lap("second_formulation");
+  }
+  Results results(file, prepared.assembly, options.folder);
+  stopwatch.lap("output");
+  if (file.content.srif && file.content.srif->richardson) results.coarser(coarser_srifs(file)), stopwatch.lap("srif");
+  if (second) {
+    const auto name = formulation_name(second->file.content.discretization.formulation);
+    results.second(name, run_second(*second, {options.folder / name, options.quiet}));
+    second.reset();
+    stopwatch.lap("second_formulation");
+  }
+  return run(prepared, results, options, stopwatch);
 }
 
 }  // namespace cases

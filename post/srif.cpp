@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace post {
+namespace {
+
+double difference(const Srif& a, const Srif& b, double thickness) {
+  return std::max({std::abs(a.K1 - b.K1), std::abs(a.K2 - b.K2), std::abs(a.K3 - b.K3) * thickness});
+}
+
+}  // namespace
 
 double largest_factor(const Srif& srif, double thickness) {
   return std::max({std::abs(srif.K1), std::abs(srif.K2), std::abs(srif.K3) * thickness});
@@ -12,9 +19,14 @@ double largest_factor(const Srif& srif, double thickness) {
 void widen(Srif& srif, const Srif& coarser, double thickness) {
   const double largest = largest_factor(srif, thickness);
   if (largest == 0) return;
-  const double difference = std::max({std::abs(srif.K1 - coarser.K1), std::abs(srif.K2 - coarser.K2),
-                                      std::abs(srif.K3 - coarser.K3) * thickness});
-  srif.estimated_error = std::max(srif.estimated_error.value_or(0), difference / largest);
+  srif.estimated_error = std::max(srif.estimated_error.value_or(0), difference(srif, coarser, thickness) / largest);
+}
+
+void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness) {
+  const double largest = std::max(largest_factor(srif, thickness), largest_factor(other, thickness));
+  const double relative = largest > 0 ? difference(srif, other, thickness) / largest : 0;
+  srif.second = {formulation, other.method, other.K1, other.K2, other.K3, relative};
+  if (largest > 0) srif.estimated_error = std::max(srif.estimated_error.value_or(0), relative);
 }
 
 void normalize(Srif& srif, const SrifOptions& options, double thickness) {

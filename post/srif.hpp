@@ -21,6 +21,7 @@ struct SrifOptions {
   int skip = 0;                         // samples next to the tip left out
   int rows = 1;                         // rows of points on each side: 1 nearest row, 2 extrapolated to the crack
   bool richardson = false;              // estimate the error from a second run with twice the spacing
+  bool second_formulation = false;      // ... and from a run in the other formulation of the plate
   std::optional<Normalization> normalize;
   std::optional<double> half_length;    // the a of the normalisation
 };
@@ -32,6 +33,13 @@ struct RingSrif {
   double K1, K2, K3;
 };
 
+/// The factors of the same tip by the recommended method of the other formulation.
+struct SecondSrif {
+  std::string formulation, method;
+  double K1 = 0, K2 = 0, K3 = 0;
+  double difference = 0;  // largest of the three, relative to the largest K
+};
+
 /// Moment and shear intensity factors of one tip by one method (no pi: K1 = lim sqrt(2 r) M_nn).
 struct Srif {
   std::size_t tip = 0;
@@ -40,6 +48,7 @@ struct Srif {
   double K1 = 0, K2 = 0, K3 = 0;                // [force length^(1/2)] moments, [force / length^(1/2)] shear
   std::optional<double> F1, F2, F3;             // where a normalisation is given
   std::optional<double> estimated_error;        // relative to the largest K
+  std::optional<SecondSrif> second;             // of a case that is run in both formulations
   std::optional<double> G;                      // energy release rate [force], of methods that find it
   std::vector<RingSrif> rings;                  // of methods that use rings; the first gave the result
   double fit_residual = 0;                      // rms misfit of the straight line / largest |K| of the fit
@@ -58,6 +67,9 @@ double largest_factor(const Srif& srif, double thickness);
 
 /// The difference from the same factors with twice the spacing, as a bound of the error of the first order.
 void widen(Srif& srif, const Srif& coarser, double thickness);
+
+/// States the difference from the factors of another formulation; the estimated error is at least that.
+void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness);
 
 /// F1, F2, F3 where the options give a normalisation.
 void normalize(Srif& srif, const SrifOptions& options, double thickness);

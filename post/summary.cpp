@@ -38,6 +38,9 @@ Json json_of(const Srif& srif) {
   add(json, "F3", srif.F3);
   add(json, "estimated_error", srif.estimated_error);
   add(json, "G", srif.G);
+  if (const auto& second = srif.second)
+    json["second_formulation"] = {{"formulation", second->formulation}, {"method", second->method}, {"K1", second->K1},
+                                  {"K2", second->K2},                   {"K3", second->K3},         {"difference", second->difference}};
   if (srif.rings.empty()) {
     json["fit_residual"] = srif.fit_residual;
     json["samples"] = srif.samples;

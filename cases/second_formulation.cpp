@@ -1,0 +1,34 @@
+#include "cases/second_formulation.hpp"
+
+#include "cases/keys.hpp"
+
+namespace cases {
+
+std::string formulation_name(plate::Formulation formulation) {
+  return formulation == plate::Formulation::ordinary ? "ordinary" : "galerkin";
+}
+
+CaseFile in_other_formulation(const CaseFile& file) {
+  using enum plate::Formulation;
+  CaseFile result = file;
+  Case& c = result.content;
+  const auto given = c.discretization;
+  c.discretization = {};
+  c.discretization.spacing = given.spacing;
+  c.discretization.formulation = given.formulation == ordinary ? galerkin : ordinary;
+  c.analysis.preconditioner = Analysis::Preconditioner::automatic;
+  c.analysis.precision = Analysis::Precision::double_;
+  c.output.vtk = c.output.hdf5 = false;
+  c.srif->second_formulation = c.srif->richardson = false;
+
+  Reading reading("");
+  reading.found().places = file.places;
+  reading.kind = c.analysis.kind;
+  check_case(c, reading);
+  auto problems = reading.problems();
+  for (auto& problem : problems) problem.what = "srif.second_formulation: " + problem.what;
+  if (!problems.empty()) throw CaseError(problems);
+  return result;
+}
+
+}  // namespace cases

@@ -1,0 +1,13 @@
+#pragma once
+#include "cases/case_file.hpp"
+
+namespace cases {
+
+/// As in case files.
+std::string formulation_name(plate::Formulation formulation);
+
+/// The case in the other formulation, without files for fields. Settings that only one formulation has take their
+/// defaults. Throws CaseError where the case cannot be stated in it.
+CaseFile in_other_formulation(const CaseFile& file);
+
+}  // namespace cases
