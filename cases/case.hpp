@@ -1,4 +1,5 @@
 #pragma once
+#include "fracture/growth.hpp"
 #include "geometry/crack_path.hpp"
 #include "plate/discretization.hpp"
 #include "plate/loads.hpp"
@@ -46,6 +47,7 @@ struct Case {
   std::vector<plate::Support> supports;
   std::vector<plate::Load> loads;
   Analysis analysis;
+  std::optional<fracture::Growth> growth;
   std::optional<post::SrifOptions> srif;
   Output output;
 };

@@ -169,6 +169,21 @@ void check_tips(const Case& content, Reading& reading) {
                      "there is no crack tip to find intensity factors at: remove [srif] or give geometry.cracks");
 }
 
+/// Growth starts at tips.
+void check_growth(const Case& content, Reading& reading) {
+  if (!content.growth || !reading.sound("geometry")) return;
+  const auto paths = geometry::crack_paths(content.outline, content.cracks, tolerance(content.outline));
+  if (geometry::tips(paths).empty())
+    reading.complain("growth", "there is no crack tip that could grow: give geometry.cracks, or remove [growth]");
+  const auto has = [&](const char* method) { return std::ranges::find(content.srif->methods, method) != content.srif->methods.end(); };
+  if (content.srif && !has("virtual_crack_extension") && !has("domain_integral"))
+    reading.complain("srif.methods", "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");
+  if (content.srif && content.srif->second_formulation)
+    reading.complain("srif.second_formulation", "is not available with [growth]: run both cases and compare their growth.csv");
+  if (content.srif && content.srif->richardson)
+    reading.complain("srif.richardson", "is not available with [growth]: run the case with twice the spacing");
+}
+
 }  // namespace
 
 void check_case(const Case& content, Reading& reading) {
@@ -182,6 +197,7 @@ void check_case(const Case& content, Reading& reading) {
   check_loads(content, reading);
   check_probes(content, reading);
   check_tips(content, reading);
+  check_growth(content, reading);
 }
 
 }  // namespace cases

@@ -84,16 +84,6 @@ Field<Case> text(const std::string& name, std::string Case::*member, const std::
       [=](const Case& content) { return quoted(content.*member); });
 }
 
-/// Known, and refused: no crack grows in this version.
-Field<Case> growth() {
-  return value<Case>(
-      {"growth", "-", "absent", "", "not in this version: cracks stay as they are"},
-      [](const Value& given, Case&) {
-        given.complain("[growth] is not available: this version keeps cracks as they are; remove the table");
-      },
-      [](const Case&) { return std::string(); });
-}
-
 }  // namespace
 
 const Fields<Case>& case_fields() {
@@ -111,7 +101,7 @@ const Fields<Case>& case_fields() {
       tables<Case, plate::Load>("load", Layout::block, &Case::loads, load_fields(), check_load)
           .used_in(loaded),
       table<Case, Analysis>("analysis", Layout::block, &Case::analysis, analysis_fields(), check_analysis),
-      growth(),
+      table<Case, fracture::Growth>("growth", Layout::block, &Case::growth, growth_fields()).used_in({Analysis::Kind::static_}),
       table<Case, post::SrifOptions>("srif", Layout::block, &Case::srif, srif_fields(), check_srif)
           .used_in(loaded),
       table<Case, Output>("output", Layout::block, &Case::output, output_fields()),

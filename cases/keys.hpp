@@ -8,6 +8,7 @@ Fields<Case> geometry_fields();
 Fields<plate::Support> support_fields();
 Fields<plate::Load> load_fields();
 Fields<Analysis> analysis_fields();
+Fields<fracture::Growth> growth_fields();
 Fields<post::SrifOptions> srif_fields();
 Fields<Output> output_fields();
 void name_holes(const Value& geometry, Case& content);

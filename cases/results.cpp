@@ -9,7 +9,15 @@
 namespace cases {
 namespace {
 
-/// The points of the plate about a place that no crack parts from it.
+/// 64-bit FNV-1a of a text, as hexadecimal: the same settings have the same digest on every machine.
+std::string digest(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const unsigned char c : text) hash = (hash ^ c) * 1099511628211ULL;
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace
+
 std::vector<post::Share> probe(const Assembly& assembly, const geometry::Point& at) {
   if (const auto* galerkin = assembly.galerkin()) 
     return post::interpolation(geometry::CellLocator(galerkin->cells), galerkin->cells.units.spacing, at);
@@ -27,14 +35,46 @@ std::vector<post::Share> probe(const Assembly& assembly, const geometry::Point& 
   return post::interpolation(near, u);
 }
 
-/// 64-bit FNV-1a of a text, as hexadecimal: the same settings have the same digest on every machine.
-std::string digest(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const unsigned char c : text) hash = (hash ^ c) * 1099511628211ULL;
-  return fmt::format("{:016x}", hash);
+post::Mesh mesh_of(const Case& content, const Assembly& assembly) {
+  const double h = content.section.thickness;
+  if (const auto* galerkin = assembly.galerkin())
+    return post::mesh(galerkin->cells, assembly.boundary.cloud.areas, assembly.cut, h);
+  return post::mesh(assembly.boundary, assembly.families(), assembly.cut, h);
 }
 
-}  // namespace
+post::Frame frame_of(const Case& content, const Assembly& assembly, double time, std::size_t step, const plate::State& state,
+                     bool resultants) {
+  const auto plate_points = assembly.boundary.cloud.plate_points;
+  post::Frame frame{time, step, state.leftCols(Eigen::Index(plate_points)), {}, {}};
+  if (!resultants) return frame;
+  const auto* galerkin = assembly.galerkin();
+  frame.resultants = galerkin ? plate::resultants(state, galerkin->op.families(), content.section)
+                              : plate::resultants(state, assembly.families(), assembly.ordinary()->shapes(),
+                                                  assembly.boundary.cloud.areas, plate_points, content.section);
+  frame.damage.assign(plate_points, 0);
+  return frame;
+}
+
+void write_summary(post::Summary& summary, const std::string& resolved, const Stopwatch& stopwatch,
+                   const std::filesystem::path& folder) {
+  summary.version = PDPLATE_VERSION;
+  summary.digest = digest(resolved);
+  summary.seconds = stopwatch.seconds();
+  summary.seconds.emplace_back("total", stopwatch.total());
+  for (auto& part : summary.scene) part.time_share = stopwatch.seconds(part.stage) / stopwatch.total();
+  summary.peak_memory_bytes = post::peak_memory_bytes();
+  post::write_whole(folder / "summary.json", post::to_json(summary));
+}
+
+double clear_distance(const Case& c, const Assembly& assembly, const geometry::Tip& tip) {
+  const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
+  double clear = post::clear_distance(c.outline, assembly.paths, tip, spacing);
+  for (const auto& load : c.loads)
+    if (load.kind == plate::Load::Kind::point_force) clear = std::min(clear, (load.position - tip.position).norm());
+  for (const auto& support : c.supports)
+    for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
+  return clear;
+}
 
 std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& assembly) {
   const Case& c = file.content;
@@ -54,13 +94,8 @@ std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& 
                                 galerkin ? &galerkin->op.families() : nullptr,
                                 galerkin ? &galerkin->cells : nullptr};
   for (const auto& tip : assembly.tips) {
-    double clear = post::clear_distance(c.outline, assembly.paths, tip, spacing);
-    for (const auto& load : c.loads)
-      if (load.kind == plate::Load::Kind::point_force) clear = std::min(clear, (load.position - tip.position).norm());
-    for (const auto& support : c.supports)
-      for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
     try {
-      result.emplace_back(plate, post::TipPlace{tip, assembly.paths[tip.crack], clear}, c.discretization.horizon(), *c.srif);
+      result.emplace_back(plate, post::TipPlace{tip, assembly.paths[tip.crack], clear_distance(c, assembly, tip)}, c.discretization.horizon(), *c.srif);
     } catch (const std::invalid_argument& error) {
       problems.push_back({file.place("srif"), "srif",
                           fmt::format("tip at ({:g}, {:g}): {}", tip.position.x(), tip.position.y(), error.what())});
@@ -111,10 +146,7 @@ Results::Results(const CaseFile& file, const Assembly& assembly, std::filesystem
   std::filesystem::create_directories(folder_);
   post::write_whole(folder_ / "case.resolved.toml", resolved_);
   if (!case_.output.vtk && !case_.output.hdf5) return;
-  const auto* galerkin = assembly.galerkin();
-  const double h = case_.section.thickness;
-  const auto mesh = galerkin ? post::mesh(galerkin->cells, assembly.boundary.cloud.areas, assembly.cut, h)
-                             : post::mesh(assembly.boundary, assembly.families(), assembly.cut, h);
+  const auto mesh = mesh_of(case_, assembly);
   if (case_.output.vtk) vtk_.emplace(folder_, mesh);
   if (case_.output.hdf5) hdf5_.emplace(folder_ / "state.h5", mesh, resolved_, PDPLATE_VERSION);
 }
@@ -161,14 +193,7 @@ void Results::sample_srifs(const plate::Instant& now, bool last) {
 void Results::frame(const plate::Instant& now) {
   if (!vtk_ && !hdf5_) return;
   const auto plate_points = assembly_.boundary.cloud.plate_points;
-  post::Frame frame{now.time, now.step, now.state.leftCols(Eigen::Index(plate_points)), {}, {}};
-  if (vtk_) {
-    const auto* galerkin = assembly_.galerkin();
-    frame.resultants = galerkin ? plate::resultants(now.state, galerkin->op.families(), case_.section)
-                                : plate::resultants(now.state, assembly_.families(), assembly_.ordinary()->shapes(),
-                                                    assembly_.boundary.cloud.areas, plate_points, case_.section);
-    frame.damage.assign(plate_points, 0);
-  }
+  auto frame = frame_of(case_, assembly_, now.time, now.step, now.state, vtk_.has_value());
   const bool dynamic = case_.analysis.kind == Analysis::Kind::dynamic;
   plate::State velocity;
   if (hdf5_ && dynamic) velocity = now.velocity().leftCols(Eigen::Index(plate_points));
@@ -208,13 +233,7 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
   summary.srif = latest_;
   for (const auto& reason : left_out(assembly_, tip_methods_)) summary.warnings.push_back(reason);
   summary.frequencies = frequencies_;
-  summary.version = PDPLATE_VERSION;
-  summary.digest = digest(resolved_);
-  summary.seconds = stopwatch.seconds();
-  summary.seconds.emplace_back("total", stopwatch.total());
-  for (auto& part : summary.scene) part.time_share = stopwatch.seconds(part.stage) / stopwatch.total();
-  summary.peak_memory_bytes = post::peak_memory_bytes();
-  post::write_whole(folder_ / "summary.json", post::to_json(summary));
+  write_summary(summary, resolved_, stopwatch, folder_);
   return summary;
 }
 

@@ -10,6 +10,9 @@
 
 namespace cases {
 
+/// Distance from a tip within which nothing disturbs the field of the tip (post::clear_distance), not even loads and pins.
+double clear_distance(const Case& content, const Assembly& assembly, const geometry::Tip& tip);
+
 /// The methods for the intensity factors of every tip, set up before anything is solved. `assembly` must outlive them.
 /// Throws CaseError where a method cannot work at a tip.
 std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& assembly);
@@ -20,6 +23,20 @@ std::vector<std::string> left_out(const Assembly& assembly, const std::vector<po
 /// The intensity factors of all tips, normalised, the recommended one of each tip first.
 std::vector<post::Srif> srifs(const Case& content, const Assembly& assembly, const std::vector<post::TipMethods>& methods,
                               const plate::State& state, bool all_rings = true);
+
+/// The points of the plate about a place that no crack parts from it.
+std::vector<post::Share> probe(const Assembly& assembly, const geometry::Point& at);
+
+/// The cells that are drawn.
+post::Mesh mesh_of(const Case& content, const Assembly& assembly);
+
+/// The points of the plate at an instant; resultants and damage (zero) where they are wanted.
+post::Frame frame_of(const Case& content, const Assembly& assembly, double time, std::size_t step, const plate::State& state,
+                     bool resultants);
+
+/// Completes the summary by what it says of the program and the machine, and writes it.
+void write_summary(post::Summary& summary, const std::string& resolved, const Stopwatch& stopwatch,
+                   const std::filesystem::path& folder);
 
 /// What a run writes into its folder, as it goes: tables in memory, frames at once. Nothing that the case does not ask
 /// for is computed.

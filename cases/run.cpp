@@ -1,6 +1,7 @@
 #include "cases/run.hpp"
 
 #include "cases/assembly.hpp"
+#include "cases/growth_run.hpp"
 #include "cases/progress.hpp"
 #include "cases/static_solution.hpp"
 #include "cases/results.hpp"
@@ -14,32 +15,6 @@
 
 namespace cases {
 namespace {
-
-std::string name_of(Analysis::Kind kind) {
-  switch (kind) {
-    case Analysis::Kind::static_: return "static";
-    case Analysis::Kind::dynamic: return "dynamic";
-    case Analysis::Kind::frequencies: return "frequencies";
-  }
-  return "";
-}
-
-post::Summary about(const Case& c, const Assembly& assembly) {
-  post::Summary summary;
-  summary.title = c.title;
-  summary.points = assembly.boundary.cloud.plate_points;
-  summary.bonds = assembly.bonds();
-  summary.fictitious_points = assembly.boundary.fictitious.size();
-  summary.fictitious_bonds = assembly.fictitious_bonds();
-  summary.spacing = c.discretization.spacing;
-  summary.horizon = c.discretization.horizon();
-  if (const auto& match = assembly.match)
-    summary.position_aware = {match->exact, match->blended, match->arbitrary_horizon};
-  summary.scene = scene(c, assembly);
-  summary.warnings = assembly.warnings;
-  summary.analysis.kind = name_of(c.analysis.kind);
-  return summary;
-}
 
 /// Work of loads that grow slowly from zero.
 double slow_work(const Assembly& assembly, const plate::State& state) {
@@ -242,6 +217,7 @@ SrifRows run_second(const Prepared& prepared, const RunOptions& options) {
 }  // namespace
 
 post::Summary run(const CaseFile& file, const RunOptions& options) {
+  if (file.content.growth) return grow(file, options);
   const Prepared prepared(file);
   Stopwatch stopwatch = prepared.stopwatch;
   std::optional<Prepared> second;

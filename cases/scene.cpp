@@ -31,6 +31,15 @@ double cell_bytes(const geometry::Tessellation& cells) {
   return bytes_of(cells.positions) + bytes_of(cells.squares) + bytes_of(cells.triangles) + bytes_of(cells.borders);
 }
 
+std::string name_of(Analysis::Kind kind) {
+  switch (kind) {
+    case Analysis::Kind::static_: return "static";
+    case Analysis::Kind::dynamic: return "dynamic";
+    case Analysis::Kind::frequencies: return "frequencies";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
@@ -71,6 +80,23 @@ std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
   if (c.srif) parts.push_back({"intensity factors, probes, energies", "srif", 0, 0});
   parts.push_back({"output", "output", (c.output.vtk ? 2 : 1) * 3 * vector_bytes, 0});
   return parts;
+}
+
+post::Summary about(const Case& c, const Assembly& assembly) {
+  post::Summary summary;
+  summary.title = c.title;
+  summary.points = assembly.boundary.cloud.plate_points;
+  summary.bonds = assembly.bonds();
+  summary.fictitious_points = assembly.boundary.fictitious.size();
+  summary.fictitious_bonds = assembly.fictitious_bonds();
+  summary.spacing = c.discretization.spacing;
+  summary.horizon = c.discretization.horizon();
+  if (const auto& match = assembly.match)
+    summary.position_aware = {match->exact, match->blended, match->arbitrary_horizon};
+  summary.scene = scene(c, assembly);
+  summary.warnings = assembly.warnings;
+  summary.analysis.kind = name_of(c.analysis.kind);
+  return summary;
 }
 
 }  // namespace cases

@@ -122,7 +122,13 @@ Eigen::SparseMatrix<double> folded_matrix(const MakeRows& make_rows, const Const
 /// Rows of the Galerkin plate's K; those of one point are found together.
 class FamilyRowsOf {
 public:
-  explicit FamilyRowsOf(const GalerkinOperator& plate) : plate_(plate) {}
+  explicit FamilyRowsOf(const GalerkinOperator& plate) : plate_(plate) {
+    // of the first of them, whichever thread this is: their areas differ in the last bit
+    const auto& families = plate.families();
+    const auto first = std::ranges::find(families.kind, 0u);
+    if (first != families.kind.end())
+      lattice_ = family_stiffness(families, plate.section(), std::uint32_t(first - families.kind.begin()));
+  }
 
   template <typename Add>
   void operator()(std::size_t dof, const Add& add) {
@@ -144,8 +150,6 @@ private:
   void add(std::uint32_t owner, std::uint32_t k) {
     const auto& families = plate_.families();
     const auto family = families.families[owner];
-    if (families.kind[owner] == 0 && lattice_.size() == 0)
-      lattice_ = family_stiffness(families, plate_.section(), owner);
     const Eigen::MatrixXd own =
         families.kind[owner] == 0 ? Eigen::MatrixXd() : family_stiffness(families, plate_.section(), owner);
     const Eigen::MatrixXd& K = families.kind[owner] == 0 ? lattice_ : own;

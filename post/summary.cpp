@@ -58,6 +58,14 @@ Json json_of(const Frequency& frequency) {
           {"residual", frequency.residual}};
 }
 
+Json json_of(const GrowthSummary& growth) {
+  return {{"outcome", growth.outcome},
+          {"advances", growth.advances},
+          {"first_load_factor", growth.first_load_factor},
+          {"largest_load_factor", growth.largest_load_factor},
+          {"lengths", growth.lengths}};
+}
+
 Json json_of(const ScenePart& part) {
   return {{"name", part.name}, {"bytes_per_point", part.bytes_per_point}, {"time_share", part.time_share}};
 }
@@ -99,6 +107,7 @@ std::string to_json(const Summary& summary) {
   json["peak_memory_bytes"] = summary.peak_memory_bytes;
   json["srif"] = list_of(summary.srif);
   if (summary.analysis.kind == "frequencies") json["frequencies"] = list_of(summary.frequencies);
+  if (summary.growth) json["growth"] = json_of(*summary.growth);
   json["energy"] = json_of(summary.energy);
   json["scene"] = list_of(summary.scene);
   json["warnings"] = summary.warnings;

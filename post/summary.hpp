@@ -22,6 +22,15 @@ struct Frequency {
   double residual = 0;
 };
 
+/// How a growth of cracks ended.
+struct GrowthSummary {
+  std::string outcome;
+  std::size_t advances = 0;
+  double first_load_factor = 0;          // at which the first tip moved; 0 where none did
+  double largest_load_factor = 0;
+  std::vector<double> lengths;           // of every crack at the end [length]
+};
+
 /// What summary.json holds; cases/README.md documents every field.
 struct Summary {
   std::string title, outcome, version, digest;
@@ -42,6 +51,7 @@ struct Summary {
   std::size_t peak_memory_bytes = 0;
   std::vector<Srif> srif;
   std::vector<Frequency> frequencies;                       // of a frequency analysis
+  std::optional<GrowthSummary> growth;                      // of a case with growth
   std::vector<std::pair<std::string, double>> energy;       // strain, kinetic, external_work, fracture
   std::vector<ScenePart> scene;
   std::vector<std::string> warnings;

@@ -10,6 +10,8 @@ namespace post {
 class VtkSeries {
 public:
   VtkSeries(std::filesystem::path folder, Mesh mesh);
+  /// Of the frames from now on.
+  void remesh(Mesh mesh) { mesh_ = std::move(mesh); }
   void write(const Frame& frame);
 
 private:
@@ -17,5 +19,12 @@ private:
   Mesh mesh_;
   std::vector<double> times_;
 };
+
+/// Cracks as polylines, cracks.vtp: cell data crack (its number), point data advance (at which a vertex was reached).
+struct CrackLine {
+  std::vector<Eigen::Vector2d> vertices;  // [length]
+  std::vector<double> advances;           // per vertex
+};
+void write_crack_lines(const std::filesystem::path& path, const std::vector<CrackLine>& cracks);
 
 }  // namespace post

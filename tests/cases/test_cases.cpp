@@ -18,10 +18,10 @@ bool is_study(const fs::path& path) {
   return path.filename().string().starts_with("study_");
 }
 
-/// The TOML files below cases/static and cases/dynamic.
+/// The TOML files below cases/static, cases/dynamic and cases/growth.
 std::vector<fs::path> toml_files(bool studies) {
   std::vector<fs::path> files;
-  for (const char* folder : {"static", "dynamic"})
+  for (const char* folder : {"static", "dynamic", "growth"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(PDPLATE_SOURCE_DIR) / "cases" / folder))
       if (entry.path().extension() == ".toml" && is_study(entry.path()) == studies) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
@@ -62,6 +62,7 @@ std::vector<std::string> coarse(const cases::Case& c) {
   if (c.analysis.kind == frequencies) settings.push_back("analysis.modes=2");
   if (c.analysis.kind == dynamic)
     settings.push_back("analysis.duration=" + std::to_string(c.analysis.duration / 40));
+  if (c.growth) settings.push_back("growth.max_advances=2");
   if (c.srif && c.srif->window)  // a length that suits the case's own spacing: here all of the crack behind the tip
     settings.insert(settings.end(), {"srif.window=" + std::to_string((high - low).maxCoeff()), "srif.skip=0"});
   return settings;
@@ -76,7 +77,8 @@ void check_files(const fs::path& folder, const cases::Case& c) {
   const bool frequencies = c.analysis.kind == cases::Analysis::Kind::frequencies;
   CHECK(fs::exists(folder / "history.csv") != frequencies);
   CHECK(fs::exists(folder / "frequencies.csv") == frequencies);
-  CHECK(fs::exists(folder / "srif.csv") == c.srif.has_value());
+  CHECK(fs::exists(folder / "srif.csv") == (c.srif || c.growth));
+  for (const char* name : {"growth.csv", "cracks.csv", "cracks.vtp"}) CHECK(fs::exists(folder / name) == c.growth.has_value());
   CHECK(fs::exists(folder / "probes.csv") == !c.output.probes.empty());
   CHECK(text_of(folder / "summary.json").find("\"outcome\": \"done\"") != std::string::npos);
 }
@@ -104,7 +106,7 @@ TEST_CASE("every case reads and runs, and its resolved form gives the same resul
     REQUIRE(again.exit_code == 0);
     check_files(scratch / "again", content);
     CHECK(text_of(scratch / "again" / "case.resolved.toml") == text_of(scratch / "first" / "case.resolved.toml"));
-    for (const char* table : {"srif.csv", "history.csv", "probes.csv", "frequencies.csv"})
+    for (const char* table : {"srif.csv", "history.csv", "probes.csv", "frequencies.csv", "growth.csv", "cracks.csv"})
       if (fs::exists(scratch / "first" / table))
         CHECK(text_of(scratch / "again" / table) == text_of(scratch / "first" / table));
   }
@@ -165,6 +167,17 @@ TEST_CASE("exit code 3: not converged, the summary and the last frame are kept")
          {"case.resolved.toml", "history.csv", "srif.csv", "probes.csv", "fields.pvd", "fields_0000.vtu", "state.h5"})
       CHECK(fs::exists(scratch / "results" / name));
   }
+}
+
+TEST_CASE("exit code 3: a growth whose numbers fail keeps what it has") {
+  const auto file = fs::path(PDPLATE_SOURCE_DIR) / "cases/growth/double_torsion.toml";
+  const TemporaryFolder scratch;
+  const auto ended = run(file, scratch / "results", {"discretization.spacing=0.05", "analysis.max_iterations=3"});
+  INFO(ended.output);
+  CHECK(ended.exit_code == 3);
+  CHECK(text_of(scratch / "results" / "summary.json").find("\"outcome\": \"failed") != std::string::npos);
+  for (const char* name : {"case.resolved.toml", "history.csv", "growth.csv", "srif.csv"})
+    CHECK(fs::exists(scratch / "results" / name));
 }
 
 TEST_CASE("exit codes of a frequency analysis: not converged, more modes than the plate has") {

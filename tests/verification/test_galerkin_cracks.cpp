@@ -1,5 +1,7 @@
 // Cracks in the Galerkin plate against finite element references: section 4.1 of Dai et al. (2021), openings, mixed
 // mode, motion.
+#include <omp.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
@@ -59,6 +61,19 @@ Solved solved(const cases::Case& c) {
 }
 
 }  // namespace
+
+TEST_CASE("Galerkin plate: any number of threads gives the same bits of a solution") {
+  const auto before = omp_get_max_threads();
+  auto c = cracked(0.05, 0.1, 0.3);
+  c.cracks = {{{-0.3, -0.1}, {0.25, 0.15}}};
+  std::vector<State> states;
+  for (const int threads : {1, 2, 2, 3}) {
+    omp_set_num_threads(threads);
+    states.push_back(solved(c).state);
+  }
+  omp_set_num_threads(before);
+  for (const auto& state : states) CHECK((state.array() == states.front().array()).all());
+}
 
 TEST_CASE("Galerkin plate: K1 of thirty cracks within half a percent at spacing 1/60, and within the estimate") {
   std::size_t found = 0;

@@ -39,9 +39,24 @@ TEST_CASE("what is not in this version is refused with the reason") {
   expect(discretization("surface_correction = \"position-aware\""), ":10", "discretization.surface_correction",
          "did you mean 'position_aware'?");
   expect(discretization("influence = \"invers\""), ":10", "discretization.influence", "did you mean 'inverse'?");
-  expect(plain + "[growth]\ncriterion = \"energy_release\"\n", ":18", "growth", "keeps cracks as they are");
   expect(plain + "[srif]\nmethods = [\"j_integral\"]\n", ":19", "srif.methods",
          "must be one of \"virtual_crack_extension\"");
+}
+
+TEST_CASE("growth: what it needs, and what it cannot do") {
+  const std::string growth = plain + "[growth]\n";  // line 18
+  expect(growth + "criterion = \"energy_release\"\n", ":18", "growth.fracture_energy", "is missing");
+  expect(growth + "fracture_energy = 0\n", ":19", "growth.fracture_energy", "must be a number > 0");
+  expect(growth + "fracture_energy = 1\ncriterion = \"stretch\"\n", ":20", "growth.criterion",
+         "must be one of \"energy_release\"");
+  expect(growth + "fracture_energy = 1\nno_fail = [[0, 0, 0, 1]]\n", ":20", "growth.no_fail[0]", "with xmin < xmax");
+  expect(with_line(growth + "fracture_energy = 1\n", 7, ""), ":18", "growth", "there is no crack tip that could grow");
+  expect(growth + "fracture_energy = 1\n[srif]\nmethods = [\"displacement_extrapolation\"]\n", ":21", "srif.methods",
+         "growth needs an energy release rate");
+  expect(growth + "fracture_energy = 1\n[srif]\nsecond_formulation = true\n", ":21", "srif.second_formulation",
+         "is not available with [growth]");
+  expect(with_line(growth + "fracture_energy = 1\n", 17, "kind = \"dynamic\"\nduration = 1"), ":19", "growth",
+         "is used in statics only", {"section.density=1"});
 }
 
 TEST_CASE("what the Galerkin plate has not is refused with the reason, and what it needs not may stay") {

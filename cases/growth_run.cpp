@@ -1,0 +1,140 @@
+#include "cases/growth_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cases/growth_results.hpp"
+#include "cases/progress.hpp"
+#include "cases/scene.hpp"
+#include "cases/static_solution.hpp"
+#include "plate/numerical_error.hpp"
+#include "post/tip_rings.hpp"
+
+namespace cases {
+namespace {
+
+using Cracks = std::vector<geometry::Polyline>;
+
+/// Where the case asks for no intensity factors, the methods that give the energy release rate.
+CaseFile with_factors(CaseFile file) {
+  auto& c = file.content;
+  if (!c.srif) c.srif.emplace().methods = {"virtual_crack_extension", "domain_integral"};
+  return file;
+}
+
+/// Solves the plate anew with every length of its cracks, and keeps the last solution.
+class GrowingPlate {
+public:
+  GrowingPlate(const CaseFile& file, Stopwatch& stopwatch) : file_(with_factors(file)), stopwatch_(stopwatch) {}
+
+  fracture::LoadedPlate operator()(const Cracks& cracks) {
+    CaseFile file = file_;
+    file.content.cracks = cracks;
+    try {
+      auto assembly = assemble(file, stopwatch_);
+      return solved(std::move(file), std::move(assembly));
+    } catch (const CaseError& error) {
+      if (!last_) throw;  // as the case is written
+      std::string why;
+      for (const auto& problem : error.problems()) why += (why.empty() ? "" : "; ") + problem.what;
+      return {why, 0, {}};
+    }
+  }
+
+  const std::shared_ptr<const GrownPlate>& last() const { return last_; }
+  const plate::StaticSolution& solution() const { return solution_; }
+  const std::string& method() const { return method_; }
+
+private:
+  fracture::LoadedPlate solved(CaseFile file, Assembly assembly) {
+    const Case& c = file.content;
+    const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
+    fracture::LoadedPlate result;
+    const auto ringed = [&](const geometry::Tip& tip) {
+      return !post::rings(clear_distance(c, assembly, tip), INFINITY, spacing).empty();
+    };
+    if (last_)  // of the case as it is written, tips without a ring are refused below
+      for (const auto& tip : assembly.tips)
+        if (!ringed(tip)) result.tips.push_back({tip, {}, std::nullopt});
+    if (last_) std::erase_if(assembly.tips, [&](const auto& tip) { return !ringed(tip); });
+    if (!result.tips.empty()) return result;
+    const auto methods = tip_methods(file, assembly);
+    const auto solve = solve_at_rest(c, assembly, {c.analysis.tolerance, c.analysis.max_iterations, {}});
+    stopwatch_.lap("solve");
+    solution_ = solve.solution;
+    method_ = solve.method;
+    solution_.state.resize(3, 0);
+    if (!solve.solution.converged)
+      throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", solve.method,
+                                              solve.solution.stop_reason, solve.solution.residual, c.analysis.tolerance));
+    auto found = srifs(c, assembly, methods, solve.solution.state);
+    stopwatch_.lap("srif");
+    result.displacement = total_load(assembly).cwiseProduct(solve.solution.state).sum();
+    for (std::size_t i = 0; i < assembly.tips.size(); ++i) {
+      const auto srif = std::ranges::find_if(found, [i](const auto& one) { return one.tip == i && one.G; });
+      result.tips.push_back({assembly.tips[i], {srif->K1, srif->K2, srif->K3}, srif->G});
+    }
+    last_ = std::make_shared<GrownPlate>(
+        GrownPlate{std::move(file), std::move(assembly), solve.solution.state, std::move(found)});
+    return result;
+  }
+
+  CaseFile file_;
+  Stopwatch& stopwatch_;
+  std::shared_ptr<const GrownPlate> last_;
+  plate::StaticSolution solution_;  // without its state
+  std::string method_;
+};
+
+post::Summary summary_of(const CaseFile& file, const GrowingPlate& plate) {
+  post::Summary summary;
+  if (plate.last()) summary = about(file.content, plate.last()->assembly);
+  const auto& solution = plate.solution();
+  summary.title = file.content.title;
+  summary.analysis.kind = "static";
+  summary.analysis.method = plate.method();
+  summary.analysis.iterations = solution.iterations;
+  summary.analysis.residual = solution.residual;
+  summary.analysis.tolerance = file.content.analysis.tolerance;
+  summary.analysis.stop_reason = solution.stop_reason;
+  summary.outcome = "done";
+  return summary;
+}
+
+}  // namespace
+
+post::Summary grow(const CaseFile& file, const RunOptions& options) {
+  Stopwatch stopwatch;
+  const Case& c = file.content;
+  GrowingPlate plate(file, stopwatch);
+  std::optional<GrowthResults> results;
+  const auto begin = [&] {
+    if (!results) results.emplace(file, options.folder);
+  };
+  Progress progress(options.quiet, "growth");
+  const auto observe = [&](const fracture::Event& event) {
+    begin();
+    results->event(event, plate.last());
+    stopwatch.lap("output");
+    double longest = 0;
+    for (const auto& crack : event.cracks) longest = std::max(longest, geometry::length(crack));
+    progress.update(double(event.advance) / double(c.growth->max_advances),
+                    fmt::format("advance {}, load factor {:.4g}, longest crack {:.4g}", event.advance, event.load_factor, longest));
+  };
+  const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
+  try {
+    const auto grown = fracture::grow_at_rest(*c.growth, c.section, c.outline, c.cracks, spacing, std::ref(plate), observe);
+    progress.done();
+    return results->finish(summary_of(file, plate), grown, stopwatch);
+  } catch (const plate::NumericalError& error) {
+    begin();
+    auto summary = summary_of(file, plate);
+    summary.outcome = fmt::format("failed: {}", error.what());
+    summary.analysis.stop_reason = error.what();
+    results->finish(std::move(summary), {summary.outcome, 0, {}, {}}, stopwatch);
+    throw;
+  }
+}
+
+}  // namespace cases

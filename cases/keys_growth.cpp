@@ -1,0 +1,69 @@
+#include "cases/keys.hpp"
+
+namespace cases {
+namespace {
+
+using fracture::Growth;
+
+const Words<Growth::Criterion> criteria{{{"energy_release", Growth::Criterion::energy_release}}};
+
+const Words<Growth::Direction> directions{{{"tangential_moment", Growth::Direction::tangential_moment},
+                                           {"energy_release", Growth::Direction::energy_release},
+                                           {"straight", Growth::Direction::straight}}};
+
+const Words<Growth::Control> controls{{{"load", Growth::Control::load},
+                                       {"displacement", Growth::Control::displacement},
+                                       {"equilibrium", Growth::Control::equilibrium}}};
+
+Field<Growth> no_fail() {
+  const std::string form = "[[xmin, ymin, xmax, ymax], ...]";
+  return value<Growth>(
+      {"no_fail", "length", form, "", "rectangles in which tips stay where they are"},
+      [form](const Value& given, Growth& growth) {
+        const auto boxes = given.elements(form);
+        if (!boxes) return;
+        for (const auto& box : *boxes) {
+          const auto sides = box.numbers(4, "[xmin, ymin, xmax, ymax]");
+          if (!sides) continue;
+          if (!((*sides)[0] < (*sides)[2] && (*sides)[1] < (*sides)[3]))
+            box.refuse("[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
+          else
+            growth.no_fail.push_back({(*sides)[0], (*sides)[1], (*sides)[2], (*sides)[3]});
+        }
+      },
+      [](const Growth& growth) {
+        std::vector<std::string> boxes;
+        for (const auto& [a, b, c, d] : growth.no_fail)
+          boxes.push_back(fmt::format("[{}, {}, {}, {}]", number_text(a), number_text(b), number_text(c), number_text(d)));
+        return boxes.empty() ? "" : fmt::format("[{}]", fmt::join(boxes, ", "));
+      });
+}
+
+}  // namespace
+
+Fields<Growth> growth_fields() {
+  using G = Growth;
+  return {
+      choice<G, G::Criterion>("criterion", &G::criterion, criteria,
+                              "when a crack grows: energy_release: its tip's energy release rate reaches the fracture energy"),
+      number<G>("fracture_energy", "force/length", &G::fracture_energy, positive, "energy per area of crack").required(),
+      choice<G, G::Direction>("direction", &G::direction, directions,
+                              "where a tip turns to: largest moment across the crack (K2 = 0), largest energy release, or on"),
+      choice<G, G::Control>("control", &G::control, controls,
+                            "what is held while a crack runs: the loads, the displacement that they do work on, or neither: "
+                            "the load follows the crack"),
+      number<G>("increment", "-", &G::increment, {0.5, 20}, "advance of a tip, in spacings; five at least after a turn"),
+      number<G>("max_advances", "-", &G::max_advances, {1, 1000000}, "the growth ends after so many"),
+      number<G>("max_length", "length", &G::max_length, positive, "the growth ends when a crack is so long"),
+      value<G>({"tension_only", "-", "true or false", "false", "tips that close on the z > 0 face (K1 < 0) stay"},
+               [](const Value& given, G& growth) {
+                 if (const auto wanted = given.boolean()) growth.tension_only = *wanted;
+               },
+               [](const G& growth) { return std::string(growth.tension_only ? "true" : "false"); }),
+      no_fail(),
+      number<G>("frames_every", "-", &G::frames_every, {1, 1000000},
+                "advances between frames for ParaView; the first and the last state are always written"),
+  };
+}
+
+}  // namespace cases

@@ -1,0 +1,37 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace fracture {
+
+/// How cracks grow: when, where to, and under what control (theory.md, "Growth").
+struct Growth {
+  /// What decides that a crack grows.
+  enum class Criterion { energy_release };
+  /// Where a tip turns to.
+  enum class Direction {
+    straight,            // on as it is
+    tangential_moment,   // where the moment across the crack is largest: K2 = 0 on the new piece
+    energy_release       // where the first piece of a kink releases most energy
+  };
+  /// What is held while a crack runs.
+  enum class Control {
+    load,         // the load factor, from 0 up to 1
+    displacement, // the displacement that the loads do work on, up to that of the full load before any growth
+    equilibrium   // neither: the load follows, so that the crack is always just about to grow
+  };
+
+  Criterion criterion = Criterion::energy_release;
+  double fracture_energy = 0;             // per area of crack [energy / length^2]
+  Direction direction = Direction::tangential_moment;
+  Control control = Control::load;
+  double increment = 1;                   // of a tip per advance [spacings]
+  std::size_t max_advances = 1000;
+  std::size_t frames_every = 10;          // advances
+  std::optional<double> max_length;       // of any crack [length]
+  bool tension_only = false;              // no growth of tips that close on the z > 0 face
+  std::vector<std::array<double, 4>> no_fail;  // rectangles in which tips stay: xmin, ymin, xmax, ymax [length]
+};
+
+}  // namespace fracture

@@ -1,0 +1,142 @@
+#include "fracture/quasi_static.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fracture/tip_advance.hpp"
+
+namespace fracture {
+namespace {
+
+constexpr double together = 0.01;  // of the largest energy release rate: twice what integrals scatter with the lattice
+
+bool inside(const std::array<double, 4>& box, const geometry::Point& x) {
+  return x.x() >= box[0] && x.y() >= box[1] && x.x() <= box[2] && x.y() <= box[3];
+}
+
+/// Grows cracks at rest. One use.
+class RestGrowth {
+public:
+  RestGrowth(const Growth& growth, const plate::Section& section, const geometry::Outline& outline, double spacing,
+             std::vector<geometry::Polyline> cracks)
+      : growth_(growth), section_(section), outline_(outline), spacing_(spacing),
+        toughness_(growth.fracture_energy * section.thickness) {
+    result_.cracks = std::move(cracks);
+  }
+
+  Grown operator()(const Solve& solve, const std::function<void(const Event&)>& observe) {
+    while (true) {
+      const auto plate = solve(result_.cracks);
+      if (!plate.split.empty()) {
+        result_.outcome = "the plate split: " + plate.split;
+        return result_;
+      }
+      if (break_through(plate)) continue;
+      if (!load(plate, observe)) return result_;
+      move(plate);
+    }
+  }
+
+private:
+  using Control = Growth::Control;
+
+  bool may_grow(const LoadedTip& tip) const {
+    if (*tip.G <= 0 || (growth_.tension_only && tip.factors.K1 <= 0)) return false;
+    return std::none_of(growth_.no_fail.begin(), growth_.no_fail.end(),
+                        [&](const auto& box) { return inside(box, tip.tip.position); });
+  }
+
+  /// Raises the load to where the next tip moves. False where the growth ends.
+  bool load(const LoadedPlate& plate, const std::function<void(const Event&)>& observe) {
+    double most = 0;
+    for (const auto& tip : plate.tips)
+      if (may_grow(tip)) most = std::max(most, *tip.G);
+    const double critical = most > 0 ? std::sqrt(toughness_ / most) : INFINITY;
+    if (result_.advances == 0) most_displacement_ = plate.displacement;
+    const double reached = growth_.control == Control::displacement ? displacement_ / plate.displacement : factor_;
+    const double end = growth_.control == Control::displacement ? most_displacement_ / plate.displacement : 1;
+    const bool stable = result_.advances == 0 || critical >= reached * (1 - 1e-9);
+    const bool follows = growth_.control == Control::equilibrium;
+    go_to(plate, follows ? (most > 0 ? critical : factor_) : std::min(std::max(critical, reached), end));
+
+    const std::string why = end_of_growth(plate, most > 0, !follows && critical > end);
+    Event event{result_.advances, factor_, displacement_, critical, stable, result_.ledger, plate, result_.cracks, {}};
+    for (const auto& tip : plate.tips)
+      event.moves.push_back(why.empty() && may_grow(tip) && *tip.G >= (1 - together) * most);
+    moves_ = event.moves;
+    observe(event);
+    result_.outcome = why;
+    return why.empty();
+  }
+
+  /// An advance comes first, under constant load or at constant displacement, then the load changes in proportion to the
+  /// displacement; where the load follows the crack, both at once.
+  void go_to(const LoadedPlate& plate, double factor) {
+    const double displacement = factor * plate.displacement;
+    auto& work = result_.ledger.external_work;
+    const bool constant_load = growth_.control == Control::load, fixed = growth_.control == Control::displacement;
+    const double from = constant_load ? factor_ * plate.displacement : displacement_;
+    const double factor_from = fixed ? displacement_ / plate.displacement : factor_;
+    work += factor_ * (from - displacement_) + (factor_from + factor) / 2 * (displacement - from);
+    factor_ = factor, displacement_ = displacement;
+    result_.ledger.strain = factor * displacement / 2;
+  }
+
+  std::string end_of_growth(const LoadedPlate& plate, bool can_grow, bool beyond_the_end) const {
+    if (plate.tips.empty()) return "no tip is left";
+    if (!can_grow) return "no tip can grow";
+    if (beyond_the_end)
+      return result_.advances == 0 ? "no growth under the whole load" : "arrested under the whole load";
+    if (result_.advances >= growth_.max_advances) return "the largest number of advances";
+    if (growth_.max_length)
+      for (const auto& crack : result_.cracks)
+        if (geometry::length(crack) >= *growth_.max_length * (1 - 1e-9)) return "the largest length of a crack";
+    return "";
+  }
+
+  /// Tips without a ring; true where there were any.
+  bool break_through(const LoadedPlate& plate) {
+    bool found = false;
+    for (const auto& [tip, factors, G] : plate.tips) {
+      if (G) continue;
+      extend(tip, fracture::break_through(outline_, result_.cracks, tip));
+      found = true;
+    }
+    result_.advances += found;
+    return found;
+  }
+
+  void move(const LoadedPlate& plate) {
+    const auto before = result_.cracks;
+    for (std::size_t i = 0; i < plate.tips.size(); ++i) {
+      if (!moves_[i]) continue;
+      const auto& [tip, factors, G] = plate.tips[i];
+      const auto step = advance(growth_, section_, outline_, before, spacing_, tip, factors);
+      extend(tip, step);
+    }
+    ++result_.advances;
+  }
+
+  void extend(const geometry::Tip& tip, const TipAdvance& step) {
+    geometry::extend(result_.cracks[tip.crack], tip.at_back, step.to);
+    result_.ledger.fracture += toughness_ * step.length;
+  }
+
+  const Growth& growth_;
+  const plate::Section& section_;
+  const geometry::Outline& outline_;
+  double spacing_, toughness_;
+  double factor_ = 0, displacement_ = 0, most_displacement_ = 0;
+  std::vector<char> moves_;
+  Grown result_;
+};
+
+}  // namespace
+
+Grown grow_at_rest(const Growth& growth, const plate::Section& section, const geometry::Outline& outline,
+                   std::vector<geometry::Polyline> cracks, double spacing, const Solve& solve,
+                   const std::function<void(const Event&)>& observe) {
+  return RestGrowth(growth, section, outline, spacing, std::move(cracks))(solve, observe);
+}
+
+}  // namespace fracture

@@ -1,0 +1,37 @@
+#include "fracture/tip_advance.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+namespace fracture {
+namespace {
+
+constexpr double least_turn = std::numbers::pi / 180;
+constexpr double least_leg = 5;  // spacings
+
+}  // namespace
+
+TipAdvance advance(const Growth& growth, const plate::Section& section, const geometry::Outline& outline,
+                   const std::vector<geometry::Polyline>& cracks, double spacing, const geometry::Tip& tip,
+                   const Factors& factors) {
+  const double angle = kink_angle(factors, growth.direction, section);
+  const bool turns = std::abs(angle) > least_turn;
+  const geometry::Point direction = turns ? geometry::Point(Eigen::Rotation2Dd(angle) * tip.direction) : tip.direction;
+  const double step = (turns ? std::max(growth.increment, least_leg) : growth.increment) * spacing;
+  if (const auto ahead = geometry::obstacle_ahead(outline, cracks, tip, direction, step + least_leg * spacing))
+    return {ahead->position, ahead->distance, ahead};
+  return {tip.position + step * direction, step, {}};
+}
+
+TipAdvance break_through(const geometry::Outline& outline, const std::vector<geometry::Polyline>& cracks,
+                         const geometry::Tip& tip) {
+  const auto nearest = geometry::nearest_obstacle(outline, cracks, tip);
+  return {nearest.position, nearest.distance, nearest};
+}
+
+std::string name_of(const geometry::Obstacle& obstacle) {
+  return obstacle.crack ? "crack " + std::to_string(*obstacle.crack) : "'" + obstacle.name + "'";
+}
+
+}  // namespace fracture

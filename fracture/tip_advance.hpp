@@ -1,0 +1,29 @@
+#pragma once
+#include "fracture/growth.hpp"
+#include "fracture/kink.hpp"
+#include "geometry/crack_extension.hpp"
+
+namespace fracture {
+
+/// Where a tip goes.
+struct TipAdvance {
+  geometry::Point to;
+  double length = 0;                          // of the new piece [length]
+  std::optional<geometry::Obstacle> reached;  // an edge, a hole or a crack: the tip is no more
+};
+
+/// Straight on by the increment, or with a turn. Turns below a degree are not made; a piece after a turn is at least five
+/// spacings long, so that a ring about its tip fits beside the bend. A tip that would come closer than that to
+/// something ahead breaks through to it.
+TipAdvance advance(const Growth& growth, const plate::Section& section, const geometry::Outline& outline,
+                   const std::vector<geometry::Polyline>& cracks, double spacing, const geometry::Tip& tip,
+                   const Factors& factors);
+
+/// Breaks through to what is nearest: of tips beside an edge or a crack.
+TipAdvance break_through(const geometry::Outline& outline, const std::vector<geometry::Polyline>& cracks,
+                         const geometry::Tip& tip);
+
+/// "crack 1", "edge 'left'"
+std::string name_of(const geometry::Obstacle& obstacle);
+
+}  // namespace fracture

@@ -1,0 +1,52 @@
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <stdexcept>
+
+#include "post/vtk.hpp"
+#include "post/whole_file.hpp"
+
+namespace post {
+
+void write_crack_lines(const std::filesystem::path& path, const std::vector<CrackLine>& cracks) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkDoubleArray> crack, advance;
+  crack->SetName("crack");
+  advance->SetName("advance");
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
+    lines->InsertNextCell(static_cast<int>(cracks[c].vertices.size()));
+    crack->InsertNextValue(double(c));
+    for (std::size_t i = 0; i < cracks[c].vertices.size(); ++i) {
+      lines->InsertCellPoint(points->InsertNextPoint(cracks[c].vertices[i].x(), cracks[c].vertices[i].y(), 0));
+      advance->InsertNextValue(cracks[c].advances[i]);
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  data->GetCellData()->AddArray(crack);
+  data->GetPointData()->AddArray(advance);
+
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  vtkNew<vtkCallbackCommand> silent;  // without it VTK prints to the terminal what is thrown below
+  silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  writer->AddObserver(vtkCommand::ErrorEvent, silent);
+  writer->SetInputData(data);
+  writer->SetDataModeToAscii();
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError)
+    throw std::runtime_error("VTK cannot write the cracks");
+  write_whole(path, writer->GetOutputString());
+}
+
+}  // namespace post

@@ -1,0 +1,116 @@
+// Cracks that grow at rest, against closed forms and their own energy.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "cases/run.hpp"
+#include "post/table.hpp"
+#include "tests/unit/post/small_run.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+using fracture::Growth;
+namespace vp = verified_plate;
+
+namespace {
+
+/// A free square with a crack of half length 0.2 at an angle, which grows straight on at both tips by 0.4, in four steps.
+cases::Case straight(double spacing, double degrees, std::array<double, 3> tensor) {
+  auto c = vp::square(spacing);
+  c.analysis.kind = cases::Analysis::Kind::static_;
+  c.analysis.tolerance = 1e-8;
+  const geometry::Point along(std::cos(degrees / 180 * std::numbers::pi), std::sin(degrees / 180 * std::numbers::pi));
+  c.cracks = {{-0.2 * along, 0.2 * along}};
+  c.supports = {{plate::SupportKind::pinned, {}, {{-0.9, -0.9}, {0.9, -0.9}, {0, 0.9}}}};
+  auto& load = c.loads[0];
+  load.kind = plate::Load::Kind::edge_moment, load.edges = {"left", "right", "bottom", "top"};
+  load.has_tensor = true, load.tensor = tensor;
+  c.growth.emplace();
+  c.growth->fracture_energy = 1;
+  c.growth->control = Growth::Control::equilibrium;
+  c.growth->direction = Growth::Direction::straight;
+  c.growth->increment = 0.1 / spacing;
+  c.growth->max_advances = 4;
+  c.output.vtk = c.output.hdf5 = false;
+  return c;
+}
+
+struct Energies {
+  double spent;  // by the loads and not kept as strain, over fracture energy and length, of the growth
+  double first_load_factor;
+};
+
+Energies energies(const cases::Case& c) {
+  const small_run::TemporaryFolder folder;
+  const auto summary = cases::run({c, {}}, {folder.path(), true});
+  const auto history = post::read_csv(folder / "history.csv");
+  const auto at = [&](std::size_t row, const char* name) {
+    return std::get<double>(history.rows.at(row).at(history.column(name)));
+  };
+  REQUIRE(history.rows.size() == 5);
+  const double released = at(4, "released_energy") - at(0, "released_energy");
+  CHECK(at(4, "fracture_energy") == Approx(0.08).epsilon(1e-9));  // 1 * 0.1 * 0.8
+  CHECK(at(0, "external_work") == Approx(at(0, "strain_energy")));
+  return {1 + released / at(4, "fracture_energy"), summary.growth->first_load_factor};
+}
+
+}  // namespace
+
+TEST_CASE("growth at rest spends the fracture energy, bending, at any angle and spacing") {
+  for (const auto formulation : {plate::Formulation::ordinary, plate::Formulation::galerkin}) {
+    std::vector<double> first;
+    for (const double degrees : {0.0, 15.0, 30.0, 45.0}) {
+      auto c = straight(0.02, degrees, {1, 1, 0});
+      c.discretization.formulation = formulation;
+      const auto found = energies(c);
+      CAPTURE(int(formulation), degrees, found.spent, found.first_load_factor);
+      CHECK(std::abs(found.spent - 1) < 0.03);  // measured: 0.1 to 0.9 %
+      first.push_back(found.first_load_factor);
+    }
+    auto coarse = straight(0.04, 0, {1, 1, 0});
+    coarse.discretization.formulation = formulation;
+    const auto found = energies(coarse);
+    CHECK(std::abs(found.spent - 1) < 0.03);
+    first.push_back(found.first_load_factor);
+    for (const double factor : first) CHECK(factor == Approx(first.front()).epsilon(0.03));
+  }
+}
+
+TEST_CASE("growth at rest spends the fracture energy in twist, in the Galerkin plate") {
+  for (const double degrees : {0.0, 15.0, 30.0, 45.0}) {
+    const double turn = 2 * degrees / 180 * std::numbers::pi;
+    auto c = straight(0.02, degrees, {-std::sin(turn), std::sin(turn), std::cos(turn)});
+    c.discretization.formulation = plate::Formulation::galerkin;
+    const auto found = energies(c);
+    CAPTURE(degrees, found.spent);
+    CHECK(std::abs(found.spent - 1) < 0.03);  // measured: 0.1 to 0.7 %
+  }
+}
+
+TEST_CASE("double torsion: compliance, energy release rate and load of growth against the closed form") {
+  // theory.md, "Double torsion": W = 1, t = 0.1, lever 0.4, a load of 1 in all
+  constexpr double young = 1000, poisson = 0.3, t = 0.1, W = 1, lever = 0.4, load = 1;
+  const double x = std::sqrt(12 * 5.0 / 6) * W / (4 * t), psi = 1 - std::tanh(x) / x;
+  const double shear_modulus = young / 2 / (1 + poisson);
+  const double slope = 3 * lever * lever / (W * t * t * t * shear_modulus * psi);
+  for (const char* formulation : {"ordinary", "galerkin"}) {
+    const auto file = cases::read_case(PDPLATE_SOURCE_DIR "/cases/growth/double_torsion.toml",
+                                       {"discretization.spacing=0.025", "growth.increment=20", "growth.max_length=2.5",
+                                        "output.fields=[]", std::string("discretization.formulation=") + formulation});
+    const small_run::TemporaryFolder folder;
+    const auto summary = cases::run(file, {folder.path(), true});
+    const auto growth = post::read_csv(folder / "growth.csv");
+    REQUIRE(growth.rows.size() == 4);  // a = 1, 1.5, 2, 2.5
+    const auto at = [&](std::size_t row, const char* name) {
+      return std::get<double>(growth.rows.at(row).at(growth.column(name)));
+    };
+    const double expected = std::sqrt(2 * file.content.growth->fracture_energy * t / (load * load * slope));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double a = at(i, "length"), factor = at(i, "load_factor");
+      CAPTURE(formulation, a, factor / expected);
+      CHECK(factor == Approx(expected).epsilon(0.005));  // measured: within 0.28 % with bonds
+      CHECK(std::abs(at(i, "K2")) < 1e-6 * std::abs(at(i, "K1")));
+      if (i == 0) continue;
+      const double C = at(i, "displacement") / factor, before = at(i - 1, "displacement") / at(i - 1, "load_factor");
+      CHECK((C - before) / (a - at(i - 1, "length")) == Approx(load * load * slope).epsilon(0.01));
+    }
+  }
+}
