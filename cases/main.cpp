@@ -3,6 +3,7 @@
 #include "cases/study.hpp"
 #include "plate/numerical_error.hpp"
 #include "post/compare.hpp"
+#include "post/fatigue.hpp"
 #include "post/study_orders.hpp"
 #include "post/table.hpp"
 #include "post/whole_file.hpp"
@@ -68,6 +69,8 @@ void print_table(const post::Table& table) {
 struct Arguments {
   std::string file, folder, key, reference, plot, only;
   std::vector<std::string> settings, methods;
+  post::ParisLaw law;
+  double load = 1, ratio = 0;
   int threads = 0;
   bool quiet = false, energy = false;
 };
@@ -124,6 +127,10 @@ int execute(const CLI::App& app, Arguments& a) {
     const auto rows = post::compare(a.folder, a.reference);
     fmt::print("{}", post::to_text(rows));
     if (!a.plot.empty()) post::write_whole(a.plot, post::to_svg(post::plot(rows, post::title_of(a.folder))));
+  } else if (app.got_subcommand("fatigue")) {
+    const std::filesystem::path folder(a.folder);
+    const auto section = cases::read_case(folder / "case.resolved.toml", {}).content.section;
+    print_table(post::fatigue(post::read_csv(folder / "growth.csv"), section, a.law, a.load, a.ratio));
   } else if (app.got_subcommand("study")) {
     return run_study(a);
   } else if (app.got_subcommand("extremes")) {
@@ -161,6 +168,13 @@ int main(int argc, char** argv) {
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
   compare->add_option("--plot", a.plot, "file for a plot of the curves (SVG)");
+  auto* fatigue = app.add_subcommand("fatigue", "cycles against length of the cracks of a growth, by Paris' law");
+  fatigue->add_option("folder", a.folder, "folder of the results of a case with [growth]")->required();
+  fatigue->add_option("--coefficient", a.law.coefficient, "C of da/dN = C (range of K)^m")->required()->check(CLI::PositiveNumber);
+  fatigue->add_option("--exponent", a.law.exponent, "m")->required()->check(CLI::PositiveNumber);
+  fatigue->add_option("--threshold", a.law.threshold, "range of K that must be exceeded (default 0)")->check(CLI::NonNegativeNumber);
+  fatigue->add_option("--load", a.load, "largest load, as a factor of those of the case (default 1)")->check(CLI::PositiveNumber);
+  fatigue->add_option("--ratio", a.ratio, "least over largest load (default 0)")->check(CLI::Range(-10.0, 0.999));
   auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
   study->add_option("study", a.file, "study file (TOML)")->required();
   study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");

@@ -85,6 +85,31 @@ TEST_CASE("growth at rest spends the fracture energy in twist, in the Galerkin p
   }
 }
 
+TEST_CASE("growth at rest starts where K1 of the references is that of the fracture energy") {
+  const auto critical = [](const plate::Section& s, double fracture_energy) {  // G = 12 pi K1^2 / (E h^3) = G_c h
+    return s.thickness * s.thickness * std::sqrt(s.young * fracture_energy / (12 * std::numbers::pi));
+  };
+  for (const char* formulation : {"ordinary", "galerkin"}) {
+    const std::vector<std::string> set{"discretization.formulation=" + std::string(formulation), "growth.max_advances=1",
+                                       "growth.control=equilibrium", "growth.fracture_energy=500", "output.fields=[]"};
+    const auto start = [&](const std::string& file, std::vector<std::string> more) {
+      more.insert(more.end(), set.begin(), set.end());
+      const auto read = cases::read_case(PDPLATE_SOURCE_DIR "/cases/" + file, more);
+      const small_run::TemporaryFolder folder;
+      const auto summary = cases::run(read, {folder.path(), true});
+      return summary.growth->first_load_factor / critical(read.content.section, 500);
+    };
+    // cases/references/static_summary.csv: bending, W/2h = 10, 2a/W = 0.3
+    const double central = start("static/central_crack_bending.toml", {"discretization.spacing=0.016666666666666667"});
+    // cases/references/dynamic_4.3.csv: its static solution
+    const double edge = start("dynamic/edge_crack.toml", {"discretization.spacing=0.02", "analysis={kind=\"static\"}",
+                                                            "load=[{kind=\"pressure\", value=1e6}]"});
+    CAPTURE(formulation, central * 0.384418, edge * 72672.523);
+    CHECK(central == Approx(1 / 0.384418).epsilon(0.01));
+    CHECK(edge == Approx(1 / 72672.523).epsilon(0.01));
+  }
+}
+
 TEST_CASE("double torsion: compliance, energy release rate and load of growth against the closed form") {
   // theory.md, "Double torsion": W = 1, t = 0.1, lever 0.4, a load of 1 in all
   constexpr double young = 1000, poisson = 0.3, t = 0.1, W = 1, lever = 0.4, load = 1;
