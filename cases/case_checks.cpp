@@ -175,6 +175,15 @@ void check_growth(const Case& content, Reading& reading) {
   const auto paths = geometry::crack_paths(content.outline, content.cracks, tolerance(content.outline));
   if (geometry::tips(paths).empty())
     reading.complain("growth", "there is no crack tip that could grow: give geometry.cracks, or remove [growth]");
+  if (content.analysis.kind == Analysis::Kind::dynamic) {
+    const std::string ways = "growth in motion severs bonds over a horizon with position-aware weights; choose ";
+    if (content.discretization.formulation != plate::Formulation::ordinary)
+      reading.complain("discretization.formulation", ways + "\"ordinary\"");
+    else if (content.discretization.surface_correction != plate::SurfaceCorrection::position_aware)
+      reading.complain("discretization.surface_correction", ways + "\"position_aware\"");
+    if (content.analysis.precision == Analysis::Precision::mixed)
+      reading.complain("analysis.precision", "growth is in double precision only; choose \"double\"");
+  }
   const auto has = [&](const char* method) { return std::ranges::find(content.srif->methods, method) != content.srif->methods.end(); };
   if (content.srif && !has("virtual_crack_extension") && !has("domain_integral"))
     reading.complain("srif.methods", "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");

@@ -68,8 +68,8 @@ void GrowthResults::event(const fracture::Event& event, const std::shared_ptr<co
   tips(event, *plate);
   cracks(event);
   const bool moves = std::ranges::any_of(event.moves, [](char one) { return one; });
-  if (moves && summary_.first_load_factor == 0) summary_.first_load_factor = factor_;
-  summary_.largest_load_factor = std::max(summary_.largest_load_factor, factor_);
+  if (moves && first_factor_ == 0) first_factor_ = factor_;
+  largest_factor_ = std::max(largest_factor_, factor_);
   framed_ = false;
   if (event.advance % c.growth->frames_every == 0) frame();
 }
@@ -141,10 +141,8 @@ post::Summary GrowthResults::finish(post::Summary summary, const fracture::Grown
   stopwatch.lap("output");
 
   if (last_) summary.srif = scaled(last_->srifs, factor_);
-  summary_.outcome = grown.outcome;
-  summary_.advances = grown.advances;
-  for (const auto& crack : grown.cracks) summary_.lengths.push_back(geometry::length(crack));
-  summary.growth = summary_;
+  summary.growth = post::GrowthSummary{grown.outcome, grown.advances, first_factor_, largest_factor_, {}, {}, {}};
+  for (const auto& crack : grown.cracks) summary.growth->lengths.push_back(geometry::length(crack));
   const auto& books = grown.ledger;
   summary.energy = {{"strain", books.strain}, {"external_work", books.external_work},
                     {"fracture", books.fracture}, {"released", books.released()}};

@@ -41,7 +41,7 @@ private:
   std::size_t advance_ = 0;                          // of that
   double factor_ = 0;
   bool framed_ = false;
-  post::GrowthSummary summary_;
+  double first_factor_ = 0, largest_factor_ = 0;
 };
 
 }  // namespace cases

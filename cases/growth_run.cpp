@@ -52,7 +52,7 @@ private:
     const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
     fracture::LoadedPlate result;
     const auto ringed = [&](const geometry::Tip& tip) {
-      return !post::rings(clear_distance(c, assembly, tip), INFINITY, spacing).empty();
+      return !post::rings(clear_distance(c, assembly.paths, tip), INFINITY, spacing).empty();
     };
     if (last_)  // of the case as it is written, tips without a ring are refused below
       for (const auto& tip : assembly.tips)

@@ -101,7 +101,7 @@ const Fields<Case>& case_fields() {
       tables<Case, plate::Load>("load", Layout::block, &Case::loads, load_fields(), check_load)
           .used_in(loaded),
       table<Case, Analysis>("analysis", Layout::block, &Case::analysis, analysis_fields(), check_analysis),
-      table<Case, fracture::Growth>("growth", Layout::block, &Case::growth, growth_fields()).used_in({Analysis::Kind::static_}),
+      table<Case, fracture::Growth>("growth", Layout::block, &Case::growth, growth_fields()).used_in(loaded),
       table<Case, post::SrifOptions>("srif", Layout::block, &Case::srif, srif_fields(), check_srif)
           .used_in(loaded),
       table<Case, Output>("output", Layout::block, &Case::output, output_fields()),

@@ -51,7 +51,8 @@ Fields<Growth> growth_fields() {
                               "where a tip turns to: largest moment across the crack (K2 = 0), largest energy release, or on"),
       choice<G, G::Control>("control", &G::control, controls,
                             "what is held while a crack runs: the loads, the displacement that they do work on, or neither: "
-                            "the load follows the crack"),
+                            "the load follows the crack")
+          .in({Analysis::Kind::static_}),
       number<G>("increment", "-", &G::increment, {0.5, 20}, "advance of a tip, in spacings; five at least after a turn"),
       number<G>("max_advances", "-", &G::max_advances, {1, 1000000}, "the growth ends after so many"),
       number<G>("max_length", "length", &G::max_length, positive, "the growth ends when a crack is so long"),
@@ -62,7 +63,8 @@ Fields<Growth> growth_fields() {
                [](const G& growth) { return std::string(growth.tension_only ? "true" : "false"); }),
       no_fail(),
       number<G>("frames_every", "-", &G::frames_every, {1, 1000000},
-                "advances between frames for ParaView; the first and the last state are always written"),
+                "advances between frames for ParaView; the first and the last state are always written")
+          .in({Analysis::Kind::static_}),
   };
 }
 

@@ -66,9 +66,9 @@ void write_summary(post::Summary& summary, const std::string& resolved, const St
   post::write_whole(folder / "summary.json", post::to_json(summary));
 }
 
-double clear_distance(const Case& c, const Assembly& assembly, const geometry::Tip& tip) {
+double clear_distance(const Case& c, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip) {
   const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
-  double clear = post::clear_distance(c.outline, assembly.paths, tip, spacing);
+  double clear = post::clear_distance(c.outline, paths, tip, spacing);
   for (const auto& load : c.loads)
     if (load.kind == plate::Load::Kind::point_force) clear = std::min(clear, (load.position - tip.position).norm());
   for (const auto& support : c.supports)
@@ -95,7 +95,7 @@ std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& 
                                 galerkin ? &galerkin->cells : nullptr};
   for (const auto& tip : assembly.tips) {
     try {
-      result.emplace_back(plate, post::TipPlace{tip, assembly.paths[tip.crack], clear_distance(c, assembly, tip)}, c.discretization.horizon(), *c.srif);
+      result.emplace_back(plate, post::TipPlace{tip, assembly.paths[tip.crack], clear_distance(c, assembly.paths, tip)}, c.discretization.horizon(), *c.srif);
     } catch (const std::invalid_argument& error) {
       problems.push_back({file.place("srif"), "srif",
                           fmt::format("tip at ({:g}, {:g}): {}", tip.position.x(), tip.position.y(), error.what())});
@@ -151,12 +151,20 @@ Results::Results(const CaseFile& file, const Assembly& assembly, std::filesystem
   if (case_.output.hdf5) hdf5_.emplace(folder_ / "state.h5", mesh, resolved_, PDPLATE_VERSION);
 }
 
+void Results::grows(MovingGrowth& growth) {
+  growth_ = &growth;
+  history_.columns.push_back("energy_residual");
+}
+
 void Results::sample(const plate::Instant& now, bool last) {
   strain_energy_ = now.strain_energy;
   const auto plate_points = Eigen::Index(assembly_.boundary.cloud.plate_points);
-  history_.rows.push_back({now.time, double(now.step), strain_energy_, now.kinetic_energy, now.external_work, 0.0,
+  const double fracture = growth_ ? growth_->fracture_energy() : 0;
+  history_.rows.push_back({now.time, double(now.step), strain_energy_, now.kinetic_energy, now.external_work, fracture,
                            now.state.row(0).head(plate_points).cwiseAbs().maxCoeff(),
                            strain_energy_ + now.discrete_energy});
+  if (growth_)
+    history_.rows.back().push_back(now.external_work - strain_energy_ - now.kinetic_energy - fracture);
   sample_probes(now);
   sample_srifs(now, last);
 }
@@ -185,7 +193,7 @@ std::vector<post::Srif> Results::widened_srifs(const plate::State& state, bool a
 }
 
 void Results::sample_srifs(const plate::Instant& now, bool last) {
-  latest_ = widened_srifs(now.state, last);
+  latest_ = growth_ ? growth_->srifs(now.state) : widened_srifs(now.state, last);
   post::append(srif_table_, now.time, latest_);
   srif_rows_.push_back(latest_);
 }
@@ -194,10 +202,13 @@ void Results::frame(const plate::Instant& now) {
   if (!vtk_ && !hdf5_) return;
   const auto plate_points = assembly_.boundary.cloud.plate_points;
   auto frame = frame_of(case_, assembly_, now.time, now.step, now.state, vtk_.has_value());
+  std::optional<post::Mesh> mesh;
+  if (growth_ && vtk_) mesh = growth_->mesh(frame);
   const bool dynamic = case_.analysis.kind == Analysis::Kind::dynamic;
   plate::State velocity;
   if (hdf5_ && dynamic) velocity = now.velocity().leftCols(Eigen::Index(plate_points));
   wait_for_frame();
+  if (mesh) vtk_->remesh(std::move(*mesh));
   writing_ = std::async(std::launch::async, [this, dynamic, frame = std::move(frame), velocity = std::move(velocity)] {
     if (vtk_) vtk_->write(frame);
     if (hdf5_) hdf5_->write(frame, dynamic ? &velocity : nullptr);
@@ -230,6 +241,13 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
     hdf5_->close();
   }
   stopwatch.lap("output");
+  if (growth_) {
+    growth_->write(folder_, vtk_.has_value());
+    summary.growth = growth_->summary();
+    const auto& ends = history_.rows.back();
+    summary.energy.emplace_back("fracture", growth_->fracture_energy());
+    summary.energy.emplace_back("residual", std::get<double>(ends.back()));
+  }
   summary.srif = latest_;
   for (const auto& reason : left_out(assembly_, tip_methods_)) summary.warnings.push_back(reason);
   summary.frequencies = frequencies_;

@@ -2,6 +2,7 @@
 #include <future>
 
 #include "cases/assembly.hpp"
+#include "cases/moving_growth.hpp"
 #include "plate/frequencies.hpp"
 #include "post/hdf5.hpp"
 #include "post/srif_methods.hpp"
@@ -11,7 +12,7 @@
 namespace cases {
 
 /// Distance from a tip within which nothing disturbs the field of the tip (post::clear_distance), not even loads and pins.
-double clear_distance(const Case& content, const Assembly& assembly, const geometry::Tip& tip);
+double clear_distance(const Case& content, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip);
 
 /// The methods for the intensity factors of every tip, set up before anything is solved. `assembly` must outlive them.
 /// Throws CaseError where a method cannot work at a tip.
@@ -52,6 +53,8 @@ public:
   }
   /// Those of every row so far.
   std::vector<std::vector<post::Srif>> srif_rows() && { return std::move(srif_rows_); }
+  /// The growth of the run, which must outlive it.
+  void grows(MovingGrowth& growth);
   /// A row of history, probes and intensity factors; of the last, all rings go into the summary.
   void sample(const plate::Instant& now, bool last);
   /// A frame for ParaView and HDF5, written while the solver goes on. What went wrong with a frame is thrown with the
@@ -84,6 +87,7 @@ private:
   std::pair<std::string, std::vector<std::vector<post::Srif>>> second_;  // formulation, rows
   std::vector<post::Frequency> frequencies_;
   double strain_energy_ = 0;
+  MovingGrowth* growth_ = nullptr;
   std::future<void> writing_;  // of the last frame; ends before what it writes to
 };
 

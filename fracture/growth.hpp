@@ -1,7 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
+
+#include "geometry/outline.hpp"
 
 namespace fracture {
 
@@ -32,6 +35,13 @@ struct Growth {
   std::optional<double> max_length;       // of any crack [length]
   bool tension_only = false;              // no growth of tips that close on the z > 0 face
   std::vector<std::array<double, 4>> no_fail;  // rectangles in which tips stay: xmin, ymin, xmax, ymax [length]
+
+  /// Does a rectangle of no_fail hold this point?
+  bool held(const geometry::Point& x) const {
+    return std::any_of(no_fail.begin(), no_fail.end(), [&](const auto& box) {
+      return x.x() >= box[0] && x.y() >= box[1] && x.x() <= box[2] && x.y() <= box[3];
+    });
+  }
 };
 
 }  // namespace fracture

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double together = 0.01;  // of the largest energy release rate: twice what integrals scatter with the lattice
 
-bool inside(const std::array<double, 4>& box, const geometry::Point& x) {
-  return x.x() >= box[0] && x.y() >= box[1] && x.x() <= box[2] && x.y() <= box[3];
-}
-
 /// Grows cracks at rest. One use.
 class RestGrowth {
 public:
@@ -41,9 +37,7 @@ private:
   using Control = Growth::Control;
 
   bool may_grow(const LoadedTip& tip) const {
-    if (*tip.G <= 0 || (growth_.tension_only && tip.factors.K1 <= 0)) return false;
-    return std::none_of(growth_.no_fail.begin(), growth_.no_fail.end(),
-                        [&](const auto& box) { return inside(box, tip.tip.position); });
+    return *tip.G > 0 && !(growth_.tension_only && tip.factors.K1 <= 0) && !growth_.held(tip.tip.position);
   }
 
   /// Raises the load to where the next tip moves. False where the growth ends.

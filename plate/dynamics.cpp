@@ -149,7 +149,11 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   Values<Real> force;
   for (std::size_t step = 0;; ++step) {
     const double time = static_cast<double>(step) * dt;
+    const Moment now{step, time, dt, state, velocity};
+    if (options.changes) options.changes->before_force(now);
     internal_force(state, force);
+    if constexpr (std::is_same_v<Real, double>)
+      if (options.changes) options.changes->after_force(now, force);
     if (masses.varies()) masses.at(time);
     const bool observed = step % options.observe_every == 0 || step == options.steps;
     const double work = observed || masses.varies() ? masses.work(time, state) : 0;

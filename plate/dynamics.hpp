@@ -36,12 +36,31 @@ struct Instant {
   double discrete_energy = 0;
 };
 
+/// A step of a motion, as those who change the plate see it.
+struct Moment {
+  std::size_t step;
+  double time, time_step;
+  const State& state;
+  const State& velocity;  // half a step before
+};
+
+/// Changes a plate while it moves. Called in every step.
+class Changes {
+public:
+  virtual ~Changes() = default;
+  virtual void before_force(const Moment& now) = 0;
+  /// `force`: the internal force, carried over to the free degrees of freedom.
+  virtual void after_force(const Moment& now, const Forces& force) = 0;
+};
+
 struct DynamicOptions {
   double time_step = 0;
   std::size_t steps = 0;
   std::size_t observe_every = 1;
   /// Internal forces in single precision, where the plate's own are not wanted; displacements stay in double.
   std::function<void(const Values<float>&, Values<float>&)> single = {};
+  /// In double precision only.
+  Changes* changes = nullptr;
 };
 
 /// Central differences (Eqs. 21-23) from rest, started with half a step's acceleration: u(dt) = a dt^2 / 2.

@@ -21,6 +21,7 @@ struct SrifOptions {
   int skip = 0;                         // samples next to the tip left out
   int rows = 1;                         // rows of points on each side: 1 nearest row, 2 extrapolated to the crack
   bool richardson = false;              // estimate the error from a second run with twice the spacing
+  bool first_ring_only = false;         // of every integral; then no errors are estimated from rings
   bool second_formulation = false;      // ... and from a run in the other formulation of the plate
   std::optional<Normalization> normalize;
   std::optional<double> half_length;    // the a of the normalisation

@@ -56,7 +56,7 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
         const auto how = method == "opening_series" ? series_fit(scale) : paper_fit(scale, options);
         openings_.emplace_back(positions, place.path, place.tip, scale, how);
       } else {
-        integrals_.push_back(integral_of(method, plate, tip, place.clear));
+        integrals_.push_back(integral_of(method, plate, tip, place.clear, options.first_ring_only));
       }
     } catch (const std::invalid_argument& reason) {
       left_out_.push_back(reason.what());
@@ -76,8 +76,9 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
 }
 
 TipMethods::Integral TipMethods::integral_of(const std::string& method, const BondedPlate& plate,
-                                             const geometry::Tip& tip, double clear) const {
+                                             const geometry::Tip& tip, double clear, bool first_ring_only) const {
   Integral result{method, rings(clear, INFINITY, plate.spacing), {}};
+  if (first_ring_only && !result.rings.empty()) result.rings.resize(1);
   if (result.rings.empty())
     throw std::invalid_argument(fmt::format("{}: no ring of 4 spacings fits: the next edge, crack, bend or load is {:.1f} "
                                             "spacings away; refine",

@@ -35,7 +35,8 @@ private:
     std::vector<TipIntegral> integrals;  // one per ring
   };
 
-  Integral integral_of(const std::string& method, const BondedPlate& plate, const geometry::Tip& tip, double clear) const;
+  Integral integral_of(const std::string& method, const BondedPlate& plate, const geometry::Tip& tip, double clear,
+                       bool first_ring_only) const;
   Srif of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix, const NearField& field,
           const Eigen::VectorXd& forward_work) const;
   std::size_t rings_of(const Integral& integral, bool all) const;

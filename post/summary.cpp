@@ -59,11 +59,13 @@ Json json_of(const Frequency& frequency) {
 }
 
 Json json_of(const GrowthSummary& growth) {
-  return {{"outcome", growth.outcome},
-          {"advances", growth.advances},
-          {"first_load_factor", growth.first_load_factor},
-          {"largest_load_factor", growth.largest_load_factor},
-          {"lengths", growth.lengths}};
+  Json json{{"outcome", growth.outcome}, {"advances", growth.advances}};
+  add(json, "first_load_factor", growth.first_load_factor);
+  add(json, "largest_load_factor", growth.largest_load_factor);
+  add(json, "spent", growth.spent);
+  add(json, "largest_speed", growth.largest_speed);
+  json["lengths"] = growth.lengths;
+  return json;
 }
 
 Json json_of(const ScenePart& part) {

@@ -26,8 +26,10 @@ struct Frequency {
 struct GrowthSummary {
   std::string outcome;
   std::size_t advances = 0;
-  double first_load_factor = 0;          // at which the first tip moved; 0 where none did
-  double largest_load_factor = 0;
+  std::optional<double> first_load_factor;    // at rest: at which the first tip moved; 0 where none did
+  std::optional<double> largest_load_factor;  // at rest
+  std::optional<double> spent;                // in motion: energy taken over fracture energy and area of the new crack
+  std::optional<double> largest_speed;        // in motion, of a piece of crack [length/time]
   std::vector<double> lengths;           // of every crack at the end [length]
 };
 

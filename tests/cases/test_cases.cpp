@@ -77,7 +77,8 @@ void check_files(const fs::path& folder, const cases::Case& c) {
   const bool frequencies = c.analysis.kind == cases::Analysis::Kind::frequencies;
   CHECK(fs::exists(folder / "history.csv") != frequencies);
   CHECK(fs::exists(folder / "frequencies.csv") == frequencies);
-  CHECK(fs::exists(folder / "srif.csv") == (c.srif || c.growth));
+  const bool at_rest = c.analysis.kind == cases::Analysis::Kind::static_;
+  CHECK(fs::exists(folder / "srif.csv") == (c.srif || (c.growth && at_rest)));
   for (const char* name : {"growth.csv", "cracks.csv", "cracks.vtp"}) CHECK(fs::exists(folder / name) == c.growth.has_value());
   CHECK(fs::exists(folder / "probes.csv") == !c.output.probes.empty());
   CHECK(text_of(folder / "summary.json").find("\"outcome\": \"done\"") != std::string::npos);

@@ -1,4 +1,4 @@
-// Cracks that grow at rest, against closed forms and their own energy.
+// Cracks that grow, at rest and in motion, against closed forms and their own energy.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -49,7 +49,7 @@ Energies energies(const cases::Case& c) {
   const double released = at(4, "released_energy") - at(0, "released_energy");
   CHECK(at(4, "fracture_energy") == Approx(0.08).epsilon(1e-9));  // 1 * 0.1 * 0.8
   CHECK(at(0, "external_work") == Approx(at(0, "strain_energy")));
-  return {1 + released / at(4, "fracture_energy"), summary.growth->first_load_factor};
+  return {1 + released / at(4, "fracture_energy"), *summary.growth->first_load_factor};
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ TEST_CASE("growth at rest starts where K1 of the references is that of the fract
       const auto read = cases::read_case(PDPLATE_SOURCE_DIR "/cases/" + file, more);
       const small_run::TemporaryFolder folder;
       const auto summary = cases::run(read, {folder.path(), true});
-      return summary.growth->first_load_factor / critical(read.content.section, 500);
+      return *summary.growth->first_load_factor / critical(read.content.section, 500);
     };
     // cases/references/static_summary.csv: bending, W/2h = 10, 2a/W = 0.3
     const double central = start("static/central_crack_bending.toml", {"discretization.spacing=0.016666666666666667"});
@@ -138,4 +138,90 @@ TEST_CASE("double torsion: compliance, energy release rate and load of growth ag
       CHECK((C - before) / (a - at(i - 1, "length")) == Approx(load * load * slope).epsilon(0.01));
     }
   }
+}
+
+namespace {
+
+struct Motion {
+  post::Summary summary;
+  double residual;  // largest of the books, over the largest work
+  post::Table growth, history;
+};
+
+Motion moved(const cases::CaseFile& file) {
+  const small_run::TemporaryFolder folder;
+  Motion result{cases::run(file, {folder.path(), true}), 0, {}, post::read_csv(folder / "history.csv")};
+  if (file.content.growth) result.growth = post::read_csv(folder / "growth.csv");
+  if (!file.content.growth) return result;
+  const auto column = [&](const std::vector<post::Cell>& row, const char* name) {
+    return std::get<double>(row.at(result.history.column(name)));
+  };
+  double work = 0;
+  for (const auto& row : result.history.rows) {
+    work = std::max(work, column(row, "external_work"));
+    result.residual = std::max(result.residual, std::abs(column(row, "energy_residual")));
+  }
+  result.residual /= work;
+  return result;
+}
+
+/// A square on simple supports under rising pressure, with a crack of half length 0.25 in its middle.
+cases::Case pressed(double degrees) {
+  auto c = vp::square(0.025);
+  c.section.density = 1;
+  const double turn = degrees / 180 * std::numbers::pi;
+  const geometry::Point along(std::cos(turn), std::sin(turn));
+  c.cracks = {{-0.25 * along, 0.25 * along}};
+  c.supports = {vp::held_all_round(plate::SupportKind::simply_supported)};
+  c.loads[0].value = 6;
+  c.loads[0].history.kind = plate::History::Kind::ramp, c.loads[0].history.rise_time = 0.6;
+  c.analysis.duration = 0.8;
+  c.growth.emplace();
+  c.growth->fracture_energy = 1;
+  c.growth->direction = Growth::Direction::straight;
+  c.growth->no_fail = {{-1, -1, -0.75, 1}, {0.75, -1, 1, 1}, {-1, -1, 1, -0.75}, {-1, 0.75, 1, 1}};
+  c.output.vtk = c.output.hdf5 = false;
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("growth in motion: the crack takes the fracture energy, the books close, its speed stays below the limit") {
+  const double limit = 0.93 * std::sqrt(vp::section.shear_stiffness() / (1 * vp::section.thickness));
+  for (const auto& [degrees, band] : {std::pair{0.0, 0.03}, {30.0, 0.04}, {45.0, 0.06}}) {
+    const auto found = moved({pressed(degrees), {}});
+    REQUIRE(found.summary.growth);
+    CAPTURE(degrees, *found.summary.growth->spent, found.residual, *found.summary.growth->largest_speed / limit);
+    CHECK(found.summary.growth->advances >= 36);
+    CHECK(found.summary.growth->lengths[0] >= 1.4);
+    CHECK(*found.summary.growth->spent == Approx(1).margin(band));  // measured: 1.008, 1.028, 1.050
+    CHECK(found.residual < 0.01);                                   // measured: 0.0001 to 0.0003
+    CHECK(*found.summary.growth->largest_speed <= limit * (1 + 1e-9));
+  }
+}
+
+TEST_CASE("growth in motion: a crack along the middle of a strip, whose energy release rate is constant") {
+  for (const char* pressure : {"load[0].value=3.5", "load[0].value=8"}) {
+    const auto found = moved(cases::read_case(PDPLATE_SOURCE_DIR "/cases/growth/running_crack.toml", {pressure, "output.fields=[]"}));
+    CAPTURE(pressure, *found.summary.growth->spent, found.residual);
+    CHECK(found.summary.growth->lengths[0] == Approx(3.5).margin(0.026));
+    CHECK(*found.summary.growth->spent == Approx(1).margin(0.03));  // measured: 1.007, 1.014
+    CHECK(found.residual < 0.01);                                   // measured: 0.002
+  }
+}
+
+TEST_CASE("growth in motion: nothing breaks at time 0, and a crack that cannot grow changes no bit") {
+  auto c = pressed(0);
+  c.analysis.duration = 0.1;
+  c.growth->fracture_energy = 1e6;
+  const auto tough = moved({c, {}});
+  CHECK(tough.growth.rows.empty());
+  CHECK(tough.summary.growth->outcome == "no growth");
+  auto plain = c;
+  plain.growth.reset();
+  plain.analysis.safety = 0.9;
+  const auto without = moved({plain, {}});
+  REQUIRE(without.history.rows.size() == tough.history.rows.size());
+  for (std::size_t i = 0; i < without.history.rows.size(); ++i)
+    for (std::size_t j = 0; j < without.history.columns.size(); ++j) CHECK(without.history.rows[i][j] == tough.history.rows[i][j]);
 }

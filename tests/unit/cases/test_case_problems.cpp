@@ -55,8 +55,10 @@ TEST_CASE("growth: what it needs, and what it cannot do") {
          "growth needs an energy release rate");
   expect(growth + "fracture_energy = 1\n[srif]\nsecond_formulation = true\n", ":21", "srif.second_formulation",
          "is not available with [growth]");
-  expect(with_line(growth + "fracture_energy = 1\n", 17, "kind = \"dynamic\"\nduration = 1"), ":19", "growth",
-         "is used in statics only", {"section.density=1"});
+  const auto motion = with_line(growth + "fracture_energy = 1\n", 17, "kind = \"dynamic\"\nduration = 1");  // growth at 19
+  expect(motion, "--set discretization.surface_correction", "discretization.surface_correction",
+         "choose \"position_aware\"", {"section.density=1", "discretization.surface_correction=volume"});
+  expect(motion + "control = \"load\"\n", ":21", "growth.control", "is used in statics only", {"section.density=1"});
 }
 
 TEST_CASE("what the Galerkin plate has not is refused with the reason, and what it needs not may stay") {
