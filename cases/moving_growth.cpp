@@ -60,8 +60,12 @@ std::vector<post::Srif> MovingGrowth::srifs(const plate::State& state) const {
   return result;
 }
 
-post::Mesh MovingGrowth::mesh(post::Frame& frame) const {
+post::Mesh MovingGrowth::draw(post::Frame& frame, const plate::State& state) const {
   const auto& first = assembly_.families();
+  const auto& cloud = assembly_.boundary.cloud;
+  frame.resultants = plate::resultants(state, plate_.families(), assembly_.ordinary()->shapes(), cloud.areas,
+                                       cloud.plate_points, case_.section);
+  frame.damage.assign(cloud.plate_points, 0);
   const auto weight = [&](const geometry::Families& families, std::size_t k) {
     double sum = 0;
     for (const auto& bond : families[k]) sum += assembly_.ordinary()->shapes()[bond.vector_id].weight;

@@ -20,8 +20,8 @@ public:
 
   /// Factors of the tips where they are now, by the methods of the case; none of tips beside edges and other cracks.
   std::vector<post::Srif> srifs(const plate::State& state) const;
-  /// The cells between points that still see each other; sets the frame's damage.
-  post::Mesh mesh(post::Frame& frame) const;
+  /// The cells between points that still see each other; sets the frame's resultants and damage.
+  post::Mesh draw(post::Frame& frame, const plate::State& state) const;
   /// growth.csv and cracks.csv; with `lines` cracks.vtp.
   void write(const std::filesystem::path& folder, bool lines) const;
   post::GrowthSummary summary() const;

@@ -201,9 +201,9 @@ void Results::sample_srifs(const plate::Instant& now, bool last) {
 void Results::frame(const plate::Instant& now) {
   if (!vtk_ && !hdf5_) return;
   const auto plate_points = assembly_.boundary.cloud.plate_points;
-  auto frame = frame_of(case_, assembly_, now.time, now.step, now.state, vtk_.has_value());
+  auto frame = frame_of(case_, assembly_, now.time, now.step, now.state, vtk_ && !growth_);
   std::optional<post::Mesh> mesh;
-  if (growth_ && vtk_) mesh = growth_->mesh(frame);
+  if (growth_ && vtk_) mesh = growth_->draw(frame, now.state);
   const bool dynamic = case_.analysis.kind == Analysis::Kind::dynamic;
   plate::State velocity;
   if (hdf5_ && dynamic) velocity = now.velocity().leftCols(Eigen::Index(plate_points));
