@@ -26,6 +26,7 @@ public:
 
   std::size_t points() const override { return base_.points(); }
   void internal_force(const plate::State& state, plate::Forces& forces) const override;
+  /// Of the plate as it was: time steps are found before anything is severed (and kept at 0.9 of the limit).
   void absolute_product(const plate::State& state, plate::Forces& forces) const override;
   plate::Forces diagonal() const override;
 
