@@ -56,6 +56,9 @@ post::Table srif_again(const std::filesystem::path& folder, const std::vector<st
   }
   const CaseFile file = read_case(folder / "case.resolved.toml", overrides);
   const Case& c = file.content;
+  if (c.growth)
+    throw CaseError({{file.place("growth"), "growth", "the cracks have grown since: srif.csv of the run has their factors "
+                                                      "along the way"}});
   const auto run = post::read_run(folder / "state.h5");
   Stopwatch stopwatch;
   const Assembly assembly = assemble(file, stopwatch);

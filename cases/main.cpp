@@ -129,8 +129,11 @@ int execute(const CLI::App& app, Arguments& a) {
     if (!a.plot.empty()) post::write_whole(a.plot, post::to_svg(post::plot(rows, post::title_of(a.folder))));
   } else if (app.got_subcommand("fatigue")) {
     const std::filesystem::path folder(a.folder);
-    const auto section = cases::read_case(folder / "case.resolved.toml", {}).content.section;
-    print_table(post::fatigue(post::read_csv(folder / "growth.csv"), section, a.law, a.load, a.ratio));
+    const auto file = cases::read_case(folder / "case.resolved.toml", {});
+    const auto& c = file.content;
+    if (!c.growth || c.analysis.kind != cases::Analysis::Kind::static_)
+      throw cases::CaseError({{file.place("growth"), "growth", "cycles are counted along a growth at rest: a static case with [growth]"}});
+    print_table(post::fatigue(post::read_csv(folder / "growth.csv"), c.section, a.law, a.load, a.ratio));
   } else if (app.got_subcommand("study")) {
     return run_study(a);
   } else if (app.got_subcommand("extremes")) {

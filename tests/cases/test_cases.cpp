@@ -170,6 +170,26 @@ TEST_CASE("exit code 3: not converged, the summary and the last frame are kept")
   }
 }
 
+TEST_CASE("exit code 2: commands that have no meaning for a growth, or for none") {
+  const auto growth = fs::path(PDPLATE_SOURCE_DIR) / "cases/growth";
+  const TemporaryFolder scratch;
+  REQUIRE(run(growth / "double_torsion.toml", scratch / "rest", {"discretization.spacing=0.05", "growth.max_advances=2"}).exit_code == 0);
+  REQUIRE(run(growth / "running_crack.toml", scratch / "motion", {"discretization.spacing=0.05", "analysis.duration=0.01"}).exit_code == 0);
+  REQUIRE(run(central_crack(), scratch / "none", {"discretization.spacing=0.05"}).exit_code == 0);
+  const auto fatigue = [&](const char* folder) {
+    return program({"fatigue", (scratch / folder).string(), "--coefficient", "1", "--exponent", "2"}).exit_code;
+  };
+  CHECK(fatigue("rest") == 0);
+  CHECK(fatigue("motion") == 2);
+  CHECK(fatigue("none") == 2);
+  for (const char* folder : {"rest", "motion"}) {
+    const auto ended = program({"srif", (scratch / folder).string()});
+    INFO(ended.output);
+    CHECK(ended.exit_code == 2);
+    CHECK(ended.output.find("the cracks have grown since") != std::string::npos);
+  }
+}
+
 TEST_CASE("exit code 3: a growth whose numbers fail keeps what it has") {
   const auto file = fs::path(PDPLATE_SOURCE_DIR) / "cases/growth/double_torsion.toml";
   const TemporaryFolder scratch;
