@@ -15,6 +15,12 @@ std::string free_motion(const plate::Piece& piece) {
                      piece.free_modes);
 }
 
+bool finds_rest(const Case& content) {
+  const auto& analysis = content.analysis;
+  return analysis.kind == Analysis::Kind::static_ ||
+         (analysis.kind == Analysis::Kind::dynamic && analysis.start == Analysis::Start::equilibrium);
+}
+
 std::string hanging(const plate::LoosePart& part) {
   return fmt::format(
       "the part of {} point{} about ({:g}, {:g}) hangs by bonds along one line through ({:g}, {:g}) and "
@@ -37,13 +43,13 @@ void check_held(const CaseFile& file, const std::vector<plate::Piece>& pieces, s
     problems.push_back({file.place(key), key, what});
   }
   if (problems.empty()) return;
-  if (file.content.analysis.kind == Analysis::Kind::static_) throw CaseError(problems);
+  if (finds_rest(file.content)) throw CaseError(problems);
   if (pieces.size() > 1)
     for (const auto& problem : problems) warnings.push_back(problem.what);
 }
 
 void check_mechanisms(const CaseFile& file, const plate::Mechanisms& found, std::vector<std::string>& warnings) {
-  const bool statics = file.content.analysis.kind == Analysis::Kind::static_;
+  const bool statics = finds_rest(file.content);
   for (const auto& part : {found.driven, found.twisted})
     if (part && statics)
       throw CaseError({{file.place("geometry.cracks"), "geometry.cracks",

@@ -17,6 +17,7 @@ struct Analysis {
   enum class Method { adr, cg, direct, central_difference, lanczos };
   enum class Preconditioner { automatic, diagonal, local, two_level, levels };
   enum class Precision { double_, mixed };
+  enum class Start { undeformed, equilibrium };
   Kind kind = Kind::static_;
   Method method = Method::cg;
   Preconditioner preconditioner = Preconditioner::automatic;  // of cg
@@ -25,6 +26,7 @@ struct Analysis {
   std::size_t modes = 6;                  // frequencies
   double duration = 0;                    // dynamic [time]
   std::optional<double> time_step;        // dynamic; absent: from the computed bound
+  Start start = Start::undeformed;        // dynamic; equilibrium: under the loads of time 0
   double rotary_inertia = 1;              // dynamic: over that of the plate
   Precision precision = Precision::double_;  // dynamic; mixed: internal forces in single
   double safety = 0.95;                   // dynamic: share of the stable step that is used

@@ -169,23 +169,65 @@ void check_tips(const Case& content, Reading& reading) {
                      "there is no crack tip to find intensity factors at: remove [srif] or give geometry.cracks");
 }
 
-/// Growth starts at tips.
+/// What growth by single bonds has and that by tips has not, and the other way round.
+void check_criterion(const fracture::Growth& growth, Reading& reading) {
+  using enum fracture::Growth::Criterion;
+  const bool limits = growth.criterion == curvature_shear && (growth.critical_curvature || growth.critical_shear);
+  if (!reading.given("growth.fracture_energy") && !limits)
+    reading.complain("growth.fracture_energy", "is missing, must be a number > 0");
+  if (growth.criterion != curvature_shear)
+    for (const char* key : {"growth.critical_curvature", "growth.critical_shear"})
+      if (reading.given(key)) reading.complain(key, "is of criterion = \"curvature_shear\": remove it");
+  if (!growth.by_bonds() && reading.given("growth.apparent_toughness"))
+    reading.complain("growth.apparent_toughness", "is of criteria for bonds: remove it");
+  if (growth.by_bonds())
+    for (const char* key : {"growth.direction", "growth.increment"})
+      if (reading.given(key)) reading.complain(key, "is of criterion = \"energy_release\": bonds break where they fail; remove it");
+}
+
+/// From rest to motion.
+void check_switch(const Case& content, Reading& reading) {
+  const auto& growth = *content.growth;
+  const bool moves = growth.unstable == fracture::Growth::Unstable::move;
+  if (!moves) {
+    if (reading.given("growth.duration")) reading.complain("growth.duration", "is of unstable = \"move\": remove it");
+    return;
+  }
+  if (!reading.given("growth.duration")) reading.complain("growth.duration", "is missing, must be a number > 0");
+  if (!reading.given("section.density")) reading.complain("section.density", "is missing, must be a number > 0: the plate may begin to move");
+  if (growth.by_bonds())
+    reading.complain("growth.unstable", "\"move\" given: cracks of broken bonds cannot be handed over to a motion; choose \"stop\" or \"jump\"");
+  if (growth.control != fracture::Growth::Control::load)
+    reading.complain("growth.control", "must be \"load\" with unstable = \"move\": the loads stay while the plate moves");
+  if (content.discretization.formulation != plate::Formulation::ordinary)
+    reading.complain("discretization.formulation", "growth in motion severs bonds over a horizon; choose \"ordinary\"");
+}
+
+/// Bonds that break one by one, and tips that run through a moving plate, do so in families over a horizon.
+void check_formulation_of_growth(const Case& content, Reading& reading) {
+  const bool moves = content.analysis.kind == Analysis::Kind::dynamic;
+  if (!moves && !content.growth->by_bonds()) return;
+  if (content.discretization.formulation != plate::Formulation::ordinary)
+    reading.complain("discretization.formulation",
+                     fmt::format("{} bonds over a horizon; choose \"ordinary\"",
+                                 content.growth->by_bonds() ? "bonds that break one by one are" : "growth in motion severs"));
+  if (content.analysis.precision == Analysis::Precision::mixed)
+    reading.complain("analysis.precision", "growth is in double precision only; choose \"double\"");
+  if (!moves && content.analysis.method == Analysis::Method::adr)
+    reading.complain("analysis.method", "\"adr\" given: breaking bonds takes a solution for each; choose \"cg\" or \"direct\"");
+}
+
 void check_growth(const Case& content, Reading& reading) {
   if (!content.growth || !reading.sound("geometry")) return;
+  check_criterion(*content.growth, reading);
+  check_formulation_of_growth(content, reading);
+  if (content.analysis.kind == Analysis::Kind::static_) check_switch(content, reading);
   const auto paths = geometry::crack_paths(content.outline, content.cracks, tolerance(content.outline));
-  if (geometry::tips(paths).empty())
-    reading.complain("growth", "there is no crack tip that could grow: give geometry.cracks, or remove [growth]");
-  if (content.analysis.kind == Analysis::Kind::dynamic) {
-    const std::string ways = "growth in motion severs bonds over a horizon with position-aware weights; choose ";
-    if (content.discretization.formulation != plate::Formulation::ordinary)
-      reading.complain("discretization.formulation", ways + "\"ordinary\"");
-    else if (content.discretization.surface_correction != plate::SurfaceCorrection::position_aware)
-      reading.complain("discretization.surface_correction", ways + "\"position_aware\"");
-    if (content.analysis.precision == Analysis::Precision::mixed)
-      reading.complain("analysis.precision", "growth is in double precision only; choose \"double\"");
-  }
+  if (!content.growth->by_bonds() && geometry::tips(paths).empty())
+    reading.complain("growth", "there is no crack tip that could grow: give geometry.cracks, criterion = \"bond_energy\", or "
+                               "remove [growth]");
   const auto has = [&](const char* method) { return std::ranges::find(content.srif->methods, method) != content.srif->methods.end(); };
-  if (content.srif && !has("virtual_crack_extension") && !has("domain_integral"))
+  if (content.srif && !content.growth->by_bonds() && !has("virtual_crack_extension") && !has("domain_integral"))
     reading.complain("srif.methods", "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");
   if (content.srif && content.srif->second_formulation)
     reading.complain("srif.second_formulation", "is not available with [growth]: run both cases and compare their growth.csv");

@@ -141,7 +141,7 @@ post::Summary GrowthResults::finish(post::Summary summary, const fracture::Grown
   stopwatch.lap("output");
 
   if (last_) summary.srif = scaled(last_->srifs, factor_);
-  summary.growth = post::GrowthSummary{grown.outcome, grown.advances, first_factor_, largest_factor_, {}, {}, {}};
+  summary.growth = post::GrowthSummary{grown.outcome, grown.advances, first_factor_, largest_factor_, {}, {}, {}, {}};
   for (const auto& crack : grown.cracks) summary.growth->lengths.push_back(geometry::length(crack));
   const auto& books = grown.ledger;
   summary.energy = {{"strain", books.strain}, {"external_work", books.external_work},

@@ -24,6 +24,8 @@ public:
   /// The last state, the tables and, last, the summary; returns it complete.
   post::Summary finish(post::Summary summary, const fracture::Grown& grown, Stopwatch& stopwatch);
 
+  double load_factor() const { return factor_; }
+
 private:
   void frame();
   void write_state() const;

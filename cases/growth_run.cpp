@@ -87,6 +87,24 @@ private:
   std::string method_;
 };
 
+/// The plate at rest as it has grown, a hundredth above the load that is there, and what it does then.
+CaseFile in_motion(CaseFile file, const fracture::Grown& grown, double load_factor) {
+  Case& c = file.content;
+  c.analysis.kind = Analysis::Kind::dynamic;
+  c.analysis.method = Analysis::Method::central_difference;
+  c.analysis.start = Analysis::Start::equilibrium;
+  c.analysis.duration = c.growth->duration;
+  c.growth->unstable = fracture::Growth::Unstable::jump;
+  c.cracks = grown.cracks;
+  const double factor = 1.01 * load_factor;
+  for (auto& load : c.loads) {
+    load.value *= factor, load.twist *= factor;
+    for (auto& component : load.tensor) component *= factor;
+    load.history = {};
+  }
+  return file;
+}
+
 post::Summary summary_of(const CaseFile& file, const GrowingPlate& plate) {
   post::Summary summary;
   if (plate.last()) summary = about(file.content, plate.last()->assembly);
@@ -126,7 +144,10 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
   try {
     const auto grown = fracture::grow_at_rest(*c.growth, c.section, c.outline, c.cracks, spacing, std::ref(plate), observe);
     progress.done();
-    return results->finish(summary_of(file, plate), grown, stopwatch);
+    auto summary = results->finish(summary_of(file, plate), grown, stopwatch);
+    if (grown.outcome == fracture::unstable_advance && c.growth->unstable == fracture::Growth::Unstable::move)
+      run(in_motion(file, grown, results->load_factor()), {options.folder / "motion", options.quiet});
+    return summary;
   } catch (const plate::NumericalError& error) {
     begin();
     auto summary = summary_of(file, plate);

@@ -23,6 +23,8 @@ const Words<Analysis::Preconditioner> preconditioners{{{"auto", Analysis::Precon
 const Words<Analysis::Precision> precisions{{{"double", Analysis::Precision::double_},
                                              {"mixed", Analysis::Precision::mixed}}};
 
+const Words<Analysis::Start> starts{{{"undeformed", Analysis::Start::undeformed}, {"equilibrium", Analysis::Start::equilibrium}}};
+
 Field<Analysis> time_step() {
   return value<Analysis>(
       {"time_step", "time", "\"auto\" or a number > 0", "\"auto\"", "time step; auto: safety times the stable step"},
@@ -157,6 +159,9 @@ Fields<Analysis> analysis_fields() {
       number<A>("modes", "-", &A::modes, {1, 1000}, "number of frequencies, from the lowest")
           .in({A::Kind::frequencies}),
       number<A>("duration", "time", &A::duration, positive, "simulated time").required().in_dynamics(),
+      choice<A, A::Start>("start", &A::start, starts,
+                          "dynamic: the plate at time 0: without deformation, or at rest in equilibrium with the loads of that time")
+          .in({A::Kind::dynamic}),
       time_step().in_dynamics(),
       number<A>("rotary_inertia", "-", &A::rotary_inertia, {1, 1e6},
                 "factor of the rotary inertia: above 1 thin plates take longer steps, and short waves run slower")

@@ -1,40 +1,53 @@
 #pragma once
 #include "cases/assembly.hpp"
-#include "fracture/moving_cracks.hpp"
+#include "fracture/fallen_pieces.hpp"
 #include "post/frame.hpp"
 #include "post/srif_methods.hpp"
 #include "post/summary.hpp"
-#include "post/table.hpp"
 
 namespace cases {
 
-/// Cracks that grow in a dynamic run: the plate whose bonds they sever, and what is written of them.
+/// Cracks that grow in a dynamic run: the plate whose bonds they sever, and what is written of them. Of bonds over a horizon.
 class MovingGrowth {
 public:
-  /// Both must outlive this; the plate is of bonds over a horizon.
+  /// Both must outlive this.
   MovingGrowth(const CaseFile& file, const Assembly& assembly);
+  virtual ~MovingGrowth() = default;
 
   const plate::Operator& plate() const { return plate_; }
-  plate::Changes& changes() { return cracks_; }
-  double fracture_energy() const { return cracks_.fracture_energy(); }
+  plate::Changes& changes();
+  virtual double fracture_energy() const = 0;
+  /// Kinetic energy of pieces that were frozen.
+  double frozen_energy() const { return fallen_ ? fallen_->energy() : 0; }
 
-  /// Factors of the tips where they are now, by the methods of the case; none of tips beside edges and other cracks.
-  std::vector<post::Srif> srifs(const plate::State& state) const;
+  /// A row of the history: factors of the tips where they are now, by the methods of the case; none of tips beside edges and
+  /// other cracks.
+  std::vector<post::Srif> sample(double time, const plate::State& state);
   /// The cells between points that still see each other; sets the frame's resultants and damage.
   post::Mesh draw(post::Frame& frame, const plate::State& state) const;
   /// growth.csv and cracks.csv; with `lines` cracks.vtp.
-  void write(const std::filesystem::path& folder, bool lines) const;
-  post::GrowthSummary summary() const;
+  virtual void write(const std::filesystem::path& folder, bool lines) const = 0;
+  virtual post::GrowthSummary summary() const = 0;
 
-private:
-  post::TipMethods methods(const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip,
-                           const post::SrifOptions& options, double reach = INFINITY) const;
-  fracture::Gauge gauge(const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip) const;
+protected:
+  /// Tips by their number.
+  using Tips = std::vector<std::pair<std::size_t, geometry::Tip>>;
+  virtual plate::Changes& severing() = 0;
+  virtual void look(double time) = 0;
+  virtual Tips tips() const = 0;
+  virtual std::vector<geometry::CrackPath> paths() const = 0;
+  /// What became of the plate: ", edge 'left' reached; the plate split in 2 parts, which move on".
+  std::string parts() const;
 
   const Case& case_;
   const Assembly& assembly_;
   fracture::SeveredPlate plate_;
-  fracture::MovingCracks cracks_;
+
+private:
+  std::optional<fracture::FallenPieces> fallen_;
 };
+
+/// By the criterion of the case.
+std::unique_ptr<MovingGrowth> moving_growth(const CaseFile& file, const Assembly& assembly);
 
 }  // namespace cases

@@ -164,7 +164,7 @@ void Results::sample(const plate::Instant& now, bool last) {
                            now.state.row(0).head(plate_points).cwiseAbs().maxCoeff(),
                            strain_energy_ + now.discrete_energy});
   if (growth_)
-    history_.rows.back().push_back(now.external_work - strain_energy_ - now.kinetic_energy - fracture);
+    history_.rows.back().push_back(now.external_work - strain_energy_ - now.kinetic_energy - fracture - growth_->frozen_energy());
   sample_probes(now);
   sample_srifs(now, last);
 }
@@ -193,7 +193,7 @@ std::vector<post::Srif> Results::widened_srifs(const plate::State& state, bool a
 }
 
 void Results::sample_srifs(const plate::Instant& now, bool last) {
-  latest_ = growth_ ? growth_->srifs(now.state) : widened_srifs(now.state, last);
+  latest_ = growth_ ? growth_->sample(now.time, now.state) : widened_srifs(now.state, last);
   post::append(srif_table_, now.time, latest_);
   srif_rows_.push_back(latest_);
 }
@@ -246,6 +246,7 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
     summary.growth = growth_->summary();
     const auto& ends = history_.rows.back();
     summary.energy.emplace_back("fracture", growth_->fracture_energy());
+    if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
     summary.energy.emplace_back("residual", std::get<double>(ends.back()));
   }
   summary.srif = latest_;

@@ -58,8 +58,18 @@ std::unique_ptr<plate::Preconditioner> galerkin_levels(const Case& c, const Asse
   return std::make_unique<plate::GalerkinLevels>(galerkin->op, constraints, galerkin->seen, std::move(coarser));
 }
 
+plate::Forces first_load(const Assembly& assembly) {
+  plate::Forces load = plate::Forces::Zero(3, assembly.loads.front().forces.cols());
+  for (const auto& one : assembly.loads) load += plate::factor(one.history, 0) * one.forces;
+  return load;
+}
+
 StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate::StaticOptions& options) {
-  const auto load = total_load(assembly);
+  return solve_at_rest(c, assembly, total_load(assembly), options);
+}
+
+StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate::Forces& load,
+                           const plate::StaticOptions& options) {
   const auto& constraints = assembly.boundary.constraints;
   using enum Analysis::Method;
   using enum Analysis::Preconditioner;

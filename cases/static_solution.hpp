@@ -19,8 +19,14 @@ plate::Forces total_load(const Assembly& assembly);
 /// `assembly` must outlive it.
 std::unique_ptr<plate::Preconditioner> galerkin_levels(const Case& c, const Assembly& assembly);
 
-/// By the method and with the preconditioner of the case; `options` in place of the case's tolerance and limit.
+/// All loads as they are at time 0.
+plate::Forces first_load(const Assembly& assembly);
+
+/// By the method and with the preconditioner of the case (in dynamics conjugate gradients); `options` in place of the case's tolerance and limit.
 /// Throws NumericalError as the solvers do.
+StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate::Forces& load,
+                           const plate::StaticOptions& options);
+/// Under all loads at their last values.
 StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate::StaticOptions& options);
 
 }  // namespace cases

@@ -7,7 +7,7 @@ namespace fracture {
 namespace {
 
 constexpr std::size_t look_every = 4;   // steps, of a tip at rest: it can go a spacing in two
-constexpr double first_speed = 0.3;     // of a tip that starts: of the limit
+constexpr double first_speed = 0.3, slowest_start = 0.1;  // of a tip that starts: of the limit
 constexpr double least_speed = 0.02;    // of one that runs: of the limit
 constexpr double recent_length = 3;     // spacings: a lattice's steps under an angle to it
 constexpr double gain = 0.6;
@@ -25,7 +25,7 @@ MovingCracks::MovingCracks(const Growth& growth, const plate::Section& section, 
                            SeveredPlate& plate, std::vector<geometry::CrackPath> paths, double spacing, MakeGauge make_gauge)
     : growth_(growth), section_(section), outline_(outline), plate_(plate), paths_(std::move(paths)), spacing_(spacing),
       toughness_(growth.fracture_energy * section.thickness),
-      speed_limit_(0.93 * std::sqrt(section.shear_stiffness() / (section.density * section.thickness))),
+      speed_limit_(0.93 * section.shear_wave_speed()),
       make_gauge_(std::move(make_gauge)) {
   for (const auto& tip : geometry::tips(paths_)) tips_.push_back({tip, first_speed * speed_limit_});
 }
@@ -87,7 +87,7 @@ void MovingCracks::before_force(const plate::Moment& now) {
     if (!tip.running) continue;
     auto& running = *tip.running;
     const double share = std::min(1.0, (now.time - running.begin) / running.duration);
-    const double spent = plate_.carry_on(running.severing, share, now.state, now.velocity, now.time_step);
+    const double spent = plate_.carry_on(running.severing, share, {now.state, now.velocity, now.time_step});
     running.spent += spent, spent_ += spent;
     if (share >= 1) arrive(tip, now);
   }
@@ -104,7 +104,9 @@ void MovingCracks::after_force(const plate::Moment& now, const plate::Forces& fo
     const auto drive = tip.gauge(now.state, force);
     tip.next_look = now.step + look_every;
     tip.since_look = 0;
-    if (!stays(tip, drive)) start(tip, drive.factors, now.time);
+    if (stays(tip, drive)) continue;
+    if (tip.length == 0) tip.speed = speed_limit_ * std::clamp(1 - toughness_ / drive.G, slowest_start, first_speed);
+    start(tip, drive.factors, now.time);
   }
 }
 

@@ -16,7 +16,7 @@ public:
   RestGrowth(const Growth& growth, const plate::Section& section, const geometry::Outline& outline, double spacing,
              std::vector<geometry::Polyline> cracks)
       : growth_(growth), section_(section), outline_(outline), spacing_(spacing),
-        toughness_(growth.fracture_energy * section.thickness) {
+        toughness_(growth.fracture_energy * section.thickness), load_(growth.control) {
     result_.cracks = std::move(cracks);
   }
 
@@ -34,8 +34,6 @@ public:
   }
 
 private:
-  using Control = Growth::Control;
-
   bool may_grow(const LoadedTip& tip) const {
     return *tip.G > 0 && !(growth_.tension_only && tip.factors.K1 <= 0) && !growth_.held(tip.tip.position);
   }
@@ -46,34 +44,17 @@ private:
     for (const auto& tip : plate.tips)
       if (may_grow(tip)) most = std::max(most, *tip.G);
     const double critical = most > 0 ? std::sqrt(toughness_ / most) : INFINITY;
-    if (result_.advances == 0) most_displacement_ = plate.displacement;
-    const double reached = growth_.control == Control::displacement ? displacement_ / plate.displacement : factor_;
-    const double end = growth_.control == Control::displacement ? most_displacement_ / plate.displacement : 1;
-    const bool stable = result_.advances == 0 || critical >= reached * (1 - 1e-9);
-    const bool follows = growth_.control == Control::equilibrium;
-    go_to(plate, follows ? (most > 0 ? critical : factor_) : std::min(std::max(critical, reached), end));
-
-    const std::string why = end_of_growth(plate, most > 0, !follows && critical > end);
-    Event event{result_.advances, factor_, displacement_, critical, stable, result_.ledger, plate, result_.cracks, {}};
+    const auto step = load_.to(plate.displacement, critical);
+    result_.ledger.external_work = load_.ledger.external_work, result_.ledger.strain = load_.ledger.strain;
+    std::string why = end_of_growth(plate, most > 0, step.beyond);
+    if (why.empty() && !step.stable && growth_.unstable != Growth::Unstable::jump) why = unstable_advance;
+    Event event{result_.advances, load_.factor(), load_.displacement(), critical, step.stable, result_.ledger, plate, result_.cracks, {}};
     for (const auto& tip : plate.tips)
       event.moves.push_back(why.empty() && may_grow(tip) && *tip.G >= (1 - together) * most);
     moves_ = event.moves;
     observe(event);
     result_.outcome = why;
     return why.empty();
-  }
-
-  /// An advance comes first, under constant load or at constant displacement, then the load changes in proportion to the
-  /// displacement; where the load follows the crack, both at once.
-  void go_to(const LoadedPlate& plate, double factor) {
-    const double displacement = factor * plate.displacement;
-    auto& work = result_.ledger.external_work;
-    const bool constant_load = growth_.control == Control::load, fixed = growth_.control == Control::displacement;
-    const double from = constant_load ? factor_ * plate.displacement : displacement_;
-    const double factor_from = fixed ? displacement_ / plate.displacement : factor_;
-    work += factor_ * (from - displacement_) + (factor_from + factor) / 2 * (displacement - from);
-    factor_ = factor, displacement_ = displacement;
-    result_.ledger.strain = factor * displacement / 2;
   }
 
   std::string end_of_growth(const LoadedPlate& plate, bool can_grow, bool beyond_the_end) const {
@@ -120,7 +101,7 @@ private:
   const plate::Section& section_;
   const geometry::Outline& outline_;
   double spacing_, toughness_;
-  double factor_ = 0, displacement_ = 0, most_displacement_ = 0;
+  RestLoad load_;
   std::vector<char> moves_;
   Grown result_;
 };

@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 #include <string>
-#include "fracture/growth.hpp"
+#include "fracture/rest_load.hpp"
 #include "fracture/kink.hpp"
 #include "geometry/crack_extension.hpp"
 
@@ -24,12 +24,6 @@ struct LoadedPlate {
 /// Solves the plate with these cracks.
 using Solve = std::function<LoadedPlate(const std::vector<geometry::Polyline>& cracks)>;
 
-/// Energy books of a growth [energy]. What is released beyond what the crack takes would be kinetic.
-struct Ledger {
-  double external_work = 0, strain = 0, fracture = 0;
-  double released() const { return external_work - strain - fracture; }
-};
-
 /// One state at rest on the way, just before tips move on.
 struct Event {
   std::size_t advance;  // number of it; the first state is 0
@@ -41,6 +35,9 @@ struct Event {
   const std::vector<geometry::Polyline>& cracks;
   std::vector<char> moves;  // per tip of the plate
 };
+
+/// Outcome of a growth that may not jump.
+inline const std::string unstable_advance = "the next advance is unstable";
 
 /// How a growth ended, and the cracks then.
 struct Grown {

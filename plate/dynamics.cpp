@@ -32,7 +32,7 @@ public:
       varies_ = varies_ || !load.history.constant();
     }
     last_.assign(loads.size(), {0, 0});
-    work_.assign(loads.size(), 0);
+    work_.assign(loads.size(), 0), before_.assign(loads.size(), 0);
     std::map<std::vector<double>, std::uint32_t> known;
     std::vector<double> key, before;
     for (Eigen::Index k = 0; k < mass.cols(); ++k) {
@@ -92,6 +92,13 @@ public:
     return total;
   }
 
+  /// Loads have grown slowly to what they are at time 0, where this is the state.
+  void start(const State& state) {
+    work(0, state);
+    for (std::size_t l = 0; l < histories_.size(); ++l)
+      if (histories_[l].constant()) before_[l] = -last_[l].first * last_[l].second / 2;
+  }
+
   /// Work of the loads up to now. A load that varies needs a call each step (trapezoidal rule), a constant one does
   /// not.
   double work(double time, const State& state) {
@@ -102,7 +109,7 @@ public:
       });
       const double now = factor(histories_[l], time);
       auto& [share_before, factor_before] = last_[l];
-      work_[l] = histories_[l].constant() ? share : work_[l] + (now + factor_before) / 2 * (share - share_before);
+      work_[l] = histories_[l].constant() ? share + before_[l] : work_[l] + (now + factor_before) / 2 * (share - share_before);
       last_[l] = {share, now};
       all += work_[l];
     }
@@ -125,7 +132,7 @@ private:
   std::vector<Run> runs_;
   std::vector<History> histories_;
   std::vector<std::pair<double, double>> last_;  // F . u and factor of the call before
-  std::vector<double> work_;
+  std::vector<double> work_, before_;            // before: of constant loads, less than their work at once
   bool varies_ = false;
 };
 
@@ -145,7 +152,9 @@ template <typename Real, typename InternalForce>
 void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, Eigen::Index points,
            const DynamicOptions& options, const std::function<void(const Instant&)>& observe) {
   const double dt = options.time_step;
-  State state = State::Zero(3, points), velocity = state;  // velocity at half steps
+  State state = options.start.size() > 0 ? options.start : State(State::Zero(3, points));
+  State velocity = State::Zero(3, points);  // at half steps
+  if (options.start.size() > 0) masses.start(state);
   Values<Real> force;
   for (std::size_t step = 0;; ++step) {
     const double time = static_cast<double>(step) * dt;

@@ -36,12 +36,12 @@ struct Instant {
   double discrete_energy = 0;
 };
 
-/// A step of a motion, as those who change the plate see it.
+/// A step of a motion, as those who change the plate see it. Before the force they may change state and velocity too.
 struct Moment {
   std::size_t step;
   double time, time_step;
-  const State& state;
-  const State& velocity;  // half a step before
+  State& state;
+  State& velocity;  // half a step before
 };
 
 /// Changes a plate while it moves. Called in every step.
@@ -61,9 +61,11 @@ struct DynamicOptions {
   std::function<void(const Values<float>&, Values<float>&)> single = {};
   /// In double precision only.
   Changes* changes = nullptr;
+  /// At rest at time 0, under loads that have grown slowly: their work until then counts. Empty: zero.
+  State start = {};
 };
 
-/// Central differences (Eqs. 21-23) from rest, started with half a step's acceleration: u(dt) = a dt^2 / 2.
+/// Central differences (Eqs. 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a dt^2 / 2.
 /// Calls `observe` at step 0, every `observe_every` steps and at the end.
 /// Throws NumericalError where the deflection is not finite, with step, time and point.
 void central_differences(const Operator& plate, const Constraints& constraints, Forces mass,

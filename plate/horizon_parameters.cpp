@@ -1,13 +1,12 @@
 #include "plate/horizon_parameters.hpp"
 
+#include "plate/family_rule.hpp"
 #include "plate/influence.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace plate {
-namespace {
-
 void add(FamilySums& sums, const BondShape& bond, double share, double thickness, double area) {
   const double weighted = bond.weight * area;  // omega V
   const double square = bond.length * bond.length;
@@ -16,21 +15,6 @@ void add(FamilySums& sums, const BondShape& bond, double share, double thickness
   sums.second += weighted * square;
   sums.twist += weighted * square * bond.mx * bond.mx * bond.my * bond.my;
 }
-
-FamilySums full_sums(const Section& section, const Discretization& d) {
-  FamilySums sums;
-  const auto vectors = full_family(d);
-  const auto shapes = bond_shapes(vectors, section, d);
-  for (std::size_t i = 0; i < vectors.size(); ++i)
-    add(sums, shapes[i], volume_share(d, vectors[i]), section.thickness, d.spacing * d.spacing);
-  return sums;
-}
-
-PointParameters scaled(const PointParameters& p, double factor) {
-  return {p.a, p.b * factor, p.d * factor, p.C * factor};
-}
-
-}  // namespace
 
 PointParameters disc_parameters(const Section& section, Influence kind, double horizon) {
   // integrals over the disc of omega xi, omega xi^2 with omega = horizon/xi or 1
@@ -72,10 +56,7 @@ std::vector<PointParameters> horizon_parameters(const geometry::Families& famili
                                                 const std::vector<BondShape>& shapes,
                                                 const std::vector<double>& areas, const std::vector<char>& active,
                                                 const Section& section, const Discretization& d) {
-  const FamilySums full = full_sums(section, d);
-  const PointParameters constant = d.full_horizon == FullHorizon::lattice
-                                       ? arbitrary_horizon(section, d.twist_match, full, full.twist)
-                                       : disc_parameters(section, d.influence, d.horizon());
+  const ParameterRule rule(section, d);
   std::vector<double> shares;
   for (const auto& xi : families.vectors()) shares.push_back(volume_share(d, xi));
 
@@ -85,14 +66,7 @@ std::vector<PointParameters> horizon_parameters(const geometry::Families& famili
     if (!active[k] || families[k].empty()) continue;
     FamilySums sums;
     for (const auto [j, id] : families[k]) add(sums, shapes[id], shares[id], section.thickness, areas[j]);
-    switch (d.surface_correction) {
-      case SurfaceCorrection::none: result[k] = constant; break;
-      case SurfaceCorrection::volume: result[k] = scaled(constant, full.volume / sums.volume); break;
-      case SurfaceCorrection::arbitrary_horizon:
-      case SurfaceCorrection::position_aware:  // has weights by bond in place of parameters
-        result[k] = arbitrary_horizon(section, d.twist_match, sums, full.twist);
-        break;
-    }
+    result[k] = rule(sums);
   }
   return result;
 }

@@ -27,6 +27,9 @@ struct FamilySums {
   double twist = 0;   // sum omega xi^2 cos^2 sin^2 V
 };
 
+/// Adds one bond to the sums. `share`: beta; `area` [length^2] of its other point.
+void add(FamilySums& sums, const BondShape& bond, double share, double thickness, double area);
+
 /// Eqs. 29, 32, 35, 38 for the family that a point has. A family without bonds gets zeros. Dai's Eq. 35 is held below
 /// 8 times the full horizon's b_b, which only bonds along the axes exceed.
 PointParameters arbitrary_horizon(const Section& section, TwistMatch match, const FamilySums& sums,

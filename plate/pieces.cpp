@@ -18,14 +18,33 @@ Eigen::Vector3d rigid(std::uint32_t dof, const geometry::Point& x) {
   }
 }
 
-}  // namespace
-
-std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families) {
+DisjointSets connected(const Boundary& boundary, const geometry::Families& families) {
   DisjointSets sets(families.points());
   for (std::uint32_t k = 0; k < families.points(); ++k)
     for (const auto& bond : families[k])
       if (bond.neighbour < k) sets.join(k, bond.neighbour);
   for (const auto& tie : boundary.constraints.ties()) sets.join(tie.follower / 3, tie.leader / 3);
+  return sets;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> fallen(const Boundary& boundary, const geometry::Families& families) {
+  const auto all = pieces(boundary, families);
+  auto sets = connected(boundary, families);
+  std::vector<std::uint32_t> off;  // roots
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (all[i].free_modes == 3) off.push_back(sets.root(all[i].first_point));
+  std::ranges::sort(off);
+  std::vector<std::uint32_t> result;
+  if (off.empty()) return result;
+  for (std::uint32_t k = 0; k < families.points(); ++k)
+    if (std::ranges::binary_search(off, sets.root(k))) result.push_back(k);
+  return result;
+}
+
+std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families) {
+  auto sets = connected(boundary, families);
 
   std::map<std::uint32_t, Piece> found;
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) {

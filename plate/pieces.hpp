@@ -14,4 +14,7 @@ struct Piece {
 /// All pieces, largest first. Bonds, mirror images and ties connect.
 std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families);
 
+/// The points that have fallen off: of all pieces that no support holds in any way, but for the largest piece of all.
+std::vector<std::uint32_t> fallen(const Boundary& boundary, const geometry::Families& families);
+
 }  // namespace plate

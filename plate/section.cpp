@@ -10,4 +10,6 @@ double Section::bending_stiffness() const {
 
 double Section::shear_stiffness() const { return shear_correction * young / (2 * (1 + poisson)) * thickness; }
 
+double Section::shear_wave_speed() const { return std::sqrt(shear_stiffness() / (density * thickness)); }
+
 }  // namespace plate

@@ -15,6 +15,8 @@ struct Section {
   double bending_stiffness() const;
   /// k_s G h with G = E / (2 (1 + nu)) [force/length]
   double shear_stiffness() const;
+  /// sqrt(k_s G / rho): no crack runs faster [length/time]
+  double shear_wave_speed() const;
 };
 
 }  // namespace plate

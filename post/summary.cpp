@@ -64,6 +64,7 @@ Json json_of(const GrowthSummary& growth) {
   add(json, "largest_load_factor", growth.largest_load_factor);
   add(json, "spent", growth.spent);
   add(json, "largest_speed", growth.largest_speed);
+  add(json, "broken_bonds", growth.broken_bonds);
   json["lengths"] = growth.lengths;
   return json;
 }

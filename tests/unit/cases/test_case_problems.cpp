@@ -56,9 +56,34 @@ TEST_CASE("growth: what it needs, and what it cannot do") {
   expect(growth + "fracture_energy = 1\n[srif]\nsecond_formulation = true\n", ":21", "srif.second_formulation",
          "is not available with [growth]");
   const auto motion = with_line(growth + "fracture_energy = 1\n", 17, "kind = \"dynamic\"\nduration = 1");  // growth at 19
-  expect(motion, "--set discretization.surface_correction", "discretization.surface_correction",
-         "choose \"position_aware\"", {"section.density=1", "discretization.surface_correction=volume"});
+  expect(motion, "--set discretization.formulation", "discretization.formulation", "growth in motion severs bonds over a horizon",
+         {"section.density=1", "discretization.formulation=galerkin"});
   expect(motion + "control = \"load\"\n", ":21", "growth.control", "is used in statics only", {"section.density=1"});
+}
+
+TEST_CASE("growth by single bonds: what it needs, and what it cannot do") {
+  const std::string bonds = plain + "[growth]\ncriterion = \"bond_energy\"\n";  // line 18
+  expect(bonds, ":18", "growth.fracture_energy", "is missing");
+  expect(bonds + "fracture_energy = 1\ndirection = \"straight\"\n", ":21", "growth.direction", "bonds break where they fail");
+  expect(bonds + "fracture_energy = 1\ncritical_shear = 1\n", ":21", "growth.critical_shear", "of criterion = \"curvature_shear\"");
+  expect(bonds + "fracture_energy = 1\n", "--set analysis.method", "analysis.method", "breaking bonds takes a solution for each",
+         {"analysis.method=adr"});
+  expect(bonds + "fracture_energy = 1\n", "--set discretization.formulation", "discretization.formulation",
+         "bonds that break one by one are bonds over a horizon", {"discretization.formulation=galerkin"});
+  expect(bonds + "fracture_energy = 1\nunstable = \"move\"\nduration = 1\n", ":21", "growth.unstable", "cannot be handed over",
+         {"section.density=1"});
+  expect(plain + "[growth]\nfracture_energy = 1\napparent_toughness = 1.1\n", ":20", "growth.apparent_toughness", "of criteria for bonds");
+  // limits in place of the fracture energy; no crack is needed where bonds break one by one
+  CHECK(read(with_line(plain, 7, "") + "[growth]\ncriterion = \"curvature_shear\"\ncritical_curvature = 2\n")
+            .content.growth->critical_curvature == 2);
+}
+
+TEST_CASE("growth that goes over into motion needs what motion needs") {
+  const std::string moves = plain + "[growth]\nfracture_energy = 1\nunstable = \"move\"\n";  // line 18
+  expect(moves, ":18", "growth.duration", "is missing", {"section.density=1"});
+  expect(moves + "duration = 1\n", ":1", "section.density", "the plate may begin to move");
+  expect(moves + "duration = 1\ncontrol = \"displacement\"\n", ":22", "growth.control", "must be \"load\"", {"section.density=1"});
+  expect(plain + "[growth]\nfracture_energy = 1\nduration = 1\n", ":20", "growth.duration", "is of unstable = \"move\"");
 }
 
 TEST_CASE("what the Galerkin plate has not is refused with the reason, and what it needs not may stay") {

@@ -18,6 +18,8 @@ cases::Assembly cracked(const geometry::Polyline& crack) {
   return vp::assembled(c);
 }
 
+const plate::FamilyRule rule(vp::section, vp::square(0.1).discretization);
+
 double largest(const plate::Forces& forces) { return forces.cwiseAbs().maxCoeff(); }
 
 }  // namespace
@@ -46,11 +48,11 @@ TEST_CASE("own families: energies and forces of all families are those of the op
   CHECK(mixed == Approx(-expected.cwiseProduct(v).sum() / 2));
 }
 
-TEST_CASE("severed plate: all severed, it is the plate with the longer crack; half severed, the mean of both") {
+TEST_CASE("severed plate: all severed, it is the plate with the longer crack; on the way, its energy has fallen by what was taken") {
   const geometry::Polyline first{{-1, -0.25}, {-0.35, -0.25}}, second{{-1, -0.25}, {-0.35, -0.25}, {0.15, 0.1}};
   for (const auto& [from, to, piece] : {std::tuple{first, second, 0.61}, {second, geometry::Polyline{{-1, -0.25}, {-0.35, -0.25}, {0.45, 0.31}}, 0.37}}) {
     const auto before = cracked(from), after = cracked(to);
-    SeveredPlate severed(*before.ordinary(), before.boundary, vp::section);
+    SeveredPlate severed(*before.ordinary(), before.boundary, rule);
     const auto u = vp::random_state(before, 3);
     plate::Forces old, whole, half, wanted;
     before.plate().internal_force(u, old);
@@ -64,10 +66,11 @@ TEST_CASE("severed plate: all severed, it is the plate with the longer crack; ha
     CHECK(severed.sever(after.paths[0], true, piece) == std::optional<std::size_t>(*number + 1));  // nothing is left to cut
     const plate::State rest = plate::State::Zero(3, u.cols());
     const double drop = (before.ordinary()->energies(u).sum() - after.ordinary()->energies(u).sum());
-    CHECK(severed.carry_on(*number, 0.5, u, rest, 0.1) == Approx(drop / 2));
+    const double half_drop = severed.carry_on(*number, 0.5, {u, rest, 0.1});
     severed.internal_force(u, half);
-    CHECK(largest(half - (old + wanted) / 2) < 1e-12 * largest(old));
-    CHECK(severed.carry_on(*number, 1, u, rest, 0.1) == Approx(drop / 2));
+    CHECK(-half.cwiseProduct(u).sum() / 2 == Approx(before.ordinary()->energies(u).sum() - half_drop));
+    CHECK(largest(half - old) > 1e-4 * largest(old));
+    CHECK(half_drop + severed.carry_on(*number, 1, {u, rest, 0.1}) == Approx(drop));
     severed.internal_force(u, whole);
     CHECK(largest(whole - wanted) < 1e-12 * largest(old));
     CHECK(severed.families().bonds() == after.families().bonds());
@@ -76,7 +79,7 @@ TEST_CASE("severed plate: all severed, it is the plate with the longer crack; ha
 
 TEST_CASE("severed plate: a piece through points of a severing that goes on has to wait") {
   const auto a = cracked({{-1, -0.25}, {-0.35, -0.25}});
-  SeveredPlate severed(*a.ordinary(), a.boundary, vp::section);
+  SeveredPlate severed(*a.ordinary(), a.boundary, rule);
   auto path = a.paths[0];
   path.vertices.back() = {-0.15, -0.25};
   const auto number = severed.sever(path, true, 0.2);
@@ -84,6 +87,30 @@ TEST_CASE("severed plate: a piece through points of a severing that goes on has 
   path.vertices.back() = {0.05, -0.25};
   CHECK_FALSE(severed.sever(path, true, 0.2));
   const auto u = vp::random_state(a, 4);
-  severed.carry_on(*number, 1, u, u, 0);
+  severed.carry_on(*number, 1, {u, u, 0});
   CHECK(severed.sever(path, true, 0.2));
+}
+
+TEST_CASE("severed plate: with every surface correction it becomes the plate with the longer crack") {
+  using plate::SurfaceCorrection;
+  for (const auto correction : {SurfaceCorrection::none, SurfaceCorrection::volume, SurfaceCorrection::arbitrary_horizon}) {
+    const auto with = [&](const geometry::Polyline& crack) {
+      auto c = vp::square(0.1);
+      c.discretization.surface_correction = correction;
+      c.supports = {vp::held(plate::SupportKind::clamped, {"left"})};
+      c.cracks = {crack};
+      return c;
+    };
+    const auto first = with({{-1, -0.25}, {-0.35, -0.25}});
+    const auto before = vp::assembled(first), after = vp::assembled(with({{-1, -0.25}, {0.25, -0.25}}));
+    SeveredPlate severed(*before.ordinary(), before.boundary, {first.section, first.discretization});
+    const auto u = vp::random_state(before, 6);
+    const auto number = severed.sever(after.paths[0], true, 0.6);
+    REQUIRE(number);
+    severed.carry_on(*number, 1, {u, u, 0});
+    plate::Forces found, wanted;
+    severed.internal_force(u, found);
+    after.plate().internal_force(u, wanted);
+    CHECK(largest(found - wanted) < 1e-12 * largest(wanted));
+  }
 }

@@ -1,0 +1,42 @@
+#pragma once
+#include "cases/bond_cracks.hpp"
+#include "cases/results.hpp"
+#include "fracture/bonds_at_rest.hpp"
+
+namespace cases {
+
+/// What bonds that break at rest leave in the folder of a run: growth.csv, tips.csv, cracks.csv, cracks.vtp and what Results
+/// writes, with the number of the advance in the place of time.
+class BondResults {
+public:
+  /// All must outlive this.
+  BondResults(const CaseFile& file, const Assembly& assembly, const fracture::SeveredPlate& plate, BondCracks& cracks,
+              std::filesystem::path folder);
+
+  /// Before its bonds break. `new_lines`: the cracks are others than at the last event.
+  void event(const fracture::BondEvent& event, bool new_lines);
+  /// The tables and, last, the summary; returns it complete.
+  post::Summary finish(post::Summary summary, const fracture::Broken& broken, Stopwatch& stopwatch);
+
+private:
+  void row(const fracture::BondEvent& event);
+  void factors(double factor, const plate::State& state);
+  void frame();
+
+  const CaseFile& file_;
+  const Assembly& assembly_;
+  const fracture::SeveredPlate& plate_;
+  BondCracks& cracks_;
+  std::filesystem::path folder_;
+  std::string resolved_;
+  std::vector<std::pair<std::string, std::vector<post::Share>>> probes_;
+  post::Table growth_, history_, probe_table_, srifs_;
+  std::optional<post::VtkSeries> vtk_;
+  std::vector<post::Srif> latest_;
+  plate::State state_;  // of the last event
+  std::size_t advance_ = 0;
+  bool framed_ = false;
+  double first_factor_ = 0, largest_factor_ = 0;
+};
+
+}  // namespace cases

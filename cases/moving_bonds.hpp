@@ -1,0 +1,32 @@
+#pragma once
+#include "cases/bond_cracks.hpp"
+#include "cases/moving_growth.hpp"
+#include "fracture/breaking_bonds.hpp"
+
+namespace cases {
+
+/// Bonds that break one by one while the plate moves.
+class MovingBonds : public MovingGrowth {
+public:
+  MovingBonds(const CaseFile& file, const Assembly& assembly);
+
+  double fracture_energy() const override { return bonds_.fracture_energy(); }
+  /// growth.csv (bonds and lengths over time), tips.csv, cracks.csv, cracks.vtp.
+  void write(const std::filesystem::path& folder, bool lines) const override;
+  post::GrowthSummary summary() const override;
+
+private:
+  plate::Changes& severing() override { return bonds_; }
+  void look(double time) override;
+  Tips tips() const override;
+  std::vector<geometry::CrackPath> paths() const override { return cracks_.paths(); }
+
+  fracture::BondLimits limits_;
+  fracture::BondCheck check_;
+  BondCracks cracks_;
+  fracture::BreakingBonds bonds_;
+  post::Table growth_;
+  double largest_speed_ = 0;
+};
+
+}  // namespace cases

@@ -1,0 +1,45 @@
+#pragma once
+#include "fracture/bond_limits.hpp"
+#include "fracture/severed_plate.hpp"
+
+namespace fracture {
+
+/// A bond and its demand (BondLimits).
+struct LoadedBond {
+  PointPair bond;
+  double demand;
+};
+
+/// Looks for the bonds that fail. Only bonds between points of the plate break: supports hold what they hold. One call at a time.
+class BondCheck {
+public:
+  /// All must outlive this.
+  BondCheck(const Growth& growth, const BondLimits& limits, const SeveredPlate& plate, const plate::Boundary& boundary);
+
+  /// Intact bonds of the plate, or of these points (ascending), with a demand of at least `least`: largest first, equal ones by
+  /// their points.
+  std::vector<LoadedBond> at_least(double least, const plate::State& state);
+  std::vector<LoadedBond> at_least(double least, const plate::State& state, const std::vector<std::uint32_t>& points);
+  /// The largest demand of the plate.
+  double largest(const plate::State& state);
+
+  /// Points within a horizon of bonds between nearest neighbours whose demand, as one of many, is a share of 0.25 at least: no
+  /// bond elsewhere fails before these are many more. In a twentieth of the time of looking at all bonds.
+  std::vector<std::uint32_t> suspects(const plate::State& state) const;
+
+private:
+  template <typename Visit>
+  void visit_bonds(std::uint32_t k, const plate::State& state, const Visit& visit) const;
+  void find_dilatations(const plate::State& state, const std::vector<std::uint32_t>& points);
+
+  const Growth& growth_;
+  const BondLimits& limits_;
+  const SeveredPlate& plate_;
+  const plate::Boundary& boundary_;
+  std::vector<std::uint32_t> all_;
+  std::vector<std::vector<std::uint32_t>> nearest_;  // per pattern of the base: which bonds are a spacing long
+  std::vector<double> dilatation_;                   // per point
+  std::vector<char> marked_;                         // per point, zero between calls
+};
+
+}  // namespace fracture

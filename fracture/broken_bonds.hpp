@@ -1,0 +1,48 @@
+#pragma once
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace fracture {
+
+/// Bonds that have broken, one bit for each directed bond of the points that lost any. Points that did are numbered in the
+/// order of their first loss.
+class BrokenBonds {
+public:
+  /// `longest`: bonds of the largest family.
+  BrokenBonds(std::size_t points, std::size_t longest) : words_per_point_((longest + 63) / 64), number_(points, -1) {}
+
+  /// Number of a point; -1: all its bonds are intact.
+  std::int32_t number(std::size_t k) const { return number_[k]; }
+  std::size_t points() const { return words_per_point_ == 0 ? 0 : words_.size() / words_per_point_; }
+
+  /// The i-th bond of point k.
+  bool broken(std::size_t k, std::size_t i) const {
+    return number_[k] >= 0 && (words_[word(k, i)] >> (i % 64) & 1);
+  }
+  void set(std::size_t k, std::size_t i) {
+    if (number_[k] < 0) {
+      number_[k] = std::int32_t(points());
+      words_.resize(words_.size() + words_per_point_, 0);
+    }
+    words_[word(k, i)] |= std::uint64_t(1) << (i % 64);
+  }
+
+  /// Directed bonds.
+  std::size_t count() const {
+    std::size_t sum = 0;
+    for (const auto word : words_) sum += std::size_t(std::popcount(word));
+    return sum;
+  }
+
+private:
+  std::size_t word(std::size_t k, std::size_t i) const { return std::size_t(number_[k]) * words_per_point_ + i / 64; }
+
+  std::size_t words_per_point_;
+  std::vector<std::int32_t> number_;
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace fracture
