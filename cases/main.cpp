@@ -10,12 +10,26 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <omp.h>
 #include <unistd.h>
 
 namespace {
 
 enum ExitCode { done = 0, wrong_case = 2, failed_numbers = 3, failed_machine = 4 };
+
+void print_growth(const post::GrowthSummary& growth) {
+  constexpr std::size_t most = 8;
+  std::vector<std::string> lengths;
+  for (std::size_t i = 0; i < std::min(most, growth.lengths.size()); ++i) lengths.push_back(fmt::format("{:.4g}", growth.lengths[i]));
+  if (growth.lengths.size() > most) lengths.push_back(fmt::format("... ({} in all)", growth.lengths.size()));
+  fmt::print("growth: {}; lengths of the cracks: {}", growth.outcome, fmt::join(lengths, ", "));
+  if (growth.first_load_factor && *growth.first_load_factor > 0)
+    fmt::print("; load factor {:.5g} at the first advance, {:.5g} at most", *growth.first_load_factor, *growth.largest_load_factor);
+  if (growth.spent) fmt::print("; energy spent {:.3f} of the fracture energy", *growth.spent);
+  if (growth.largest_speed) fmt::print("; largest speed {:.4g}", *growth.largest_speed);
+  fmt::print("\n");
+}
 
 void print_result(const post::Summary& summary, const std::filesystem::path& folder) {
   const auto& a = summary.analysis;
@@ -39,6 +53,7 @@ void print_result(const post::Summary& summary, const std::filesystem::path& fol
   if (!summary.frequencies.empty()) fmt::print("{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");
   for (const auto& f : summary.frequencies)
     fmt::print("{:>4} {:>13.6f} {:>13.5f} {:>9.1e}\n", f.mode, f.frequency, f.omega, f.residual);
+  if (summary.growth) print_growth(*summary.growth);
   for (const auto& warning : summary.warnings) fmt::print("warning: {}\n", warning);
   fmt::print("results in {}\n", folder.string());
 }
@@ -131,8 +146,10 @@ int execute(const CLI::App& app, Arguments& a) {
     const std::filesystem::path folder(a.folder);
     const auto file = cases::read_case(folder / "case.resolved.toml", {});
     const auto& c = file.content;
-    if (!c.growth || c.analysis.kind != cases::Analysis::Kind::static_)
-      throw cases::CaseError({{file.place("growth"), "growth", "cycles are counted along a growth at rest: a static case with [growth]"}});
+    if (!c.growth || c.analysis.kind != cases::Analysis::Kind::static_ || c.growth->by_bonds())
+      throw cases::CaseError({{file.place("growth"), "growth",
+                               "cycles are counted along tips that grow at rest: a static case with [growth] and criterion = "
+                               "\"energy_release\""}});
     print_table(post::fatigue(post::read_csv(folder / "growth.csv"), c.section, a.law, a.load, a.ratio));
   } else if (app.got_subcommand("study")) {
     return run_study(a);

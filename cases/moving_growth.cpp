@@ -26,8 +26,11 @@ std::vector<post::Srif> MovingGrowth::sample(double time, const plate::State& st
   plate::Forces force;
   plate_.internal_force(state, force);
   const auto now = paths();
+  auto options = *case_.srif;
+  const auto by_energy = std::ranges::count_if(options.methods, [](const auto& m) { return m == "virtual_crack_extension" || m == "domain_integral"; });
+  options.first_ring_only = by_energy == 2;  // one estimates the error of the other
   for (const auto& [number, tip] : tips()) try {
-      for (auto& srif : severed_tip_methods(case_, assembly_, plate_.families(), now, tip, *case_.srif)(state, force, false)) {
+      for (auto& srif : severed_tip_methods(case_, assembly_, plate_.families(), now, tip, options)(state, force, false)) {
         srif.tip = number;
         post::normalize(srif, *case_.srif, case_.section.thickness);
         result.push_back(std::move(srif));

@@ -1,5 +1,6 @@
 #include "fracture/bond_limits.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -32,28 +33,32 @@ Crossing crossing(const plate::Section& section, const plate::Discretization& d)
   return result;
 }
 
+/// Linear in the logarithm of x, constant beyond the ends of the table.
+double interpolated(const std::vector<std::pair<double, double>>& table, double x) {
+  const auto above = std::ranges::find_if(table, [x](const auto& row) { return row.first >= x; });
+  if (above == table.begin()) return above->second;
+  if (above == table.end()) return table.back().second;
+  const auto& [x0, y0] = *std::prev(above);
+  return std::lerp(y0, above->second, std::log(x / x0) / std::log(above->first / x0));
+}
+
 }  // namespace
 
-double apparent_toughness(Growth::Criterion criterion, double thickness_in_spacings, double horizon_ratio) {
-  const auto interpolated = [](const auto& table, double x) {
-    if (x <= table.front().first) return table.front().second;
-    for (std::size_t i = 1; i < table.size(); ++i)
-      if (x <= table[i].first)
-        return std::lerp(table[i - 1].second, table[i].second, (x - table[i - 1].first) / (table[i].first - table[i - 1].first));
-    return table.back().second;
-  };
+double apparent_toughness(Growth::Criterion criterion, double thickness, const plate::Discretization& d) {
   using Table = std::vector<std::pair<double, double>>;
-  const Table energy{{std::log(0.5), 0.93}, {std::log(1.5), 1.02}, {std::log(3), 1.11}, {std::log(6), 1.21}, {std::log(12), 1.28}, {std::log(40), 1.32}};
-  const Table curvature = energy;
-  const Table horizon{{2.015, 1.2}, {3.015, 1}, {4.015, 0.805}, {5.015, 0.73}};
-  const auto& by_thickness = criterion == Growth::Criterion::bond_energy ? energy : curvature;
-  return interpolated(by_thickness, std::log(thickness_in_spacings)) * interpolated(horizon, horizon_ratio);
+  static const Table energy{{0.5, 0.93}, {1.5, 1.02}, {3, 1.11}, {6, 1.21}, {12, 1.28}, {40, 1.35}};
+  static const Table curvature{{1.5, 1.38}, {3, 1.41}, {6, 1.43}, {12, 1.49}};
+  static const Table horizon{{2.015, 1.5}, {3.015, 1}, {4.015, 0.81}, {5.015, 0.7}};
+  const double weights = d.surface_correction == plate::SurfaceCorrection::none     ? 1.4
+                         : d.surface_correction == plate::SurfaceCorrection::volume ? 1.23
+                                                                                    : 1;
+  return interpolated(criterion == Growth::Criterion::bond_energy ? energy : curvature, thickness / d.spacing) *
+         interpolated(horizon, d.horizon_ratio) * weights;
 }
 
 BondLimits::BondLimits(const Growth& growth, const plate::Section& section, const plate::Discretization& d)
     : tension_only_(growth.tension_only), by_energy_(growth.criterion == Growth::Criterion::bond_energy) {
-  const double R = growth.apparent_toughness.value_or(
-      apparent_toughness(growth.criterion, section.thickness / d.spacing, d.horizon_ratio));
+  const double R = growth.apparent_toughness.value_or(apparent_toughness(growth.criterion, section.thickness, d));
   const double toughness = growth.fracture_energy * section.thickness / R;
   const auto all = crossing(section, d);
   curvature_ = std::sqrt(toughness / all.curvature), shear_ = std::sqrt(toughness / all.shear);

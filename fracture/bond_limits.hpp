@@ -5,8 +5,8 @@
 namespace fracture {
 
 /// Largest energy release rate that a crack needs for steady growth under a criterion for bonds, over the fracture
-/// energy that the criterion was made for: measured, theory.md "Bonds that break". Position-aware weights.
-double apparent_toughness(Growth::Criterion criterion, double thickness_in_spacings, double horizon_ratio);
+/// energy that the criterion was made for: measured, theory.md "Apparent toughness".
+double apparent_toughness(Growth::Criterion criterion, double thickness, const plate::Discretization& discretization);
 
 /// What the bonds of a plate bear (theory.md, "Bonds that break").
 class BondLimits {

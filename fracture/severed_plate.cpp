@@ -1,5 +1,6 @@
 #include "fracture/severed_plate.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -157,9 +158,10 @@ std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, 
 
   std::vector<std::pair<std::uint32_t, std::size_t>> bonds;
   Severing result{severings_, {}};
+  // a horizon beside the piece, or beside its image behind an edge that is within one
+  const Eigen::AlignedBox2d near(begin.cwiseMin(end).array() - 3 * reach_, begin.cwiseMax(end).array() + 3 * reach_);
   for (std::uint32_t k = 0; k < points(); ++k) {
-    // a horizon beside the piece, or beside its image behind an edge that is within one
-    if (geometry::distance({begin, end}, boundary_.lattice[k]) > 3 * reach_) continue;
+    if (!near.contains(boundary_.lattice[k])) continue;
     const auto family = base_.families()[k];
     const auto known = bonds.size();
     for (std::size_t i = 0; i < family.size(); ++i) {
@@ -221,7 +223,7 @@ double SeveredPlate::carry_on_all(const Motion& motion) {
 void SeveredPlate::internal_force(const plate::State& state, plate::Forces& forces) const {
   base_.internal_force(state, forces);
   const auto kinematics = [&](std::uint32_t k) { return plate::Kinematics<>{state(0, k), state(1, k), state(2, k)}; };
-  given_.resize(2 * differences_.size());
+  own_force_.resize(changed_.size()), given_.resize(differences_.size());
 #pragma omp parallel for schedule(static) if (changed_.size() > 32)
   for (std::size_t c = 0; c < changed_.size(); ++c) {
     const auto& now = changed_[c].now;
@@ -233,20 +235,25 @@ void SeveredPlate::internal_force(const plate::State& state, plate::Forces& forc
     }
     const auto& weights = base_.weights();
     base_sum *= 2 * now.area * weights.a[weights.kind[now.point]], sum *= 2 * now.area * now.a;
+    Eigen::Vector3d force(0, 0, 0);
     for (auto i = first_difference_[c]; i < first_difference_[c + 1]; ++i) {
       const auto& d = differences_[i];
       const auto other = kinematics(d.neighbour);
       const double bend = d.D_now * sum - d.D_base * base_sum + d.curvature * curvature_difference(d, own, other);
       const double shear = d.shear * shear_difference(d, own, other), lever = shear * d.length / 2;
-      given_[2 * i] = {shear, d.mx * (bend + lever), d.my * (bend + lever)};
-      given_[2 * i + 1] = {-shear, d.mx * (lever - bend), d.my * (lever - bend)};
+      force += Eigen::Vector3d(shear, d.mx * (bend + lever), d.my * (bend + lever));
+      given_[i] = {-shear, lever - bend};
+    }
+    own_force_[c] = force;
+  }
+  for (std::size_t c = 0; c < changed_.size(); ++c) {
+    forces.col(changed_[c].now.point) += own_force_[c];
+    for (auto i = first_difference_[c]; i < first_difference_[c + 1]; ++i) {
+      const auto& d = differences_[i];
+      const auto& [force, couple] = given_[i];
+      forces.col(d.neighbour) += Eigen::Vector3d(force, d.mx * couple, d.my * couple);
     }
   }
-  for (std::size_t c = 0; c < changed_.size(); ++c)
-    for (auto i = first_difference_[c]; i < first_difference_[c + 1]; ++i) {
-      forces.col(changed_[c].now.point) += given_[2 * i];
-      forces.col(differences_[i].neighbour) += given_[2 * i + 1];
-    }
 }
 
 void SeveredPlate::absolute_product(const plate::State& state, plate::Forces& forces) const {

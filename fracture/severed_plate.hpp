@@ -94,7 +94,9 @@ private:
   std::vector<Change> changed_;                 // by number
   std::vector<Difference> differences_;         // of every change, as many as its base has bonds
   std::vector<std::size_t> first_difference_{0};
-  mutable std::vector<Eigen::Vector3d> given_;  // forces by difference: of the point and of its neighbour
+  /// What a change gives to its point, and every difference to its neighbour: force and couple along m.
+  mutable std::vector<Eigen::Vector3d> own_force_;
+  mutable std::vector<std::array<double, 2>> given_;
   std::vector<Severing> going_;
   std::vector<std::uint32_t> easing_;           // points that lose single bonds
   std::size_t severings_ = 0;                   // so far
