@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/crack_extension.hpp"
 #include "post/vtk.hpp"
 
 namespace cases {
@@ -18,7 +19,7 @@ bool neighbours(const geometry::Point& p, const geometry::Point& q) { return std
 }  // namespace
 
 BondCracks::BondCracks(const Assembly& assembly, std::optional<double> fastest)
-    : units_(assembly.boundary.cloud.units), fastest_(fastest),
+    : units_(assembly.boundary.cloud.units), given_(assembly.paths), fastest_(fastest),
       lattice_(assembly.boundary.lattice.begin(), assembly.boundary.lattice.begin() + std::ptrdiff_t(assembly.boundary.cloud.plate_points)) {
   geometry::Point low = lattice_.front(), high = low;
   for (const auto& x : lattice_) low = low.cwiseMin(x), high = high.cwiseMax(x);
@@ -40,14 +41,21 @@ BondCracks::BondCracks(const Assembly& assembly, std::optional<double> fastest)
       for (const auto& path : paths)
         if (geometry::severs(path, lattice_[k], lattice_[found->second])) graph_.part(lattice_[k], lattice_[found->second], 0);
     }
+  first_sides_ = graph_.sides();
   find_lines();
   first_length_ = length();
   tip_table_.columns = {"time", "tip", "x", "y", "angle"};
   if (fastest_) tip_table_.columns.push_back("speed");
-  look(0);
+  if (!fastest_) look(0);
 }
 
 void BondCracks::find_lines() {
+  if (graph_.sides() == first_sides_) {  // as they were given
+    lines_.clear();
+    for (const auto& path : given_)
+      lines_.push_back({path.vertices, std::vector<double>(path.vertices.size(), 0), path.front, path.back, geometry::length(path.vertices)});
+    return;
+  }
   lines_ = graph_.lines([this](const geometry::CrackGraph::Corner& corner) {
     return cells_[std::size_t((corner[1] - low_[1]) * columns_ + corner[0] - low_[0])] == 4;
   });
@@ -71,6 +79,11 @@ std::vector<geometry::CrackPath> BondCracks::paths() const {
   return result;
 }
 
+double BondCracks::length_now() {
+  find_lines();
+  return length();
+}
+
 double BondCracks::length() const {
   double sum = 0;
   for (const auto& line : lines_) sum += line.length;
@@ -90,7 +103,7 @@ BondTip BondCracks::seen_again(const geometry::Tip& tip, double time, std::vecto
   const auto far = [&](const auto& place) { return (place.second - tip.position).norm() >= speed_way * units_.spacing; };
   while (result.way.size() > 1 && far(result.way[1])) result.way.pop_front();
   const auto& [then, there] = result.way.front();
-  if (time > then) result.speed = (tip.position - there).norm() / (time - then);
+  if (time > then && far(result.way.front())) result.speed = (tip.position - there).norm() / (time - then);
   result.way.emplace_back(time, tip.position);
   return result;
 }

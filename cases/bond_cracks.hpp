@@ -13,7 +13,7 @@ namespace cases {
 struct BondTip {
   std::size_t number;
   geometry::Tip tip;      // its crack: which line
-  double speed = 0;       // over the last eight spacings of its way
+  double speed = 0;       // over the last eight spacings of its way, 0 before
   std::deque<std::pair<double, geometry::Point>> way = {};  // time and place of earlier looks
 };
 
@@ -33,6 +33,8 @@ public:
   std::vector<geometry::CrackPath> paths() const;
   const std::vector<BondTip>& tips() const { return tips_; }
   double length() const;
+  /// As they are now, looked at or not.
+  double length_now();
   /// Over the length at the start.
   double growth() const { return length() - first_length_; }
   std::size_t broken() const { return broken_; }
@@ -46,6 +48,7 @@ private:
   BondTip seen_again(const geometry::Tip& tip, double time, std::vector<char>& taken);
 
   const geometry::LatticeUnits& units_;
+  std::vector<geometry::CrackPath> given_;
   std::optional<double> fastest_;
   std::vector<geometry::Point> lattice_;  // of the plate's points
   std::vector<int> cells_;                // per corner of the box about the plate: cells of the plate about it
@@ -54,7 +57,7 @@ private:
   geometry::CrackGraph graph_;
   std::vector<geometry::GraphLine> lines_;
   std::vector<BondTip> tips_;
-  std::size_t seen_ = 0, broken_ = 0;
+  std::size_t first_sides_ = 0, seen_ = 0, broken_ = 0;
   double first_length_ = 0, time_ = 0;  // time of the last look
   post::Table tip_table_;
 };

@@ -28,16 +28,32 @@ public:
       factor_ = std::make_unique<plate::TwoLevelPlate>(*assembly.ordinary(), assembly.boundary, content.section, content.discretization);
   }
 
-  /// The residual of the last state is the load of its change.
-  fracture::LoadedState operator()(bool new_lines) {
-    if (new_lines) {
-      std::string free;
-      for (const auto& piece : plate::pieces(assembly_.boundary, plate_.families()))
-        if (piece.free_modes > 0)
-          free += fmt::format("{}the piece of {} points about ({:g}, {:g}) is not held", free.empty() ? "" : "; ", piece.points,
-                              piece.position.x(), piece.position.y());
-      if (!free.empty()) return {free, 0, nullptr};
+  fracture::LoadedState operator()() {
+    const bool broken = plate_.broken().points() > 0;
+    if (auto free = broken ? free_pieces() : ""; !free.empty()) return {std::move(free), 0, nullptr};
+    try {
+      solve();
+    } catch (const plate::NotPositive&) {
+      if (!broken) throw;
+      return {"a part hangs by its last bonds and can turn about them", 0, nullptr};
     }
+    return {"", load_.cwiseProduct(state_).sum(), &state_};
+  }
+
+  const plate::StaticSolution& solution() const { return solution_; }  // without its state
+
+private:
+  std::string free_pieces() const {
+    std::string free;
+    for (const auto& piece : plate::pieces(assembly_.boundary, plate_.families()))
+      if (piece.free_modes > 0)
+        free += fmt::format("{}the piece of {} points about ({:g}, {:g}) is not held", free.empty() ? "" : "; ", piece.points,
+                            piece.position.x(), piece.position.y());
+    return free;
+  }
+
+  /// The residual of the last state is the load of its change.
+  void solve() {
     plate::Forces rest;
     plate_.internal_force(state_, rest);
     rest += load_;
@@ -52,12 +68,8 @@ public:
                                                 solution_.residual, tolerance));
       state_ += change.state;
     }
-    return {"", load_.cwiseProduct(state_).sum(), &state_};
   }
 
-  const plate::StaticSolution& solution() const { return solution_; }  // without its state
-
-private:
   /// As StaticOptions counts residuals.
   double norm(plate::Forces force) const {
     assembly_.boundary.constraints.fold(force);
@@ -105,30 +117,29 @@ post::Summary break_bonds(const CaseFile& file, const RunOptions& options) {
 
   Progress progress(options.quiet, "growth");
   bool new_lines = false;
-  const auto solve = [&] { return plate(new_lines); };
   const auto observe = [&](const fracture::BondEvent& event) -> std::string {
     stopwatch.lap("solve");
-    results.event(event, new_lines);
+    if (new_lines) cracks.look(double(event.advance));
+    const bool longest = c.growth->max_length && cracks.length() >= *c.growth->max_length * (1 - 1e-9);
+    results.event(event, new_lines, longest);
     stopwatch.lap("output");
     progress.update(double(event.advance) / double(c.growth->max_advances),
                     fmt::format("advance {}, load factor {:.4g}, {} bonds broken, crack length {:.4g}", event.advance,
                                 event.load.factor(), cracks.broken(), cracks.length()));
-    const bool longest = c.growth->max_length && std::ranges::any_of(cracks.lines(), [&](const auto& line) {
-      return line.length >= *c.growth->max_length * (1 - 1e-9);
-    });
-    if (longest) return "the largest length of a crack";
+    if (longest) return "the largest length of cracks";
     new_lines = cracks.broke(event.breaks, double(event.advance));
     return "";
   };
   try {
-    const auto broken = fracture::break_at_rest(*c.growth, severed, check, solve, observe);
+    const auto broken = fracture::break_at_rest(*c.growth, severed, check, std::ref(plate), observe);
     progress.done();
-    return results.finish(summary_of(file, assembly, plate.solution()), broken, stopwatch);
+    if (new_lines) cracks.look(double(broken.advances));
+    return results.finish(summary_of(file, assembly, plate.solution()), broken.outcome, stopwatch);
   } catch (const plate::NumericalError& error) {
     auto summary = summary_of(file, assembly, plate.solution());
-    summary.outcome = fmt::format("failed: {}", error.what());
+    const auto outcome = summary.outcome = fmt::format("failed: {}", error.what());
     summary.analysis.stop_reason = error.what();
-    results.finish(std::move(summary), {summary.outcome, 0, {}}, stopwatch);
+    results.finish(std::move(summary), outcome, stopwatch);
     throw;
   }
 }

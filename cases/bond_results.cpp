@@ -1,5 +1,7 @@
 #include "cases/bond_results.hpp"
 
+#include <cmath>
+
 #include "cases/severed_frame.hpp"
 #include "post/whole_file.hpp"
 
@@ -23,12 +25,11 @@ BondResults::BondResults(const CaseFile& file, const Assembly& assembly, const f
   if (file.content.output.vtk) vtk_.emplace(folder_, post::Mesh{});
 }
 
-void BondResults::event(const fracture::BondEvent& event, bool new_lines) {
-  advance_ = event.advance;
-  if (new_lines) cracks_.look(double(advance_));
+void BondResults::event(const fracture::BondEvent& event, bool new_lines, bool last) {
+  advance_ = event.advance, books_ = event.load.ledger;
   row(event);
   const double factor = event.load.factor();
-  if (!event.breaks.empty() && first_factor_ == 0) first_factor_ = factor;
+  if (!event.breaks.empty() && !last && !first_factor_) first_factor_ = factor;
   largest_factor_ = std::max(largest_factor_, factor);
   state_ = factor * *event.plate.state;
   for (const auto& [name, shares] : probes_) {
@@ -46,7 +47,8 @@ void BondResults::row(const fracture::BondEvent& event) {
   const auto time = double(event.advance);
   const auto& books = event.load.ledger;
   const double factor = event.load.factor(), displacement = event.load.displacement();
-  growth_.rows.push_back({time, factor, displacement, event.critical, double(event.stable), double(cracks_.broken()),
+  const post::Cell critical = std::isfinite(event.critical) ? post::Cell(event.critical) : post::Cell();
+  growth_.rows.push_back({time, factor, displacement, critical, double(event.stable), double(cracks_.broken()),
                           cracks_.length(), double(cracks_.tips().size()), books.external_work, books.strain, books.fracture,
                           books.released()});
   const auto points = Eigen::Index(assembly_.boundary.cloud.plate_points);
@@ -81,7 +83,7 @@ void BondResults::frame() {
   vtk_->write(frame);
 }
 
-post::Summary BondResults::finish(post::Summary summary, const fracture::Broken& broken, Stopwatch& stopwatch) {
+post::Summary BondResults::finish(post::Summary summary, const std::string& outcome, Stopwatch& stopwatch) {
   const Case& c = file_.content;
   if (state_.cols() > 0 && !framed_) frame();
   if (state_.cols() > 0 && c.output.hdf5) {
@@ -100,15 +102,14 @@ post::Summary BondResults::finish(post::Summary summary, const fracture::Broken&
 
   summary.srif = latest_;
   auto& growth = summary.growth.emplace();
-  growth.outcome = broken.outcome, growth.advances = broken.advances;
+  growth.outcome = outcome, growth.advances = advance_;
   growth.first_load_factor = first_factor_, growth.largest_load_factor = largest_factor_;
   growth.broken_bonds = cracks_.broken();
-  const auto& books = broken.ledger;
   if (cracks_.growth() > 0 && c.growth->fracture_energy > 0)
-    growth.spent = (books.external_work - books.strain) / (c.growth->fracture_energy * c.section.thickness * cracks_.growth());
+    growth.spent = (books_.external_work - books_.strain) / (c.growth->fracture_energy * c.section.thickness * cracks_.growth());
   for (const auto& line : cracks_.lines()) growth.lengths.push_back(line.length);
-  summary.energy = {{"strain", books.strain}, {"external_work", books.external_work},
-                    {"fracture", books.fracture}, {"released", books.released()}};
+  summary.energy = {{"strain", books_.strain}, {"external_work", books_.external_work},
+                    {"fracture", books_.fracture}, {"released", books_.released()}};
   write_summary(summary, resolved_, stopwatch, folder_);
   return summary;
 }

@@ -13,10 +13,10 @@ public:
   BondResults(const CaseFile& file, const Assembly& assembly, const fracture::SeveredPlate& plate, BondCracks& cracks,
               std::filesystem::path folder);
 
-  /// Before its bonds break. `new_lines`: the cracks are others than at the last event.
-  void event(const fracture::BondEvent& event, bool new_lines);
+  /// Before its bonds break. `new_lines`: the cracks are others than at the last event; `last`: no bond breaks any more.
+  void event(const fracture::BondEvent& event, bool new_lines, bool last);
   /// The tables and, last, the summary; returns it complete.
-  post::Summary finish(post::Summary summary, const fracture::Broken& broken, Stopwatch& stopwatch);
+  post::Summary finish(post::Summary summary, const std::string& outcome, Stopwatch& stopwatch);
 
 private:
   void row(const fracture::BondEvent& event);
@@ -36,7 +36,9 @@ private:
   plate::State state_;  // of the last event
   std::size_t advance_ = 0;
   bool framed_ = false;
-  double first_factor_ = 0, largest_factor_ = 0;
+  fracture::Ledger books_;  // of the last event
+  std::optional<double> first_factor_;
+  double largest_factor_ = 0;
 };
 
 }  // namespace cases

@@ -1,4 +1,5 @@
 #include "cases/keys.hpp"
+#include "geometry/crack_extension.hpp"
 
 #include <limits>
 
@@ -162,7 +163,7 @@ void check_probes(const Case& content, Reading& reading) {
 }
 
 void check_tips(const Case& content, Reading& reading) {
-  if (!content.srif || !reading.sound("geometry")) return;
+  if (!content.srif || !reading.sound("geometry") || (content.growth && content.growth->by_bonds())) return;
   const auto paths = geometry::crack_paths(content.outline, content.cracks, tolerance(content.outline));
   if (geometry::tips(paths).empty())
     reading.complain("srif",
@@ -180,6 +181,8 @@ void check_criterion(const fracture::Growth& growth, Reading& reading) {
       if (reading.given(key)) reading.complain(key, "is of criterion = \"curvature_shear\": remove it");
   if (!growth.by_bonds() && reading.given("growth.apparent_toughness"))
     reading.complain("growth.apparent_toughness", "is of criteria for bonds: remove it");
+  if (limits && !reading.given("growth.fracture_energy") && reading.given("growth.apparent_toughness"))
+    reading.complain("growth.apparent_toughness", "divides what follows from growth.fracture_energy, which is not given: remove it");
   if (growth.by_bonds())
     for (const char* key : {"growth.direction", "growth.increment"})
       if (reading.given(key)) reading.complain(key, "is of criterion = \"energy_release\": bonds break where they fail; remove it");
@@ -213,8 +216,11 @@ void check_formulation_of_growth(const Case& content, Reading& reading) {
                                  content.growth->by_bonds() ? "bonds that break one by one are" : "growth in motion severs"));
   if (content.analysis.precision == Analysis::Precision::mixed)
     reading.complain("analysis.precision", "growth is in double precision only; choose \"double\"");
-  if (!moves && content.analysis.method == Analysis::Method::adr)
-    reading.complain("analysis.method", "\"adr\" given: breaking bonds takes a solution for each; choose \"cg\" or \"direct\"");
+  if (moves) return;
+  if (content.analysis.method != Analysis::Method::cg)
+    reading.complain("analysis.method", "breaking bonds takes a solution for each, by conjugate gradients with one factor; choose \"cg\"");
+  if (content.analysis.preconditioner != Analysis::Preconditioner::automatic)
+    reading.complain("analysis.preconditioner", "bonds that break at rest have one of their own; choose \"auto\"");
 }
 
 void check_growth(const Case& content, Reading& reading) {
@@ -226,6 +232,12 @@ void check_growth(const Case& content, Reading& reading) {
   if (!content.growth->by_bonds() && geometry::tips(paths).empty())
     reading.complain("growth", "there is no crack tip that could grow: give geometry.cracks, criterion = \"bond_energy\", or "
                                "remove [growth]");
+  double longest = 0, all = 0;
+  for (const auto& crack : content.cracks) longest = std::max(longest, geometry::length(crack)), all += geometry::length(crack);
+  const double there = content.growth->by_bonds() ? all : longest;
+  if (content.growth->max_length && there >= *content.growth->max_length)
+    reading.complain("growth.max_length", fmt::format("{} given, must be larger than the {:.6g} of geometry.cracks",
+                                                      number_text(*content.growth->max_length), there));
   const auto has = [&](const char* method) { return std::ranges::find(content.srif->methods, method) != content.srif->methods.end(); };
   if (content.srif && !content.growth->by_bonds() && !has("virtual_crack_extension") && !has("domain_integral"))
     reading.complain("srif.methods", "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");

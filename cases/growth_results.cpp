@@ -78,7 +78,8 @@ void GrowthResults::tips(const fracture::Event& event, const GrownPlate&) {
   for (std::size_t i = 0; i < event.plate.tips.size(); ++i) {
     const auto& [tip, K, G] = event.plate.tips[i];
     const double angle = std::atan2(tip.direction.y(), tip.direction.x()) * 180 / std::numbers::pi;
-    growth_.rows.push_back({double(event.advance), event.load_factor, event.displacement, event.critical, double(event.stable),
+    const post::Cell critical = std::isfinite(event.critical) ? post::Cell(event.critical) : post::Cell();
+    growth_.rows.push_back({double(event.advance), event.load_factor, event.displacement, critical, double(event.stable),
                             double(i), double(tip.crack), tip.position.x(), tip.position.y(), angle,
                             geometry::length(event.cracks[tip.crack]), double(event.moves[i]),
                             factor_ * factor_ * G.value_or(0), factor_ * K.K1, factor_ * K.K2, factor_ * K.K3,

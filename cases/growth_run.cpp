@@ -95,6 +95,7 @@ CaseFile in_motion(CaseFile file, const fracture::Grown& grown, double load_fact
   c.analysis.start = Analysis::Start::equilibrium;
   c.analysis.duration = c.growth->duration;
   c.growth->unstable = fracture::Growth::Unstable::jump;
+  c.output.every = c.growth->duration / 10;
   c.cracks = grown.cracks;
   const double factor = 1.01 * load_factor;
   for (auto& load : c.loads) {
@@ -151,9 +152,9 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
   } catch (const plate::NumericalError& error) {
     begin();
     auto summary = summary_of(file, plate);
-    summary.outcome = fmt::format("failed: {}", error.what());
+    const auto outcome = summary.outcome = fmt::format("failed: {}", error.what());
     summary.analysis.stop_reason = error.what();
-    results->finish(std::move(summary), {summary.outcome, 0, {}, {}}, stopwatch);
+    results->finish(std::move(summary), {outcome, 0, {}, {}}, stopwatch);
     throw;
   }
 }

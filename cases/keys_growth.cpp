@@ -20,7 +20,7 @@ const Words<Growth::Control> controls{{{"load", Growth::Control::load},
 Field<Growth> no_fail() {
   const std::string form = "[[xmin, ymin, xmax, ymax], ...]";
   return value<Growth>(
-      {"no_fail", "length", form, "", "rectangles in which tips stay where they are"},
+      {"no_fail", "length", form, "", "rectangles in which tips stay where they are, and bonds hold"},
       [form](const Value& given, Growth& growth) {
         const auto boxes = given.elements(form);
         if (!boxes) return;
@@ -79,16 +79,16 @@ Fields<Growth> growth_fields() {
           .in({Analysis::Kind::static_}),
       choice<G, G::Unstable>("unstable", &G::unstable, unstables,
                              "an advance for which the load is more than enough: jump on to where the crack rests again, stop, or "
-                             "stop and go on in motion")
+                             "(tips and bonds over a horizon) stop and go on in motion")
           .in({Analysis::Kind::static_}),
       number<G>("duration", "time", &G::duration, positive, "simulated time of the motion of unstable = move")
           .in({Analysis::Kind::static_}),
       choice<G, G::Fallen>("fallen", &G::fallen, fallens, "pieces that no support holds any more: move on, or stay where they are")
           .in({Analysis::Kind::dynamic}),
       of_tips(number<G>("increment", "-", &G::increment, {0.5, 20}, "advance of a tip, in spacings; five at least after a turn")),
-      number<G>("max_advances", "-", &G::max_advances, {1, 1000000}, "the growth ends after so many"),
-      number<G>("max_length", "length", &G::max_length, positive, "the growth ends when a crack is so long"),
-      value<G>({"tension_only", "-", "true or false", "false", "tips that close on the z > 0 face (K1 < 0) stay"},
+      number<G>("max_advances", "-", &G::max_advances, {1, 1000000}, "the growth ends after so many (bonds in motion: steps in which any broke)"),
+      number<G>("max_length", "length", &G::max_length, positive, "the growth ends when a crack is so long (bonds: all together)"),
+      value<G>({"tension_only", "-", "true or false", "false", "tips that close on the z > 0 face (K1 < 0) stay, bonds that do so hold"},
                [](const Value& given, G& growth) {
                  if (const auto wanted = given.boolean()) growth.tension_only = *wanted;
                },

@@ -7,8 +7,16 @@ namespace cases {
 MovingBonds::MovingBonds(const CaseFile& file, const Assembly& assembly)
     : MovingGrowth(file, assembly), limits_(*case_.growth, case_.section, case_.discretization),
       check_(*case_.growth, limits_, plate_, assembly.boundary), cracks_(assembly, case_.section.shear_wave_speed()),
-      bonds_(plate_, check_, [this](const auto& bonds, double time) { cracks_.broke(bonds, time); }) {
+      bonds_(plate_, check_, [this](const auto& bonds, double time) { return broke(bonds, time); }) {
   growth_.columns = {"time", "broken_bonds", "crack_length", "tips", "fracture_energy"};
+}
+
+/// May more bonds break?
+bool MovingBonds::broke(const std::vector<fracture::LoadedBond>& bonds, double time) {
+  const bool new_lines = cracks_.broke(bonds, time);
+  const auto& growth = *case_.growth;
+  if (++advances_ >= growth.max_advances) return false;
+  return !growth.max_length || !new_lines || cracks_.length_now() < *growth.max_length * (1 - 1e-9);
 }
 
 void MovingBonds::look(double time) {
@@ -31,6 +39,7 @@ void MovingBonds::write(const std::filesystem::path& folder, bool lines) const {
 post::GrowthSummary MovingBonds::summary() const {
   post::GrowthSummary result;
   result.broken_bonds = cracks_.broken();
+  result.advances = advances_;
   result.outcome = cracks_.broken() == 0 ? "no bond broke" : fmt::format("{} bonds broken", cracks_.broken());
   result.outcome += parts();
   result.largest_speed = largest_speed_;

@@ -17,6 +17,7 @@ public:
 
 private:
   plate::Changes& severing() override { return bonds_; }
+  bool broke(const std::vector<fracture::LoadedBond>& bonds, double time);
   void look(double time) override;
   Tips tips() const override;
   std::vector<geometry::CrackPath> paths() const override { return cracks_.paths(); }
@@ -26,6 +27,7 @@ private:
   BondCracks cracks_;
   fracture::BreakingBonds bonds_;
   post::Table growth_;
+  std::size_t advances_ = 0;  // steps in which bonds broke
   double largest_speed_ = 0;
 };
 

@@ -103,6 +103,19 @@ void check_isotropy(const Case& c, std::vector<std::string>& warnings) {
                   d.horizon_ratio, 100 * off));
 }
 
+/// What the apparent toughness was measured for, and what bonds cannot do.
+void check_bonds(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
+  const double h = c.section.thickness / c.discretization.spacing, m = c.discretization.horizon_ratio;
+  const bool curvature = c.growth->criterion == fracture::Growth::Criterion::curvature_shear;
+  const bool measured = curvature ? h >= 1.2 && h <= 15 && m >= 3 && m <= 3.1 : h >= 0.4 && h <= 50 && m >= 2.9 && m <= 5.1;
+  if (!c.growth->apparent_toughness && c.growth->fracture_energy > 0 && (!measured || c.section.poisson < 0))
+    warnings.push_back(fmt::format("apparent toughness of bonds: not measured, or beyond a tenth, at a thickness of {:.3g} spacings, a horizon "
+                                   "of {:.3g} spacings and a Poisson's ratio of {:g} (plate/theory.md, \"Apparent toughness\")",
+                                   h, m, c.section.poisson));
+  if (std::ranges::any_of(boundary.sides, [](const auto& side) { return side.kind == plate::SupportKind::symmetry; }))
+    warnings.push_back("bonds across a line of symmetry do not break: no crack crosses it");
+}
+
 }  // namespace
 
 void warn_of_distrust(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
@@ -115,6 +128,7 @@ void warn_of_distrust(const Case& c, const plate::Boundary& boundary, std::vecto
   check_edge_layer(c, boundary, warnings);
   check_isotropy(c, warnings);
   check_rotary_inertia(c, boundary, warnings);
+  if (c.growth && c.growth->by_bonds()) check_bonds(c, boundary, warnings);
 }
 
 }  // namespace cases

@@ -23,8 +23,8 @@ public:
   /// The largest demand of the plate.
   double largest(const plate::State& state);
 
-  /// Points within a horizon of bonds between nearest neighbours whose demand, as one of many, is a share of 0.25 at least: no
-  /// bond elsewhere fails before these are many more. In a twentieth of the time of looking at all bonds.
+  /// Points within a horizon of bonds whose curvature or shear is a share of 0.25 of the limit at least, squared, among those
+  /// between nearest neighbours and all of points with broken bonds. Bonds elsewhere bear a multiple of what they have.
   std::vector<std::uint32_t> suspects(const plate::State& state) const;
 
 private:

@@ -8,7 +8,7 @@ namespace {
 constexpr double alike = 1e-5;  // of the demand: mirror images, solved to a residual of 1e-6 or better
 
 std::string end_of_growth(const Growth& growth, const RestLoad::Step& step, std::size_t advances, bool any) {
-  if (!any) return "no bond is loaded";
+  if (!any) return "no bond can break";
   if (step.beyond) return advances == 0 ? "no bond breaks under the whole load" : "arrested under the whole load";
   return advances >= growth.max_advances ? "the largest number of advances" : "";
 }

@@ -34,6 +34,7 @@ void BreakingBonds::before_force(const plate::Moment& now) {
 }
 
 void BreakingBonds::after_force(const plate::Moment& now, const plate::Forces&) {
+  if (ended_) return;
   if (now.step >= next_search_) {
     suspects_ = check_.suspects(now.state);
     next_search_ = now.step + search_every;
@@ -44,7 +45,7 @@ void BreakingBonds::after_force(const plate::Moment& now, const plate::Forces&) 
   std::vector<PointPair> bonds;
   for (const auto& one : broken) bonds.push_back(one.bond);
   plate_.sever(bonds, steps_to_break);
-  observe_(broken, now.time);
+  ended_ = !observe_(broken, now.time);
 }
 
 }  // namespace fracture

@@ -7,10 +7,10 @@ namespace fracture {
 /// Bonds that break while a plate moves (theory.md, "Bonds that break"). Called in every step.
 class BreakingBonds : public plate::Changes {
 public:
-  /// What happens when bonds between neighbours break, in the order of breaking.
-  using Observe = std::function<void(const std::vector<LoadedBond>& bonds, double time)>;
+  /// Sees the bonds of a step that break; false: no more bonds break after them.
+  using Observe = std::function<bool(const std::vector<LoadedBond>& bonds, double time)>;
 
-  /// `plate` and `check` must outlive this; `most`: no more bonds break after so many.
+  /// `plate` and `check` must outlive this.
   BreakingBonds(SeveredPlate& plate, BondCheck& check, Observe observe);
 
   void before_force(const plate::Moment& now) override;
@@ -25,6 +25,7 @@ private:
   Observe observe_;
   std::vector<std::uint32_t> suspects_;
   std::size_t next_search_ = 0;  // step
+  bool ended_ = false;
   double spent_ = 0;
 };
 

@@ -4,7 +4,8 @@
 
 namespace fracture {
 
-/// Keeps pieces of a moving plate where they are when they have fallen off (plate::fallen). Stands before what severs bonds.
+/// Keeps pieces of a moving plate where they are when they are seen to have fallen off (plate::fallen), at most 50 steps after it.
+/// Stands before what severs bonds.
 class FallenPieces : public plate::Changes {
 public:
   /// All must outlive this. `mass` per degree of freedom [3 x points].
@@ -17,15 +18,21 @@ public:
   double energy() const { return energy_; }
 
 private:
+  /// Points with their state, and their velocity half a step before.
+  struct Kept {
+    std::vector<std::uint32_t> points;
+    plate::State state, velocity;
+  };
   void look(const plate::Moment& now);
+  void freeze(const plate::Moment& now);
 
   plate::Changes& growth_;
   const SeveredPlate& plate_;
   const plate::Boundary& boundary_;
   plate::Forces mass_;
   std::size_t broken_ = 0;  // bonds when it was last looked
-  std::vector<std::uint32_t> points_;
-  plate::State state_;      // of those points
+  Kept fresh_;              // seen in the step before: frozen from there on
+  Kept frozen_;             // points ascending
   double energy_ = 0;
 };
 

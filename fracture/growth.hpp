@@ -43,7 +43,7 @@ struct Growth {
   Direction direction = Direction::tangential_moment;
   Control control = Control::load;
   double increment = 1;                   // of a tip per advance [spacings]
-  std::size_t max_advances = 1000;
+  std::size_t max_advances = 100000;
   std::size_t frames_every = 10;          // advances
   std::optional<double> max_length;       // of any crack [length]
   bool tension_only = false;              // no growth of tips, no breaking of bonds, that close on the z > 0 face

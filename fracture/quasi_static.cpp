@@ -25,6 +25,7 @@ public:
       const auto plate = solve(result_.cracks);
       if (!plate.split.empty()) {
         result_.outcome = "the plate split: " + plate.split;
+        result_.ledger.fracture = booked_;  // with work and strain energy before the last advance
         return result_;
       }
       if (break_through(plate)) continue;
@@ -51,7 +52,7 @@ private:
     Event event{result_.advances, load_.factor(), load_.displacement(), critical, step.stable, result_.ledger, plate, result_.cracks, {}};
     for (const auto& tip : plate.tips)
       event.moves.push_back(why.empty() && may_grow(tip) && *tip.G >= (1 - together) * most);
-    moves_ = event.moves;
+    moves_ = event.moves, booked_ = result_.ledger.fracture;
     observe(event);
     result_.outcome = why;
     return why.empty();
@@ -102,6 +103,7 @@ private:
   const geometry::Outline& outline_;
   double spacing_, toughness_;
   RestLoad load_;
+  double booked_ = 0;  // fracture energy at the last event
   std::vector<char> moves_;
   Grown result_;
 };

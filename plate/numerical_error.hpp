@@ -9,4 +9,10 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// A stiffness that is not positive: something can move without resistance.
+class NotPositive : public NumericalError {
+public:
+  using NumericalError::NumericalError;
+};
+
 }  // namespace plate

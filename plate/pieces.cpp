@@ -33,7 +33,8 @@ std::vector<std::uint32_t> fallen(const Boundary& boundary, const geometry::Fami
   const auto all = pieces(boundary, families);
   auto sets = connected(boundary, families);
   std::vector<std::uint32_t> off;  // roots
-  for (std::size_t i = 1; i < all.size(); ++i)
+  const bool held = std::ranges::any_of(all, [](const Piece& piece) { return piece.free_modes < 3; });
+  for (std::size_t i = held ? 0 : 1; i < all.size(); ++i)
     if (all[i].free_modes == 3) off.push_back(sets.root(all[i].first_point));
   std::ranges::sort(off);
   std::vector<std::uint32_t> result;

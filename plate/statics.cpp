@@ -87,7 +87,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
       return std::array<double, 1>{-p[i] * minus_kp[i]};  // zero at held degrees of freedom
     });
     if (!(curvature > 0))
-      throw NumericalError("conjugate gradients: the stiffness is not positive at iteration " +
+      throw NotPositive("conjugate gradients: the stiffness is not positive at iteration " +
                            std::to_string(result.iterations));
     const double alpha = rho / curvature;
     const auto [square] = ordered_sum<1>(size, [&](std::size_t i) {

@@ -67,7 +67,10 @@ TEST_CASE("growth by single bonds: what it needs, and what it cannot do") {
   expect(bonds + "fracture_energy = 1\ndirection = \"straight\"\n", ":21", "growth.direction", "bonds break where they fail");
   expect(bonds + "fracture_energy = 1\ncritical_shear = 1\n", ":21", "growth.critical_shear", "of criterion = \"curvature_shear\"");
   expect(bonds + "fracture_energy = 1\n", "--set analysis.method", "analysis.method", "breaking bonds takes a solution for each",
-         {"analysis.method=adr"});
+         {"analysis.method=direct"});
+  expect(bonds + "fracture_energy = 1\n", "--set analysis.preconditioner", "analysis.preconditioner", "one of their own",
+         {"analysis.preconditioner=local"});
+  expect(bonds + "fracture_energy = 1\nmax_length = 0.6\n", ":21", "growth.max_length", "must be larger than the 0.6 of geometry.cracks");
   expect(bonds + "fracture_energy = 1\n", "--set discretization.formulation", "discretization.formulation",
          "bonds that break one by one are bonds over a horizon", {"discretization.formulation=galerkin"});
   expect(bonds + "fracture_energy = 1\nunstable = \"move\"\nduration = 1\n", ":21", "growth.unstable", "cannot be handed over",

@@ -77,7 +77,7 @@ TEST_CASE("bond limits: curvatures and shear angles by the fracture energy or as
   CHECK(limits.demand(0, limits.curvature() * 0.2, 0, 0.2, 1) == Approx(1));
   CHECK(limits.demand(0, -limits.curvature() * 0.2, limits.shear() * 0.4, 0.2, 1) == Approx(4));
   by.tension_only = true;
-  CHECK(BondLimits(by, vp::section, d).demand(0, -limits.curvature() * 0.2, limits.shear() * 0.4, 0.2, 1) == 0);
+  CHECK(BondLimits(by, vp::section, d).demand(0, limits.curvature() * 0.2, limits.shear() * 0.4, 0.2, 1) == 0);
   by.critical_curvature = 0.5;
   CHECK(BondLimits(by, vp::section, d).curvature() == 0.5);
   CHECK(BondLimits(by, vp::section, d).shear() == Approx(limits.shear()));
@@ -139,11 +139,11 @@ TEST_CASE("bond check: bonds that fail are among the suspects") {
   content.supports = {vp::held_all_round(plate::SupportKind::clamped)};
   Checked plate(content);
   const auto solution = vp::solved(plate.assembly, 1e-8);
-  const plate::State u = std::sqrt(1.5 / plate.check.largest(solution.state)) * solution.state;
+  const plate::State u = std::sqrt(1.2 / plate.check.largest(solution.state)) * solution.state;
   const auto failing = plate.check.at_least(1, u);
-  REQUIRE(failing.size() >= 4);
+  REQUIRE(failing.size() >= 2);
   const auto suspects = plate.check.suspects(u);
-  CHECK(suspects.size() < vp::size(plate.assembly) / 2);
+  CHECK(suspects.size() < 0.6 * vp::size(plate.assembly));
   const auto found = plate.check.at_least(1, u, suspects);
   REQUIRE(found.size() == failing.size());
   for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i].bond == failing[i].bond);

@@ -86,3 +86,22 @@ TEST_CASE("two soft edges hold a plate that is small or far away alike") {
   CHECK(all[0].points == 30 * 24);
   CHECK(all[0].free_modes == 0);
 }
+
+TEST_CASE("what has fallen off: pieces that nothing holds; of a plate that nothing holds, all but the largest") {
+  const auto outline = geometry::rectangle(0, 0, 1, 1);
+  for (const bool held : {true, false}) {
+    Discretization d;
+    d.spacing = 0.1;
+    auto cloud = geometry::lattice(outline, d.spacing);
+    const auto lattice_outline = geometry::to_lattice(outline, cloud.units);
+    const std::vector<Support> supports = held ? std::vector<Support>{{SupportKind::clamped, {"left"}, {}}} : std::vector<Support>{};
+    const auto b = boundary(std::move(cloud), lattice_outline, supports, d);
+    const auto whole = geometry::families(b.cloud, d.horizon(), sees(b, lattice_outline, d.horizon_ratio));
+    CHECK(fallen(b, whole).empty());
+    // parted at x = 0.3: the right part is the larger one
+    const auto parted = geometry::without(whole, [&](std::uint32_t k, std::uint32_t j) {
+      return (b.cloud.positions[k].x() < 0.3) != (b.cloud.positions[j].x() < 0.3);
+    });
+    CHECK(fallen(b, parted).size() == (held ? 70 : 30));
+  }
+}
