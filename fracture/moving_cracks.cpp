@@ -7,10 +7,10 @@ namespace fracture {
 namespace {
 
 constexpr std::size_t look_every = 4;   // steps, of a tip at rest: it can go a spacing in two
-constexpr double first_speed = 0.3, slowest_start = 0.1;  // of a tip that starts: of the limit
+constexpr double first_speed = 0.3;     // of a tip that starts: of the limit
 constexpr double least_speed = 0.02;    // of one that runs: of the limit
 constexpr double recent_length = 3;     // spacings: a lattice's steps under an angle to it
-constexpr double gain = 0.6;
+constexpr double gain = 0.45;
 constexpr double look_after = 5;        // spacings gone without a look at the direction
 
 std::vector<geometry::Polyline> polylines(const std::vector<geometry::CrackPath>& paths) {
@@ -104,9 +104,7 @@ void MovingCracks::after_force(const plate::Moment& now, const plate::Forces& fo
     const auto drive = tip.gauge(now.state, force);
     tip.next_look = now.step + look_every;
     tip.since_look = 0;
-    if (stays(tip, drive)) continue;
-    if (tip.length == 0) tip.speed = speed_limit_ * std::clamp(1 - toughness_ / drive.G, slowest_start, first_speed);
-    start(tip, drive.factors, now.time);
+    if (!stays(tip, drive)) start(tip, drive.factors, now.time);
   }
 }
 

@@ -188,13 +188,13 @@ cases::Case pressed(double degrees) {
 
 TEST_CASE("growth in motion: the crack takes the fracture energy, the books close, its speed stays below the limit") {
   const double limit = 0.93 * std::sqrt(vp::section.shear_stiffness() / (1 * vp::section.thickness));
-  for (const auto& [degrees, band] : {std::pair{0.0, 0.03}, {30.0, 0.04}, {45.0, 0.06}}) {
+  for (const auto& [degrees, band] : {std::pair{0.0, 0.03}, {30.0, 0.04}, {45.0, 0.04}}) {
     const auto found = moved({pressed(degrees), {}});
     REQUIRE(found.summary.growth);
     CAPTURE(degrees, *found.summary.growth->spent, found.residual, *found.summary.growth->largest_speed / limit);
     CHECK(found.summary.growth->advances >= 36);
     CHECK(found.summary.growth->lengths[0] >= 1.4);
-    CHECK(*found.summary.growth->spent == Approx(1).margin(band));  // measured: 1.008, 1.028, 1.050
+    CHECK(*found.summary.growth->spent == Approx(1).margin(band));  // measured: 1.014, 1.027, 1.020
     CHECK(found.residual < 0.01);                                   // measured: 0.0001 to 0.0003
     CHECK(*found.summary.growth->largest_speed <= limit * (1 + 1e-9));
   }
@@ -205,7 +205,7 @@ TEST_CASE("growth in motion: a crack along the middle of a strip, whose energy r
     const auto found = moved(cases::read_case(PDPLATE_SOURCE_DIR "/cases/growth/running_crack.toml", {pressure, "output.fields=[]"}));
     CAPTURE(pressure, *found.summary.growth->spent, found.residual);
     CHECK(found.summary.growth->lengths[0] == Approx(3.5).margin(0.026));
-    CHECK(*found.summary.growth->spent == Approx(1).margin(0.03));  // measured: 1.007, 1.014
+    CHECK(*found.summary.growth->spent == Approx(1).margin(0.03));  // measured: 1.010, 1.013
     CHECK(found.residual < 0.01);                                   // measured: 0.002
   }
 }
