@@ -84,6 +84,14 @@ double BondCracks::length_now() {
   return length();
 }
 
+std::vector<std::pair<std::size_t, geometry::Tip>> BondCracks::tips_of_cracks() const {
+  constexpr double least = 8;  // spacings
+  std::vector<std::pair<std::size_t, geometry::Tip>> result;
+  for (const auto& one : tips_)
+    if (lines_[one.tip.crack].length >= least * units_.spacing * (1 - 1e-9)) result.emplace_back(one.number, one.tip);
+  return result;
+}
+
 double BondCracks::length() const {
   double sum = 0;
   for (const auto& line : lines_) sum += line.length;

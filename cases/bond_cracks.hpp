@@ -32,6 +32,8 @@ public:
   const std::vector<geometry::GraphLine>& lines() const { return lines_; }
   std::vector<geometry::CrackPath> paths() const;
   const std::vector<BondTip>& tips() const { return tips_; }
+  /// Those of cracks of eight spacings at least, whose intensity factors mean something.
+  std::vector<std::pair<std::size_t, geometry::Tip>> tips_of_cracks() const;
   double length() const;
   /// As they are now, looked at or not.
   double length_now();

@@ -63,9 +63,9 @@ void BondResults::factors(double factor, const plate::State& state) {
   plate_.internal_force(state, force);
   const auto paths = cracks_.paths();
   latest_.clear();
-  for (const auto& tip : cracks_.tips()) try {
-      for (auto& srif : severed_tip_methods(c, assembly_, plate_.families(), paths, tip.tip, *c.srif)(factor * state, factor * force, true)) {
-        srif.tip = tip.number;
+  for (const auto& [number, tip] : cracks_.tips_of_cracks()) try {
+      for (auto& srif : severed_tip_methods(c, assembly_, plate_.families(), paths, tip, *c.srif)(factor * state, factor * force, true)) {
+        srif.tip = number;
         post::normalize(srif, *c.srif, c.section.thickness);
         latest_.push_back(std::move(srif));
       }

@@ -25,12 +25,6 @@ void MovingBonds::look(double time) {
   growth_.rows.push_back({time, double(cracks_.broken()), cracks_.length(), double(cracks_.tips().size()), bonds_.fracture_energy()});
 }
 
-MovingGrowth::Tips MovingBonds::tips() const {
-  Tips result;
-  for (const auto& one : cracks_.tips()) result.emplace_back(one.number, one.tip);
-  return result;
-}
-
 void MovingBonds::write(const std::filesystem::path& folder, bool lines) const {
   post::write_csv(folder / "growth.csv", growth_);
   cracks_.write(folder, "time", lines);

@@ -19,7 +19,7 @@ private:
   plate::Changes& severing() override { return bonds_; }
   bool broke(const std::vector<fracture::LoadedBond>& bonds, double time);
   void look(double time) override;
-  Tips tips() const override;
+  Tips tips() const override { return cracks_.tips_of_cracks(); }
   std::vector<geometry::CrackPath> paths() const override { return cracks_.paths(); }
 
   fracture::BondLimits limits_;

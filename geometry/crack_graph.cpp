@@ -89,8 +89,10 @@ std::vector<GraphLine> CrackGraph::lines(const std::function<bool(const Corner&)
   std::vector<GraphLine> result;
   for (const auto& corners : found) {
     std::vector<char> kept(corners.size(), 0);
-    kept.front() = kept.back() = 1;
-    keep(corners, 0, corners.size() - 1, kept);
+    const std::size_t last = corners.size() - 1;
+    std::vector<std::size_t> fixed{0, last};
+    if (corners.front() == corners.back()) fixed = {0, last / 3, 2 * last / 3, last};  // closed: three corners at least
+    for (std::size_t i = 1; i < fixed.size(); ++i) kept[fixed[i - 1]] = kept[fixed[i]] = 1, keep(corners, fixed[i - 1], fixed[i], kept);
     const auto end = [&](const Corner& corner) {
       return !inside(corner) ? End::mouth : meeting.at(corner).size() == 1 ? End::tip : End::junction;
     };

@@ -81,4 +81,6 @@ TEST_CASE("crack graph: short spurs and single sides are no cracks; a closed cra
   const auto lines = closed.lines(inside);
   REQUIRE(lines.size() == 1);
   CHECK(count(lines, End::tip) == 0);
+  CHECK(lines[0].vertices.size() == 4);
+  CHECK(lines[0].length >= 1 + std::sqrt(2));
 }
