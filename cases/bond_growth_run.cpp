@@ -91,11 +91,7 @@ private:
 
 post::Summary summary_of(const CaseFile& file, const Assembly& assembly, const plate::StaticSolution& solution) {
   auto summary = about(file.content, assembly);
-  summary.analysis.method = "cg";
-  summary.analysis.iterations = solution.iterations;
-  summary.analysis.residual = solution.residual;
-  summary.analysis.tolerance = file.content.analysis.tolerance;
-  summary.analysis.stop_reason = solution.stop_reason;
+  describe(summary.analysis, "cg", solution, file.content.analysis.tolerance);
   summary.outcome = "done";
   return summary;
 }

@@ -109,14 +109,9 @@ CaseFile in_motion(CaseFile file, const fracture::Grown& grown, double load_fact
 post::Summary summary_of(const CaseFile& file, const GrowingPlate& plate) {
   post::Summary summary;
   if (plate.last()) summary = about(file.content, plate.last()->assembly);
-  const auto& solution = plate.solution();
   summary.title = file.content.title;
   summary.analysis.kind = "static";
-  summary.analysis.method = plate.method();
-  summary.analysis.iterations = solution.iterations;
-  summary.analysis.residual = solution.residual;
-  summary.analysis.tolerance = file.content.analysis.tolerance;
-  summary.analysis.stop_reason = solution.stop_reason;
+  describe(summary.analysis, plate.method(), plate.solution(), file.content.analysis.tolerance);
   summary.outcome = "done";
   return summary;
 }

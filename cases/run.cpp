@@ -81,14 +81,10 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
   progress.done();
   stopwatch.lap("solve");
 
-  summary.analysis.method = result.method;
   summary.analysis.preconditioner = result.preconditioner;
   if (result.factor_bytes > 0)
     summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(assembly.boundary.cloud.plate_points), 0});
-  summary.analysis.iterations = solution.iterations;
-  summary.analysis.residual = solution.residual;
-  summary.analysis.tolerance = c.analysis.tolerance;
-  summary.analysis.stop_reason = solution.stop_reason;
+  describe(summary.analysis, result.method, solution, c.analysis.tolerance);
   const double work = slow_work(assembly, solution.state);
   const double strain = assembly.strain_energy(solution.state);
   const plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, -2 * work};

@@ -44,6 +44,14 @@ plate::AssembledPlate assembled_plate(const Assembly& assembly) {
 
 }  // namespace
 
+void describe(post::Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution, double tolerance) {
+  analysis.method = method;
+  analysis.iterations = solution.iterations;
+  analysis.residual = solution.residual;
+  analysis.tolerance = tolerance;
+  analysis.stop_reason = solution.stop_reason;
+}
+
 plate::Forces total_load(const Assembly& assembly) {
   plate::Forces load = assembly.loads.front().forces;
   for (std::size_t i = 1; i < assembly.loads.size(); ++i) load += assembly.loads[i].forces;

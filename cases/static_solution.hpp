@@ -1,6 +1,7 @@
 #pragma once
 #include "cases/assembly.hpp"
 #include "plate/statics.hpp"
+#include "post/summary.hpp"
 
 namespace cases {
 
@@ -11,6 +12,9 @@ struct StaticResult {
   std::optional<std::string> preconditioner;  // of conjugate gradients
   std::size_t factor_bytes = 0;
 };
+
+/// What a summary says of a solution at rest.
+void describe(post::Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution, double tolerance);
 
 /// All loads at their last values together.
 plate::Forces total_load(const Assembly& assembly);
