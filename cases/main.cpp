@@ -23,6 +23,7 @@ void print_growth(const post::GrowthSummary& growth) {
   std::vector<std::string> lengths;
   for (std::size_t i = 0; i < std::min(most, growth.lengths.size()); ++i) lengths.push_back(fmt::format("{:.4g}", growth.lengths[i]));
   if (growth.lengths.size() > most) lengths.push_back(fmt::format("... ({} in all)", growth.lengths.size()));
+  if (lengths.empty()) lengths.push_back("none");
   fmt::print("growth: {}; lengths of the cracks: {}", growth.outcome, fmt::join(lengths, ", "));
   if (growth.first_load_factor && *growth.first_load_factor > 0)
     fmt::print("; load factor {:.5g} at the first advance, {:.5g} at most", *growth.first_load_factor, *growth.largest_load_factor);
