@@ -6,6 +6,7 @@
 namespace fracture {
 namespace {
 
+constexpr double share_of_one = 0.1;
 constexpr double suspect = 0.25;  // with 0.15 the same bonds broke in three plates that branch
 
 plate::Kinematics<> kinematics(const plate::State& state, std::uint32_t k) { return {state(0, k), state(1, k), state(2, k)}; }
@@ -28,83 +29,98 @@ BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const Sever
 }
 
 void BondCheck::find_dilatations(const plate::State& state, const std::vector<std::uint32_t>& points) {
-  const auto& families = plate_.base().families();
   const auto& shapes = plate_.base().shapes();
-  std::vector<std::uint32_t> wanted;
-  const auto want = [&](std::uint32_t k) {
-    if (!marked_[k]) marked_[k] = 1, wanted.push_back(k);
-  };
-  for (const auto k : points) {
-    want(k);
-    for (const auto bond : families[k]) want(bond.neighbour);
-  }
 #pragma omp parallel for schedule(static)
-  for (std::size_t n = 0; n < wanted.size(); ++n) {
-    const auto k = wanted[n];
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto k = points[n];
     const auto own = kinematics(state, k);
-    const auto family = families[k];
+    const auto family = plate_.base().families()[k];
     double sum = 0;
     for (std::size_t i = 0; i < family.size(); ++i)
       sum += plate_.weights(k, i).D *
              curvature_difference(shapes[family[i].vector_id], own, kinematics(state, family[i].neighbour));
     dilatation_[k] = plate_.a(k) * sum;
   }
-  for (const auto k : wanted) marked_[k] = 0;
 }
 
-/// visit(j, demand) for the intact bonds k < j, and for those to points that are not marked.
-template <typename Visit>
-void BondCheck::visit_bonds(std::uint32_t k, const plate::State& state, const Visit& visit) const {
+/// Is the bond one of the plate's that may break?
+bool BondCheck::may_break(std::uint32_t k, std::size_t i, std::uint32_t j) const {
+  const auto& x = boundary_.cloud.positions;
+  return boundary_.is_plate(j) && !plate_.broken().broken(k, i) && (growth_.no_fail.empty() || !growth_.held((x[k] + x[j]) / 2));
+}
+
+/// The dilatations of both ends must be known.
+double BondCheck::demand(std::uint32_t k, std::size_t i, const plate::State& state) const {
   const auto& base = plate_.base();
   const auto& areas = boundary_.cloud.areas;
-  const auto own = kinematics(state, k);
-  const auto family = base.families()[k];
-  for (std::size_t i = 0; i < family.size(); ++i) {
-    const auto [j, id] = family[i];
-    if (!boundary_.is_plate(j) || (j < k && marked_[j]) || plate_.broken().broken(k, i)) continue;
-    const auto& x = boundary_.cloud.positions;
-    if (!growth_.no_fail.empty() && growth_.held((x[k] + x[j]) / 2)) continue;
-    const auto& shape = base.shapes()[id];
-    const auto other = kinematics(state, j);
-    const double curvature = curvature_difference(shape, own, other), shear = shear_difference(shape, own, other);
-    const auto& here = plate_.weights(k, i);
-    const auto& there = plate_.weights(j, base.families()[j].find(k));
-    const double energy = areas[k] * (dilatation_[k] * here.D * curvature + plate::bond_energy(here.B, here.S, curvature, shear)) +
-                          areas[j] * (dilatation_[j] * there.D * curvature + plate::bond_energy(there.B, there.S, curvature, shear));
-    visit(j, limits_.demand(energy, curvature, shear, shape.length, shape.weight * areas[k] * areas[j]));
-  }
+  const auto [j, id] = base.families()[k][i];
+  const auto& shape = base.shapes()[id];
+  const auto own = kinematics(state, k), other = kinematics(state, j);
+  const double curvature = curvature_difference(shape, own, other), shear = shear_difference(shape, own, other);
+  const auto& here = plate_.weights(k, i);
+  const auto& there = plate_.weights(j, base.families()[j].find(k));
+  const double energy = areas[k] * (dilatation_[k] * here.D * curvature + plate::bond_energy(here.B, here.S, curvature, shear)) +
+                        areas[j] * (dilatation_[j] * there.D * curvature + plate::bond_energy(there.B, there.S, curvature, shear));
+  return limits_.demand(energy, curvature, shear, shape.length, shape.weight * areas[k] * areas[j]);
 }
 
 std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& state) { return at_least(least, state, all_); }
 
 std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& state, const std::vector<std::uint32_t>& points) {
-  find_dilatations(state, points);
+  // first by curvature and shear alone: the longest bond, the dilatation and weights beside damage make a factor of 7 at most
+  const double bend = least * share_of_one * limits_.curvature() * limits_.curvature();
+  const double twist = least * share_of_one * limits_.shear() * limits_.shear();
+  const auto& base = plate_.base();
   for (const auto k : points) marked_[k] = 1;
-  std::vector<LoadedBond> found;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> bonds;  // point, number in its family
 #pragma omp parallel
   {
-    std::vector<LoadedBond> own;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
 #pragma omp for schedule(static) nowait
-    for (std::size_t n = 0; n < points.size(); ++n)
-      visit_bonds(points[n], state, [&](std::uint32_t j, double demand) {
-        if (demand >= least) own.push_back({{std::min(points[n], j), std::max(points[n], j)}, demand});
-      });
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      const auto k = points[n];
+      const auto own = kinematics(state, k);
+      const auto family = base.families()[k];
+      for (std::uint32_t i = 0; i < family.size(); ++i) {
+        const auto [j, id] = family[i];
+        if (j < k && marked_[j]) continue;
+        const auto& shape = base.shapes()[id];
+        const auto other = kinematics(state, j);
+        const double s = curvature_difference(shape, own, other), g = shear_difference(shape, own, other);
+        const double square = shape.length * shape.length;
+        if ((s * s >= bend * square || g * g >= twist * square) && may_break(k, i, j)) found.emplace_back(k, i);
+      }
+    }
 #pragma omp critical
-    found.insert(found.end(), own.begin(), own.end());
+    bonds.insert(bonds.end(), found.begin(), found.end());
   }
   for (const auto k : points) marked_[k] = 0;
-  std::ranges::sort(found, [](const auto& p, const auto& q) { return p.demand != q.demand ? p.demand > q.demand : p.bond < q.bond; });
-  return found;
+
+  std::vector<std::uint32_t> ends;
+  for (const auto& [k, i] : bonds)
+    for (const auto end : {k, base.families()[k][i].neighbour})
+      if (!marked_[end]) marked_[end] = 1, ends.push_back(end);
+  for (const auto k : ends) marked_[k] = 0;
+  find_dilatations(state, ends);
+  std::vector<LoadedBond> result;
+  for (const auto& [k, i] : bonds) {
+    const auto j = base.families()[k][i].neighbour;
+    if (const double now = demand(k, i, state); now >= least) result.push_back({{std::min(k, j), std::max(k, j)}, now});
+  }
+  std::ranges::sort(result, [](const auto& p, const auto& q) { return p.demand != q.demand ? p.demand > q.demand : p.bond < q.bond; });
+  return result;
 }
 
 double BondCheck::largest(const plate::State& state) {
   find_dilatations(state, all_);
-  for (const auto k : all_) marked_[k] = 1;
   double result = 0;
 #pragma omp parallel for schedule(static) reduction(max : result)
-  for (std::size_t k = 0; k < all_.size(); ++k)
-    visit_bonds(std::uint32_t(k), state, [&](std::uint32_t, double demand) { result = std::max(result, demand); });
-  for (const auto k : all_) marked_[k] = 0;
+  for (std::size_t n = 0; n < all_.size(); ++n) {
+    const auto k = all_[n];
+    const auto family = plate_.base().families()[k];
+    for (std::size_t i = 0; i < family.size(); ++i)
+      if (const auto j = family[i].neighbour; j > k && may_break(k, i, j)) result = std::max(result, demand(k, i, state));
+  }
   return result;
 }
 

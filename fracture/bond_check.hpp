@@ -28,8 +28,8 @@ public:
   std::vector<std::uint32_t> suspects(const plate::State& state) const;
 
 private:
-  template <typename Visit>
-  void visit_bonds(std::uint32_t k, const plate::State& state, const Visit& visit) const;
+  bool may_break(std::uint32_t k, std::size_t i, std::uint32_t j) const;
+  double demand(std::uint32_t k, std::size_t i, const plate::State& state) const;
   void find_dilatations(const plate::State& state, const std::vector<std::uint32_t>& points);
 
   const Growth& growth_;
