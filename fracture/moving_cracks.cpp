@@ -10,7 +10,7 @@ constexpr std::size_t look_every = 4;   // steps, of a tip at rest: it can go a 
 constexpr double first_speed = 0.3;     // of a tip that starts: of the limit
 constexpr double least_speed = 0.02;    // of one that runs: of the limit
 constexpr double recent_length = 3;     // spacings: a lattice's steps under an angle to it
-constexpr double gain = 0.45;
+constexpr double gain = 0.45, gain_of_all = 1.5;
 constexpr double look_after = 5;        // spacings gone without a look at the direction
 
 std::vector<geometry::Polyline> polylines(const std::vector<geometry::CrackPath>& paths) {
@@ -77,7 +77,7 @@ void MovingCracks::arrive(MovingTip& tip, const plate::Moment& now) {
     length -= tip.recent.front().first, spent -= tip.recent.front().second, tip.recent.pop_front();
   // faster where more than the fracture energy was taken, by the last pieces and by all
   const double lately = spent / (toughness_ * length), all = tip.spent / (toughness_ * tip.length);
-  tip.speed = std::clamp(tip.speed * std::pow(lately * all, gain), least_speed * speed_limit_, speed_limit_);
+  tip.speed = std::clamp(tip.speed * std::pow(lately, gain) * std::pow(all, gain_of_all), least_speed * speed_limit_, speed_limit_);
   const bool straight = growth_.direction == Growth::Direction::straight || tip.since_look < look_after * spacing_;
   if (lately >= 1 && straight && !stays(tip, {toughness_, {1, 0, 0}})) start(tip, {1, 0, 0}, done.begin + done.duration);
 }

@@ -188,16 +188,39 @@ cases::Case pressed(double degrees) {
 
 TEST_CASE("growth in motion: the crack takes the fracture energy, the books close, its speed stays below the limit") {
   const double limit = 0.93 * std::sqrt(vp::section.shear_stiffness() / (1 * vp::section.thickness));
-  for (const auto& [degrees, band] : {std::pair{0.0, 0.03}, {30.0, 0.04}, {45.0, 0.04}}) {
+  for (const auto& [degrees, band] : {std::pair{0.0, 0.03}, {30.0, 0.03}, {45.0, 0.03}}) {
     const auto found = moved({pressed(degrees), {}});
     REQUIRE(found.summary.growth);
     CAPTURE(degrees, *found.summary.growth->spent, found.residual, *found.summary.growth->largest_speed / limit);
     CHECK(found.summary.growth->advances >= 36);
     CHECK(found.summary.growth->lengths[0] >= 1.4);
-    CHECK(*found.summary.growth->spent == Approx(1).margin(band));  // measured: 1.014, 1.027, 1.020
+    CHECK(*found.summary.growth->spent == Approx(1).margin(band));  // measured: 1.009, 0.996, 1.013
     CHECK(found.residual < 0.01);                                   // measured: 0.0001 to 0.0003
     CHECK(*found.summary.growth->largest_speed <= limit * (1 + 1e-9));
   }
+}
+
+TEST_CASE("growth in motion: the crack takes the fracture energy in twist, and under moments in bending") {
+  for (const double degrees : {0.0, 30.0})
+    for (const bool twist : {true, false}) {
+      const double turn = 2 * degrees / 180 * std::numbers::pi;
+      auto c = straight(0.025, degrees, {1, 1, 0});
+      c.section.density = 1;
+      c.supports.clear();
+      if (twist) c.loads[0].tensor = {-std::sin(turn), std::sin(turn), std::cos(turn)};
+      for (double& component : c.loads[0].tensor) component *= twist ? 0.4 : 0.25;
+      c.loads[0].history.kind = plate::History::Kind::ramp, c.loads[0].history.rise_time = 1;
+      c.analysis.kind = cases::Analysis::Kind::dynamic;
+      c.analysis.duration = 1.2;
+      c.growth->control = Growth::Control::load;
+      c.growth->increment = 1, c.growth->max_advances = 1000;
+      c.growth->no_fail = {{-1, -1, -0.7, 1}, {0.7, -1, 1, 1}, {-1, -1, 1, -0.7}, {-1, 0.7, 1, 1}};
+      const auto found = moved({c, {}});
+      CAPTURE(degrees, twist, *found.summary.growth->spent, found.residual);
+      CHECK(found.summary.growth->advances >= 30);
+      CHECK(*found.summary.growth->spent == Approx(1).margin(0.03));  // measured: 1.027, 1.005; 1.011, 1.003
+      CHECK(found.residual < 0.01);
+    }
 }
 
 TEST_CASE("growth in motion: a crack along the middle of a strip, whose energy release rate is constant") {
@@ -205,7 +228,7 @@ TEST_CASE("growth in motion: a crack along the middle of a strip, whose energy r
     const auto found = moved(cases::read_case(PDPLATE_SOURCE_DIR "/cases/growth/running_crack.toml", {pressure, "output.fields=[]"}));
     CAPTURE(pressure, *found.summary.growth->spent, found.residual);
     CHECK(found.summary.growth->lengths[0] == Approx(3.5).margin(0.026));
-    CHECK(*found.summary.growth->spent == Approx(1).margin(0.03));  // measured: 1.010, 1.013
+    CHECK(*found.summary.growth->spent == Approx(1).margin(0.03));  // measured: 1.007, 1.006
     CHECK(found.residual < 0.01);                                   // measured: 0.002
   }
 }
