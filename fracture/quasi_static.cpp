@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fracture/tip_advance.hpp"
 
 namespace fracture {
 namespace {
 
+constexpr double least_calibrated = 10;       // spacings of a tip: the lattice's steps are half of one
+constexpr double largest_calibration = 1.15;  // what is further off is wrong in another way
 constexpr double together = 0.01;  // of the largest energy release rate: twice what integrals scatter with the lattice
 
 /// Grows cracks at rest. One use.
@@ -44,7 +47,8 @@ private:
     double most = 0;
     for (const auto& tip : plate.tips)
       if (may_grow(tip)) most = std::max(most, *tip.G);
-    const double critical = most > 0 ? std::sqrt(toughness_ / most) : INFINITY;
+    calibrate(plate);
+    const double critical = most > 0 ? std::sqrt(toughness_ / (calibration() * most)) : INFINITY;
     const auto step = load_.to(plate.displacement, critical);
     result_.ledger.external_work = load_.ledger.external_work, result_.ledger.strain = load_.ledger.strain;
     std::string why = end_of_growth(plate, most > 0, step.beyond);
@@ -56,6 +60,27 @@ private:
     observe(event);
     result_.outcome = why;
     return why.empty();
+  }
+
+  /// What the last advance has really released under the whole load, half of what its displacement has gained, beside what
+  /// the energy release rates of its tips before and after it make of it.
+  void calibrate(const LoadedPlate& plate) {
+    double predicted = 0, length = 0;
+    const auto moved = std::exchange(moved_, {});
+    for (const auto& [crack, at_back, G, gone] : moved) {
+      const auto now = std::ranges::find_if(plate.tips, [&](const auto& one) { return one.tip.crack == crack && one.tip.at_back == at_back; });
+      if (now == plate.tips.end()) return;  // broken through
+      predicted += gone * (G + *now->G) / 2;
+      length += gone / double(moved.size());
+    }
+    if (length == 0) return;
+    calibrated_ += length, predicted_ += predicted;
+    measured_ += (plate.displacement - last_displacement_) / 2;
+  }
+
+  /// Energy released over the one predicted, of all advances.
+  double calibration() const {
+    return calibrated_ < least_calibrated * spacing_ * (1 - 1e-9) ? 1 : std::clamp(measured_ / predicted_, 1 / largest_calibration, largest_calibration);
   }
 
   std::string end_of_growth(const LoadedPlate& plate, bool can_grow, bool beyond_the_end) const {
@@ -76,6 +101,7 @@ private:
     for (const auto& [tip, factors, G] : plate.tips) {
       if (G) continue;
       extend(tip, fracture::break_through(outline_, result_.cracks, tip));
+      moved_.clear();  // what the last advance released cannot be told from this
       found = true;
     }
     result_.advances += found;
@@ -89,7 +115,9 @@ private:
       const auto& [tip, factors, G] = plate.tips[i];
       const auto step = advance(growth_, section_, outline_, before, spacing_, tip, factors);
       extend(tip, step);
+      moved_.push_back({tip.crack, tip.at_back, *G, step.length});
     }
+    last_displacement_ = plate.displacement;
     ++result_.advances;
   }
 
@@ -103,6 +131,14 @@ private:
   const geometry::Outline& outline_;
   double spacing_, toughness_;
   RestLoad load_;
+  struct Moved {
+    std::size_t crack;
+    bool at_back;
+    double G, length;
+  };
+  std::vector<Moved> moved_;      // by the last advance
+  double last_displacement_ = 0;  // before it
+  double calibrated_ = 0, measured_ = 0, predicted_ = 0;  // length of a tip's way, energies of all advances
   double booked_ = 0;  // fracture energy at the last event
   std::vector<char> moves_;
   Grown result_;

@@ -62,7 +62,7 @@ TEST_CASE("growth at rest spends the fracture energy, bending, at any angle and 
       c.discretization.formulation = formulation;
       const auto found = energies(c);
       CAPTURE(int(formulation), degrees, found.spent, found.first_load_factor);
-      CHECK(std::abs(found.spent - 1) < 0.03);  // measured: 0.1 to 0.9 %
+      CHECK(std::abs(found.spent - 1) < 0.03);  // measured: 0.3 to 1.4 %
       first.push_back(found.first_load_factor);
     }
     auto coarse = straight(0.04, 0, {1, 1, 0});
@@ -81,7 +81,7 @@ TEST_CASE("growth at rest spends the fracture energy in twist, in the Galerkin p
     c.discretization.formulation = plate::Formulation::galerkin;
     const auto found = energies(c);
     CAPTURE(degrees, found.spent);
-    CHECK(std::abs(found.spent - 1) < 0.03);  // measured: 0.1 to 0.7 %
+    CHECK(std::abs(found.spent - 1) < 0.03);  // measured: 0.1 to 0.5 %
   }
 }
 
