@@ -64,7 +64,7 @@ TEST_CASE("bond limits: bonds at their limit across a unit of crack take the fra
     double sum = 0;  // half of the directed bonds
     for (std::size_t i = 0; i < vectors.size(); ++i)
       sum += std::abs(vectors[i].dot(normal)) / 2 / (0.1 * 0.1) * limits.energy() * shapes[i].weight * 1e-4;
-    CHECK(sum == Approx(2 * vp::section.thickness).epsilon(0.05));  // measured -4.1 to +1.2 %
+    CHECK(sum == Approx(2 * vp::section.thickness).epsilon(0.05));  // measured -4.0 to +1.2 %
     mean += sum / directions;
   }
   CHECK(mean == Approx(2 * vp::section.thickness).epsilon(2e-3));
@@ -129,7 +129,7 @@ TEST_CASE("bond check: without load nothing fails, with every surface correction
       std::vector<double> demands;
       for (const auto& one : plate.check.at_least(-1e300, bent)) demands.push_back(one.demand);
       std::ranges::sort(demands);
-      CHECK(demands.back() < 5 * demands[demands.size() / 2]);  // measured 1.2 to 3.6
+      CHECK(demands.back() < 5 * demands[demands.size() / 2]);  // measured 1.0 to 4.8
     }
 }
 
