@@ -75,7 +75,8 @@ Field<SrifOptions> srif_methods() {
   static const Words<int> words{{{"virtual_crack_extension", 0},
                                  {"domain_integral", 0},
                                  {"displacement_extrapolation", 0},
-                                 {"opening_series", 0}}};
+                                 {"opening_series", 0},
+                                 {"series_fit", 0}}};
   return value<SrifOptions>(
       {"methods", "-", "a list of " + words.text(), "", "how the intensity factors are found"},
       [](const Value& given, SrifOptions& options) {

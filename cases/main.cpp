@@ -41,11 +41,15 @@ void print_result(const post::Summary& summary, const std::filesystem::path& fol
     const bool normalized = summary.srif.front().F1.has_value();
     fmt::print("{:>4} {:>9} {:>9} {:>13} {:>13} {:>13}{}  {:>8}\n", "tip", "x", "y", "K1", "K2", "K3",
                normalized ? fmt::format(" {:>9} {:>9} {:>9}", "F1", "F2", "F3") : "", "error");
-    for (const auto& s : summary.srif)
-      fmt::print("{:>4} {:>9.4g} {:>9.4g} {:>13.6g} {:>13.6g} {:>13.6g}{}  {:>8}\n", s.tip, s.position.x(),
-                 s.position.y(), s.K1, s.K2, s.K3,
-                 normalized ? fmt::format(" {:>9.5f} {:>9.5f} {:>9.5f}", *s.F1, *s.F2, *s.F3) : "",
-                 s.estimated_error ? fmt::format("{:.1f} %", 100 * *s.estimated_error) : "");
+    for (const auto& s : summary.srif) {
+      const auto number = [&s](std::size_t i, const std::string& text) { return s.resolved[i] ? text : "-"; };
+      const double K[] = {s.K1, s.K2, s.K3};
+      fmt::print("{:>4} {:>9.4g} {:>9.4g}", s.tip, s.position.x(), s.position.y());
+      for (std::size_t i = 0; i < 3; ++i) fmt::print(" {:>13}", number(i, fmt::format("{:.6g}", K[i])));
+      const std::optional<double> F[] = {s.F1, s.F2, s.F3};
+      for (std::size_t i = 0; i < 3 && normalized; ++i) fmt::print(" {:>9}", number(i, fmt::format("{:.5f}", F[i].value_or(0))));
+      fmt::print("  {:>8}\n", s.estimated_error ? fmt::format("{:.1f} %", 100 * *s.estimated_error) : "");
+    }
   }
   for (const auto& s : summary.srif)
     if (s.second && (&s == &summary.srif.front() || (&s)[-1].tip != s.tip))

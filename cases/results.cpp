@@ -1,5 +1,6 @@
 #include "cases/results.hpp"
 
+#include "cases/trust.hpp"
 #include "post/mesh.hpp"
 #include "post/whole_file.hpp"
 #include <algorithm>
@@ -251,6 +252,7 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
   }
   summary.srif = latest_;
   for (const auto& reason : left_out(assembly_, tip_methods_)) summary.warnings.push_back(reason);
+  warn_of_factors(case_, latest_, summary.warnings);
   summary.frequencies = frequencies_;
   write_summary(summary, resolved_, stopwatch, folder_);
   return summary;

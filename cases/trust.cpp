@@ -131,4 +131,54 @@ void warn_of_distrust(const Case& c, const plate::Boundary& boundary, std::vecto
   if (c.growth && c.growth->by_bonds()) check_bonds(c, boundary, warnings);
 }
 
+namespace {
+
+/// "K2 (4.1 %), K3 (12 %)": those that are, with their estimated errors as shares of the largest factor.
+template <typename Which>
+std::string named(const post::Srif& srif, double thickness, const Which& which) {
+  std::string result;
+  const double largest = post::largest_factor(srif, thickness);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double share = srif.errors[i].value_or(0) * (i == 2 ? thickness : 1) / largest;
+    if (which(i, share)) result += fmt::format("{}K{} ({:.2g} %)", result.empty() ? "" : ", ", i + 1, 100 * share);
+  }
+  return result;
+}
+
+/// What would resolve the layer in which K2 and K3 live.
+std::string remedy(const Case& c) {
+  const auto& d = c.discretization;
+  const double layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
+  if (d.formulation == plate::Formulation::galerkin)
+    return fmt::format("take discretization.spacing or tip_spacing = {:.2g}",
+                       std::min(layer / 3, d.tip_spacing.value_or(d.spacing) / 2));
+  return fmt::format("take discretization.spacing = {:.2g}, or the Galerkin plate (formulation = \"galerkin\")",
+                     std::min(layer / 2 / d.horizon_ratio, d.spacing / 2));
+}
+
+}  // namespace
+
+void warn_of_factors(const Case& c, const std::vector<post::Srif>& srifs, std::vector<std::string>& warnings) {
+  constexpr double uncertain = 0.03;
+  const double h = c.section.thickness;
+  for (std::size_t i = 0; i < srifs.size(); ++i) {
+    const auto& srif = srifs[i];
+    if (i > 0 && srifs[i - 1].tip == srif.tip) continue;
+    const auto place = fmt::format("tip {} at ({:.4g}, {:.4g})", srif.tip, srif.position.x(), srif.position.y());
+    if (srif.G && *srif.G <= 0 && !srif.resolved[0]) {
+      warnings.push_back(fmt::format("{}: no intensity factors, because the energy release rate comes out as {:.3g}, which is not "
+                                     "positive; {}",
+                                     place, *srif.G, remedy(c)));
+      continue;
+    }
+    if (post::largest_factor(srif, h) == 0) continue;
+    const auto lost = named(srif, h, [&](std::size_t k, double) { return !srif.resolved[k]; });
+    const auto doubtful = named(srif, h, [&](std::size_t k, double share) { return srif.resolved[k] && share > uncertain; });
+    if (!lost.empty())
+      warnings.push_back(fmt::format("{}: not resolved are {} (estimated error of the largest factor); {}", place, lost, remedy(c)));
+    if (!doubtful.empty())
+      warnings.push_back(fmt::format("{}: uncertain are {} (estimated error of the largest factor); {}", place, doubtful, remedy(c)));
+  }
+}
+
 }  // namespace cases

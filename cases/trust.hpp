@@ -1,11 +1,16 @@
 #pragma once
 #include "cases/case.hpp"
 #include "plate/boundary.hpp"
+#include "post/srif.hpp"
 
 namespace cases {
 
 /// Adds warnings with the number that says why, where the model itself is not to be trusted: plates so thin that they
 /// lock, families so coarse that the plate is not isotropic.
 void warn_of_distrust(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings);
+
+/// Adds warnings, with what to change, for the recommended factors of tips that are not resolved, or uncertain by more than
+/// 3 % of the largest. `srifs`: the recommended of each tip first.
+void warn_of_factors(const Case& c, const std::vector<post::Srif>& srifs, std::vector<std::string>& warnings);
 
 }  // namespace cases

@@ -1,5 +1,5 @@
 #include "post/displacement_extrapolation.hpp"
-#include "post/tip_field.hpp"
+#include "post/tip_frame.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -180,6 +180,7 @@ Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
   const double h = s.thickness, largest = largest_factor(result, h);
   if (largest > 0) {
     result.fit_residual = std::max({misfit[0], misfit[1], misfit[2] * h}) / largest;
+    for (std::size_t mode = 0; mode < 3 && samples_.size() > 2; ++mode) result.errors[mode] = spread[mode];
     if (samples_.size() > 2) result.estimated_error = std::max({spread[0], spread[1], spread[2] * h}) / largest;
   }
   return result;

@@ -41,13 +41,12 @@ Table rows_of(const Quantity& quantity, const std::filesystem::path& folder) {
   return result;
 }
 
+/// Nothing where the factor is not resolved.
 std::optional<double> factor(const std::string& name, const Srif& srif) {
-  if (name == "K1") return srif.K1;
-  if (name == "K2") return srif.K2;
-  if (name == "K3") return srif.K3;
-  if (name == "F1") return srif.F1;
-  if (name == "F2") return srif.F2;
-  if (name == "F3") return srif.F3;
+  const std::optional<double> values[] = {srif.K1, srif.K2, srif.K3, srif.F1, srif.F2, srif.F3};
+  const std::string names[] = {"K1", "K2", "K3", "F1", "F2", "F3"};
+  for (std::size_t i = 0; i < 6; ++i)
+    if (name == names[i] && srif.resolved[i % 3]) return values[i];
   return std::nullopt;
 }
 

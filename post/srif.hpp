@@ -3,6 +3,7 @@
 #include "plate/section.hpp"
 #include "plate/state.hpp"
 #include "post/interpolation.hpp"
+#include <array>
 #include <optional>
 
 /// What leaves the program: intensity factors, tables, files for ParaView and HDF5.
@@ -15,7 +16,7 @@ struct Normalization {
 };
 
 struct SrifOptions {
-  std::vector<std::string> methods{"virtual_crack_extension", "domain_integral", "displacement_extrapolation"};
+  std::vector<std::string> methods{"virtual_crack_extension", "domain_integral", "series_fit", "displacement_extrapolation"};
   double window_horizons = 2;           // displacement extrapolation: fit over 0 < r <= this many horizons (Dai: 2) ...
   std::optional<double> window;         // ... or over this length
   int skip = 0;                         // samples next to the tip left out
@@ -34,6 +35,12 @@ struct RingSrif {
   double K1, K2, K3;
 };
 
+/// The intensity factors from one range of the fit about the tip.
+struct FitSrif {
+  double inner, outer;  // [length]
+  double K1, K2, K3;
+};
+
 /// The factors of the same tip by the recommended method of the other formulation.
 struct SecondSrif {
   std::string formulation, method;
@@ -48,10 +55,13 @@ struct Srif {
   std::string method;
   double K1 = 0, K2 = 0, K3 = 0;                // [force length^(1/2)] moments, [force / length^(1/2)] shear
   std::optional<double> F1, F2, F3;             // where a normalisation is given
-  std::optional<double> estimated_error;        // relative to the largest K
+  std::optional<double> estimated_error;        // relative to the largest of |K1|, |K2|, |K3| h
+  std::array<std::optional<double>, 3> errors;  // estimated, of K1, K2, K3, in their units
+  std::array<bool, 3> resolved{true, true, true};  // false: this discretisation does not give that factor
   std::optional<SecondSrif> second;             // of a case that is run in both formulations
   std::optional<double> G;                      // energy release rate [force], of methods that find it
   std::vector<RingSrif> rings;                  // of methods that use rings; the first gave the result
+  std::vector<FitSrif> fits;                    // of the fit of the fields about the tip; the first gave the result
   double fit_residual = 0;                      // rms misfit of the straight line / largest |K| of the fit
   std::size_t samples = 0;
 };

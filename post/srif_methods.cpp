@@ -9,10 +9,6 @@
 namespace post {
 namespace {
 
-/// Rings of the interaction integral stay within this many thicknesses: its unit fields grow exponentially beyond.
-constexpr double interaction_reach = 0.65;
-/// ... and must have this many spacings.
-constexpr double least_ring = 6;
 /// Share of the second and third mode in the energy above which a tip counts as one of mixed mode.
 constexpr double mixed_mode = 0.02;
 
@@ -26,10 +22,12 @@ Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const plate::Sec
   return {scale * split[0], scale * split[1], split[2]};
 }
 
-/// Least estimate of the error: a tenth of a percent; in the Galerkin plate also its error of the first order, which is
-/// the larger the fewer points lie between the tip and what is next to it (theory.md, "What `estimated_error` means").
-double least_error(const BondedPlate& plate, double clear) {
-  return plate.galerkin ? std::max(1e-3, 0.04 * plate.spacing / clear) : 1e-3;
+/// Calibrated: theory.md, "What the estimated errors mean".
+ErrorShares shares_of(const BondedPlate& plate, double horizon, double clear) {
+  const double layer = plate.section.thickness / std::sqrt(12 * plate.section.shear_correction);
+  if (!plate.galerkin) return {1, 1, 1e-3, 0.04, horizon / 2 / layer};
+  // an error of the first order, the larger the fewer points lie between the tip and what is next to it
+  return {1, 1, std::max(1e-3, 0.04 * plate.spacing / clear), 0.04, plate.spacing / layer};
 }
 
 /// Of the rings that fit [length].
@@ -43,11 +41,12 @@ double largest_radius(double clear, double spacing) {
 
 TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double horizon, const SrifOptions& options)
     : tip_(place.tip), section_(plate.section), galerkin_(plate.galerkin != nullptr),
-      least_error_(least_error(plate, place.clear)),
+      shares_(shares_of(plate, horizon, place.clear)),
       positions_(plate.positions), methods_(options.methods),
       surroundings_(plate, centred(place.tip, plate), largest_radius(place.clear, plate.spacing)) {
   const geometry::Tip tip = centred(place.tip, plate);
   const PlateScale scale{plate.section, plate.spacing, horizon, plate.galerkin != nullptr};
+  fit(plate, tip, place.clear, options.first_ring_only);
   const std::vector<geometry::Point> positions(plate.positions.begin(),
                                                plate.positions.begin() + std::ptrdiff_t(plate.plate_points));
   for (const auto& method : methods_) {
@@ -55,6 +54,8 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
       if (method == "displacement_extrapolation" || method == "opening_series") {
         const auto how = method == "opening_series" ? series_fit(scale) : paper_fit(scale, options);
         openings_.emplace_back(positions, place.path, place.tip, scale, how);
+      } else if (method == "series_fit") {
+        if (fits_.empty()) throw std::invalid_argument(no_fit_);
       } else {
         integrals_.push_back(integral_of(method, plate, tip, place.clear, options.first_ring_only));
       }
@@ -63,15 +64,7 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
     }
   }
   if (left_out_.size() == methods_.size()) throw std::invalid_argument(fmt::format("{}", fmt::join(left_out_, "; ")));
-  if (integrals_.empty()) return;
-  double reach = interaction_reach * plate.section.thickness;
-  // the Galerkin plate resolves the field in smaller rings: K3 of a twisted plate (h = 25 spacings) is 1.1 % off with an outer
-  // radius of 7.5 spacings, 2 % with 16
-  if (plate.galerkin) reach = std::min(reach, 7.5 * plate.spacing);
-  const auto inner = rings(place.clear, reach, plate.spacing);
-  if (!inner.empty() && inner.front().outer >= least_ring * plate.spacing)
-    interaction_.emplace_back(plate, tip, inner.front());
-  else
+  if (fits_.empty() && !integrals_.empty())
     mix_.emplace_back(positions, place.path, place.tip, scale, narrow_fit(scale));
 }
 
@@ -91,9 +84,40 @@ TipMethods::Integral TipMethods::integral_of(const std::string& method, const Bo
   return result;
 }
 
+/// Fits over the widest range that serves, and over parts of it for the estimate of the error.
+void TipMethods::fit(const BondedPlate& plate, const geometry::Tip& tip, double clear, bool first_only) {
+  const auto range = fit_range(plate.section, clear, plate.spacing, plate.cells && plate.cells->graded);
+  if (!range) {
+    no_fit_ = "series_fit: no range of 5 spacings within 2 thicknesses and 0.9 of the way to the next edge, crack, bend or load; refine";
+    return;
+  }
+  for (const double share : {1.0, 0.65, 0.5}) {
+    FitRange narrower = *range;
+    narrower.outer *= share;
+    narrower.order = fit_order(plate.section, narrower.outer);
+    try {
+      fits_.push_back({narrower, SeriesFit(plate, tip, narrower)});
+    } catch (const std::invalid_argument& reason) {
+      if (fits_.empty()) no_fit_ = reason.what();
+      return;
+    }
+    if (first_only) return;
+  }
+}
+
+std::vector<FitSrif> TipMethods::fitted(const NearField& field) const {
+  std::vector<FitSrif> result;
+  for (const auto& [range, fit] : fits_) {
+    const Eigen::Vector3d K = fit(field);
+    result.push_back({range.inner, range.outer, K[0], K[1], K[2]});
+  }
+  return result;
+}
+
 /// K1, K2, K3 whose signs and proportions the integrals of the energy release rate take over.
-Eigen::Vector3d TipMethods::split(const plate::State& state, const plate::Forces& force) const {
-  if (!interaction_.empty()) return interaction_.front()(state, force);
+Eigen::Vector3d TipMethods::split(const std::vector<FitSrif>& fits, const plate::State& state) const {
+  if (!fits.empty()) return {fits.front().K1, fits.front().K2, fits.front().K3};
+  if (mix_.empty()) return Eigen::Vector3d::Zero();
   const Srif opening = mix_.front()(state);
   return {opening.K1, opening.K2, opening.K3};
 }
@@ -120,39 +144,20 @@ Srif TipMethods::of(const Integral& integral, std::size_t rings, const Eigen::Ve
   return result;
 }
 
-/// Twice the largest difference from the other methods by energy, or from the next ring where there is no other, a
-/// floor, and what the interaction integral does not agree with the energy release rate, as far as the mode is not
-/// the first. The factors are calibrated: theory.md, "What `estimated_error` means".
-void TipMethods::estimate(std::vector<Srif>& found, const Eigen::Vector3d& mix) const {
-  const double h = section_.thickness;
-  const auto distance = [h](const auto& a, const auto& b) {
-    return std::max({std::abs(a.K1 - b.K1), std::abs(a.K2 - b.K2), std::abs(a.K3 - b.K3) * h});
-  };
-  const Eigen::Vector3d energy = unit_release(section_).cwiseProduct(mix.cwiseAbs2());
-  const Srif* best = nullptr;
-  for (auto& srif : found) {
-    if (srif.rings.empty()) continue;
-    if (!best) best = &srif;
-    const double largest = largest_factor(srif, h);
-    if (largest == 0) continue;
-    double spread = 0;
-    bool compared = false;
-    for (const auto& other : found)
-      if (!other.rings.empty() && other.method != srif.method) spread = std::max(spread, distance(srif, other)), compared = true;
-    if (!compared && srif.rings.size() < 2) continue;  // nothing to compare with
-    if (!compared) spread = distance(srif.rings[0], srif.rings[1]);
-    const double disagreement = std::abs(1 - std::sqrt(energy.sum() / *srif.G));
-    const double other_modes = std::sqrt((energy[1] + energy[2]) / energy.sum());
-    srif.estimated_error = 2 * spread / largest + least_error_ + disagreement * other_modes / 2;
-  }
-  for (auto& srif : found)
-    if (best && srif.rings.empty() && largest_factor(srif, h) > 0)
-      srif.estimated_error = std::max(srif.estimated_error.value_or(0), 1.5 * distance(srif, *best) / largest_factor(srif, h));
+Srif TipMethods::by_fit(const std::vector<FitSrif>& fits) const {
+  Srif result;
+  result.position = tip_.position;
+  result.method = "series_fit";
+  result.samples = fits_.front().fit.points();
+  result.fits = fits;
+  result.K1 = fits.front().K1, result.K2 = fits.front().K2, result.K3 = fits.front().K3;
+  return result;
 }
 
 std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate::Forces& force, bool all_rings) const {
-  const Eigen::Vector3d mix = integrals_.empty() ? Eigen::Vector3d::Zero() : split(state, force);
   const NearField field(state, positions_, surroundings_.centre());
+  const std::vector<FitSrif> fits = fitted(field);
+  const Eigen::Vector3d mix = split(fits, state);
   double radius = 0;
   for (const auto& integral : integrals_)
     for (std::size_t i = 0; i < rings_of(integral, all_rings); ++i) radius = std::max(radius, integral.rings[i].outer);
@@ -161,19 +166,21 @@ std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate:
   for (const auto& method : methods_) {
     for (const auto& integral : integrals_)
       if (integral.method == method) found.push_back(of(integral, rings_of(integral, all_rings), mix, field, work));
+    if (method == "series_fit" && !fits.empty()) found.push_back(by_fit(fits));
     for (const auto& opening : openings_)
       if (auto srif = opening(state); srif.method == method) {
         found.push_back(std::move(srif));
         break;
       }
   }
-  estimate(found, mix);
+  estimate_errors(found, fits, section_, shares_);
   // the faces are loaded in the second and third mode: there the domain integral is better, where the field within a
   // thickness is resolved
   const Eigen::Vector3d energy = unit_release(section_).cwiseProduct(mix.cwiseAbs2());
   const bool sheared = energy[1] + energy[2] > mixed_mode * energy.sum();
-  const std::string first = (sheared && !interaction_.empty()) || galerkin_ ? "domain_integral" : "virtual_crack_extension";
-  std::stable_partition(found.begin(), found.end(), [&](const Srif& srif) { return srif.method == first; });
+  const std::string first = (sheared && !fits_.empty()) || galerkin_ ? "domain_integral" : "virtual_crack_extension";
+  std::ranges::stable_partition(found, [&](const Srif& srif) { return srif.method == first; });
+  std::ranges::stable_partition(found, [](const Srif& srif) { return srif.resolved[0] || srif.resolved[1] || srif.resolved[2]; });
   return found;
 }
 

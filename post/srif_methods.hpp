@@ -1,6 +1,7 @@
 #pragma once
 #include "post/displacement_extrapolation.hpp"
-#include "post/interaction_integral.hpp"
+#include "post/series_fit.hpp"
+#include "post/srif_errors.hpp"
 #include "post/tip_rings.hpp"
 
 namespace post {
@@ -40,18 +41,25 @@ private:
   Srif of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix, const NearField& field,
           const Eigen::VectorXd& forward_work) const;
   std::size_t rings_of(const Integral& integral, bool all) const;
-  void estimate(std::vector<Srif>& found, const Eigen::Vector3d& mix) const;
-  Eigen::Vector3d split(const plate::State& state, const plate::Forces& force) const;
+  Srif by_fit(const std::vector<FitSrif>& fits) const;
+  void fit(const BondedPlate& plate, const geometry::Tip& tip, double clear, bool first_only);
+  std::vector<FitSrif> fitted(const NearField& field) const;
+  Eigen::Vector3d split(const std::vector<FitSrif>& fits, const plate::State& state) const;
 
   geometry::Tip tip_;
   plate::Section section_;
   bool galerkin_;
-  double least_error_;  // of the estimates
+  ErrorShares shares_;
   const std::vector<geometry::Point>& positions_;
   std::vector<std::string> methods_, left_out_;
   TipSurroundings surroundings_;
   std::vector<Integral> integrals_;
-  std::vector<InteractionIntegral> interaction_;      // one, where the field of the thickness is resolved
+  struct Fit {
+    FitRange range;
+    SeriesFit fit;
+  };
+  std::vector<Fit> fits_;  // the widest first; none where the field within a thickness is not resolved
+  std::string no_fit_;     // why
   std::vector<DisplacementExtrapolation> openings_;
   std::vector<DisplacementExtrapolation> mix_;        // one, where it is not: proportions from the opening
 };

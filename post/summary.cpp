@@ -32,15 +32,23 @@ Json json_of(const Summary::Analysis& analysis) {
 
 Json json_of(const Srif& srif) {
   Json json{{"tip", srif.tip}, {"x", srif.position.x()}, {"y", srif.position.y()}, {"method", srif.method},
-            {"K1", srif.K1},   {"K2", srif.K2},          {"K3", srif.K3}};
-  add(json, "F1", srif.F1);
-  add(json, "F2", srif.F2);
-  add(json, "F3", srif.F3);
+            {"K1", nullptr},   {"K2", nullptr},          {"K3", nullptr}};
+  const std::array<const char*, 3> K{"K1", "K2", "K3"}, F{"F1", "F2", "F3"},
+      error{"estimated_error_K1", "estimated_error_K2", "estimated_error_K3"};
+  const std::array factor{srif.K1, srif.K2, srif.K3};
+  const std::array normalized{srif.F1, srif.F2, srif.F3};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (srif.resolved[i]) json[K[i]] = factor[i];
+  for (std::size_t i = 0; i < 3; ++i)
+    if (srif.resolved[i]) add(json, F[i], normalized[i]);
   add(json, "estimated_error", srif.estimated_error);
+  for (std::size_t i = 0; i < 3; ++i) add(json, error[i], srif.errors[i]);
   add(json, "G", srif.G);
   if (const auto& second = srif.second)
     json["second_formulation"] = {{"formulation", second->formulation}, {"method", second->method}, {"K1", second->K1},
                                   {"K2", second->K2},                   {"K3", second->K3},         {"difference", second->difference}};
+  for (const auto& f : srif.fits)
+    json["fits"].push_back({{"inner", f.inner}, {"outer", f.outer}, {"K1", f.K1}, {"K2", f.K2}, {"K3", f.K3}});
   if (srif.rings.empty()) {
     json["fit_residual"] = srif.fit_residual;
     json["samples"] = srif.samples;
@@ -123,15 +131,21 @@ std::string to_json(const Summary& summary) {
 
 std::vector<std::string> srif_columns() {
   return {"time", "tip", "x",  "y",  "method",          "K1",           "K2",
-          "K3",   "F1",  "F2", "F3", "estimated_error", "fit_residual", "samples"};
+          "K3",   "F1",  "F2", "F3", "estimated_error", "fit_residual", "samples",
+          "estimated_error_K1", "estimated_error_K2", "estimated_error_K3"};
 }
 
 void append(Table& table, double time, const std::vector<Srif>& srifs) {
   if (table.columns.empty()) table.columns = srif_columns();
   for (const Srif& srif : srifs) {
+    const auto factor = [&](std::size_t i, const std::optional<double>& value) {
+      return srif.resolved[i] ? cell(value) : Cell();
+    };
     table.rows.push_back({time, static_cast<double>(srif.tip), srif.position.x(), srif.position.y(), srif.method,
-                          srif.K1, srif.K2, srif.K3, cell(srif.F1), cell(srif.F2), cell(srif.F3),
-                          cell(srif.estimated_error), srif.fit_residual, static_cast<double>(srif.samples)});
+                          factor(0, srif.K1), factor(1, srif.K2), factor(2, srif.K3), factor(0, srif.F1),
+                          factor(1, srif.F2), factor(2, srif.F3), cell(srif.estimated_error), srif.fit_residual,
+                          static_cast<double>(srif.samples), cell(srif.errors[0]), cell(srif.errors[1]),
+                          cell(srif.errors[2])});
   }
 }
 

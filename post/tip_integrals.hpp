@@ -3,7 +3,7 @@
 #include "plate/bond_weights.hpp"
 #include "plate/galerkin_law.hpp"
 #include "plate/state.hpp"
-#include "post/tip_field.hpp"
+#include "post/tip_frame.hpp"
 
 namespace post {
 

@@ -1,0 +1,37 @@
+#pragma once
+#include <optional>
+#include "post/tip_integrals.hpp"
+#include "post/tip_series.hpp"
+
+namespace post {
+
+/// Which points about a tip a fit takes, and how many fields.
+struct FitRange {
+  double inner, outer;  // distances from the tip [length]
+  int order;            // of TipSeries
+};
+
+/// K1, K2, K3 by least squares of the displacements of all points about a tip to the fields that the plate can have there
+/// (theory.md, "Fit of the fields about a tip"; for plane problems Ayatollahi and Nejati 2011). A linear functional of the
+/// state, whose row is found once.
+class SeriesFit {
+public:
+  /// Throws std::invalid_argument where the range has too few points.
+  SeriesFit(const BondedPlate& plate, const geometry::Tip& tip, const FitRange& range);
+
+  Eigen::Vector3d operator()(const NearField& field) const;
+  std::size_t points() const { return points_.size(); }
+
+private:
+  std::vector<std::uint32_t> points_;
+  Eigen::Matrix3Xd row_;  // per point: of w, theta_x, theta_y
+};
+
+/// The range that serves a tip best, `clear` [length] being free about it: as large as the series allows.
+/// Nothing where it would hold too few points.
+std::optional<FitRange> fit_range(const plate::Section& section, double clear, double spacing, bool graded);
+
+/// Order of the series that the corrections to the eigenfunctions, which grow like exp(r / layer), ask for.
+int fit_order(const plate::Section& section, double outer);
+
+}  // namespace post

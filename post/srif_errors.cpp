@@ -1,0 +1,123 @@
+#include "post/srif_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/tip_integrals.hpp"
+
+namespace post {
+namespace {
+
+/// Above this share of the largest factor an error leaves nothing of a factor that is not the largest.
+constexpr double lost = 0.1;
+
+template <typename Factors>
+Eigen::Vector3d vector_of(const Factors& K) {
+  return {K.K1, K.K2, K.K3};
+}
+
+/// Of sqrt(G): from another integral, or from the next ring where there is no other.
+std::optional<double> difference_of_energies(const Srif& srif, const std::vector<Srif>& found) {
+  std::optional<double> result;
+  const auto compare = [&](double G) {
+    if (G > 0) result = std::max(result.value_or(0), std::abs(1 - std::sqrt(G / *srif.G)));
+  };
+  for (const auto& other : found)
+    if (other.G && other.method != srif.method) compare(*other.G);
+  if (!result && srif.rings.size() > 1) compare(srif.rings[1].G);
+  return result;
+}
+
+void set(Srif& srif, const Eigen::Vector3d& errors, double thickness) {
+  const Eigen::Vector3d scale(1, 1, thickness);
+  const double largest = largest_factor(srif, thickness);
+  for (Eigen::Index i = 0; i < 3; ++i) srif.errors[std::size_t(i)] = errors[i];
+  if (largest > 0) srif.estimated_error = errors.cwiseProduct(scale).maxCoeff() / largest;
+}
+
+class Estimate {
+public:
+  Estimate(const std::vector<FitSrif>& fits, const plate::Section& section, const ErrorShares& shares)
+      : fits_(fits), section_(section), shares_(shares), scale_(1, 1, section.thickness) {}
+
+  /// `energies`: relative difference in sqrt(G) of the integrals among themselves.
+  Eigen::Vector3d by_energy(const Srif& srif, double energies) const {
+    const Eigen::Vector3d K = vector_of(srif);
+    const double largest = largest_factor(srif, section_.thickness);
+    Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least * largest).cwiseQuotient(scale_);
+    result[2] += layer() * largest / section_.thickness;
+    if (fits_.empty()) {
+      // the split is that of the first samples of the opening: nothing vouches for it
+      const Eigen::Vector3d energy = unit_release(section_).cwiseProduct(K.cwiseAbs2());
+      const double other_modes = energy.sum() > 0 ? 1 - energy[0] / energy.sum() : 0;
+      return result + Eigen::Vector3d((2 * energies + other_modes / 2) * std::abs(K[0]), largest, largest).cwiseQuotient(scale_);
+    }
+    return result + K.cwiseAbs() * (2 * energies + shares_.energy * disagreement(*srif.G)) + shares_.fits * spread();
+  }
+
+  Eigen::Vector3d by_fit(const Srif& srif, const std::optional<double>& G) const {
+    const Eigen::Vector3d K = vector_of(srif);
+    const double largest = largest_factor(srif, section_.thickness);
+    Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least * largest).cwiseQuotient(scale_);
+    result[2] += layer() * largest / section_.thickness;
+    return result + shares_.fits * spread() + (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs();
+  }
+
+private:
+  double layer() const { return shares_.layer * std::pow(std::min(shares_.width, 1.5), 3); }
+
+  /// Largest difference between the first fit and the others, of each factor.
+  Eigen::Vector3d spread() const {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    for (const auto& fit : fits_) result = result.cwiseMax((vector_of(fit) - vector_of(fits_.front())).cwiseAbs());
+    return result;
+  }
+
+  double disagreement(double G) const {
+    const double fitted = unit_release(section_).dot(vector_of(fits_.front()).cwiseAbs2());
+    return std::abs(1 - std::sqrt(fitted / G));
+  }
+
+  const std::vector<FitSrif>& fits_;
+  const plate::Section& section_;
+  const ErrorShares& shares_;
+  Eigen::Vector3d scale_;
+};
+
+}  // namespace
+
+void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits, const plate::Section& section,
+                     const ErrorShares& shares) {
+  const Estimate estimate(fits, section, shares);
+  const double h = section.thickness;
+  const Srif* best = nullptr;
+  for (auto& srif : found) {
+    if (!srif.G) continue;
+    if (*srif.G <= 0) {
+      const bool still = largest_factor(srif, h) == 0 && *srif.G == 0;
+      if (!still) srif.resolved = {false, false, false};
+      continue;
+    }
+    if (!best) best = &srif;
+    const auto energies = difference_of_energies(srif, found);
+    if (energies || !fits.empty()) set(srif, estimate.by_energy(srif, energies.value_or(0)), h);
+  }
+  for (auto& srif : found) {
+    if (srif.G || largest_factor(srif, h) == 0) continue;
+    if (srif.method == "series_fit") {
+      set(srif, estimate.by_fit(srif, best ? best->G : std::nullopt), h);
+    } else if (best) {
+      Eigen::Vector3d errors = 1.5 * (vector_of(srif) - vector_of(*best)).cwiseAbs();
+      for (Eigen::Index i = 0; i < 3; ++i) errors[i] = std::max(errors[i], srif.errors[std::size_t(i)].value_or(0));
+      set(srif, errors, h);
+    }
+  }
+  for (auto& srif : found) {
+    if (!srif.G && srif.method != "series_fit") continue;
+    const double largest = largest_factor(srif, h);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (srif.errors[i] && *srif.errors[i] * (i == 2 ? h : 1) > lost * largest) srif.resolved[i] = false;
+  }
+}
+
+}  // namespace post

@@ -1,0 +1,254 @@
+#include "post/tip_series.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <map>
+
+namespace post {
+namespace {
+
+/// sum c z^(a/2) conj(z)^(b/2), keys a and b; of an odd field i times that. All of one degree (a + b) / 4 at a time.
+using Powers = std::map<std::pair<int, int>, double>;
+
+void add(Powers& sum, const Powers& other, double factor = 1) {
+  for (const auto& [key, c] : other) sum[key] += factor * c;
+}
+
+Powers d_dz(const Powers& f) {
+  Powers result;
+  for (const auto& [key, c] : f)
+    if (key.first != 0) result[{key.first - 2, key.second}] = c * key.first / 2;
+  return result;
+}
+
+Powers d_dconj(const Powers& f) {
+  Powers result;
+  for (const auto& [key, c] : f)
+    if (key.second != 0) result[{key.first, key.second - 2}] = c * key.second / 2;
+  return result;
+}
+
+/// cos and sin of n pi / 2, exactly.
+double cosine(int n) {
+  return n % 2 ? 0 : n % 4 ? -1 : 1;
+}
+double sine(int n) {
+  return cosine(n - 1);
+}
+
+}  // namespace
+
+/// Makes the series power by power (lengths in `radius`, D = 1). With Psi = psi_x + i psi_y and s = S radius^2 / D:
+/// 4 w_zz* = Psi_z + conj(...), 2 (1 - nu) Psi_zz* + (1 + nu) (Psi_z + conj(...))_z* = s (Psi - 2 w_z*).
+class TipSeries::Maker {
+public:
+  Maker(double poisson, double s) : nu_(poisson), s_(s) {}
+
+  std::vector<Field> fields(int order) {
+    std::vector<Field> result;
+    for (const bool even : {true, false}) {
+      sign_ = even ? 1 : -1;
+      for (int n = 0; n <= order; ++n) result.push_back(series(eigenfunction(n), {}, n));
+      for (int p = even ? 0 : 1; p <= order + 2; ++p)
+        if (p % 2 == (even ? 0 : 1)) result.push_back(series({}, harmonic(p), p - 2));
+      if (even) result.push_back(series({}, {{{2, 2}, 0.25}}, 2));  // w = r^2 / 4: an even load
+    }
+    return result;
+  }
+
+  /// M_yy / M_xy / Q_y / S straight ahead of the leading term r^(1/2) of the field, without their r^(-1/2).
+  Eigen::Vector3d ahead(const Field& field) {
+    sign_ = field.even ? 1 : -1;
+    const auto leading = [](const std::vector<Term>& terms) {
+      Powers result;
+      for (const auto& term : terms)
+        if (term.twice_p == 1) result[{(1 + term.twice_q) / 2, (1 - term.twice_q) / 2}] = term.c;
+      return result;
+    };
+    const auto moments = moments_at(leading(field.psi), 0);
+    return {moments[0], moments[1], slope_across(leading(field.w), 0)};
+  }
+
+private:
+  /// Real and imaginary part of f at r = 1, angle n pi.
+  std::array<double, 2> at(const Powers& f, int n) const {
+    double x = 0, y = 0;
+    for (const auto& [key, c] : f) x += c * cosine(n * (key.first - key.second)), y += c * sine(n * (key.first - key.second));
+    return sign_ > 0 ? std::array{x, y} : std::array{-y, x};
+  }
+
+  /// M_yy, M_xy at r = 1, angle n pi, but for the sign.
+  Eigen::Vector2d moments_at(const Powers& psi, int n) const {
+    const double divergence = 2 * at(d_dz(psi), n)[0];
+    const auto shear = at(d_dconj(psi), n);
+    return {(1 + nu_) / 2 * divergence - (1 - nu_) * shear[0], (1 - nu_) * shear[1]};
+  }
+
+  double slope_across(const Powers& w, int n) const { return -2 * at(d_dz(w), n)[1]; }
+
+  /// Both solutions of the plane-stress equations of degree n/2, by their factors of z^n/2 and conj(z)^n/2.
+  std::vector<Powers> plane(int n) const {
+    if (n == 0) return {{{{0, 0}, 1.0}}};
+    return {{{{n, 0}, 1.0}, {{2, n - 2}, -sign_ * (1 + nu_) / (3 - nu_) * n / 2}}, {{{0, n}, 1.0}}};
+  }
+
+  Eigen::Matrix2Xd face_moments(const std::vector<Powers>& fields) const {
+    Eigen::Matrix2Xd result(2, Eigen::Index(fields.size()));
+    for (std::size_t i = 0; i < fields.size(); ++i) result.col(Eigen::Index(i)) = moments_at(fields[i], 1);
+    return result;
+  }
+
+  /// The combination of both whose faces are free.
+  Powers eigenfunction(int n) const {
+    const auto both = plane(n);
+    if (n == 0) return both.front();
+    const Eigen::Matrix2Xd faces = face_moments(both);
+    const Eigen::Index row = faces.row(0).norm() > faces.row(1).norm() ? 0 : 1;  // the other vanishes by itself
+    const Eigen::Vector2d free = Eigen::Vector2d(-faces(row, 1), faces(row, 0)).normalized();
+    Powers result;
+    for (std::size_t i = 0; i < 2; ++i) add(result, both[i], free[Eigen::Index(i)]);
+    return result;
+  }
+
+  /// r^(p/2) cos or sin of p angle / 2.
+  Powers harmonic(int p) const {
+    if (p == 0) return {{{0, 0}, 1.0}};
+    return {{{p, 0}, 0.5}, {{0, p}, sign_ * 0.5}};
+  }
+
+  /// w of degree n/2 + 1 with lap w = div psi, psi of degree n/2, and Q_y = 0 on the faces.
+  Powers deflection(const Powers& psi, int n) const {
+    Powers w;
+    const auto slope = d_dz(psi);
+    for (const auto& [key, c] : slope) {
+      const auto [a, b] = key;
+      const double part = c / ((a + 2) * (b + 2));  // of 4 (a/2 + 1) (b/2 + 1)
+      w[{a + 2, b + 2}] += part;
+      w[{b + 2, a + 2}] += sign_ * part;
+    }
+    const auto own = harmonic(n + 2);
+    const double reached = slope_across(own, 1);
+    if (reached != 0) add(w, own, (at(psi, 1)[1] - slope_across(w, 1)) / reached);
+    return w;
+  }
+
+  /// psi of degree n/2 + 2 that answers psi of degree n/2 and w of degree n/2 + 1, with free faces.
+  Powers rotation(const Powers& psi, const Powers& w, int n) const {
+    Powers source, result;
+    add(source, psi, s_);
+    add(source, d_dconj(w), -2 * s_);
+    Powers pending = source;
+    while (!pending.empty()) {
+      const auto [a, b] = pending.begin()->first;
+      const std::pair partner{b + 2, a - 2};
+      const auto other = source.find(partner);
+      solve_pair(a / 2.0, b / 2.0, pending.begin()->second, other == source.end() ? 0 : other->second, {a, b}, result);
+      pending.erase({a, b}), pending.erase(partner);
+    }
+    const auto own = plane(n + 4);
+    const Eigen::Matrix2Xd faces = face_moments(own);
+    const Eigen::Index row = faces.row(0).norm() > faces.row(1).norm() ? 0 : 1;
+    const double missing = -moments_at(result, 1)[row], square = faces.row(row).squaredNorm();
+    for (std::size_t i = 0; i < own.size(); ++i) add(result, own[i], missing * faces(row, Eigen::Index(i)) / square);
+    return result;
+  }
+
+  /// The factors X of z^(a+1) conj(z)^(b+1) and Y of z^(b+2) conj(z)^a, which the terms z^a conj(z)^b and
+  /// z^(b+1) conj(z)^(a-1) of the equation have in common.
+  void solve_pair(double a, double b, double first, double second, std::pair<int, int> key, Powers& result) const {
+    const double own = 3 - nu_, crossed = sign_ * (1 + nu_);
+    double X = 0, Y = 0;
+    if (b + 1 == 0) {
+      Y = a == 0 ? 0 : second / (own * (b + 2) * a);
+    } else if (a == 0) {
+      X = first / (own * (a + 1) * (b + 1));
+    } else {
+      const double sum = first / (b + 1), partner = second / a;  // own (a+1) X + crossed (b+2) Y, and the other way round
+      const double determinant = own * own - crossed * crossed;
+      X = (own * sum - crossed * partner) / determinant / (a + 1);
+      Y = (own * partner - crossed * sum) / determinant / (b + 2);
+    }
+    const std::pair X_key{key.first + 2, key.second + 2}, Y_key{key.second + 4, key.first};
+    result[X_key] = X;
+    if (X_key != Y_key) result[Y_key] = Y;
+  }
+
+  /// The series that begins with psi of degree n/2, or with w of degree n/2 + 1.
+  Field series(Powers psi, Powers w, int n) const {
+    constexpr int most = 40;  // of steps; 12 to 20 are taken
+    constexpr double negligible = 1e-13;
+    Powers all_psi = psi, all_w = w;
+    if (psi.empty()) all_psi = psi = rotation({}, w, n), n += 4;
+    for (int step = 0; step < most; ++step, n += 4) {
+      w = deflection(psi, n);
+      psi = rotation(psi, w, n);
+      add(all_w, w), add(all_psi, psi);
+      double largest = 0;
+      for (const auto& [key, c] : psi) largest = std::max(largest, std::abs(c));
+      if (largest < negligible) break;
+    }
+    return {sign_ > 0, terms(all_w), terms(all_psi)};
+  }
+
+  static std::vector<Term> terms(const Powers& sum) {
+    std::vector<Term> result;
+    for (const auto& [key, c] : sum)
+      if (std::abs(c) > 1e-15) result.push_back({key.first + key.second, key.first - key.second, c});
+    return result;
+  }
+
+  double nu_, s_;
+  double sign_ = 1;  // of even fields; -1 of odd ones, where conjugation changes the sign
+};
+
+TipSeries::TipSeries(const plate::Section& section, double radius, int order) : radius_(radius) {
+  const double D = section.bending_stiffness(), S = section.shear_stiffness();
+  Maker maker(section.poisson, S * radius * radius / D);
+  fields_ = maker.fields(order);
+  factors_.resize(3, size());
+  const double root = std::sqrt(2 * radius);
+  for (Eigen::Index n = 0; n < size(); ++n) {
+    const Field& field = fields_[std::size_t(n)];
+    // M = -D kappa with tension at z > 0, Q = S gamma
+    factors_.col(n) = Eigen::Vector3d(-D / radius * root, -D / radius * root, S * root).cwiseProduct(maker.ahead(field));
+    for (const auto* terms : {&field.w, &field.psi})
+      for (const auto& term : *terms)
+        highest_p_ = std::max(highest_p_, term.twice_p), highest_q_ = std::max(highest_q_, std::abs(term.twice_q));
+  }
+}
+
+Eigen::Matrix3Xd TipSeries::operator()(const Polar& at) const {
+  std::vector<double> power(std::size_t(highest_p_) + 1);
+  std::vector<std::complex<double>> turn(2 * std::size_t(highest_q_) + 1);
+  const double root = std::sqrt(at.r / radius_);
+  power[0] = 1;
+  for (std::size_t p = 1; p < power.size(); ++p) power[p] = power[p - 1] * root;
+  for (int q = 0; q <= highest_q_; ++q) {
+    const auto value = std::polar(1.0, q * at.angle / 2);
+    turn[std::size_t(highest_q_ + q)] = value, turn[std::size_t(highest_q_ - q)] = std::conj(value);
+  }
+  const auto sum = [&](const std::vector<Term>& terms) {
+    double x = 0, y = 0;
+    for (const auto& [p, q, c] : terms) {
+      const double scale = c * power[std::size_t(p)];
+      const auto& direction = turn[std::size_t(highest_q_ + q)];
+      x += scale * direction.real(), y += scale * direction.imag();
+    }
+    return std::array{x, y};
+  };
+  Eigen::Matrix3Xd result(3, size());
+  for (Eigen::Index n = 0; n < size(); ++n) {
+    const Field& field = fields_[std::size_t(n)];
+    const auto w = sum(field.w), psi = sum(field.psi);
+    if (field.even)
+      result.col(n) << radius_ * w[0], psi[0], psi[1];
+    else
+      result.col(n) << -radius_ * w[1], -psi[1], psi[0];
+  }
+  return result;
+}
+
+}  // namespace post
