@@ -52,7 +52,7 @@ public:
       const double other_modes = energy.sum() > 0 ? 1 - energy[0] / energy.sum() : 0;
       return result + Eigen::Vector3d((2 * energies + other_modes / 2) * std::abs(K[0]), largest, largest).cwiseQuotient(scale_);
     }
-    return result + K.cwiseAbs() * (2 * energies + shares_.energy * disagreement(*srif.G)) + shares_.fits * spread();
+    return result + K.cwiseAbs() * (2 * energies + shares_.energy * disagreement(*srif.G)) + shares_.fits * spread(largest);
   }
 
   Eigen::Vector3d by_fit(const Srif& srif, const std::optional<double>& G) const {
@@ -60,14 +60,16 @@ public:
     const double largest = largest_factor(srif, section_.thickness);
     Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least * largest).cwiseQuotient(scale_);
     result[2] += layer() * largest / section_.thickness;
-    return result + shares_.fits * spread() + (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs();
+    return result + shares_.fits * spread(largest) + (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs();
   }
 
 private:
   double layer() const { return shares_.layer * std::pow(std::min(shares_.width, 1.5), 3); }
 
-  /// Largest difference between the first fit and the others, of each factor.
-  Eigen::Vector3d spread() const {
+  /// Largest difference between the first fit and the others, of each factor; where there is no other, a share of the largest.
+  Eigen::Vector3d spread(double largest) const {
+    constexpr double alone = 0.03;
+    if (fits_.size() < 2) return Eigen::Vector3d::Constant(alone * largest).cwiseQuotient(scale_);
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
     for (const auto& fit : fits_) result = result.cwiseMax((vector_of(fit) - vector_of(fits_.front())).cwiseAbs());
     return result;
