@@ -7,6 +7,7 @@
 
 #include "cases/study.hpp"
 #include "tests/unit/post/small_run.hpp"
+#include "tests/unit/post/xml.hpp"
 
 namespace fs = std::filesystem;
 using small_run::TemporaryFolder;
@@ -84,6 +85,19 @@ void check_files(const fs::path& folder, const cases::Case& c) {
   CHECK(text_of(folder / "summary.json").find("\"outcome\": \"done\"") != std::string::npos);
 }
 
+/// Every file for ParaView below the folder.
+void check_xml(const fs::path& folder) {
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const auto kind = entry.path().extension();
+    if (kind != ".vtu" && kind != ".vtp" && kind != ".pvd") continue;
+    INFO(entry.path());
+    CHECK(xml::fault(text_of(entry.path())) == "");
+    ++files;
+  }
+  CHECK(files >= 2);
+}
+
 fs::path central_crack() {
   return fs::path(PDPLATE_SOURCE_DIR) / "cases/static/central_crack_pressure.toml";
 }
@@ -101,6 +115,7 @@ TEST_CASE("every case reads and runs, and its resolved form gives the same resul
     INFO(ended.output);
     REQUIRE(ended.exit_code == 0);
     check_files(scratch / "first", content);
+    check_xml(scratch / "first");
 
     const auto again = run(scratch / "first" / "case.resolved.toml", scratch / "again", {});
     INFO(again.output);
