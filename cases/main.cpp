@@ -178,6 +178,7 @@ int main(int argc, char** argv) {
   wait_without_spinning(argv);
   CLI::App app("Cracked Mindlin plates in ordinary state-based peridynamics");
   app.require_subcommand(1);
+  app.set_version_flag("--version", "pdplate " PDPLATE_VERSION, "print the version and exit");
   Arguments a;
   auto* run = app.add_subcommand("run", "run a case");
   add_case(*run, a);

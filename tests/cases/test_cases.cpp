@@ -240,7 +240,10 @@ TEST_CASE("exit code 4: the folder cannot be made") {
   CHECK(text_of(scratch / "file") == "in the way\n");
 }
 
-TEST_CASE("exit code 0: help, keys") {
+TEST_CASE("exit code 0: help, version, keys") {
+  const auto version = program({"--version"});
+  CHECK(version.exit_code == 0);
+  CHECK(version.output.starts_with("pdplate "));
   CHECK(program({"--help"}).exit_code == 0);
   CHECK(program({"keys", "spacing"}).exit_code == 0);
 }
