@@ -195,6 +195,10 @@ TEST_CASE("exit code 2: commands that have no meaning for a growth, or for none"
     return program({"fatigue", (scratch / folder).string(), "--coefficient", "1", "--exponent", "2"}).exit_code;
   };
   CHECK(fatigue("rest") == 0);
+  for (const char* coefficient : {"nan", "inf"})
+    CHECK(program({"fatigue", (scratch / "rest").string(), "--coefficient", coefficient, "--exponent", "2"}).exit_code == 2);
+  CHECK(program({"fatigue", (scratch / "rest").string(), "--coefficient", "1", "--exponent", "2", "--load", "nan"}).exit_code == 2);
+  CHECK(program({"fatigue", (scratch / "rest").string(), "--coefficient", "1", "--exponent", "9999"}).exit_code == 3);
   CHECK(fatigue("motion") == 2);
   CHECK(fatigue("none") == 2);
   for (const char* folder : {"rest", "motion"}) {
