@@ -170,31 +170,6 @@ void solve_frequencies(const Case& c, const Assembly& assembly, Results& results
   summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
 }
 
-}  // namespace
-
-TimeGrid time_grid(const CaseFile& file, double limit) {
-  const Case& c = file.content;
-  const double row = c.output.history_every.value_or(c.analysis.duration / 400);
-  if (c.analysis.time_step) {
-    const double dt = *c.analysis.time_step;
-    if (dt > limit)
-      throw CaseError({{file.place("analysis.time_step"), "analysis.time_step",
-                        fmt::format("{:g} is above the stable limit {:.6g} of this plate", dt, limit)}});
-    return {dt, static_cast<std::size_t>(std::ceil(c.analysis.duration / dt - 1e-9)),
-            std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(row / dt)))};
-  }
-  // whole steps between rows, whole rows in the duration
-  const auto rows = std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(c.analysis.duration / row)));
-  const double between = c.analysis.duration / double(rows);
-  // edges that a crack leaves at an angle to the lattice are a little stiffer than those of the start, families that bonds
-  // leave one by one by 1.3 at most (measured where a plate fell to pieces)
-  const double safety = !c.growth ? c.analysis.safety : std::min(c.analysis.safety, c.growth->by_bonds() ? 0.8 : 0.9);
-  const auto steps = static_cast<std::size_t>(std::ceil(between / (safety * limit)));
-  return {between / double(steps), rows * steps, steps};
-}
-
-namespace {
-
 void solve(const Prepared& prepared, MovingGrowth* growth, Results& results, post::Summary& summary, bool quiet,
            Stopwatch& stopwatch) {
   const Case& c = prepared.file.content;
