@@ -14,9 +14,9 @@ namespace {
 
 using geometry::Point;
 
-// All lengths in spacings. A point of a plate without corners is within half a diagonal of a cell, 0.71, of a point of the
-// lattice; a right corner may be up to 1.7 away.
-constexpr double largest_gap = 2;     // from the outline to the next point; a corner sharper than a right angle has more
+// All lengths in spacings. A point of a plate without corners is within half a diagonal of a cell, 0.71, of a point of
+// the lattice; a right corner may be up to 1.7 away.
+constexpr double largest_gap = 2;  // from the outline to the next point; a corner sharper than a right angle has more
 constexpr double longest_spike = 10;  // that a sharp corner may lose
 constexpr double largest_move = 1;    // of a pin or a force
 constexpr double probe_reach = 1.6;   // a probe lies between points as near as this
@@ -79,11 +79,13 @@ std::vector<Spike> spikes(const geometry::Outline& cells) {
   const auto& v = cells.outer.vertices;
   std::vector<Spike> result;
   for (std::size_t i = 0; i < v.size(); ++i) {
-    const Point to = (v[(i + 1) % v.size()] - v[i]).normalized(), from = (v[(i + v.size() - 1) % v.size()] - v[i]).normalized();
+    const Point to = (v[(i + 1) % v.size()] - v[i]).normalized(),
+                from = (v[(i + v.size() - 1) % v.size()] - v[i]).normalized();
     const bool convex = to.x() * from.y() - to.y() * from.x() > 0;
     const double half = std::acos(std::clamp(to.dot(from), -1.0, 1.0)) / 2;
     // a circle of 0.71 holds a point; in the corner it reaches as far as this
-    if (convex && half < std::numbers::pi / 4) result.push_back({v[i], std::min(longest_spike, std::sqrt(0.5) * (1 + 1 / std::sin(half)))});
+    if (convex && half < std::numbers::pi / 4)
+      result.push_back({v[i], std::min(longest_spike, std::sqrt(0.5) * (1 + 1 / std::sin(half)))});
   }
   return result;
 }
@@ -96,8 +98,8 @@ double allowed_gap(const std::vector<Spike>& sharp, const Point& u) {
 }
 
 /// Parts of the plate that have no points.
-void check_parts(const CaseFile& file, const geometry::Cloud& cloud, const geometry::Outline& cells, const Seeded& seeded,
-                 std::vector<Problem>& problems) {
+void check_parts(const CaseFile& file, const geometry::Cloud& cloud, const geometry::Outline& cells,
+                 const Seeded& seeded, std::vector<Problem>& problems) {
   const auto sharp = spikes(cells);
   double furthest = 0;
   Point where(0, 0);
@@ -108,22 +110,27 @@ void check_parts(const CaseFile& file, const geometry::Cloud& cloud, const geome
   double held = 0;
   for (std::size_t k = 0; k < cloud.plate_points; ++k) held += cloud.areas[k];
   const double all = geometry::area(file.content.outline);
-  problems.push_back({file.place("discretization.spacing"), "discretization.spacing",
-                      fmt::format("{:g} leaves out a part of the plate: ({:.6g}, {:.6g}) on its outline is {} spacings from the nearest "
-                                  "point, and the cells of the points hold {:.4g} of its area of {:.4g}; parts no wider than a spacing "
-                                  "have no points: refine, or choose formulation = \"galerkin\"",
-                                  cloud.units.spacing, x.x(), x.y(),
-                                  furthest < window ? fmt::format("{:.2g}", furthest) : fmt::format("over {:g}", window), held, all)});
+  problems.push_back(
+      {file.place("discretization.spacing"), "discretization.spacing",
+       fmt::format(
+           "{:g} leaves out a part of the plate: ({:.6g}, {:.6g}) on its outline is {} spacings from the nearest "
+           "point, and the cells of the points hold {:.4g} of its area of {:.4g}; parts no wider than a spacing "
+           "have no points: refine, or choose formulation = \"galerkin\"",
+           cloud.units.spacing, x.x(), x.y(),
+           furthest < window ? fmt::format("{:.2g}", furthest) : fmt::format("over {:g}", window), held, all)});
 }
 
-void check_loaded_edges(const CaseFile& file, const geometry::Outline& cells, const Seeded& seeded, std::vector<Problem>& problems) {
+void check_loaded_edges(const CaseFile& file, const geometry::Outline& cells, const Seeded& seeded,
+                        std::vector<Problem>& problems) {
   const auto& loads = file.content.loads;
   for (std::size_t i = 0; i < loads.size(); ++i)
     for (const auto& name : loads[i].edges) {
       const auto edge = places(cells, name);
       if (std::ranges::any_of(edge, [&](const auto& u) { return seeded.distance(u) < largest_gap - 0.5; })) continue;
       const auto key = fmt::format("load[{}].edges", i);
-      problems.push_back({file.place(key), key, fmt::format("edge \"{}\" has no point of the lattice beside it that the load could act on: refine", name)});
+      problems.push_back(
+          {file.place(key), key,
+           fmt::format("edge \"{}\" has no point of the lattice beside it that the load could act on: refine", name)});
     }
 }
 
@@ -133,14 +140,17 @@ void check_places(const CaseFile& file, const Seeded& seeded, std::vector<Proble
   const auto check = [&](const std::string& key, const char* what, const Point& x, double most) {
     const double away = seeded.distance_from(x);
     if (away > most)
-      problems.push_back({file.place(key), key, fmt::format("the {} at ({:g}, {:g}) is {:.2g} spacings from the nearest point of the lattice, which "
-                                                            "would stand for it: at most {:g}; refine, or choose formulation = \"galerkin\"",
-                                                            what, x.x(), x.y(), away, most)});
+      problems.push_back(
+          {file.place(key), key,
+           fmt::format("the {} at ({:g}, {:g}) is {:.2g} spacings from the nearest point of the lattice, which "
+                       "would stand for it: at most {:g}; refine, or choose formulation = \"galerkin\"",
+                       what, x.x(), x.y(), away, most)});
   };
   for (std::size_t i = 0; i < c.supports.size(); ++i)
     for (const auto& x : c.supports[i].points) check(fmt::format("support[{}].points", i), "pin", x, largest_move);
   for (std::size_t i = 0; i < c.loads.size(); ++i)
-    if (c.loads[i].kind == plate::Load::Kind::point_force) check(fmt::format("load[{}].position", i), "force", c.loads[i].position, largest_move);
+    if (c.loads[i].kind == plate::Load::Kind::point_force)
+      check(fmt::format("load[{}].position", i), "force", c.loads[i].position, largest_move);
   for (const auto& [name, x] : c.output.probes) check("output.probes." + name, "probe", x, probe_reach);
 }
 
@@ -156,9 +166,11 @@ void check_held_lengths(const CaseFile& file, const geometry::Outline& cells, st
     for (const auto& name : supports[i].edges) length += geometry::edge_length(cells, name);
     if (length >= 1 - 1e-9) continue;
     const auto key = fmt::format("support[{}].edges", i);
-    problems.push_back({file.place(key), key, fmt::format("acts on a length of {:.2g} spacings: bonds cannot hold a plate on less than one; refine, or "
-                                                          "choose formulation = \"galerkin\"",
-                                                          length)});
+    problems.push_back(
+        {file.place(key), key,
+         fmt::format("acts on a length of {:.2g} spacings: bonds cannot hold a plate on less than one; refine, or "
+                     "choose formulation = \"galerkin\"",
+                     length)});
   }
 }
 
@@ -175,7 +187,8 @@ double width(const std::vector<Point>& pins) {
 }
 
 /// Pins alone hold a plate by their triangle; each acts up to 0.7 of a spacing beside its place.
-void check_pins(const CaseFile& file, const geometry::LatticeUnits& units, std::vector<Problem>& problems, std::vector<std::string>& warnings) {
+void check_pins(const CaseFile& file, const geometry::LatticeUnits& units, std::vector<Problem>& problems,
+                std::vector<std::string>& warnings) {
   constexpr double least = 1, few = 5;  // spacings
   const auto& supports = file.content.supports;
   if (file.content.analysis.kind != Analysis::Kind::static_ || std::ranges::any_of(supports, holds_edges)) return;
@@ -184,9 +197,11 @@ void check_pins(const CaseFile& file, const geometry::LatticeUnits& units, std::
     for (const auto& x : support.points) pins.push_back(units.to_lattice(x));
   if (pins.size() < 3) return;  // refused elsewhere
   const double wide = width(pins);
-  const auto said = fmt::format("the pins are within {:.2g} spacings of one line, and each acts at the nearest point of the lattice, up to 0.7 spacings "
-                                "from its place",
-                                wide);
+  const auto said = fmt::format(
+      "the pins are within {:.2g} spacings of one line, and each acts at the nearest point of the lattice, up to 0.7 "
+      "spacings "
+      "from its place",
+      wide);
   if (wide < least)
     problems.push_back({file.place("support"), "support", said + ": refine, or choose formulation = \"galerkin\""});
   else if (wide < few)
@@ -195,7 +210,8 @@ void check_pins(const CaseFile& file, const geometry::LatticeUnits& units, std::
 
 }  // namespace
 
-void check_lattice(const CaseFile& file, const geometry::Cloud& cloud, const geometry::Outline& cells, std::vector<std::string>& warnings) {
+void check_lattice(const CaseFile& file, const geometry::Cloud& cloud, const geometry::Outline& cells,
+                   std::vector<std::string>& warnings) {
   const Seeded seeded(cloud);
   std::vector<Problem> problems;
   check_parts(file, cloud, cells, seeded, problems);

@@ -1,3 +1,10 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <omp.h>
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 #include "cases/energy_check.hpp"
 #include "cases/extremes.hpp"
 #include "cases/study.hpp"
@@ -7,13 +14,6 @@
 #include "post/study_orders.hpp"
 #include "post/table.hpp"
 #include "post/whole_file.hpp"
-#include <CLI/CLI.hpp>
-#include <cmath>
-#include <cstdlib>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <omp.h>
-#include <unistd.h>
 
 namespace {
 
@@ -129,9 +129,13 @@ int run_extremes(const Arguments& a) {
 
 void require_finite(const Arguments& a) {
   std::vector<cases::Problem> problems;
-  for (const auto& [name, value] : {std::pair{"--coefficient", a.law.coefficient}, {"--exponent", a.law.exponent},
-                                    {"--threshold", a.law.threshold}, {"--load", a.load}, {"--ratio", a.ratio}})
-    if (!std::isfinite(value)) problems.push_back({"fatigue", name, fmt::format("{:g} given, must be a finite number", value)});
+  for (const auto& [name, value] : {std::pair{"--coefficient", a.law.coefficient},
+                                    {"--exponent", a.law.exponent},
+                                    {"--threshold", a.law.threshold},
+                                    {"--load", a.load},
+                                    {"--ratio", a.ratio}})
+    if (!std::isfinite(value))
+      problems.push_back({"fatigue", name, fmt::format("{:g} given, must be a finite number", value)});
   if (!problems.empty()) throw cases::CaseError(problems);
 }
 

@@ -1,10 +1,10 @@
 #include "plate/loads.hpp"
 
-#include "plate/state.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include "plate/state.hpp"
 
 namespace plate {
 namespace {
@@ -93,7 +93,8 @@ Eigen::Vector3d edge_couple(const Load& load, const Point& normal) {
 void add_edge_load(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline, Forces& forces) {
   for (const auto& name : load.edges)
     for (const Border& border : borders(name, cloud, outline)) {
-      if (border.near.empty()) throw std::invalid_argument("edge '" + name + "' has no point of the plate within two spacings");
+      if (border.near.empty())
+        throw std::invalid_argument("edge '" + name + "' has no point of the plate within two spacings");
       for (const Piece& piece : border.pieces) {
         const auto k = nearest(border.near, cloud, piece.middle);
         const Point lever = piece.middle - cloud.positions[k];

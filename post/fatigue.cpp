@@ -18,7 +18,8 @@ std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengt
     if (ranges[i] <= law.threshold) return 0.0;
     const double growth = law.coefficient * std::pow(ranges[i], law.exponent);
     if (!std::isnormal(growth))
-      throw plate::NumericalError(fmt::format("Paris' law gives a growth of {:g} per cycle at a range of {:g}", growth, ranges[i]));
+      throw plate::NumericalError(
+          fmt::format("Paris' law gives a growth of {:g} per cycle at a range of {:g}", growth, ranges[i]));
     return growth;
   };
   std::vector<double> result;
@@ -35,7 +36,8 @@ std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengt
       const double growth = std::abs(left) < 1e-9 ? std::log(b / a) : (std::pow(b / a, left) - 1) / left;
       more = a / rate(i - 1) * growth;
     }
-    if (std::isnan(more)) throw plate::NumericalError(fmt::format("the cycles from length {:g} to {:g} are not a number", a, b));
+    if (std::isnan(more))
+      throw plate::NumericalError(fmt::format("the cycles from length {:g} to {:g} are not a number", a, b));
     result.push_back(result.back() + more);
   }
   return result;

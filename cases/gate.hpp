@@ -1,0 +1,21 @@
+#pragma once
+#include "cases/assembly.hpp"
+#include "post/srif.hpp"
+
+/// What must hold of every number before it is written: each throws plate::NumericalError, saying what failed and when.
+namespace cases {
+
+/// Numbers by their name.
+using Named = std::initializer_list<std::pair<const char*, double>>;
+void require_finite(const Named& numbers, const std::string& when);
+void require_finite(const std::vector<post::Srif>& factors, const std::string& when);
+/// Displacements of all points.
+void require_finite(const plate::State& state, const std::string& when);
+
+/// A plate with a load on any degree of freedom that nothing holds moves: `state` is not zero, and `work` [energy] not
+/// so small that digits of it are lost. Else warns that no load reaches what may move. `loads`: nodal forces, those
+/// that act together as one.
+void require_motion(const Assembly& assembly, const std::vector<plate::Forces>& loads, const plate::State& state,
+                    double work, std::vector<std::string>& warnings);
+
+}  // namespace cases
