@@ -34,9 +34,13 @@ void require_finite(const plate::State& state, const std::string& when) {
   }
 }
 
+bool moves(const plate::State& state, double work) {
+  constexpr double least = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+  return !state.isZero(0) && std::abs(work) >= least;
+}
+
 void require_motion(const Assembly& assembly, const std::vector<plate::Forces>& loads, const plate::State& state,
                     double work, std::vector<std::string>& warnings) {
-  constexpr double least = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
   const auto& constraints = assembly.boundary.constraints;
   const bool loaded = std::ranges::any_of(loads, [&](plate::Forces load) {
     constraints.fold(load);
@@ -50,7 +54,7 @@ void require_motion(const Assembly& assembly, const std::vector<plate::Forces>& 
     throw plate::NumericalError(
         "nothing has moved although loads act: numbers are too small for double precision, or no load acts at any "
         "step");
-  if (std::abs(work) < least)
+  if (!moves(state, work))
     throw plate::NumericalError(fmt::format(
         "the loads do a work of {:g}: numbers are too small for double precision; choose other units", work));
 }

@@ -12,9 +12,11 @@ void require_finite(const std::vector<post::Srif>& factors, const std::string& w
 /// Displacements of all points.
 void require_finite(const plate::State& state, const std::string& when);
 
-/// A plate with a load on any degree of freedom that nothing holds moves: `state` is not zero, and `work` [energy] not
-/// so small that digits of it are lost. Else warns that no load reaches what may move. `loads`: nodal forces, those
-/// that act together as one.
+/// Is the state not zero, and the work [energy] of the loads not so small that digits of it are lost?
+bool moves(const plate::State& state, double work);
+
+/// For a plate that does not: a plate with a load on any degree of freedom that nothing holds should. Else warns
+/// that no load reaches what may move. `loads`: nodal forces, those that act together as one.
 void require_motion(const Assembly& assembly, const std::vector<plate::Forces>& loads, const plate::State& state,
                     double work, std::vector<std::string>& warnings);
 

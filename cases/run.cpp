@@ -106,7 +106,8 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
   stopwatch.lap("srif");
   results.frame(end);
   summary.energy = {{"strain", results.strain_energy()}, {"external_work", end.external_work}};
-  require_motion(assembly, {total_load(assembly)}, solution.state, work, summary.warnings);
+  if (!moves(solution.state, work))
+    require_motion(assembly, {total_load(assembly)}, solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
                                             solution.stop_reason, solution.residual, c.analysis.tolerance));
@@ -140,7 +141,8 @@ void solve_dynamic(const Prepared& prepared, MovingGrowth* growth, Results& resu
     summary.energy = {{"strain", results.strain_energy()},
                       {"kinetic", now.kinetic_energy},
                       {"external_work", now.external_work}};
-    if (last) require_motion(assembly, forces_of(assembly), now.state, now.external_work, summary.warnings);
+    if (last && !moves(now.state, now.external_work))
+      require_motion(assembly, forces_of(assembly), now.state, now.external_work, summary.warnings);
   };
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
   if (c.analysis.start == Analysis::Start::equilibrium) options.start = start_of(c, assembly);
