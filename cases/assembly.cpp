@@ -3,6 +3,7 @@
 #include <algorithm>
 #include "cases/assembly_checks.hpp"
 #include "cases/assembly_galerkin.hpp"
+#include "cases/lattice_checks.hpp"
 #include "cases/trust.hpp"
 #include "geometry/seeding.hpp"
 
@@ -40,8 +41,10 @@ Assembly assemble_ordinary(const CaseFile& file, std::vector<geometry::CrackPath
   const auto& d = c.discretization;
   auto cloud = geometry::lattice(c.outline, d.spacing);
   const auto outline = geometry::to_lattice(c.outline, cloud.units);
+  std::vector<std::string> warnings;
+  check_lattice(file, cloud, outline, warnings);
   auto boundary = plate::boundary(std::move(cloud), outline, c.supports, d);
-  std::vector<std::string> warnings = boundary.warnings;
+  warnings.insert(warnings.end(), boundary.warnings.begin(), boundary.warnings.end());
   check_edges_fit(boundary, d.spacing, warnings);
   check_modes(file, boundary);
   stopwatch.lap("geometry");

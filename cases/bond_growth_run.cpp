@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cases/bond_results.hpp"
+#include "cases/gate.hpp"
 #include "cases/progress.hpp"
 #include "cases/scene.hpp"
 #include "cases/static_solution.hpp"
@@ -113,10 +114,13 @@ post::Summary break_bonds(const CaseFile& file, const RunOptions& options) {
 
   Progress progress(options.quiet, "growth");
   bool new_lines = false;
+  std::vector<std::string> warnings;
   const auto observe = [&](const fracture::BondEvent& event) -> std::string {
     stopwatch.lap("solve");
     if (new_lines) cracks.look(double(event.advance));
     const bool longest = c.growth->max_length && cracks.length() >= *c.growth->max_length * (1 - 1e-9);
+    if (event.advance == 0)
+      require_motion(assembly, {total_load(assembly)}, *event.plate.state, event.plate.displacement, warnings);
     results.event(event, new_lines, longest);
     stopwatch.lap("output");
     progress.update(double(event.advance) / double(c.growth->max_advances),
@@ -130,7 +134,9 @@ post::Summary break_bonds(const CaseFile& file, const RunOptions& options) {
     const auto broken = fracture::break_at_rest(*c.growth, severed, check, std::ref(plate), observe);
     progress.done();
     if (new_lines) cracks.look(double(broken.advances));
-    return results.finish(summary_of(file, assembly, plate.solution()), broken.outcome, stopwatch);
+    auto summary = summary_of(file, assembly, plate.solution());
+    summary.warnings.insert(summary.warnings.end(), warnings.begin(), warnings.end());
+    return results.finish(std::move(summary), broken.outcome, stopwatch);
   } catch (const plate::NumericalError& error) {
     auto summary = summary_of(file, assembly, plate.solution());
     const auto outcome = summary.outcome = fmt::format("failed: {}", error.what());

@@ -1,7 +1,10 @@
 #include "cases/bond_results.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include "cases/gate.hpp"
 #include "cases/severed_frame.hpp"
 #include "post/whole_file.hpp"
 
@@ -26,6 +29,14 @@ BondResults::BondResults(const CaseFile& file, const Assembly& assembly, const f
 }
 
 void BondResults::event(const fracture::BondEvent& event, bool new_lines, bool last) {
+  const auto when = fmt::format("at advance {}", event.advance);
+  const auto& ledger = event.load.ledger;
+  require_finite({{"load factor", event.load.factor()},
+                  {"work", ledger.external_work},
+                  {"strain energy", ledger.strain},
+                  {"fracture energy", ledger.fracture}},
+                 when);
+  require_finite(*event.plate.state, when);
   advance_ = event.advance, books_ = event.load.ledger;
   row(event);
   const double factor = event.load.factor();
@@ -72,6 +83,7 @@ void BondResults::factors(double factor, const plate::State& state) {
     } catch (const std::invalid_argument&) {
       continue;
     }
+  require_finite(latest_, fmt::format("at advance {}", advance_));
   post::append(srifs_, double(advance_), latest_);
 }
 

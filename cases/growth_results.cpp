@@ -1,9 +1,12 @@
 #include "cases/growth_results.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "cases/gate.hpp"
 #include "post/whole_file.hpp"
 
 namespace cases {
@@ -51,6 +54,10 @@ GrowthResults::GrowthResults(const CaseFile& file, std::filesystem::path folder)
 }
 
 void GrowthResults::event(const fracture::Event& event, const std::shared_ptr<const GrownPlate>& plate) {
+  require_finite({{"load factor", event.load_factor},
+                  {"work", event.ledger.external_work},
+                  {"strain energy", event.ledger.strain}},
+                 fmt::format("at advance {}", event.advance));
   last_ = plate, advance_ = event.advance, factor_ = event.load_factor;
   if (event.advance == 0) first_cut_ = plate->assembly.cut;
   const auto& c = file_.content;

@@ -1,15 +1,16 @@
 #include "cases/growth_run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
+#include "cases/gate.hpp"
 #include "cases/growth_results.hpp"
 #include "cases/progress.hpp"
 #include "cases/scene.hpp"
 #include "cases/static_solution.hpp"
 #include "plate/numerical_error.hpp"
-#include "post/tip_rings.hpp"
 
 namespace cases {
 namespace {
@@ -49,16 +50,11 @@ public:
 private:
   fracture::LoadedPlate solved(CaseFile file, Assembly assembly) {
     const Case& c = file.content;
-    const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
     fracture::LoadedPlate result;
-    const auto ringed = [&](const geometry::Tip& tip) {
-      return !post::rings(clear_distance(c, assembly.paths, tip), INFINITY, spacing).empty();
-    };
-    if (last_)  // of the case as it is written, tips without a ring are refused below
-      for (const auto& tip : assembly.tips)
-        if (!ringed(tip)) result.tips.push_back({tip, {}, std::nullopt});
-    if (last_) std::erase_if(assembly.tips, [&](const auto& tip) { return !ringed(tip); });
-    if (!result.tips.empty()) return result;
+    if (!last_) check_growing_tips(file, assembly);
+    for (const auto& tip : assembly.tips)
+      if (!ringed(c, assembly.paths, tip)) result.tips.push_back({tip, {}, std::nullopt});
+    if (!result.tips.empty()) return result;  // they break through
     const auto methods = tip_methods(file, assembly);
     const auto solve = solve_at_rest(c, assembly, {c.analysis.tolerance, c.analysis.max_iterations, {}});
     stopwatch_.lap("solve");
@@ -68,16 +64,31 @@ private:
     if (!solve.solution.converged)
       throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", solve.method,
                                               solve.solution.stop_reason, solve.solution.residual, c.analysis.tolerance));
+    require_finite(solve.solution.state, "at rest");
     auto found = srifs(c, assembly, methods, solve.solution.state);
+    require_finite(found, "under the whole load");
     stopwatch_.lap("srif");
-    result.displacement = total_load(assembly).cwiseProduct(solve.solution.state).sum();
+    const auto load = total_load(assembly);
+    result.displacement = load.cwiseProduct(solve.solution.state).sum();
+    require_finite({{"work", result.displacement}}, "under the whole load");
+    if (!moves(solve.solution.state, result.displacement))
+      require_motion(assembly, {load}, solve.solution.state, result.displacement, assembly.warnings);
     for (std::size_t i = 0; i < assembly.tips.size(); ++i) {
       const auto srif = std::ranges::find_if(found, [i](const auto& one) { return one.tip == i && one.G; });
+      if (srif == found.end()) throw plate::NumericalError(no_energy(assembly, methods, i));
       result.tips.push_back({assembly.tips[i], {srif->K1, srif->K2, srif->K3}, srif->G});
     }
     last_ = std::make_shared<GrownPlate>(
         GrownPlate{std::move(file), std::move(assembly), solve.solution.state, std::move(found)});
     return result;
+  }
+
+  /// Why a tip has no energy release rate although a ring fits about it.
+  static std::string no_energy(const Assembly& assembly, const std::vector<post::TipMethods>& methods,
+                               std::size_t tip) {
+    const auto& x = assembly.tips[tip].position;
+    return fmt::format("no energy release rate at the tip at ({:g}, {:g}): {}", x.x(), x.y(),
+                       fmt::join(methods[tip].left_out(), "; "));
   }
 
   CaseFile file_;

@@ -1,4 +1,5 @@
 #include "cases/assembly.hpp"
+#include "cases/gate.hpp"
 #include "cases/results.hpp"
 #include "cases/run.hpp"
 #include "cases/scene.hpp"
@@ -19,8 +20,9 @@ std::string dynamic_cost(const CaseFile& file, const Assembly& assembly) {
 
 std::string cost(const CaseFile& file) {
   Stopwatch stopwatch;
-  const Assembly assembly = assemble(file, stopwatch);
+  Assembly assembly = assemble(file, stopwatch);
   const auto& cloud = assembly.boundary.cloud;
+  check_growing_tips(file, assembly);
   tip_methods(file, assembly);
 
   // one product, timed, as the measure of a step
@@ -72,7 +74,9 @@ post::Table srif_again(const std::filesystem::path& folder, const std::vector<st
   for (std::size_t frame = 0; frame < run.times.size(); ++frame) {
     state.leftCols(Eigen::Index(cloud.plate_points)) = run.states[frame];
     assembly.boundary.constraints.impose(state);
-    post::append(table, run.times[frame], srifs(c, assembly, extract, state));
+    const auto found = srifs(c, assembly, extract, state);
+    require_finite(found, fmt::format("at time {:g}", run.times[frame]));
+    post::append(table, run.times[frame], found);
   }
   return table;
 }

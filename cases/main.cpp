@@ -1,3 +1,10 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <omp.h>
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 #include "cases/energy_check.hpp"
 #include "cases/extremes.hpp"
 #include "cases/study.hpp"
@@ -7,12 +14,6 @@
 #include "post/study_orders.hpp"
 #include "post/table.hpp"
 #include "post/whole_file.hpp"
-#include <CLI/CLI.hpp>
-#include <cstdlib>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <omp.h>
-#include <unistd.h>
 
 namespace {
 
@@ -126,6 +127,18 @@ int run_extremes(const Arguments& a) {
   return missed > 0 ? failed_numbers : done;
 }
 
+void require_finite(const Arguments& a) {
+  std::vector<cases::Problem> problems;
+  for (const auto& [name, value] : {std::pair{"--coefficient", a.law.coefficient},
+                                    {"--exponent", a.law.exponent},
+                                    {"--threshold", a.law.threshold},
+                                    {"--load", a.load},
+                                    {"--ratio", a.ratio}})
+    if (!std::isfinite(value))
+      problems.push_back({"fatigue", name, fmt::format("{:g} given, must be a finite number", value)});
+  if (!problems.empty()) throw cases::CaseError(problems);
+}
+
 int execute(const CLI::App& app, Arguments& a) {
   if (a.threads > 0) omp_set_num_threads(a.threads);
   if (app.got_subcommand("run")) {
@@ -148,6 +161,7 @@ int execute(const CLI::App& app, Arguments& a) {
     fmt::print("{}", post::to_text(rows));
     if (!a.plot.empty()) post::write_whole(a.plot, post::to_svg(post::plot(rows, post::title_of(a.folder))));
   } else if (app.got_subcommand("fatigue")) {
+    require_finite(a);
     const std::filesystem::path folder(a.folder);
     const auto file = cases::read_case(folder / "case.resolved.toml", {});
     const auto& c = file.content;
@@ -178,6 +192,7 @@ int main(int argc, char** argv) {
   wait_without_spinning(argv);
   CLI::App app("Cracked Mindlin plates in ordinary state-based peridynamics");
   app.require_subcommand(1);
+  app.set_version_flag("--version", "pdplate " PDPLATE_VERSION, "print the version and exit");
   Arguments a;
   auto* run = app.add_subcommand("run", "run a case");
   add_case(*run, a);

@@ -1,11 +1,13 @@
 #include "cases/results.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
+#include <numbers>
+#include "cases/gate.hpp"
 #include "cases/trust.hpp"
 #include "post/mesh.hpp"
+#include "post/tip_rings.hpp"
 #include "post/whole_file.hpp"
-#include <algorithm>
-#include <fmt/format.h>
-#include <numbers>
 
 namespace cases {
 namespace {
@@ -75,6 +77,31 @@ double clear_distance(const Case& c, const std::vector<geometry::CrackPath>& pat
   for (const auto& support : c.supports)
     for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
   return clear;
+}
+
+bool ringed(const Case& c, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip) {
+  const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
+  return !post::rings(clear_distance(c, paths, tip), INFINITY, spacing).empty();
+}
+
+void check_growing_tips(const CaseFile& file, Assembly& assembly) {
+  const Case& c = file.content;
+  if (!c.growth || c.growth->by_bonds()) return;
+  const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
+  std::vector<Problem> problems;
+  for (const auto& tip : assembly.tips) {
+    const double clear = clear_distance(c, assembly.paths, tip);
+    if (ringed(c, assembly.paths, tip)) continue;
+    const auto why = fmt::format(
+        "tip at ({:g}, {:g}): an edge, a load, a pin, another crack or an end of its own leaves {:.3g} "
+        "about it, {:.3g} spacings, too little for the energy release rate that growth needs",
+        tip.position.x(), tip.position.y(), clear, clear / spacing);
+    if (c.analysis.kind == Analysis::Kind::dynamic)
+      assembly.warnings.push_back(why + ": it stays where it is");
+    else
+      problems.push_back({file.place("growth"), "growth", why + "; refine"});
+  }
+  if (!problems.empty()) throw CaseError(problems);
 }
 
 std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& assembly) {
@@ -158,6 +185,12 @@ void Results::grows(MovingGrowth& growth) {
 }
 
 void Results::sample(const plate::Instant& now, bool last) {
+  const auto when = fmt::format("at step {}, time {:g}", now.step, now.time);
+  require_finite({{"strain energy", now.strain_energy},
+                  {"kinetic energy", now.kinetic_energy},
+                  {"work", now.external_work},
+                  {"discrete energy", now.strain_energy + now.discrete_energy}},
+                 when);
   strain_energy_ = now.strain_energy;
   const auto plate_points = Eigen::Index(assembly_.boundary.cloud.plate_points);
   const double fracture = growth_ ? growth_->fracture_energy() : 0;
@@ -194,7 +227,9 @@ std::vector<post::Srif> Results::widened_srifs(const plate::State& state, bool a
 }
 
 void Results::sample_srifs(const plate::Instant& now, bool last) {
-  latest_ = growth_ ? growth_->sample(now.time, now.state) : widened_srifs(now.state, last);
+  auto factors = growth_ ? growth_->sample(now.time, now.state) : widened_srifs(now.state, last);
+  require_finite(factors, fmt::format("at step {}, time {:g}", now.step, now.time));
+  latest_ = std::move(factors);
   post::append(srif_table_, now.time, latest_);
   srif_rows_.push_back(latest_);
 }
@@ -221,6 +256,9 @@ void Results::wait_for_frame() {
 }
 
 void Results::mode(std::size_t number, const plate::Mode& mode) {
+  const auto when = fmt::format("of mode {}", number);
+  require_finite({{"frequency", mode.frequency}, {"residual", mode.residual}}, when);
+  require_finite(mode.shape, when);
   const double omega = 2 * std::numbers::pi * mode.frequency;
   frequencies_.push_back({number, mode.frequency, omega, mode.residual});
   frequency_table_.rows.push_back({double(number), mode.frequency, omega, mode.residual});
@@ -245,10 +283,9 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
   if (growth_) {
     growth_->write(folder_, vtk_.has_value());
     summary.growth = growth_->summary();
-    const auto& ends = history_.rows.back();
     summary.energy.emplace_back("fracture", growth_->fracture_energy());
     if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
-    summary.energy.emplace_back("residual", std::get<double>(ends.back()));
+    if (!history_.rows.empty()) summary.energy.emplace_back("residual", std::get<double>(history_.rows.back().back()));
   }
   summary.srif = latest_;
   for (const auto& reason : left_out(assembly_, tip_methods_)) summary.warnings.push_back(reason);

@@ -18,6 +18,13 @@ double clear_distance(const Case& content, const std::vector<geometry::CrackPath
 /// Throws CaseError where a method cannot work at a tip.
 std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& assembly);
 
+/// Does a ring of points fit about the tip, as every energy release rate needs?
+bool ringed(const Case& content, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip);
+
+/// Cracks that grow by their tips need the energy release rate of each from the start, whatever methods [srif] names. Tips too
+/// near to an edge, a load or another crack for it: CaseError at rest, a warning in motion, where they stay.
+void check_growing_tips(const CaseFile& file, Assembly& assembly);
+
 /// Which methods are missing at which tips, and why.
 std::vector<std::string> left_out(const Assembly& assembly, const std::vector<post::TipMethods>& methods);
 

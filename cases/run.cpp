@@ -1,18 +1,19 @@
 #include "cases/run.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
 #include "cases/assembly.hpp"
 #include "cases/bond_growth_run.hpp"
+#include "cases/gate.hpp"
 #include "cases/growth_run.hpp"
 #include "cases/progress.hpp"
-#include "cases/static_solution.hpp"
 #include "cases/results.hpp"
 #include "cases/scene.hpp"
 #include "cases/second_formulation.hpp"
+#include "cases/static_solution.hpp"
 #include "plate/frequencies.hpp"
 #include "plate/numerical_error.hpp"
-#include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 
 namespace cases {
 namespace {
@@ -22,6 +23,12 @@ double slow_work(const Assembly& assembly, const plate::State& state) {
   double work = 0;
   for (const auto& load : assembly.loads) work += load.forces.cwiseProduct(state).sum() / 2;
   return work;
+}
+
+std::vector<plate::Forces> forces_of(const Assembly& assembly) {
+  std::vector<plate::Forces> result;
+  for (const auto& load : assembly.loads) result.push_back(load.forces);
+  return result;
 }
 
 /// At rest under the loads of time 0.
@@ -44,7 +51,12 @@ std::vector<post::Srif> coarser_srifs(const CaseFile& file) {
   const Assembly assembly = assemble(coarse, stopwatch);
   const auto methods = tip_methods(coarse, assembly);
   const auto result = solve_at_rest(c, assembly, {c.analysis.tolerance, c.analysis.max_iterations, {}});
-  return srifs(c, assembly, methods, result.solution.state);
+  if (!result.solution.converged)
+    throw plate::NumericalError(fmt::format("with twice the spacing: {}, residual {:.2e}", result.solution.stop_reason,
+                                            result.solution.residual));
+  auto found = srifs(c, assembly, methods, result.solution.state);
+  require_finite(found, "with twice the spacing");
+  return found;
 }
 
 /// A case with all that can be refused behind it: nothing has been written or solved yet.
@@ -55,6 +67,7 @@ struct Prepared {
   };
   explicit Prepared(CaseFile wanted) : file(std::move(wanted)), assembly(assemble(file, stopwatch)) {
     if (file.content.analysis.kind != Analysis::Kind::dynamic) return;
+    check_growing_tips(file, assembly);
     const auto mass = mass_of(file.content, assembly);
     const double limit = plate::stable_time_step(assembly.plate(), assembly.boundary.constraints, mass);
     steps = {limit, time_grid(file, limit)};
@@ -85,6 +98,7 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
   if (result.factor_bytes > 0)
     summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(assembly.boundary.cloud.plate_points), 0});
   describe(summary.analysis, result.method, solution, c.analysis.tolerance);
+  require_finite(solution.state, "at rest");
   const double work = slow_work(assembly, solution.state);
   const double strain = assembly.strain_energy(solution.state);
   const plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, -2 * work};
@@ -92,6 +106,8 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
   stopwatch.lap("srif");
   results.frame(end);
   summary.energy = {{"strain", results.strain_energy()}, {"external_work", end.external_work}};
+  if (!moves(solution.state, work))
+    require_motion(assembly, {total_load(assembly)}, solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
                                             solution.stop_reason, solution.residual, c.analysis.tolerance));
@@ -125,6 +141,8 @@ void solve_dynamic(const Prepared& prepared, MovingGrowth* growth, Results& resu
     summary.energy = {{"strain", results.strain_energy()},
                       {"kinetic", now.kinetic_energy},
                       {"external_work", now.external_work}};
+    if (last && !moves(now.state, now.external_work))
+      require_motion(assembly, forces_of(assembly), now.state, now.external_work, summary.warnings);
   };
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
   if (c.analysis.start == Analysis::Start::equilibrium) options.start = start_of(c, assembly);
@@ -169,31 +187,6 @@ void solve_frequencies(const Case& c, const Assembly& assembly, Results& results
   stopwatch.lap("output");
   summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
 }
-
-}  // namespace
-
-TimeGrid time_grid(const CaseFile& file, double limit) {
-  const Case& c = file.content;
-  const double row = c.output.history_every.value_or(c.analysis.duration / 400);
-  if (c.analysis.time_step) {
-    const double dt = *c.analysis.time_step;
-    if (dt > limit)
-      throw CaseError({{file.place("analysis.time_step"), "analysis.time_step",
-                        fmt::format("{:g} is above the stable limit {:.6g} of this plate", dt, limit)}});
-    return {dt, static_cast<std::size_t>(std::ceil(c.analysis.duration / dt - 1e-9)),
-            std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(row / dt)))};
-  }
-  // whole steps between rows, whole rows in the duration
-  const auto rows = std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(c.analysis.duration / row)));
-  const double between = c.analysis.duration / double(rows);
-  // edges that a crack leaves at an angle to the lattice are a little stiffer than those of the start, families that bonds
-  // leave one by one by 1.3 at most (measured where a plate fell to pieces)
-  const double safety = !c.growth ? c.analysis.safety : std::min(c.analysis.safety, c.growth->by_bonds() ? 0.8 : 0.9);
-  const auto steps = static_cast<std::size_t>(std::ceil(between / (safety * limit)));
-  return {between / double(steps), rows * steps, steps};
-}
-
-namespace {
 
 void solve(const Prepared& prepared, MovingGrowth* growth, Results& results, post::Summary& summary, bool quiet,
            Stopwatch& stopwatch) {

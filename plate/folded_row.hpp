@@ -171,7 +171,8 @@ private:
   const Fold& fold_;
   const Fields<Real>& in_;
   std::ptrdiff_t first_, length_;
-  alignas(64) Real kept_[3 * (2 * reach + 1) * pitch];
+  // one vector more: lanes beyond the end of a row, which nobody uses, are read with the others
+  alignas(64) Real kept_[3 * (2 * reach + 1) * pitch + size];
 };
 
 /// Calls visit with the constant radius_squared for which the disc has the offsets of a fold: all horizons from 2 to 4

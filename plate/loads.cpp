@@ -1,9 +1,10 @@
 #include "plate/loads.hpp"
 
-#include "plate/state.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include "plate/state.hpp"
 
 namespace plate {
 namespace {
@@ -91,13 +92,16 @@ Eigen::Vector3d edge_couple(const Load& load, const Point& normal) {
 
 void add_edge_load(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline, Forces& forces) {
   for (const auto& name : load.edges)
-    for (const Border& border : borders(name, cloud, outline))
+    for (const Border& border : borders(name, cloud, outline)) {
+      if (border.near.empty())
+        throw std::invalid_argument("edge '" + name + "' has no point of the plate within two spacings");
       for (const Piece& piece : border.pieces) {
         const auto k = nearest(border.near, cloud, piece.middle);
         const Point lever = piece.middle - cloud.positions[k];
         forces.col(k) += load.kind == Load::Kind::edge_moment ? edge_couple(load, piece.normal)
                                                               : moved_force(load.value * piece.normal.norm(), lever);
       }
+    }
 }
 
 void add_edge_load(const Load& load, const geometry::Tessellation& cells, Forces& forces) {

@@ -1,18 +1,15 @@
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <stdexcept>
-
 #include "post/vtk.hpp"
 #include "post/whole_file.hpp"
+#include "post/xml_text.hpp"
 
 namespace post {
 
@@ -38,15 +35,8 @@ void write_crack_lines(const std::filesystem::path& path, const std::vector<Crac
   data->GetPointData()->AddArray(advance);
 
   vtkNew<vtkXMLPolyDataWriter> writer;
-  vtkNew<vtkCallbackCommand> silent;  // without it VTK prints to the terminal what is thrown below
-  silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  writer->AddObserver(vtkCommand::ErrorEvent, silent);
   writer->SetInputData(data);
-  writer->SetDataModeToAscii();
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError)
-    throw std::runtime_error("VTK cannot write the cracks");
-  write_whole(path, writer->GetOutputString());
+  write_whole(path, xml_text(*writer, "cracks"));
 }
 
 }  // namespace post

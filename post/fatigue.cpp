@@ -1,17 +1,26 @@
 #include "post/fatigue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <stdexcept>
 
+#include "plate/numerical_error.hpp"
+
 namespace post {
 
 std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengths, const std::vector<double>& ranges) {
   if (lengths.size() != ranges.size()) throw std::invalid_argument("as many ranges as lengths are needed");
   const auto rate = [&](std::size_t i) {
-    return ranges[i] > law.threshold ? law.coefficient * std::pow(ranges[i], law.exponent) : 0;
+    if (ranges[i] <= law.threshold) return 0.0;
+    const double growth = law.coefficient * std::pow(ranges[i], law.exponent);
+    if (!std::isnormal(growth))
+      throw plate::NumericalError(
+          fmt::format("Paris' law gives a growth of {:g} per cycle at a range of {:g}", growth, ranges[i]));
+    return growth;
   };
   std::vector<double> result;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -27,6 +36,8 @@ std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengt
       const double growth = std::abs(left) < 1e-9 ? std::log(b / a) : (std::pow(b / a, left) - 1) / left;
       more = a / rate(i - 1) * growth;
     }
+    if (std::isnan(more))
+      throw plate::NumericalError(fmt::format("the cycles from length {:g} to {:g} are not a number", a, b));
     result.push_back(result.back() + more);
   }
   return result;

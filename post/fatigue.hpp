@@ -17,7 +17,7 @@ struct ParisLaw {
 
 /// Cycles from the first length to each [lengths]: the integral of da over the rate, with the rate a power of the length between two of
 /// them. Infinite from where the range is not above the threshold. Throws std::invalid_argument where lengths do not
-/// ascend or are not as many as ranges.
+/// ascend or are not as many as ranges, plate::NumericalError where a rate of growth is not a number, or too large or small for one.
 std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengths, const std::vector<double>& ranges);
 
 /// Cycles of loads between `ratio` times `load` and `load` (factors of the case's loads) for every tip on its way through

@@ -1,10 +1,8 @@
 #include "post/vtk.hpp"
 
 #include <fmt/format.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -16,6 +14,7 @@
 #include <stdexcept>
 
 #include "post/whole_file.hpp"
+#include "post/xml_text.hpp"
 
 namespace post {
 namespace {
@@ -92,21 +91,10 @@ void insert_fields(vtkUnstructuredGrid& grid, const Mesh& mesh, const Frame& fra
   grid.GetFieldData()->AddArray(time);
 }
 
-/// The file as text: the disk is met in write_whole alone, which knows what to do when it is full.
 std::string vtu(vtkUnstructuredGrid& grid) {
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  vtkNew<vtkCallbackCommand> silent;  // without it VTK prints to the terminal what is thrown below
-  silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  writer->AddObserver(vtkCommand::ErrorEvent, silent);
   writer->SetInputData(&grid);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToLZ4();  // zlib took a quarter of a run at a million points
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError) {
-    throw std::runtime_error(fmt::format("VTK cannot write the fields: error {}", writer->GetErrorCode()));
-  }
-  return writer->GetOutputString();
+  return xml_text(*writer, "fields");
 }
 
 std::string file_name(std::size_t frame) {

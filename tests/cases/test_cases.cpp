@@ -7,6 +7,7 @@
 
 #include "cases/study.hpp"
 #include "tests/unit/post/small_run.hpp"
+#include "tests/unit/post/xml.hpp"
 
 namespace fs = std::filesystem;
 using small_run::TemporaryFolder;
@@ -84,6 +85,19 @@ void check_files(const fs::path& folder, const cases::Case& c) {
   CHECK(text_of(folder / "summary.json").find("\"outcome\": \"done\"") != std::string::npos);
 }
 
+/// Every file for ParaView below the folder.
+void check_xml(const fs::path& folder) {
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const auto kind = entry.path().extension();
+    if (kind != ".vtu" && kind != ".vtp" && kind != ".pvd") continue;
+    INFO(entry.path());
+    CHECK(xml::fault(text_of(entry.path())) == "");
+    ++files;
+  }
+  CHECK(files >= 2);
+}
+
 fs::path central_crack() {
   return fs::path(PDPLATE_SOURCE_DIR) / "cases/static/central_crack_pressure.toml";
 }
@@ -101,6 +115,7 @@ TEST_CASE("every case reads and runs, and its resolved form gives the same resul
     INFO(ended.output);
     REQUIRE(ended.exit_code == 0);
     check_files(scratch / "first", content);
+    check_xml(scratch / "first");
 
     const auto again = run(scratch / "first" / "case.resolved.toml", scratch / "again", {});
     INFO(again.output);
@@ -180,6 +195,13 @@ TEST_CASE("exit code 2: commands that have no meaning for a growth, or for none"
     return program({"fatigue", (scratch / folder).string(), "--coefficient", "1", "--exponent", "2"}).exit_code;
   };
   CHECK(fatigue("rest") == 0);
+  for (const char* coefficient : {"nan", "inf"})
+    CHECK(
+        program({"fatigue", (scratch / "rest").string(), "--coefficient", coefficient, "--exponent", "2"}).exit_code ==
+        2);
+  CHECK(program({"fatigue", (scratch / "rest").string(), "--coefficient", "1", "--exponent", "2", "--load", "nan"})
+            .exit_code == 2);
+  CHECK(program({"fatigue", (scratch / "rest").string(), "--coefficient", "1", "--exponent", "9999"}).exit_code == 3);
   CHECK(fatigue("motion") == 2);
   CHECK(fatigue("none") == 2);
   for (const char* folder : {"rest", "motion"}) {
@@ -188,6 +210,46 @@ TEST_CASE("exit code 2: commands that have no meaning for a growth, or for none"
     CHECK(ended.exit_code == 2);
     CHECK(ended.output.find("the cracks have grown since") != std::string::npos);
   }
+}
+
+TEST_CASE("exit code 3: numbers that no longer are, and a plate that does not move though it is loaded") {
+  const auto moving = fs::path(PDPLATE_SOURCE_DIR) / "cases/dynamic/clamped_central_crack.toml";
+  const TemporaryFolder scratch;
+  const auto fails = [&](const fs::path& file, std::vector<std::string> settings, const std::string& why) {
+    settings.push_back("discretization.spacing=0.1");
+    const auto ended = run(file, scratch / "results", settings);
+    INFO(settings.front() << ": " << ended.output);
+    CHECK(ended.exit_code == 3);
+    CHECK(ended.output.find(why) != std::string::npos);
+    const auto summary = text_of(scratch / "results" / "summary.json");
+    CHECK(summary.find("\"outcome\": \"failed") != std::string::npos);
+    for (const char* table : {"history.csv", "srif.csv"})
+      for (const char* number : {"nan", "inf"})
+        CHECK(text_of(scratch / "results" / table).find(number) == std::string::npos);
+  };
+  fails(central_crack(), {"section.young=1e-200", "discretization.formulation=galerkin"}, "is inf");
+  fails(central_crack(), {"load[0].value=1e-170"}, "nothing has moved although loads act");
+  fails(moving, {"load[0].value=1e170", "load[0].history=[[0, 0], [0.01, 1]]"}, "double precision holds");
+  CHECK(fs::exists(scratch / "results" / "fields_0000.vtu"));  // the last good one
+  fails(moving, {"load[0].history=[[0, 0], [0.0100001, 0], [0.01000012, 1e6], [0.01000014, 0]]"},
+        "no load acts at any step");
+}
+
+TEST_CASE("exit code 2, in motion a warning: a growing tip without room for its energy release rate") {
+  const TemporaryFolder scratch;
+  for (const char* cracks : {"geometry.cracks=[[[0, 0], [0.96, 0]]]", "geometry.cracks=[[[0, 0.9], [0.4, 0.9]]]"}) {
+    std::vector<std::string> settings{"discretization.spacing=0.04", cracks,
+                                      "growth={fracture_energy=1, control=\"equilibrium\", max_advances=2}"};
+    const auto at_rest = run(central_crack(), scratch / "results", settings);
+    INFO(at_rest.output);
+    CHECK(at_rest.exit_code == 2);
+    CHECK(at_rest.output.find("too little for the energy release rate that growth needs") != std::string::npos);
+  }
+  CHECK(scratch.entries() == 0);
+  const auto moving = fs::path(PDPLATE_SOURCE_DIR) / "cases/growth/hole_running_crack.toml";
+  const auto in_motion = run(moving, scratch / "results", {"discretization.spacing=0.05", "analysis.duration=0.001"});
+  CHECK(in_motion.exit_code == 0);
+  CHECK(text_of(scratch / "results" / "summary.json").find("it stays where it is") != std::string::npos);
 }
 
 TEST_CASE("exit code 3: a growth whose numbers fail keeps what it has") {
@@ -225,7 +287,10 @@ TEST_CASE("exit code 4: the folder cannot be made") {
   CHECK(text_of(scratch / "file") == "in the way\n");
 }
 
-TEST_CASE("exit code 0: help, keys") {
+TEST_CASE("exit code 0: help, version, keys") {
+  const auto version = program({"--version"});
+  CHECK(version.exit_code == 0);
+  CHECK(version.output.starts_with("pdplate "));
   CHECK(program({"--help"}).exit_code == 0);
   CHECK(program({"keys", "spacing"}).exit_code == 0);
 }

@@ -74,6 +74,18 @@ TEST_CASE("rows of points and the family list give the same forces for every dis
   }
 }
 
+TEST_CASE(
+    "rows of every length against the width of a vector") {  // with sanitizers: nothing is read beyond what is kept
+  for (int columns = 28; columns <= 45; ++columns) {
+    const auto outline = geometry::rectangle(0, 0, 0.1 * columns, 2);
+    const auto lattice = cracked(
+        small_plate::model(outline, {{SupportKind::clamped, {"bottom"}, {}}}, small_plate::spaced(0.1)), outline, {});
+    INFO(columns);
+    CHECK(lattice.rows().folded_share() > 0.1);
+    CHECK(difference(lattice, 26) < 1e-14);  // as above
+  }
+}
+
 TEST_CASE("plates narrower than a vector, and a single point") {
   for (const auto& outline : {geometry::rectangle(0, 0, 0.5, 3), geometry::rectangle(0, 0, 0.1, 0.1)}) {
     const auto m = small_plate::model(outline, {}, small_plate::spaced(0.1));

@@ -193,3 +193,17 @@ TEST_CASE("edge loads on slanted edges and edges of holes") {
   load.edges = {"hole"};
   check(resultant(load, outline), {0, 0, 0});
 }
+
+TEST_CASE("an edge that no point of the lattice lies beside cannot be loaded") {
+  geometry::Outline outline;  // a square with a strip that is too narrow for a row of points
+  outline.outer.vertices = {{0, 0}, {1, 0}, {1, 0.48}, {2, 0.48}, {2, 0.52}, {1, 0.52}, {1, 1}, {0, 1}};
+  for (int i = 0; i < 8; ++i) outline.outer.edge_names.push_back("edge" + std::to_string(i));
+  const auto cloud = geometry::lattice(outline, 0.1);
+  for (const auto kind : {Load::Kind::edge_shear, Load::Kind::edge_moment}) {
+    Load load;
+    load.kind = kind;
+    load.value = 1;
+    load.edges = {"edge3"};
+    CHECK_THROWS_WITH(nodal_forces(load, cloud, outline), Catch::Contains("edge 'edge3' has no point"));
+  }
+}

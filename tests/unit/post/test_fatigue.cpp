@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "plate/numerical_error.hpp"
+
 using namespace post;
 
 TEST_CASE("cycles: exact where K grows with a power of the length") {
@@ -23,6 +25,12 @@ TEST_CASE("cycles: none grow below the threshold, and lengths must ascend") {
   CHECK(std::isinf(found[2]));
   CHECK_THROWS_AS(cycles({1, 2, 0}, {1, 1}, {2, 2}), std::invalid_argument);
   CHECK_THROWS_AS(cycles({1, 2, 0}, {1, 2}, {2}), std::invalid_argument);
+}
+
+TEST_CASE("cycles: rates that no number holds are an error, not a result") {
+  CHECK_THROWS_AS(cycles({1, 300, 0}, {1, 2}, {1e3, 2e3}), plate::NumericalError);   // infinite
+  CHECK_THROWS_AS(cycles({1, 300, 0}, {1, 2}, {1e-3, 2e-3}), plate::NumericalError);  // zero, though above the threshold
+  CHECK_THROWS_AS(cycles({1, 2, 0}, {1, 2}, {1, std::nan("")}), plate::NumericalError);
 }
 
 TEST_CASE("fatigue: K range of the case's loads from energy release rates at other loads, tip by tip") {

@@ -1,15 +1,19 @@
+#include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <catch2/catch.hpp>
 
 #include "post/vtk.hpp"
 #include "tests/unit/post/small_run.hpp"
+#include "tests/unit/post/xml.hpp"
 
 using small_run::FullDisk, small_run::TemporaryFolder, small_run::text_of;
 
@@ -76,6 +80,38 @@ TEST_CASE("fields.pvd lists every frame with its time") {
   CHECK_THAT(text, Catch::Contains("timestep=\"1e-05\" part=\"0\" file=\"fields_0001.vtu\""));
   CHECK_THAT(text, Catch::EndsWith("</VTKFile>\n"));
   CHECK(folder.entries() == 3);
+}
+
+TEST_CASE("cracks come back from their vtp file") {
+  const TemporaryFolder folder;
+  post::write_crack_lines(folder / "cracks.vtp", {{{{0, 1.0 / 3}, {2, 3}}, {0, 4}}, {{{5, 6}, {7, 8}, {9, 1e-17}}, {1, 2, 3}}});
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName((folder / "cracks.vtp").c_str());
+  reader->Update();
+  vtkPolyData& lines = *reader->GetOutput();
+
+  REQUIRE(lines.GetNumberOfPoints() == 5);
+  CHECK(lines.GetPoint(0)[1] == 1.0 / 3);
+  CHECK(lines.GetPoint(4)[1] == 1e-17);
+  REQUIRE(lines.GetNumberOfLines() == 2);
+  CHECK(lines.GetCell(1)->GetNumberOfPoints() == 3);
+  CHECK(lines.GetCell(1)->GetPointId(0) == 2);
+  CHECK(lines.GetCellData()->GetArray("crack")->GetComponent(1, 0) == 1);
+  CHECK(lines.GetPointData()->GetArray("advance")->GetComponent(1, 0) == 4);
+}
+
+TEST_CASE("what ParaView reads is well-formed XML") {
+  CHECK(xml::fault("<a>\n<b></a>") == "mismatched tag in line 2");
+  CHECK(xml::fault(std::string("<a>\0</a>", 8)) == "not well-formed (invalid token) in line 1");
+  const TemporaryFolder folder;
+  post::VtkSeries(folder.path(), small_run::mesh()).write(small_run::frame(0.25, 3));
+  post::write_crack_lines(folder / "cracks.vtp", {{{{0, 1}, {2, 3}}, {0, 4}}});
+  post::write_crack_lines(folder / "none.vtp", {});
+  REQUIRE(folder.entries() == 4);
+  for (const char* name : {"fields_0000.vtu", "fields.pvd", "cracks.vtp", "none.vtp"}) {
+    INFO(name);
+    CHECK(xml::fault(text_of(folder / name)) == "");
+  }
 }
 
 TEST_CASE("a frame that cannot be written is an error and leaves no file") {
