@@ -45,6 +45,7 @@ private:
 struct Segment {
   Point from, to;
   std::int32_t edge;
+  bool alone = false;             // a crack with tips only: it needs a point with two faces
   std::vector<Point> stops = {};  // between the ends
 };
 
@@ -145,6 +146,7 @@ public:
       }
       points.push_back(b);
     }
+    if (segment.alone && points.size() == 2) points.insert(points.begin() + 1, (segment.from + segment.to) / 2);
     chain(points, segment.edge);
   }
 
@@ -239,7 +241,8 @@ Curves curves(const Outline& outline, std::vector<CrackPath> cracks, const std::
   for (const auto& crack : cracks)
     for (std::size_t i = 0; i + 1 < crack.vertices.size(); ++i)
       if (crack.vertices[i] != crack.vertices[i + 1])
-        segments.push_back({crack.vertices[i], crack.vertices[i + 1], Curves::crack});
+        segments.push_back({crack.vertices[i], crack.vertices[i + 1], Curves::crack,
+                            crack.vertices.size() == 2 && crack.front == End::tip && crack.back == End::tip});
   for (std::size_t i = edges; i < segments.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) meet(segments[i], segments[j], places);
   for (const auto& x : points)

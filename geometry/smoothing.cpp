@@ -75,7 +75,7 @@ void smooth(TriangleMesh& mesh, const Sizing& sizing) {
       stars.about(k, [&](std::uint32_t a, std::uint32_t b) {
         least = std::min(least, side(to, points[a], points[b]) > 0 ? quality(to, points[a], points[b]) : -1);
       });
-      if (least < std::min(worst, 0.1) || least <= 0) continue;
+      if (least < std::min(worst, 0.15) || least <= 0) continue;
       mesh.move(k, to);
       size[k] = sizing(to);
     }
