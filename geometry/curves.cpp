@@ -194,8 +194,8 @@ void meet(Segment& one, Segment& other, Places& places) {
 }
 
 /// The point of a straight edge or circle next to x, if there is one.
-Point put_onto(const Outline& outline, const Point& x, double near) {
-  for (const auto& edge : straight_edges(outline)) {
+Point put_onto(const Outline& outline, const std::vector<Edge>& edges, const Point& x, double near) {
+  for (const auto& edge : edges) {
     const Point d = edge.to - edge.from;
     if (distance_to_segment(edge.from, edge.to, x) < near)
       return edge.from + std::clamp((x - edge.from).dot(d) / d.squaredNorm(), 0.0, 1.0) * d;
@@ -219,9 +219,10 @@ Curves curves(const Outline& outline, std::vector<CrackPath> cracks, const std::
               const Sizing& sizing, bool on_lattice) {
   Builder builder(sizing, on_lattice);
   Places places(outline, sizing, on_lattice);
-  const auto joined = [&](const Point& x) { return places.known(put_onto(outline, x, places.same(x))); };
+  const auto straight = straight_edges(outline);
+  const auto joined = [&](const Point& x) { return places.known(put_onto(outline, straight, x, places.same(x))); };
   std::vector<Segment> segments;
-  for (const auto& edge : straight_edges(outline))
+  for (const auto& edge : straight)
     segments.push_back({places.known(edge.from), places.known(edge.to), builder.name(edge.name)});
   const std::size_t edges = segments.size();
   std::vector<Point> vertices, points;

@@ -68,23 +68,28 @@ void TriangleMesh::begin(std::initializer_list<std::int32_t> triangles) {
   for (const auto t : triangles) stamp_[std::size_t(t)] = now_;
 }
 
-/// Beyond a side that x sees: a triangle whose circle holds x is changed too, where x sees all of its sides.
-void TriangleMesh::expand(std::int32_t t, std::size_t i, const Point& x) {
-  const auto& triangle = triangles_[std::size_t(t)];
-  const auto a = triangle.corner[after(i)], b = triangle.corner[before(i)];
-  const auto beyond = triangle.across[i];
-  if (triangle.mark[i] == unmarked && beyond != none && stamp_[std::size_t(beyond)] != now_ && in_circle(beyond, x)) {
-    const auto j = side_of(beyond, b, a);
-    const Point& apex = points_[triangles_[std::size_t(beyond)].corner[j]];
-    if (side(points_[a], apex, x) > 0 && side(apex, points_[b], x) > 0) {
-      stamp_[std::size_t(beyond)] = now_;
-      cavity_.push_back(beyond);
-      expand(beyond, after(j), x);
-      expand(beyond, before(j), x);
-      return;
+/// Beyond a side that x sees: a triangle whose circle holds x is changed too, where x sees all of its sides. Sides are
+/// visited in their order about x; not by recursion, because a round plate has as many of these triangles as corners.
+void TriangleMesh::expand(std::int32_t triangle, std::size_t side_of_it, const Point& x) {
+  sides_.assign(1, {triangle, side_of_it});
+  while (!sides_.empty()) {
+    const auto [t, i] = sides_.back();
+    sides_.pop_back();
+    const auto& own = triangles_[std::size_t(t)];
+    const auto a = own.corner[after(i)], b = own.corner[before(i)];
+    const auto beyond = own.across[i];
+    if (own.mark[i] == unmarked && beyond != none && stamp_[std::size_t(beyond)] != now_ && in_circle(beyond, x)) {
+      const auto j = side_of(beyond, b, a);
+      const Point& apex = points_[triangles_[std::size_t(beyond)].corner[j]];
+      if (side(points_[a], apex, x) > 0 && side(apex, points_[b], x) > 0) {
+        stamp_[std::size_t(beyond)] = now_;
+        cavity_.push_back(beyond);
+        sides_.emplace_back(beyond, before(j)), sides_.emplace_back(beyond, after(j));
+        continue;
+      }
     }
+    rim_.push_back({a, b, beyond, own.mark[i]});
   }
-  rim_.push_back({a, b, beyond, triangle.mark[i]});
 }
 
 bool TriangleMesh::sees_rim(const Point& x) const {

@@ -67,6 +67,7 @@ private:
   std::uint32_t now_ = 0;
   std::vector<std::int32_t> cavity_;
   std::vector<Rim> rim_;
+  std::vector<std::pair<std::int32_t, std::size_t>> sides_;  // of triangles, still to be looked at
 };
 
 }  // namespace geometry
