@@ -116,9 +116,10 @@ public:
   }
 
 private:
-  static constexpr double too_large = 0.78;   // radius of the circle over the side that is wanted; 0.58 where all are equal
-  static constexpr double too_flat = 1.414;   // radius of the circle over the shortest side: 20.7 degrees
-  static constexpr double unresolved = 64;    // features so many times smaller than what is wanted are left as they are
+  static constexpr double too_large =
+      0.78;  // radius of the circle over the side that is wanted; 0.58 where all are equal
+  static constexpr double too_flat = 1.414;  // radius of the circle over the shortest side: 20.7 degrees
+  static constexpr double unresolved = 64;   // features so many times smaller than what is wanted are left as they are
 
   /// Its smallest angle lies between two curves.
   static bool is_corner(const TriangleMesh::Triangle& triangle, std::size_t opposite) {
@@ -135,11 +136,12 @@ private:
     const double twice = cross(b, c), radius = sides[0] * sides[1] * sides[2] / (2 * twice);
     const double wanted = sizing_(a + (b + c) / 3);
     const bool large = radius > too_large * wanted;
-    const bool flat = radius > too_flat * sides[shortest] && !is_corner(triangle, shortest) &&
-                      sides[shortest] * unresolved > wanted;
+    const bool flat =
+        radius > too_flat * sides[shortest] && !is_corner(triangle, shortest) && sides[shortest] * unresolved > wanted;
     if (!large && !flat) return false;
     const Point middle = a + Point(c.y() * b.squaredNorm() - b.y() * c.squaredNorm(),
-                                   b.x() * c.squaredNorm() - c.x() * b.squaredNorm()) / (2 * twice);
+                                   b.x() * c.squaredNorm() - c.x() * b.squaredNorm()) /
+                                 (2 * twice);
     return middle.allFinite() && add_at(middle, t, wanted, large && !flat ? 0 : sides[shortest]);
   }
 

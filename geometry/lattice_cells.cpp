@@ -206,7 +206,8 @@ private:
     const auto found = delaunay(places, pieces);
     const auto inside = geometry::within(found, parted);
     for (std::size_t t = 0; t < inside.size(); ++t)
-      if (const auto& [a, b, c] = found.corners[t]; inside[t]) result_.triangles.push_back({point[a], point[b], point[c]});
+      if (const auto& [a, b, c] = found.corners[t]; inside[t])
+        result_.triangles.push_back({point[a], point[b], point[c]});
   }
 
   const Curves& curves_;

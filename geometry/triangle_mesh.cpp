@@ -12,7 +12,9 @@ namespace geometry {
 TriangleMesh::TriangleMesh(const Curves& curves) : points_(curves.nodes) {
   std::vector<std::array<std::uint32_t, 2>> pieces;
   std::unordered_map<std::uint64_t, std::int32_t> mark_of;
-  const auto key = [](std::uint32_t a, std::uint32_t b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); };
+  const auto key = [](std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+  };
   for (const auto& [from, to, edge] : curves.pieces) pieces.push_back({from, to}), mark_of[key(from, to)] = edge;
   const auto found = delaunay(points_, pieces);
   const auto inside = within(found, fences(curves.pieces));
@@ -32,8 +34,7 @@ bool TriangleMesh::in_circle(std::int32_t triangle, const Point& x) const {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   const auto at = [](const Point& p) { return Kernel::Point_2(p.x(), p.y()); };
   const auto& [a, b, c] = triangles_[std::size_t(triangle)].corner;
-  return CGAL::side_of_oriented_circle(at(points_[a]), at(points_[b]), at(points_[c]), at(x)) ==
-         CGAL::ON_POSITIVE_SIDE;
+  return CGAL::side_of_oriented_circle(at(points_[a]), at(points_[b]), at(points_[c]), at(x)) == CGAL::ON_POSITIVE_SIDE;
 }
 
 std::size_t TriangleMesh::side_of(std::int32_t triangle, std::uint32_t a, std::uint32_t b) const {
@@ -104,8 +105,8 @@ bool TriangleMesh::carve(std::int32_t triangle, const Point& x) {
   return sees_rim(x);
 }
 
-/// Triangles from x to all sides of the rim, which is a closed ring. `first_half`: of how many sides one half of the rim
-/// consists that marked sides part from the other half; 0 without these. A half beside all triangles is missing.
+/// Triangles from x to all sides of the rim, which is a closed ring. `first_half`: of how many sides one half of the
+/// rim consists that marked sides part from the other half; 0 without these. A half beside all triangles is missing.
 void TriangleMesh::fill(const Point& x, std::size_t first_half, std::int32_t mark) {
   const auto v = std::uint32_t(points_.size());
   points_.push_back(x);
@@ -135,9 +136,8 @@ void TriangleMesh::fill(const Point& x, std::size_t first_half, std::int32_t mar
                                            first_half > 0 && j >= first_half ? other_inside : inside};
   }
   for (const auto one : both) {
-    const auto found = std::find_if(rim_.begin(), rim_.end(), [&](const Rim& rim) {
-      return rim.from == rim_[one].to && rim.to == rim_[one].from;
-    });
+    const auto found = std::find_if(
+        rim_.begin(), rim_.end(), [&](const Rim& rim) { return rim.from == rim_[one].to && rim.to == rim_[one].from; });
     if (found == rim_.end()) throw std::logic_error("a side of a crack has one face");
     triangles_[std::size_t(cavity_[one])].across[0] = cavity_[std::size_t(found - rim_.begin())];
   }
@@ -199,7 +199,8 @@ void TriangleMesh::exchange_sides() {
       const auto& triangle = triangles_[std::size_t(t)];
       const auto n = triangle.across[i];
       if (triangle.mark[i] != unmarked || n == none) continue;
-      const auto q = triangles_[std::size_t(n)].corner[side_of(n, triangle.corner[before(i)], triangle.corner[after(i)])];
+      const auto q =
+          triangles_[std::size_t(n)].corner[side_of(n, triangle.corner[before(i)], triangle.corner[after(i)])];
       if (!in_circle(t, points_[q])) continue;
       exchange(t, i);
       open.push_back(n), open.push_back(t);

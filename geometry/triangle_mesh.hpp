@@ -35,7 +35,8 @@ public:
   };
   Found locate(const Point& x, std::int32_t start, bool up_to_marks) const;
 
-  /// Finds what would change if x, in a triangle, became a point: rim(), a closed ring about it. False where it may not.
+  /// Finds what would change if x, in a triangle, became a point: rim(), a closed ring about it. False where it may
+  /// not.
   bool carve(std::int32_t triangle, const Point& x);
   const std::vector<Rim>& rim() const { return rim_; }
   /// Makes x, for which carve() was true, a point; changed() are the triangles about it.

@@ -21,7 +21,8 @@ public:
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 
   /// About `centre`, between these distances from it.
-  geometry::Polygon polygon(const Point& centre, double nearest, double furthest, int corners, const std::string& name) {
+  geometry::Polygon polygon(const Point& centre, double nearest, double furthest, int corners,
+                            const std::string& name) {
     geometry::Polygon result;
     for (int i = 0; i < corners; ++i) {
       const double angle = 2 * std::numbers::pi * (i + uniform(0, 0.9)) / corners, r = uniform(nearest, furthest);
@@ -77,7 +78,8 @@ private:
 /// Turned about the origin, then shifted.
 inline Plate moved(Plate plate, double angle, const Point& shift) {
   const auto place = [&](const Point& x) -> Point {
-    return shift + Point(std::cos(angle) * x.x() - std::sin(angle) * x.y(), std::sin(angle) * x.x() + std::cos(angle) * x.y());
+    return shift +
+           Point(std::cos(angle) * x.x() - std::sin(angle) * x.y(), std::sin(angle) * x.x() + std::cos(angle) * x.y());
   };
   plate.outline = geometry::placed(plate.outline, place, 1);
   for (auto& crack : plate.cracks)

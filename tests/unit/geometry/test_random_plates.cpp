@@ -106,7 +106,8 @@ TEST_CASE("cells of a lattice fill any plate, and borders lie on its curves") {
     const auto plate = random_plates::Maker(seed).plate();
     CAPTURE(seed);
     for (const double spacing : {0.2, 0.07})
-      check(plate, tessellation(plate.outline, random_plates::paths(plate), spacing, {}, {}), 1e-12);  // measured: 2e-14
+      check(plate, tessellation(plate.outline, random_plates::paths(plate), spacing, {}, {}),
+            1e-12);  // measured: 2e-14
   }
 }
 
@@ -154,7 +155,8 @@ TEST_CASE("about a tip the triangles are nearly equal") {
       for (const auto& triangle : cells.triangles)
         for (std::size_t i = 0; i < 3; ++i) {
           if ((cells.positions[triangle[i]] - tip).norm() > 1e-3 * at_tips) continue;
-          const Point a = cells.positions[triangle[(i + 1) % 3]] - tip, b = cells.positions[triangle[(i + 2) % 3]] - tip;
+          const Point a = cells.positions[triangle[(i + 1) % 3]] - tip,
+                      b = cells.positions[triangle[(i + 2) % 3]] - tip;
           const double turn = std::atan2(cross(a, b), a.dot(b)) * 180 / std::numbers::pi;
           least = std::min(least, turn), largest = std::max(largest, turn), ++fan;
           shortest = std::min(shortest, a.norm()), longest = std::max(longest, a.norm());

@@ -12,7 +12,7 @@ namespace {
 Curves square() {
   Curves result;
   result.nodes = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {2.5, 3}, {3, 3.2}, {3.5, 3.4}};
-  result.pieces = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}, {4, 5, 1},
+  result.pieces = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0},  {4, 5, 1},
                    {5, 6, 1}, {6, 7, 1}, {7, 4, 1}, {8, 9, -1}, {9, 10, -1}};
   return result;
 }
@@ -88,18 +88,21 @@ TEST_CASE("sides are exchanged until no circle holds a point that is seen") {
     if (const auto at = mesh.locate(x, 0, false); mesh.carve(at.triangle, x)) mesh.insert(x);
   }
   // towards the middle by a hundredth: small enough that nothing turns over
-  for (std::uint32_t k = 11; k < mesh.points().size(); ++k) mesh.move(k, mesh.points()[k] + 1e-4 * (Point(2, 2) - mesh.points()[k]));
+  for (std::uint32_t k = 11; k < mesh.points().size(); ++k)
+    mesh.move(k, mesh.points()[k] + 1e-4 * (Point(2, 2) - mesh.points()[k]));
   REQUIRE(found(mesh).turned == 0);
   mesh.exchange_sides();
   check(mesh);
   int inside_circles = 0;
   for (const auto& triangle : mesh.triangles())
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!triangle.inside || triangle.mark[i] != TriangleMesh::unmarked || triangle.across[i] == TriangleMesh::none) continue;
+      if (!triangle.inside || triangle.mark[i] != TriangleMesh::unmarked || triangle.across[i] == TriangleMesh::none)
+        continue;
       const auto& other = mesh.triangles()[std::size_t(triangle.across[i])];
       for (const auto k : other.corner) {
         if (std::find(triangle.corner.begin(), triangle.corner.end(), k) != triangle.corner.end()) continue;
-        const Point a = mesh.points()[triangle.corner[0]] - mesh.points()[k], b = mesh.points()[triangle.corner[1]] - mesh.points()[k],
+        const Point a = mesh.points()[triangle.corner[0]] - mesh.points()[k],
+                    b = mesh.points()[triangle.corner[1]] - mesh.points()[k],
                     c = mesh.points()[triangle.corner[2]] - mesh.points()[k];
         const double in = a.squaredNorm() * cross(b, c) + b.squaredNorm() * cross(c, a) + c.squaredNorm() * cross(a, b);
         inside_circles += in > 1e-12;
