@@ -2,6 +2,7 @@
 // mode, motion.
 #include <omp.h>
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
@@ -170,4 +171,21 @@ TEST_CASE("Galerkin plate: K1 of an oblique crack with points far closer togethe
       CHECK(std::abs(srif.K3) * c.section.thickness < 0.005 * 0.3915);  // measured: 0.15 %
     }
   }
+}
+
+TEST_CASE("Galerkin plate: a square that is turned and far from the origin has the same K1") {
+  const auto K1 = [](double degrees, const geometry::Point& shift) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const auto place = [&](const geometry::Point& x) -> geometry::Point {
+      return shift + Eigen::Rotation2Dd(angle) * x;
+    };
+    auto c = cracked(0.05, 0.1, 0.3);
+    c.outline = geometry::placed(c.outline, place, 1);
+    for (auto& x : c.cracks[0]) x = place(x);
+    c.analysis.method = cases::Analysis::Method::direct;
+    return solved(c).srifs[0].K1;
+  };
+  const double straight = K1(0, {0, 0});
+  for (const double degrees : {15, 30, 60}) CHECK(K1(degrees, {0, 0}) == Approx(straight).epsilon(0.01));
+  CHECK(K1(37, {2e5, -1e5}) == Approx(straight).epsilon(0.01));  // measured: 0.12 to 0.37 % at spacing 0.04
 }
