@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "geometry/tessellation.hpp"
 
@@ -15,7 +16,7 @@ void for_cells(const Tessellation& cells, const Visit& visit) {
 /// The other corners of the cells about every point.
 class Members {
 public:
-  explicit Members(const Tessellation& cells) : first_(cells.positions.size() + 1, 0) {
+  explicit Members(const Tessellation& cells) : first_(cells.local.size() + 1, 0) {
     for_cells(cells, [&](const std::uint32_t* corner, std::size_t count) {
       for (std::size_t c = 0; c < count; ++c) first_[corner[c] + 1] += count - 1;
     });
@@ -43,10 +44,9 @@ private:
 }  // namespace
 
 Families cell_families(const Tessellation& cells) {
+  if (cells.squares.empty()) return exact_cell_families(cells);
   const Members members(cells);
-  std::vector<Point> lattice;
-  for (const auto& x : cells.positions) lattice.push_back(cells.units.to_lattice(x));
-  return families(cells.units, lattice,
+  return families(cells.units.spacing, cells.local,
                   [&](std::uint32_t k, std::vector<std::uint32_t>& found) { members.list(k, found); });
 }
 
@@ -56,11 +56,11 @@ Families exact_cell_families(const Tessellation& cells) {
   std::vector<std::uint32_t> pattern, found;
   std::vector<std::size_t> first{0};
   std::vector<Families::Step> steps;
-  for (std::uint32_t k = 0; k < cells.positions.size(); ++k) {
+  for (std::uint32_t k = 0; k < cells.local.size(); ++k) {
     members.list(k, found);
     for (const auto j : found) {
       steps.push_back({std::int32_t(j - k), std::uint32_t(vectors.size())});
-      vectors.push_back(cells.positions[j] - cells.positions[k]);
+      vectors.push_back(cells.local[j] - cells.local[k]);
     }
     pattern.push_back(k);
     first.push_back(steps.size());
@@ -69,15 +69,19 @@ Families exact_cell_families(const Tessellation& cells) {
 }
 
 std::vector<Point> seen_positions(const Tessellation& cells) {
-  constexpr double step = 2e-6;  // spacings
-  std::vector<Point> inwards(cells.positions.size(), Point(0, 0)), result = cells.positions;
+  constexpr double step = 2e-6;
+  std::vector<Point> inwards(cells.local.size(), Point(0, 0)), result = cells.positions;
+  std::vector<double> near(result.size(), std::numeric_limits<double>::infinity());
   for (const auto& border : cells.borders) {
     if (border.edge != Curves::crack) continue;
-    const Point along = (cells.positions[border.to] - cells.positions[border.from]).normalized();
-    for (const auto k : {border.from, border.to}) inwards[k] += Point(-along.y(), along.x());
+    const Point along = cells.local[border.to] - cells.local[border.from];
+    for (const auto k : {border.from, border.to}) {
+      inwards[k] += Point(-along.y(), along.x()).normalized();
+      near[k] = std::min(near[k], along.norm());
+    }
   }
   for (std::size_t k = 0; k < result.size(); ++k)
-    if (inwards[k].norm() > 1e-6) result[k] += step * cells.units.spacing * inwards[k].normalized();
+    if (inwards[k].norm() > 1e-6) result[k] += step * near[k] * inwards[k].normalized();
   return result;
 }
 

@@ -44,8 +44,8 @@ void CellParting::part_point(std::uint32_t k, std::uint32_t other, Parting& resu
       continue;
     }
     const auto fresh = std::uint32_t(cells_.positions.size());
-    const Point place = cells_.positions[k];
-    cells_.positions.push_back(place);
+    const Point place = cells_.positions[k], local = cells_.local[k];
+    cells_.positions.push_back(place), cells_.local.push_back(local);
     result.origins.push_back(k);
     for (const auto cell : part) std::replace(data(cell), data(cell) + corners(cell), k, fresh);
     for (auto& border : cells_.borders) {  // a border belongs to the cell on its left

@@ -15,7 +15,7 @@ struct Cells {
 /// Squares of the lattice where nothing disturbs it, triangles elsewhere.
 Cells lattice_cells(const Curves& curves);
 
-/// Triangles all over.
-Cells graded_cells(const Curves& curves, const Sizing& sizing);
+/// Triangles all over, of the size that is wanted, in rings about the tips.
+Cells graded_cells(const Curves& curves, const Sizing& sizing, const std::vector<Point>& tips);
 
 }  // namespace geometry

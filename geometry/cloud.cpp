@@ -12,15 +12,6 @@ double rounded(double u) {
   return std::round(u * steps) / steps;
 }
 
-Polygon to_lattice(Polygon polygon, const LatticeUnits& units) {
-  for (Point& v : polygon.vertices) v = units.to_lattice(v);
-  return polygon;
-}
-
-Circle to_lattice(const Circle& circle, const LatticeUnits& units) {
-  return {units.to_lattice(circle.centre), rounded(circle.radius / units.spacing), circle.name};
-}
-
 }  // namespace
 
 Point LatticeUnits::to_lattice(const Point& x) const {
@@ -28,10 +19,24 @@ Point LatticeUnits::to_lattice(const Point& x) const {
   return {rounded(u.x()), rounded(u.y())};
 }
 
-Outline to_lattice(const Outline& outline, const LatticeUnits& units) {
-  Outline result{to_lattice(outline.outer, units), {}};
+Outline placed(const Outline& outline, const std::function<Point(const Point&)>& place, double scale) {
+  const auto polygon = [&](Polygon shape) {
+    for (Point& v : shape.vertices) v = place(v);
+    return shape;
+  };
+  Outline result{polygon(outline.outer), {}};
   for (const Hole& hole : outline.holes)
-    result.holes.push_back(std::visit([&](const auto& shape) -> Hole { return to_lattice(shape, units); }, hole));
+    if (const auto* circle = std::get_if<Circle>(&hole))
+      result.holes.push_back(Circle{place(circle->centre), scale * circle->radius, circle->name});
+    else
+      result.holes.push_back(polygon(std::get<Polygon>(hole)));
+  return result;
+}
+
+Outline to_lattice(const Outline& outline, const LatticeUnits& units) {
+  auto result = placed(outline, [&](const Point& x) { return units.to_lattice(x); }, 1 / units.spacing);
+  for (Hole& hole : result.holes)
+    if (auto* circle = std::get_if<Circle>(&hole)) circle->radius = rounded(circle->radius);
   return result;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include "geometry/crack_path.hpp"
 
 namespace geometry {
@@ -10,10 +11,14 @@ struct LatticeUnits {
   double spacing = 1;
 
   Point to_lattice(const Point& x) const;
+  /// The same not rounded.
+  Point to_units(const Point& x) const { return (x - origin) / spacing; }
   Point from_lattice(const Point& u) const { return origin + spacing * u; }
 };
 
 Outline to_lattice(const Outline& outline, const LatticeUnits& units);
+/// With every vertex and centre placed anew, and lengths times `scale`.
+Outline placed(const Outline& outline, const std::function<Point(const Point&)>& place, double scale);
 std::vector<CrackPath> to_lattice(const std::vector<CrackPath>& paths, const LatticeUnits& units);
 
 /// Points that stand for the plate, and after them fictitious points outside it (none at first).

@@ -154,7 +154,10 @@ std::size_t Families::bytes() const {
          vectors_.size() * sizeof(Point);
 }
 
-Families families(const LatticeUnits& units, const std::vector<Point>& lattice, const Neighbours& neighbours) {
+namespace {
+
+/// Bond vectors numbered by multiples of a part of a spacing.
+Families rounded_families(const LatticeUnits& units, const std::vector<Point>& lattice, const Neighbours& neighbours) {
   constexpr double grain = 1 << 20;  // bond vectors are numbered by multiples of this part of a spacing
   const auto [found, pattern_of] = patterns(lattice.size(), [&](std::uint32_t k, auto& near, Pattern& pattern) {
     near.clear();
@@ -179,10 +182,47 @@ Families families(const LatticeUnits& units, const std::vector<Point>& lattice, 
   return joined(found, pattern_of, vectors, number);
 }
 
+}  // namespace
+
+Families families(double spacing, const std::vector<Point>& local, const Neighbours& neighbours) {
+  constexpr std::uint64_t own = std::uint64_t{1} << 63, middle = 1 << 30;
+  std::vector<char> regular(local.size());
+  const auto on_line = [spacing](double x) { return spacing * std::round(x / spacing) == x; };
+  for (std::size_t k = 0; k < local.size(); ++k) regular[k] = on_line(local[k].x()) && on_line(local[k].y());
+  const auto [found, pattern_of] = patterns(local.size(), [&](std::uint32_t k, auto& near, Pattern& pattern) {
+    near.clear();
+    neighbours(k, near);
+    for (const auto j : near) {
+      const auto step = std::int64_t(j) - std::int64_t(k);
+      std::uint64_t vector = own | std::uint64_t(k) << 31 | (std::uint64_t(step) + middle);
+      if (regular[k] && regular[j]) {
+        const Point u = (local[j] - local[k]) / spacing;
+        vector = std::uint64_t(std::llround(u.x()) + std::int64_t(middle)) << 31;
+        vector |= std::uint64_t(std::llround(u.y()) + std::int64_t(middle));
+      }
+      pattern.push_back({step, vector});
+    }
+  });
+  std::unordered_map<std::uint64_t, std::uint32_t> ids;
+  std::vector<Point> vectors;
+  const auto number = [&](std::uint64_t vector) {
+    const auto [entry, fresh] = ids.try_emplace(vector, static_cast<std::uint32_t>(vectors.size()));
+    if (!fresh) return entry->second;
+    const auto low = std::int64_t(vector & (2 * middle - 1)) - std::int64_t(middle);
+    const auto high = std::int64_t((vector & ~own) >> 31);
+    if (vector & own)
+      vectors.push_back(local[std::size_t(high + low)] - local[std::size_t(high)]);
+    else
+      vectors.push_back(spacing * Point(double(high - std::int64_t(middle)), double(low)));
+    return entry->second;
+  };
+  return joined(found, pattern_of, vectors, number);
+}
+
 Families families(const Cloud& cloud, double horizon, const Pairwise& sees) {
   const double radius = horizon / cloud.units.spacing * (1 + 1e-9);
   const Buckets buckets(cloud, radius);
-  return families(cloud.units, buckets.points(), [&](std::uint32_t k, std::vector<std::uint32_t>& near) {
+  return rounded_families(cloud.units, buckets.points(), [&](std::uint32_t k, std::vector<std::uint32_t>& near) {
     buckets.within(k, radius, near);
     std::erase_if(near, [&](std::uint32_t j) { return !sees(std::min(k, j), std::max(k, j)); });
   });

@@ -81,8 +81,9 @@ using Pairwise = std::function<bool(std::uint32_t k, std::uint32_t j)>;
 /// Adds the neighbours of point k to an empty list, ascending; asked from several threads at once.
 using Neighbours = std::function<void(std::uint32_t k, std::vector<std::uint32_t>& found)>;
 
-/// The families that `neighbours` lists. `lattice`: the points in lattice units.
-Families families(const LatticeUnits& units, const std::vector<Point>& lattice, const Neighbours& neighbours);
+/// The families that `neighbours` lists. Bonds between lattice points, the `local` [length] coordinates of which are
+/// multiples of `spacing`, are of the same vector where they look the same; any other has a vector of its own, exact.
+Families families(double spacing, const std::vector<Point>& local, const Neighbours& neighbours);
 
 /// All pairs within the horizon that see each other.
 Families families(const Cloud& cloud, double horizon, const Pairwise& sees);

@@ -165,11 +165,15 @@ private:
           const auto side = sides(square[c], square[(c + 1) % 4]);
           const auto edge = edge_of_.find(side);
           if (edge != edge_of_.end()) ++squares_at[side];
-          if (!beyond && (edge == edge_of_.end() || edge->second == Curves::crack)) result.insert(side);
+          if (beyond || (edge != edge_of_.end() && edge->second != Curves::crack)) continue;
+          result.insert(side);
+          fences_.push_back({square[c], square[(c + 1) % 4], false, true});
         }
       }
     for (const auto& [side, edge] : edge_of_)
       if (squares_at[side] < (edge == Curves::crack ? 2 : 1)) result.insert(side);
+    const auto of_edges = geometry::fences(result_.pieces);
+    fences_.insert(fences_.end(), of_edges.begin(), of_edges.end());
     return result;
   }
 
@@ -193,12 +197,17 @@ private:
     for (const auto k : point) index[k] = std::uint32_t(places.size()), places.push_back(result_.positions[k]);
     std::vector<std::array<std::uint32_t, 2>> pieces;
     for (const auto& [a, b] : rim) pieces.push_back({index[a], index[b]});
-    for (const auto& triangle : delaunay(places, pieces)) {
-      const Point middle = (places[triangle[0]] + places[triangle[1]] + places[triangle[2]]) / 3;
-      if (is_square(long(std::floor(middle.x())), long(std::floor(middle.y()))) || !contains(curves_.outline, middle))
-        continue;
-      result_.triangles.push_back({point[triangle[0]], point[triangle[1]], point[triangle[2]]});
+    std::vector<Fence> parted;
+    for (auto fence : fences_) {
+      if (!rim.contains(sides(fence.from, fence.to))) continue;
+      fence.from = index[fence.from], fence.to = index[fence.to];
+      parted.push_back(fence);
     }
+    const auto found = delaunay(places, pieces);
+    const auto inside = geometry::within(found, parted);
+    for (std::size_t t = 0; t < inside.size(); ++t)
+      if (const auto& [a, b, c] = found.corners[t]; inside[t])
+        result_.triangles.push_back({point[a], point[b], point[c]});
   }
 
   const Curves& curves_;
@@ -207,6 +216,7 @@ private:
   std::vector<char> near_, square_;  // per lattice point; per cell
   std::vector<std::int32_t> node_;   // per node of the curves: which point
   std::map<Side, std::int32_t> edge_of_;
+  std::vector<Fence> fences_;  // between squares, triangles and what is beside the plate
   Cells result_;
 };
 

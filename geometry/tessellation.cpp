@@ -1,6 +1,7 @@
 #include "geometry/tessellation.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -167,21 +168,33 @@ Sizing sizing_of(const Outline& outline, const std::vector<CrackPath>& cracks, d
 Tessellation tessellation(const Outline& outline, const std::vector<CrackPath>& cracks, double spacing,
                           const std::vector<Point>& singles, const Grading& grading) {
   Tessellation result;
-  result.units = {bounding_box(outline).first, spacing};
-  const Outline in_cells = to_lattice(outline, result.units);
-  const auto paths = to_lattice(cracks, result.units);
-  std::vector<Point> places;
-  for (const auto& x : singles) places.push_back(result.units.to_lattice(x));
+  const auto [low, high] = bounding_box(outline);
+  result.units = {low, spacing};
   const bool graded = result.graded = grading.at_tips || grading.at_holes;
+  const double noise = 8 * std::numeric_limits<double>::epsilon() * low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
+  const auto place = [&](const Point& x) -> Point {
+    const Point u = result.units.to_units(x);
+    return graded ? u : onto_lattice(u, std::max(1e-9, noise / spacing));
+  };
+  const Outline in_cells = placed(outline, place, 1 / spacing);
+  auto paths = cracks;
+  for (auto& path : paths) std::transform(path.vertices.begin(), path.vertices.end(), path.vertices.begin(), place);
+  std::vector<Point> places;
+  std::transform(singles.begin(), singles.end(), std::back_inserter(places), place);
   const Sizing sizing = sizing_of(in_cells, paths, spacing, grading);
   const Curves found = curves(in_cells, paths, places, sizing, !graded);
-  Cells cells = graded ? graded_cells(found, sizing) : lattice_cells(found);
+  std::vector<Point> at_tips;
+  for (const auto& tip : tips(paths)) at_tips.push_back(tip.position);
+  Cells cells = graded ? graded_cells(found, sizing, at_tips) : lattice_cells(found);
 
   auto origin = part_cells(cells);
   compact(cells, origin);
   result.borders = borders(cells, origin);
   result.names = found.names;
-  for (const auto& x : cells.positions) result.positions.push_back(result.units.from_lattice(x));
+  for (const auto& u : cells.positions) {
+    result.local.push_back(spacing * u);
+    result.positions.push_back(result.units.from_lattice(u));
+  }
   result.squares = std::move(cells.squares), result.triangles = std::move(cells.triangles);
   return result;
 }

@@ -30,7 +30,7 @@ void for_triangles(const Tessellation& cells, const Visit& visit) {
 
 /// Points with four squares about them.
 std::vector<char> inside_lattice(const Tessellation& cells) {
-  std::vector<char> squares(cells.positions.size(), 0);
+  std::vector<char> squares(cells.local.size(), 0);
   for (const auto& square : cells.squares)
     for (const auto k : square) ++squares[k];
   for (char& count : squares) count = count == 4;
@@ -55,7 +55,7 @@ void number_kinds(GalerkinFamilies& result, const std::vector<char>& inside) {
 
 /// Twice the mean area of the triangles about each point: as on a lattice of the spacing there.
 void find_squares(GalerkinFamilies& result, const Tessellation& cells) {
-  std::vector<double> count(cells.positions.size(), 0);
+  std::vector<double> count(cells.local.size(), 0);
   for (const auto& triangle : cells.triangles)
     for (const auto k : triangle) ++count[k];
   for (std::size_t k = 0; k < count.size(); ++k) result.own_square.push_back(6 * result.areas[k] / count[k]);
@@ -64,7 +64,7 @@ void find_squares(GalerkinFamilies& result, const Tessellation& cells) {
 GalerkinFamilies weighted(geometry::Families families, const Tessellation& cells, const std::vector<char>& inside) {
   GalerkinFamilies result;
   result.families = std::move(families);
-  const auto points = cells.positions.size();
+  const auto points = cells.local.size();
   number_kinds(result, inside);
   constexpr auto none = std::uint32_t(-1);
   std::uint32_t example = none;  // of kind 0
@@ -75,8 +75,8 @@ GalerkinFamilies weighted(geometry::Families families, const Tessellation& cells
   result.spacing_square = cells.units.spacing * cells.units.spacing;
   for_triangles(cells, [&](const Tessellation::Triangle& triangle, double share) {
     const auto [a, b, c] = triangle;
-    const auto gradients = area_gradients({cells.positions[a], cells.positions[b], cells.positions[c]});
-    const double area = gradients[2].dot(cells.positions[c] - cells.positions[a]);
+    const auto gradients = area_gradients({cells.local[a], cells.local[b], cells.local[c]});
+    const double area = gradients[2].dot(cells.local[c] - cells.local[a]);
     for (const auto k : triangle) {
       result.areas[k] += share * area / 3;
       if (result.kind[k] == 0 && k != example) continue;
@@ -107,17 +107,17 @@ GalerkinFamilies galerkin_families(const Tessellation& cells) {
 }
 
 GalerkinFamilies moved_galerkin_families(const Tessellation& cells) {
-  return weighted(geometry::exact_cell_families(cells), cells, std::vector<char>(cells.positions.size(), 0));
+  return weighted(geometry::exact_cell_families(cells), cells, std::vector<char>(cells.local.size(), 0));
 }
 
 ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, const Tessellation& cells) {
-  const auto points = Eigen::Index(cells.positions.size());
+  const auto points = Eigen::Index(cells.local.size());
   Eigen::Matrix2Xd first = Eigen::Matrix2Xd::Zero(2, points);
   Eigen::Matrix4Xd second = Eigen::Matrix4Xd::Zero(4, points);
   const auto tensor = [](const Point& a, const Point& b) {
     return Eigen::Vector4d(a.x() * b.x(), a.x() * b.y(), a.y() * b.x(), a.y() * b.y());
   };
-  for (std::size_t k = 0; k < cells.positions.size(); ++k) {
+  for (std::size_t k = 0; k < cells.local.size(); ++k) {
     const auto family = families.families[k];
     const auto* bonds = families.of(k);
     const double area = families.areas[k];
@@ -130,7 +130,7 @@ ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, con
     second.col(Eigen::Index(k)) += area * Eigen::Vector4d(1, 0, 0, 1);
   }
   for (const auto& border : cells.borders) {
-    const Point along = cells.positions[border.to] - cells.positions[border.from], normal(along.y(), -along.x());
+    const Point along = cells.local[border.to] - cells.local[border.from], normal(along.y(), -along.x());
     first.col(border.from) -= normal / 2, first.col(border.to) -= normal / 2;
     second.col(border.from) -= tensor(along / 6, normal), second.col(border.to) -= tensor(-along / 6, normal);
   }

@@ -40,11 +40,11 @@ double mean_gradients(const geometry::Tessellation& cells, const geometry::CellP
   for (const auto cell : about.cells_at(k))
     for_triangles(about, cell, [&](const std::array<std::uint32_t, 3>& triangle, double share) {
       if (std::find(triangle.begin(), triangle.end(), k) == triangle.end()) return;
-      const Point a = cells.positions[triangle[0]], b = cells.positions[triangle[1]], c = cells.positions[triangle[2]];
+      const Point a = cells.local[triangle[0]], b = cells.local[triangle[1]], c = cells.local[triangle[2]];
       area += share / 6 * ((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x());
       for (std::size_t i = 0; i < 3; ++i) {
         if (triangle[i] == k) continue;
-        const Point side = cells.positions[triangle[(i + 2) % 3]] - cells.positions[triangle[(i + 1) % 3]];
+        const Point side = cells.local[triangle[(i + 2) % 3]] - cells.local[triangle[(i + 1) % 3]];
         bonds[family.find(triangle[i])].gradient += share / 6 * Point(-side.y(), side.x());
       }
     });
@@ -55,7 +55,7 @@ double mean_gradients(const geometry::Tessellation& cells, const geometry::CellP
 
 void update(GalerkinFamilies& families, const geometry::Tessellation& cells, const geometry::CellParting& about,
             const geometry::Parting& parting) {
-  const auto points = cells.positions.size(), old_points = points - parting.origins.size();
+  const auto points = cells.local.size(), old_points = points - parting.origins.size();
   std::vector<std::uint32_t> origin(points);
   for (std::uint32_t k = 0; k < points; ++k) origin[k] = k < old_points ? k : parting.origins[k - old_points];
   std::vector<std::pair<std::uint32_t, std::vector<Families::Step>>> steps;

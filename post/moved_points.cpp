@@ -35,9 +35,9 @@ public:
     std::vector<double> extension;
     for (const auto k : points_) extension.push_back(ring.extension((plate.positions[k] - frame.origin).norm()));
     for (const int sign : {1, -1}) {
-      about.positions.clear();
+      about.local.clear();
       for (std::size_t i = 0; i < points_.size(); ++i)
-        about.positions.push_back(plate.cells->positions[points_[i]] + sign * step_ * extension[i] * frame.ahead);
+        about.local.push_back(plate.cells->local[points_[i]] + sign * step_ * extension[i] * frame.ahead);
       moved_[sign > 0 ? 0 : 1] = plate::moved_galerkin_families(about);
     }
     find_changed(extension);

@@ -13,7 +13,7 @@ struct TipFrame {
 };
 
 /// Side of the crack on which geometry::severs puts a point: +1 for y' > 0, -1 for y' < 0. A point on the line itself lies
-/// where moving it by (e, e^2) would put it. `y`: its y' [length], zero below 1e-6 spacings.
+/// where moving it by (e, e^2) would put it. `y`: its y' [length], zero below 1e-7 spacings.
 int face_of(double y, const geometry::Point& left, double spacing);
 
 /// Polar coordinates in the tip's axes; angle in [-pi, pi], +-pi on the faces.

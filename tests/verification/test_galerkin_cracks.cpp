@@ -2,6 +2,7 @@
 // mode, motion.
 #include <omp.h>
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
@@ -144,4 +145,47 @@ TEST_CASE("Galerkin plate: mixed mode, along the lattice and at 45 degrees") {
     CHECK(right.K2 == Approx(K[1]).epsilon(0.005));
     CHECK(right.K3 == Approx(K[2]).epsilon(0.015));
   }
+}
+
+TEST_CASE("Galerkin plate: K1 of an oblique crack with points far closer together at its tips") {
+  // moments of 1 on all edges: the same K1 at every angle, no K2, no K3
+  for (const double at_tips : {0.003, 0.0003, 0.00002}) {
+    auto c = vp::square(0.1);
+    const geometry::Point end(0.3 * std::cos(2 * std::numbers::pi / 9), 0.3 * std::sin(2 * std::numbers::pi / 9));
+    c.discretization.formulation = Formulation::galerkin;
+    c.discretization.tip_spacing = at_tips;
+    c.discretization.spacing_growth = 0.2;
+    c.analysis.kind = cases::Analysis::Kind::static_;
+    c.cracks = {geometry::Polyline{geometry::Point(-end), end}};
+    c.supports = {{SupportKind::pinned, {}, {{-1, -1}, {1, -1}, {-1, 1}}}};
+    c.loads[0].kind = Load::Kind::edge_moment, c.loads[0].edges = {"left", "right", "bottom", "top"};
+    c.analysis.method = cases::Analysis::Method::direct;
+    c.srif.emplace();
+    c.srif->methods = {"domain_integral"};
+    const auto a = vp::assembled(c);
+    const auto state = cases::solve_at_rest(c, a, {1e-8, 1000, {}}).solution.state;
+    for (const auto& srif : cases::srifs(c, a, cases::tip_methods({c, {}}, a), state)) {
+      CAPTURE(at_tips, srif.K1, srif.K2, srif.K3);
+      CHECK(srif.K1 == Approx(0.3915).epsilon(0.01));            // measured: 0.56, 0.50, 0.48 % too small
+      CHECK(std::abs(srif.K2) < 0.005 * 0.3915);                 // measured: 0.1 %
+      CHECK(std::abs(srif.K3) * c.section.thickness < 0.005 * 0.3915);  // measured: 0.15 %
+    }
+  }
+}
+
+TEST_CASE("Galerkin plate: a square that is turned and far from the origin has the same K1") {
+  const auto K1 = [](double degrees, const geometry::Point& shift) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const auto place = [&](const geometry::Point& x) -> geometry::Point {
+      return shift + Eigen::Rotation2Dd(angle) * x;
+    };
+    auto c = cracked(0.05, 0.1, 0.3);
+    c.outline = geometry::placed(c.outline, place, 1);
+    for (auto& x : c.cracks[0]) x = place(x);
+    c.analysis.method = cases::Analysis::Method::direct;
+    return solved(c).srifs[0].K1;
+  };
+  const double straight = K1(0, {0, 0});
+  for (const double degrees : {15, 30, 60}) CHECK(K1(degrees, {0, 0}) == Approx(straight).epsilon(0.01));
+  CHECK(K1(37, {2e5, -1e5}) == Approx(straight).epsilon(0.01));  // measured: 0.12 to 0.37 % at spacing 0.04
 }

@@ -23,7 +23,7 @@ inline geometry::Tessellation perturbed(geometry::Tessellation cells, double sha
   std::vector<char> fixed(cells.positions.size(), 0);
   for (const auto& border : cells.borders) fixed[border.from] = fixed[border.to] = 1;
   for (std::size_t k = 0; k < fixed.size(); ++k)
-    if (!fixed[k]) cells.positions[k] += cells.units.spacing * geometry::Point(uniform(random), uniform(random));
+    if (!fixed[k]) geometry::move(cells, k, cells.units.spacing * geometry::Point(uniform(random), uniform(random)));
   for (const auto& [a, b, c, d] : cells.squares) {
     cells.triangles.push_back({a, b, c});
     cells.triangles.push_back({a, c, d});
