@@ -81,7 +81,7 @@ double clear_distance(const Case& c, const std::vector<geometry::CrackPath>& pat
 
 bool ringed(const Case& c, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip) {
   const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
-  return !post::rings(clear_distance(c, paths, tip), INFINITY, spacing).empty();
+  return !post::rings(clear_distance(c, paths, tip), spacing, false).empty();
 }
 
 void check_growing_tips(const CaseFile& file, Assembly& assembly) {

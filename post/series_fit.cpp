@@ -79,7 +79,7 @@ int fit_order(const plate::Section& section, double outer) {
 }
 
 std::optional<FitRange> fit_range(const plate::Section& section, double clear, double spacing, bool graded) {
-  constexpr double least = 5, usual = 16;      // spacings
+  constexpr double least = 4, usual = 16;       // spacings
   constexpr double resolved = 5, possible = 7;  // widths of the layer beside the faces; beyond, the series has too many fields
   const double layer = section.thickness / std::sqrt(12 * section.shear_correction);
   double outer = std::min(0.6 * clear, resolved * layer);

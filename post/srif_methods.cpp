@@ -31,9 +31,9 @@ ErrorShares shares_of(const BondedPlate& plate, double horizon, double clear) {
 }
 
 /// Of the rings that fit [length].
-double largest_radius(double clear, double spacing) {
+double largest_radius(double clear, double spacing, bool graded) {
   double result = 0;
-  for (const auto& ring : rings(clear, INFINITY, spacing)) result = std::max(result, ring.outer);
+  for (const auto& ring : rings(clear, spacing, graded)) result = std::max(result, ring.outer);
   return result;
 }
 
@@ -43,7 +43,7 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
     : tip_(place.tip), section_(plate.section), galerkin_(plate.galerkin != nullptr),
       shares_(shares_of(plate, horizon, place.clear)),
       positions_(plate.positions), methods_(options.methods),
-      surroundings_(plate, centred(place.tip, plate), largest_radius(place.clear, plate.spacing)) {
+      surroundings_(plate, centred(place.tip, plate), largest_radius(place.clear, plate.spacing, plate.graded())) {
   const geometry::Tip tip = centred(place.tip, plate);
   const PlateScale scale{plate.section, plate.spacing, horizon, plate.galerkin != nullptr};
   fit(plate, tip, place.clear, options.first_ring_only);
@@ -70,8 +70,8 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
 
 TipMethods::Integral TipMethods::integral_of(const std::string& method, const BondedPlate& plate,
                                              const geometry::Tip& tip, double clear, bool first_ring_only) const {
-  Integral result{method, rings(clear, INFINITY, plate.spacing), {}};
-  if (first_ring_only && !result.rings.empty()) result.rings.resize(1);
+  Integral result{method, rings(clear, plate.spacing, plate.graded()), {}};
+  if (first_ring_only && !result.rings.empty()) result.rings.erase(result.rings.begin() + 1, result.rings.end());
   if (result.rings.empty())
     throw std::invalid_argument(fmt::format("{}: no ring of 4 spacings fits: the next edge, crack, bend or load is {:.1f} "
                                             "spacings away; refine",
@@ -86,9 +86,9 @@ TipMethods::Integral TipMethods::integral_of(const std::string& method, const Bo
 
 /// Fits over the widest range that serves, and over parts of it for the estimate of the error.
 void TipMethods::fit(const BondedPlate& plate, const geometry::Tip& tip, double clear, bool first_only) {
-  const auto range = fit_range(plate.section, clear, plate.spacing, plate.cells && plate.cells->graded);
+  const auto range = fit_range(plate.section, clear, plate.spacing, plate.graded());
   if (!range) {
-    no_fit_ = "series_fit: no range of 5 spacings within 2 thicknesses and 0.9 of the way to the next edge, crack, bend or load; refine";
+    no_fit_ = "series_fit: no range of 4 spacings within 2 thicknesses and 0.9 of the way to the next edge, crack, bend or load; refine";
     return;
   }
   for (const double share : {1.0, 0.65, 0.5}) {

@@ -18,6 +18,8 @@ struct BondedPlate {
   double spacing;
   const plate::GalerkinFamilies* galerkin = nullptr;  // of the Galerkin plate, with their gradients; `families` are theirs
   const geometry::Tessellation* cells = nullptr;      // of the Galerkin plate; positions: seen_positions()
+
+  bool graded() const { return cells && cells->graded; }
 };
 
 /// The annulus in which the extension q falls from 1 to 0 [length].

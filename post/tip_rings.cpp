@@ -54,9 +54,14 @@ geometry::Tip centred(const geometry::Tip& tip, const BondedPlate& plate) {
   return result;
 }
 
-std::vector<Ring> rings(double clear, double reach, double spacing) {
-  const double most = std::min(clear - spacing / 2, reach) / spacing;
+std::vector<Ring> rings(double clear, double spacing, bool graded) {
+  const double most = (clear - spacing / 2) / spacing;
   std::vector<Ring> result;
+  if (graded && most > 16) {
+    for (const double share : {0.6, 0.4, 0.8})
+      result.push_back({std::max(share * clear / 8, 3 * spacing), share * clear});
+    return result;
+  }
   for (const double outer : {16.0, 11.0, 24.0, 7.0})
     if (outer <= most * (1 + 1e-9)) result.push_back({outer / 2 * spacing, outer * spacing});
   if (most > 4 && (result.empty() || (most < 11 && most > 8.5)))

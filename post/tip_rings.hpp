@@ -13,8 +13,10 @@ double clear_distance(const geometry::Outline& outline, const std::vector<geomet
 /// what parts the points, wherever between them it is drawn.
 geometry::Tip centred(const geometry::Tip& tip, const BondedPlate& plate);
 
-/// The rings about a tip, the recommended one first: outer radii of 16, 11, 24 and 7 spacings, inner radii half of them, as far as they
-/// fit into `clear` and `reach`; where none does, one as large as fits. Empty where not even 4 spacings fit.
-std::vector<Ring> rings(double clear, double reach, double spacing);
+/// The rings about a tip, the recommended one first: outer radii of 16, 11, 24 and 7 spacings, inner radii half of them, as far
+/// as they fit into `clear`; where none does, one as large as fits. Empty where not even 4 spacings fit. In graded points,
+/// where any ring has as many points across as another that is as wide in proportion, shares of `clear`, and an eighth
+/// inside. `spacing`: at the tip.
+std::vector<Ring> rings(double clear, double spacing, bool graded);
 
 }  // namespace post

@@ -90,9 +90,11 @@ TEST_CASE("rings keep clear of edges, other cracks, other tips and bends") {
   CHECK(clear({{{0, 30}, {20, 20}, {30, 20}}}) == Approx(10));   // the bend
   CHECK(clear({{{0, 40}, {60, 40}}, {{0, 30}, {30, 30}}}) == Approx(10));
   CHECK(clear({{{0, 30}, {52, 30}}}) == Approx(8));
-  CHECK(rings(30, 1000, 1).size() == 4);
-  CHECK(rings(30, 1000, 1).front().outer == 16);
-  CHECK(rings(9.7, 1000, 1).front().outer == Approx(9.2));
-  CHECK(rings(5.5, 1000, 1).front().outer == Approx(5));
-  CHECK(rings(4.4, 1000, 1).empty());
+  CHECK(rings(30, 1, false).size() == 4);
+  CHECK(rings(30, 1, false).front().outer == 16);
+  CHECK(rings(9.7, 1, false).front().outer == Approx(9.2));
+  CHECK(rings(5.5, 1, false).front().outer == Approx(5));
+  CHECK(rings(4.4, 1, false).empty());
+  CHECK(rings(4.4, 1, true).empty());
+  CHECK(rings(30, 0.01, true).front().outer == Approx(18));
 }
