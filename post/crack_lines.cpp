@@ -11,12 +11,11 @@
 
 #include <stdexcept>
 
-#include "post/vtk.hpp"
-#include "post/whole_file.hpp"
+#include "post/files.hpp"
 
 namespace post {
 
-void write_crack_lines(const std::filesystem::path& path, const std::vector<CrackLine>& cracks) {
+std::string vtp(const std::vector<CrackLine>& cracks) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
@@ -46,7 +45,7 @@ void write_crack_lines(const std::filesystem::path& path, const std::vector<Crac
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError)
     throw std::runtime_error("VTK cannot write the cracks");
-  write_whole(path, writer->GetOutputString());
+  return writer->GetOutputString();
 }
 
 }  // namespace post
