@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <malloc.h>
 #include <omp.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
@@ -179,17 +180,37 @@ int execute(const CLI::App& app, Arguments& a) {
 }
 
 /// Threads that wait must sleep, not spin: with one of two cores busy a static run took 5.1 s spinning and 3.7 s
-/// sleeping; one force evaluation alone took the same. The OpenMP library reads its setting before main: start again.
+/// sleeping; one force evaluation alone took the same. The OpenMP library reads its setting before main.
+bool set_waiting() {
+  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return false;
+  return setenv("OMP_WAIT_POLICY", "passive", 1) == 0;
+}
+
+#ifdef PDPLATE_OWN_OPENMP
+/// Before the constructors of the OpenMP library, which is part of the program.
+[[gnu::constructor(101)]] void wait_without_spinning() {
+  set_waiting();
+}
+void wait_without_spinning(char**) {}
+#else
+/// Starts again: the library has read its setting.
 void wait_without_spinning(char** argv) {
-  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
-  setenv("OMP_WAIT_POLICY", "passive", 1);
-  execv("/proc/self/exe", argv);  // returns only where it fails; then threads spin
+  if (set_waiting()) execv("/proc/self/exe", argv);  // returns only where it fails; then threads spin
+}
+#endif
+
+/// Memory that is given back is kept for the next array: the system clears every page that it hands out, which took a
+/// third of the factorisation of a small plate.
+void keep_memory() {
+  mallopt(M_MMAP_THRESHOLD, 1 << 28);
+  mallopt(M_TRIM_THRESHOLD, 1 << 28);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   wait_without_spinning(argv);
+  keep_memory();
   CLI::App app("Cracked Mindlin plates in ordinary state-based peridynamics");
   app.require_subcommand(1);
   app.set_version_flag("--version", "pdplate " PDPLATE_VERSION, "print the version and exit");

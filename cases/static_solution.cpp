@@ -37,6 +37,13 @@ bool two_level_is_faster(const Case& c, const Assembly& assembly) {
   return iterations_with_diagonal(c) > worth && factor_bytes(assembly.plate().points()) < free_memory() / 2;
 }
 
+/// A Galerkin plate of few points is solved by its own factor. On a lattice coarser plates cost little; triangles have to
+/// be found anew for each of them.
+bool own_factor_is_faster(const Assembly& assembly) {
+  const std::size_t few = assembly.galerkin()->cells.graded ? 40000 : 8000;
+  return assembly.plate().points() <= few;
+}
+
 plate::AssembledPlate assembled_plate(const Assembly& assembly) {
   if (const auto* galerkin = assembly.galerkin()) return {galerkin->op, assembly.boundary.constraints};
   return {*assembly.ordinary(), assembly.boundary.constraints};
@@ -89,6 +96,10 @@ StaticResult solve_at_rest(const Case& c, const Assembly& assembly, const plate:
         plate::conjugate_gradients(assembly.plate(), constraints, load, options, &factor), "direct", {}, factor.bytes()};
   }
   const auto wanted = c.analysis.preconditioner;
+  if (assembly.galerkin() && wanted == automatic && own_factor_is_faster(assembly)) {
+    const plate::AssembledPlate factor = assembled_plate(assembly);
+    return {plate::conjugate_gradients(assembly.plate(), constraints, load, options, &factor), "cg", "factor", factor.bytes()};
+  }
   if (assembly.galerkin() && wanted != diagonal) {
     const auto coarser = galerkin_levels(c, assembly);
     return {plate::conjugate_gradients(assembly.plate(), constraints, load, options, coarser.get()), "cg", "levels",

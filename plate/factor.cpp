@@ -27,28 +27,35 @@ private:
   cholmod_common common_;
 };
 
-/// The products of a sparse factorisation are too small to share out: two threads took 1.4 to 3.3 times as long as one
-/// (Dai 4.1, 250,000 points). Holds for OpenBLAS built with OpenMP.
+/// The products of a sparse factorisation are too small to share out, and CHOLMOD starts four threads for its loops
+/// whatever it is told: measured 1.3 to 1.8 times as long as with none (3,000 to 10,000 points, one thread allowed), and
+/// thirty times as long with two on busy processors. Holds for OpenBLAS built with OpenMP.
 class OneThread {
 public:
-  OneThread() : before_(omp_get_max_threads()) { omp_set_num_threads(1); }
-  ~OneThread() { omp_set_num_threads(before_); }
+  OneThread() : threads_(omp_get_max_threads()), levels_(omp_get_max_active_levels()) {
+    omp_set_num_threads(1);
+    omp_set_max_active_levels(0);
+  }
+  ~OneThread() {
+    omp_set_max_active_levels(levels_);
+    omp_set_num_threads(threads_);
+  }
   OneThread(const OneThread&) = delete;
 
 private:
-  int before_;
+  int threads_, levels_;
 };
 
 /// A view of the matrix; nothing is copied.
-cholmod_sparse view(const Eigen::SparseMatrix<double>& lower, int xtype) {
+cholmod_sparse view(const Eigen::SparseMatrix<double>& lower) {
   cholmod_sparse result{};
   result.nrow = result.ncol = std::size_t(lower.rows());
   result.nzmax = std::size_t(lower.nonZeros());
   result.p = const_cast<int*>(lower.outerIndexPtr());
   result.i = const_cast<int*>(lower.innerIndexPtr());
-  result.x = xtype == CHOLMOD_PATTERN ? nullptr : const_cast<double*>(lower.valuePtr());
+  result.x = const_cast<double*>(lower.valuePtr());
   result.stype = -1;
-  result.itype = CHOLMOD_INT, result.xtype = xtype, result.dtype = CHOLMOD_DOUBLE;
+  result.itype = CHOLMOD_INT, result.xtype = CHOLMOD_REAL, result.dtype = CHOLMOD_DOUBLE;
   result.sorted = result.packed = 1;
   return result;
 }
@@ -66,8 +73,7 @@ struct Factor::Handle {
   }
 };
 
-Factor::Factor(const Eigen::SparseMatrix<double>& lower, std::vector<int> order, double shift)
-    : handle_(std::make_unique<Handle>()) {
+Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift) : handle_(std::make_unique<Handle>()) {
   auto& h = *handle_;
   const OneThread one_thread;
   Eigen::SparseMatrix<double> shifted;
@@ -75,13 +81,11 @@ Factor::Factor(const Eigen::SparseMatrix<double>& lower, std::vector<int> order,
     shifted = lower;
     for (Eigen::Index c = 0; c < shifted.cols(); ++c) shifted.valuePtr()[shifted.outerIndexPtr()[c]] *= 1 + shift;
   }
-  cholmod_sparse matrix = view(shift != 0 ? shifted : lower, CHOLMOD_REAL);
-  if (!order.empty()) {
-    h.common->nmethods = 1;
-    h.common->method[0].ordering = CHOLMOD_GIVEN;
-  }
-  h.factor = order.empty() ? cholmod_analyze(&matrix, &h.common)
-                           : cholmod_analyze_p(&matrix, order.data(), nullptr, 0, &h.common);
+  cholmod_sparse matrix = view(shift != 0 ? shifted : lower);
+  h.common->nmethods = 1;
+  h.common->method[0].ordering = CHOLMOD_NATURAL;
+  h.common->postorder = false;
+  h.factor = cholmod_analyze(&matrix, &h.common);
   if (!h.factor || h.common->status == CHOLMOD_OUT_OF_MEMORY) throw NumericalError("factorisation: not enough memory");
   cholmod_factorize(&matrix, h.factor, &h.common);
   if (h.common->status == CHOLMOD_OUT_OF_MEMORY) throw NumericalError("factorisation: not enough memory");
@@ -105,15 +109,6 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& right) const {
 
 std::size_t Factor::bytes() const {
   return handle_->factor->xsize * sizeof(double) + handle_->factor->ssize * sizeof(int);
-}
-
-std::vector<int> nested_dissection(const Eigen::SparseMatrix<double>& lower) {
-  Common common;
-  cholmod_sparse graph = view(lower, CHOLMOD_PATTERN);
-  std::vector<int> result(std::size_t(lower.rows()));
-  if (!cholmod_metis(&graph, nullptr, 0, true, result.data(), &common))
-    throw NumericalError("nested dissection failed");
-  return result;
 }
 
 }  // namespace plate

@@ -3,14 +3,16 @@
 #include <memory>
 #include <vector>
 
+#include "plate/point_matrix.hpp"
+
 namespace plate {
 
 /// Cholesky factor of a sparse, symmetric, positive definite matrix (CHOLMOD, supernodal).
 class Factor {
 public:
-  /// `lower`: the lower triangle. `order`: the unknowns in the order of elimination; empty: left to CHOLMOD. `shift`
-  /// times the diagonal is added to it. Throws NumericalError where the matrix is not positive.
-  Factor(const Eigen::SparseMatrix<double>& lower, std::vector<int> order, double shift = 0);
+  /// `lower`: the lower triangle, its unknowns in the order of elimination. `shift` times the diagonal is added to it.
+  /// Throws NumericalError where the matrix is not positive.
+  explicit Factor(const Eigen::SparseMatrix<double>& lower, double shift = 0);
   ~Factor();
   Factor(Factor&&) noexcept;
 
@@ -24,7 +26,8 @@ private:
   std::unique_ptr<Handle> handle_;
 };
 
-/// An order of elimination with little fill for a symmetric graph, by nested dissection (METIS).
-std::vector<int> nested_dissection(const Eigen::SparseMatrix<double>& lower);
+/// The points that have unknowns (`diagonal` is positive there) in an order of elimination with little fill, children
+/// before parents and next to them. Minimum degree for few points, nested dissection (METIS) for more.
+std::vector<int> elimination_order(const PointMatrix& matrix, const Forces& diagonal);
 
 }  // namespace plate

@@ -1,6 +1,5 @@
 #include "plate/galerkin_law.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace plate {
@@ -48,74 +47,6 @@ double family_energy(const GalerkinFamilies& families, const Section& section, s
                stiffness.shear_residual * rho * rho);
   }
   return energy;
-}
-
-namespace {
-
-/// Rows of factors of the degrees of freedom of a family, of which the energy is half the sum of squares.
-class SquareRows {
-public:
-  SquareRows(std::size_t bonds)
-      : rows_(Eigen::MatrixXd::Zero(Eigen::Index(5 + 3 * bonds), Eigen::Index(3 * (bonds + 1)))) {}
-
-  using Row = Eigen::RowVectorXd;
-  Row zero() const { return Row::Zero(rows_.cols()); }
-  /// psi_a of a member, psi = (-theta_y, theta_x).
-  static void add_psi(Row& row, std::size_t member, int a, double factor) {
-    row[Eigen::Index(3 * member + (a == 0 ? 2 : 1))] += a == 0 ? -factor : factor;
-  }
-  void square(const Row& row, double factor) { rows_.row(next_++) = std::sqrt(factor) * row; }
-  Eigen::MatrixXd stiffness() const { return rows_.transpose() * rows_; }
-
-private:
-  Eigen::MatrixXd rows_;
-  Eigen::Index next_ = 0;
-};
-
-}  // namespace
-
-Eigen::MatrixXd family_stiffness(const GalerkinFamilies& families, const Section& section, std::size_t k) {
-  const auto family = families.families[k];
-  const auto* bonds = families.of(k);
-  const GalerkinStiffness s(section, families.square(k));
-  const double V = families.areas[k], nu = s.nu;
-  SquareRows rows(family.size());
-  const auto add_psi = SquareRows::add_psi;
-  std::array<std::array<SquareRows::Row, 2>, 2> H{{{rows.zero(), rows.zero()}, {rows.zero(), rows.zero()}}};
-  std::array<SquareRows::Row, 2> gamma{rows.zero(), rows.zero()};
-  std::vector<SquareRows::Row> shears;
-  for (std::size_t i = 0; i < family.size(); ++i) {
-    const Point& x = families.families.vectors()[family[i].vector_id];
-    auto& shear = shears.emplace_back(rows.zero());
-    shear[Eigen::Index(3 * (i + 1))] = 1, shear[0] = -1;
-    for (const int a : {0, 1})
-      for (const std::size_t member : {i + 1, std::size_t(0)}) add_psi(shear, member, a, -x[a] / 2);
-    for (const std::size_t b : {0, 1}) {
-      const double G = bonds[i].gradient[Eigen::Index(b)];
-      gamma[b] += G * shear;
-      for (const int a : {0, 1}) add_psi(H[std::size_t(a)][b], i + 1, a, G), add_psi(H[std::size_t(a)][b], 0, a, -G);
-    }
-  }
-  // kxx^2 + kyy^2 + 2 nu kxx kyy by the sum and the difference
-  rows.square(H[0][0] + H[1][1], V * s.D * (1 + nu) / 2);
-  rows.square(H[0][0] - H[1][1], V * s.D * (1 - nu) / 2);
-  rows.square(H[0][1] + H[1][0], V * s.D * (1 - nu) / 2);
-  for (const auto& row : gamma) rows.square(row, V * s.shear);
-  for (std::size_t i = 0; i < family.size(); ++i) {
-    const Point& x = families.families.vectors()[family[i].vector_id];
-    const double length = x.norm(), bending = bonds[i].share * s.bending_residual;
-    const Point n = x / length, across(-n.y(), n.x());
-    auto along = rows.zero(), aside = rows.zero();  // r . n, r across n
-    for (const int a : {0, 1}) {
-      SquareRows::Row r = -n.x() * H[std::size_t(a)][0] - n.y() * H[std::size_t(a)][1];
-      add_psi(r, i + 1, a, 1 / length), add_psi(r, 0, a, -1 / length);
-      along += n[a] * r, aside += across[a] * r;
-    }
-    rows.square(along, bending);
-    rows.square(aside, bending * (1 - nu) / 2);
-    rows.square(shears[i] / length - n.x() * gamma[0] - n.y() * gamma[1], bonds[i].share * s.shear_residual);
-  }
-  return rows.stiffness();
 }
 
 }  // namespace plate

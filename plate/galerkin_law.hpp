@@ -42,7 +42,4 @@ FamilyStrains family_strains(const GalerkinFamilies& families, std::size_t k, co
 /// Energy of one family [force length].
 double family_energy(const GalerkinFamilies& families, const Section& section, std::size_t k, const State& state);
 
-/// Its second derivative by the degrees of freedom of k and of its members, three each, in the order of the family.
-Eigen::MatrixXd family_stiffness(const GalerkinFamilies& families, const Section& section, std::size_t k);
-
 }  // namespace plate

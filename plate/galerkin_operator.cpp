@@ -1,5 +1,9 @@
 #include "plate/galerkin_operator.hpp"
 
+#include <algorithm>
+
+#include "plate/galerkin_stiffness.hpp"
+
 namespace plate {
 
 GalerkinOperator::GalerkinOperator(GalerkinFamilies families, const Section& section)
@@ -7,8 +11,8 @@ GalerkinOperator::GalerkinOperator(GalerkinFamilies families, const Section& sec
       section_(section),
       rows_(families_, section),
       lists_(families_, section, rows_.others()) {
-  for (std::uint32_t k = 0; k < points() && lattice_stiffness_.size() == 0; ++k)
-    if (families_.kind[k] == 0) lattice_stiffness_ = family_stiffness(families_, section_, k);
+  const auto regular = std::ranges::find(families_.kind, 0u);
+  if (regular != families_.kind.end()) lattice_ = std::uint32_t(regular - families_.kind.begin());
 }
 
 void GalerkinOperator::internal_force(const State& state, Forces& forces) const {
@@ -17,47 +21,60 @@ void GalerkinOperator::internal_force(const State& state, Forces& forces) const 
   lists_.internal_force(state, forces);
 }
 
-/// Adds to every point in no row what the families that it belongs to have for it: local(k, K) of the family of k with
-/// stiffness K, three numbers for every member.
-template <typename Local>
-void GalerkinOperator::gather(const Local& local, Forces& result) const {
+/// Adds to every point in no row what the families that it belongs to have for it: own(family, k, found) leaves three
+/// numbers for every member of the family of k in found.
+template <typename Own>
+void GalerkinOperator::gather(const Own& own, Forces& result) const {
   const auto& f = families_.families;
   const auto& kept = lists_.kept();
-  std::vector<Eigen::VectorXd> found(kept.size());
+  std::vector<std::size_t> first{0};
   std::vector<std::uint32_t> place(points());
-  for (std::uint32_t n = 0; n < kept.size(); ++n) place[kept[n]] = n;
-#pragma omp parallel for schedule(dynamic, 64)
-  for (std::size_t n = 0; n < kept.size(); ++n) {
-    const auto k = kept[n];
-    found[n] = local(k, families_.kind[k] == 0 ? lattice_stiffness_ : family_stiffness(families_, section_, k));
+  for (std::uint32_t n = 0; n < kept.size(); ++n) {
+    place[kept[n]] = n;
+    first.push_back(first.back() + f[kept[n]].size() + 1);
   }
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < rows_.others().size(); ++i) {
-    const auto k = rows_.others()[i];
-    result.col(k) += found[place[k]].head<3>();
-    for (const auto& bond : f[k])
-      result.col(k) += found[place[bond.neighbour]].segment<3>(Eigen::Index(3 * (f[bond.neighbour].find(k) + 1)));
+  std::vector<Eigen::Vector3d> found(first.back());
+#pragma omp parallel
+  {
+    FamilyStiffness single(families_, section_), shared(families_, section_);
+    if (lattice_) shared.find(*lattice_);
+#pragma omp for schedule(dynamic, 64)
+    for (std::size_t n = 0; n < kept.size(); ++n) {
+      const bool regular = families_.kind[kept[n]] == 0;
+      if (!regular) single.find(kept[n]);
+      own(regular ? shared : single, kept[n], found.data() + first[n]);
+    }
+#pragma omp for schedule(static)
+    for (std::size_t i = 0; i < rows_.others().size(); ++i) {
+      const auto k = rows_.others()[i];
+      Eigen::Vector3d sum = found[first[place[k]]];
+      for (const auto& bond : f[k]) sum += found[first[place[bond.neighbour]] + f[bond.neighbour].find(k) + 1];
+      result.col(k) += sum;
+    }
   }
 }
 
 void GalerkinOperator::absolute_product(const State& state, Forces& forces) const {
   forces.setZero(3, state.cols());
   rows_.absolute_product(state, forces);
-  const auto local = [&](std::uint32_t k, const Eigen::MatrixXd& K) -> Eigen::VectorXd {
+  const auto own = [&](const FamilyStiffness& K, std::uint32_t k, Eigen::Vector3d* found) {
     const auto family = families_.families[k];
-    Eigen::VectorXd own(K.cols());
-    own.head<3>() = state.col(k);
-    for (std::size_t b = 0; b < family.size(); ++b)
-      own.segment<3>(Eigen::Index(3 * (b + 1))) = state.col(family[b].neighbour);
-    return K.cwiseAbs() * own;
+    for (std::size_t i = 0; i < K.members(); ++i) {
+      found[i].setZero();
+      for (std::size_t j = 0; j < K.members(); ++j)
+        found[i] += K.block(i, j).cwiseAbs() * state.col(j == 0 ? k : family[j - 1].neighbour);
+    }
   };
-  gather(local, forces);
+  gather(own, forces);
 }
 
 Forces GalerkinOperator::diagonal() const {
   Forces result = Forces::Zero(3, Eigen::Index(points()));
   rows_.diagonal(result);
-  gather([](std::uint32_t, const Eigen::MatrixXd& K) -> Eigen::VectorXd { return K.diagonal(); }, result);
+  const auto own = [](const FamilyStiffness& K, std::uint32_t, Eigen::Vector3d* found) {
+    for (std::size_t i = 0; i < K.members(); ++i) found[i] = K.block(i, i).diagonal();
+  };
+  gather(own, result);
   return result;
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "plate/galerkin_lists.hpp"
 #include "plate/galerkin_rows.hpp"
 #include "plate/operator.hpp"
@@ -25,14 +27,14 @@ public:
   std::size_t bytes() const;
 
 private:
-  template <typename Local>
-  void gather(const Local& local, Forces& result) const;
+  template <typename Own>
+  void gather(const Own& own, Forces& result) const;
 
   GalerkinFamilies families_;
   Section section_;
   GalerkinRows rows_;
   GalerkinLists lists_;
-  Eigen::MatrixXd lattice_stiffness_;  // of a family of kind 0
+  std::optional<std::uint32_t> lattice_;  // a point of kind 0
 };
 
 }  // namespace plate

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "plate/galerkin_stiffness.hpp"
 #include "plate/lanes.hpp"
 
 namespace plate {

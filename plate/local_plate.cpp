@@ -39,18 +39,10 @@ FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& bound
   return {std::move(families), std::move(shapes), areas, std::move(weights)};
 }
 
-std::vector<int> order_of(const Unknowns& unknowns, const Eigen::SparseMatrix<double>& graph) {
-  std::vector<int> result;
-  for (const int k : nested_dissection(graph))
-    for (std::size_t c = 0; c < 3; ++c)
-      if (const auto index = unknowns.index[3 * std::size_t(k) + c]; index >= 0) result.push_back(index);
-  return result;
-}
-
-std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order) {
+std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix) {
   // a part that hangs on two points of the local plate, but on more of the true one, leaves a zero
   for (double shift = 0;; shift = shift == 0 ? 1e-12 : 1e3 * shift) try {
-      return std::make_unique<Factor>(matrix, order, shift);
+      return std::make_unique<Factor>(matrix, shift);
     } catch (const NumericalError&) {
       if (shift > 1e-4) throw;
     }
@@ -74,8 +66,10 @@ LocalPlate::LocalPlate(const FamilyOperator& plate, const Boundary& boundary, co
   const Forces diagonal = folded_diagonal(plate, constraints_);
   inverse_diagonal_ = diagonal.unaryExpr([](double d) { return d > 0 ? sweep / d : 0.0; });
   const FamilyOperator local = local_operator(plate, boundary, section, discretization);
-  unknowns_ = unknowns(folded_diagonal(local, constraints_).cwiseMin(diagonal));
-  factor_ = factorised(stiffness_matrix(local, constraints_, unknowns_, false), order_of(unknowns_, point_graph(local.families())));
+  const Forces both = folded_diagonal(local, constraints_).cwiseMin(diagonal);
+  const PointMatrix matrix = folded(stiffness_matrix(local, false), constraints_);
+  unknowns_ = unknowns(both, elimination_order(matrix, both));
+  factor_ = factorised(of_unknowns(matrix, unknowns_));
 }
 
 void LocalPlate::apply(const Forces& residual, State& result) const {
@@ -93,16 +87,18 @@ void LocalPlate::apply(const Forces& residual, State& result) const {
   result += inverse_diagonal_.cwiseProduct(rest_);
 }
 
+AssembledPlate::AssembledPlate(const Operator& plate, const Constraints& constraints, const PointMatrix& matrix)
+    : constraints_(constraints) {
+  const Forces diagonal = folded_diagonal(plate, constraints);
+  unknowns_ = unknowns(diagonal, elimination_order(matrix, diagonal));
+  factor_ = std::make_unique<Factor>(of_unknowns(matrix, unknowns_));
+}
+
 AssembledPlate::AssembledPlate(const FamilyOperator& plate, const Constraints& constraints)
-    : constraints_(constraints),
-      unknowns_(unknowns(folded_diagonal(plate, constraints))),
-      factor_(std::make_unique<Factor>(stiffness_matrix(plate, constraints, unknowns_, true), std::vector<int>{})) {}
+    : AssembledPlate(plate, constraints, folded(stiffness_matrix(plate, true), constraints)) {}
 
 AssembledPlate::AssembledPlate(const GalerkinOperator& plate, const Constraints& constraints)
-    : constraints_(constraints), unknowns_(unknowns(folded_diagonal(plate, constraints))) {
-  const auto matrix = stiffness_matrix(plate, constraints, unknowns_);
-  factor_ = std::make_unique<Factor>(matrix, order_of(unknowns_, point_graph(plate.families().families)));
-}
+    : AssembledPlate(plate, constraints, folded(stiffness_matrix(plate), constraints)) {}
 
 void AssembledPlate::apply(const Forces& residual, State& result) const {
   const Eigen::MatrixXd solution = factor_->solve(gathered(unknowns_, residual));

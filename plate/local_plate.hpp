@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+
 #include "plate/boundary.hpp"
 #include "plate/factor.hpp"
 #include "plate/preconditioner.hpp"
@@ -41,6 +43,8 @@ public:
   std::size_t bytes() const override { return factor_->bytes(); }
 
 private:
+  AssembledPlate(const Operator& plate, const Constraints& constraints, const PointMatrix& matrix);
+
   const Constraints& constraints_;
   Unknowns unknowns_;
   std::unique_ptr<Factor> factor_;
@@ -50,11 +54,8 @@ private:
 FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
                               const Discretization& discretization);
 
-/// Unknowns in the order of nested dissection of their points; `graph`: pairs of points, lower triangle.
-std::vector<int> order_of(const Unknowns& unknowns, const Eigen::SparseMatrix<double>& graph);
-
 /// The factor of a matrix (lower triangle) that is positive but for zeros, which are lifted.
-std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order);
+std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix);
 
 /// The unknowns of nodal forces, one after the other.
 Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces);

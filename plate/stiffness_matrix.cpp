@@ -1,11 +1,15 @@
 #include "plate/stiffness_matrix.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
+
+#include "plate/galerkin_stiffness.hpp"
 
 namespace plate {
 namespace {
 
-using Entry = MatrixColumn::value_type;
+constexpr std::size_t piece = 512;  // columns that one thread finds at once
 
 /// The bonds of every point, by its run.
 class Bonds {
@@ -25,200 +29,201 @@ private:
   std::vector<std::uint32_t> pattern_;
 };
 
-double component(const PatternBond& bond, std::size_t c) {
-  return c == 1 ? bond.mx : bond.my;
+std::uint32_t neighbour(std::uint32_t k, const PatternBond& bond) {
+  return std::uint32_t(std::int64_t(k) + bond.step);
 }
 
-/// Calls add(degree of freedom, value) for a row of K, values of one entry in several parts.
-template <typename Add>
-void row_of(const FamilyOperator& plate, const Bonds& bonds, std::size_t dof, bool with_dilatation, const Add& add) {
-  const std::size_t k = dof / 3, c = dof % 3;
-  for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
-    const std::size_t j = std::size_t(std::int64_t(k) + bond->step);
-    // shear: w_j - w_k - length/2 m (theta_j + theta_k); curvature: m (theta_j - theta_k)
-    const double own_shear = c == 0 ? -1 : -bond->length / 2 * component(*bond, c);
-    const double shear = bond->shear * own_shear;
-    add(3 * j, shear), add(3 * k, -shear);
-    for (const std::size_t d : {1, 2}) {
-      const double m = component(*bond, d);
-      const double bend = c == 0 ? 0 : -bond->curvature * component(*bond, c) * m;
-      add(3 * j + d, bend - shear * bond->length / 2 * m);
-      add(3 * k + d, -bend - shear * bond->length / 2 * m);
-    }
-  }
-  if (!with_dilatation || c == 0) return;
-  // theta_p = sum D m (theta_j - theta_p) of the point itself and of its neighbours p
-  const auto dilatation = [&](std::size_t p, double share) {
-    const double factor = plate.dilatation_stiffness()[Eigen::Index(p)] * share;
-    if (factor == 0) return;
-    for (auto bond = bonds.begin(p); bond < bonds.end(p); ++bond)
-      for (const std::size_t d : {1, 2}) {
-        const double value = factor * bond->D_kj * component(*bond, d);
-        add(3 * std::size_t(std::int64_t(p) + bond->step) + d, value), add(3 * p + d, -value);
-      }
-  };
-  double own = 0;
-  for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
-    own -= bond->D_kj * component(*bond, c);
-    dilatation(std::size_t(std::int64_t(k) + bond->step), -bond->D_jk * component(*bond, c));
-  }
-  dilatation(k, own);
+Eigen::Vector2d direction(const PatternBond& bond) {
+  return {bond.mx, bond.my};
 }
 
-void merge(std::vector<Entry>& entries) {
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.first < b.first; });
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < entries.size(); ++i) {
-    if (entries[i].first == entries[last].first)
-      entries[last].second += entries[i].second;
-    else
-      entries[++last] = entries[i];
-  }
-  if (!entries.empty()) entries.resize(last + 1);
-}
-
-/// P^T K P of the unknowns, lower triangle. Every thread makes its own `rows`: rows(dof, add) calls add(degree of freedom,
-/// value) for a row of K, values of one entry in several parts.
-template <typename MakeRows>
-Eigen::SparseMatrix<double> folded_matrix(const MakeRows& make_rows, const Constraints& constraints,
-                                          const Unknowns& unknowns) {
-  // what every degree of freedom follows, and what follows every unknown
-  std::vector<std::vector<std::pair<std::uint32_t, double>>> followers(unknowns.dof.size());
-  std::vector<std::vector<Entry>> leaders(unknowns.index.size());
-  for (const auto& tie : constraints.ties())
-    if (const auto leader = unknowns.index[tie.leader]; leader >= 0) {
-      followers[std::size_t(leader)].emplace_back(tie.follower, tie.factor);
-      leaders[tie.follower].emplace_back(leader, tie.factor);
-    }
-
-  const auto size = unknowns.size();
-  std::vector<MatrixColumn> columns(static_cast<std::size_t>(size));
-#pragma omp parallel
-  {
-    std::vector<Entry> entries;
-    auto rows = make_rows();
-#pragma omp for schedule(dynamic, 256)
-    for (Eigen::Index u = 0; u < size; ++u) {
-      entries.clear();
-      const auto add_row = [&](std::uint32_t dof, double factor) {
-        rows(dof, [&](std::size_t other, double value) {
-          if (const auto index = unknowns.index[other]; index >= 0) {
-            if (index >= u) entries.emplace_back(index, factor * value);
-            return;
-          }
-          for (const auto& [index, share] : leaders[other])
-            if (index >= u) entries.emplace_back(index, factor * share * value);
-        });
-      };
-      add_row(unknowns.dof[std::size_t(u)], 1);
-      for (const auto& [dof, factor] : followers[std::size_t(u)]) add_row(dof, factor);
-      merge(entries);
-      columns[std::size_t(u)] = entries;
-    }
-  }
-  return compressed(columns);
-}
-
-/// Rows of the Galerkin plate's K; those of one point are found together.
-class FamilyRowsOf {
+/// The rows of one column of blocks, from the diagonal on, each once.
+class Column {
 public:
-  explicit FamilyRowsOf(const GalerkinOperator& plate) : plate_(plate) {
-    // of the first of them, whichever thread this is: their areas differ in the last bit
-    const auto& families = plate.families();
-    const auto first = std::ranges::find(families.kind, 0u);
-    if (first != families.kind.end())
-      lattice_ = family_stiffness(families, plate.section(), std::uint32_t(first - families.kind.begin()));
-  }
+  explicit Column(std::size_t points) : seen_by_(points, none) {}
 
-  template <typename Add>
-  void operator()(std::size_t dof, const Add& add) {
-    if (point_ != dof / 3) find(std::uint32_t(dof / 3));
-    for (const auto& [point, block] : blocks_)
-      for (std::size_t d = 0; d < 3; ++d) add(3 * std::size_t(point) + d, block(Eigen::Index(dof % 3), Eigen::Index(d)));
+  void begin(std::uint32_t k) {
+    k_ = k;
+    rows_.clear();
+    couple(k);
+  }
+  void couple(std::uint32_t row) {
+    if (row < k_ || seen_by_[row] == k_) return;
+    seen_by_[row] = k_;
+    rows_.push_back(row);
+  }
+  const std::vector<std::uint32_t>& sorted() {
+    std::sort(rows_.begin(), rows_.end());
+    return rows_;
   }
 
 private:
-  void find(std::uint32_t k) {
-    point_ = k;
-    blocks_.clear();
-    const auto& families = plate_.families();
-    add(k, k);
-    for (const auto& bond : families.families[k]) add(bond.neighbour, k);
-  }
-
-  /// The rows of k in the family of `owner`.
-  void add(std::uint32_t owner, std::uint32_t k) {
-    const auto& families = plate_.families();
-    const auto family = families.families[owner];
-    const Eigen::MatrixXd own =
-        families.kind[owner] == 0 ? Eigen::MatrixXd() : family_stiffness(families, plate_.section(), owner);
-    const Eigen::MatrixXd& K = families.kind[owner] == 0 ? lattice_ : own;
-    const auto row = owner == k ? 0 : Eigen::Index(3 * (family.find(k) + 1));
-    for (std::size_t b = 0; b <= family.size(); ++b)
-      blocks_.emplace_back(b == 0 ? owner : family[b - 1].neighbour, K.block<3, 3>(row, Eigen::Index(3 * b)));
-  }
-
-  const GalerkinOperator& plate_;
-  std::size_t point_ = std::size_t(-1);
-  Eigen::MatrixXd lattice_;  // of kind 0
-  std::vector<std::pair<std::uint32_t, Eigen::Matrix3d>> blocks_;
+  static constexpr auto none = std::uint32_t(-1);
+  std::uint32_t k_ = 0;
+  std::vector<std::uint32_t> rows_, seen_by_;
 };
+
+/// A matrix of zeros with the rows that couple(column, k) names.
+template <typename Couple>
+PointMatrix zeros(std::size_t points, const Couple& couple) {
+  std::vector<std::vector<std::uint32_t>> rows((points + piece - 1) / piece);
+  PointMatrix result;
+  result.first.assign(points + 1, 0);
+#pragma omp parallel
+  {
+    Column column(points);
+#pragma omp for schedule(dynamic)
+    for (std::size_t p = 0; p < rows.size(); ++p)
+      for (auto k = p * piece; k < std::min(points, (p + 1) * piece); ++k) {
+        column.begin(std::uint32_t(k));
+        couple(column, std::uint32_t(k));
+        const auto& sorted = column.sorted();
+        rows[p].insert(rows[p].end(), sorted.begin(), sorted.end());
+        result.first[k + 1] = sorted.size();
+      }
+  }
+  for (std::size_t k = 0; k < points; ++k) result.first[k + 1] += result.first[k];
+  result.row.reserve(result.first.back());
+  for (const auto& some : rows) result.row.insert(result.row.end(), some.begin(), some.end());
+  result.block.assign(result.row.size(), Eigen::Matrix3d::Zero());
+  return result;
+}
+
+/// The blocks of one column at a time, by their rows.
+class ColumnBlocks {
+public:
+  explicit ColumnBlocks(PointMatrix& matrix) : matrix_(matrix), place_(matrix.points()) {}
+
+  void begin(std::uint32_t k) {
+    k_ = k;
+    for (auto b = matrix_.first[k]; b < matrix_.first[k + 1]; ++b) place_[matrix_.row[b]] = std::uint32_t(b);
+  }
+  /// Of a row of the column, from the diagonal on.
+  Eigen::Matrix3d& at(std::uint32_t row) { return matrix_.block[place_[row]]; }
+  bool has(std::uint32_t row) const { return row >= k_; }
+
+private:
+  PointMatrix& matrix_;
+  std::uint32_t k_ = 0;
+  std::vector<std::uint32_t> place_;
+};
+
+/// Bending and shear of the bonds of point k.
+void add_bonds(const Bonds& bonds, std::uint32_t k, ColumnBlocks& column) {
+  for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
+    const auto j = neighbour(k, *bond);
+    const Eigen::Vector2d m = direction(*bond), half = bond->length / 2 * m;
+    // shear: w_j - w_k - length / 2 m (theta_j + theta_k); curvature: m (theta_j - theta_k)
+    const Eigen::Vector3d own(-1, -half.x(), -half.y()), other(1, -half.x(), -half.y());
+    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
+    bend.bottomRightCorner<2, 2>() = bond->curvature * m * m.transpose();
+    column.at(k) += bond->shear * own * own.transpose() + bend;
+    if (column.has(j)) column.at(j) += bond->shear * other * own.transpose() - bend;
+  }
+}
+
+/// Dilatations of k and of its neighbours p: theta_p = sum D m (theta_j - theta_p).
+void add_dilatations(const FamilyOperator& plate, const Bonds& bonds, std::uint32_t k, ColumnBlocks& column) {
+  const auto add = [&](std::uint32_t p, const Eigen::Vector2d& by_k) {
+    const Eigen::Vector2d factor = plate.dilatation_stiffness()[p] * by_k;
+    Eigen::Vector2d sum(0, 0);
+    for (auto bond = bonds.begin(p); bond < bonds.end(p); ++bond) {
+      const Eigen::Vector2d by_j = bond->D_kj * direction(*bond);
+      sum -= by_j;
+      const auto j = neighbour(p, *bond);
+      if (column.has(j)) column.at(j).bottomRightCorner<2, 2>() += by_j * factor.transpose();
+    }
+    if (column.has(p)) column.at(p).bottomRightCorner<2, 2>() += sum * factor.transpose();
+  };
+  Eigen::Vector2d own(0, 0);
+  for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
+    own -= bond->D_kj * direction(*bond);
+    add(neighbour(k, *bond), -bond->D_jk * direction(*bond));
+  }
+  add(k, own);
+}
+
+/// A point and its neighbours, ascending, with their places in its family; 0: the point itself.
+struct Members {
+  std::array<std::uint32_t, FamilyStiffness::most_members> point, place;
+  std::size_t count = 0;
+
+  Members(const geometry::Families& families, std::uint32_t k) {
+    std::uint32_t i = 0;
+    bool taken = false;
+    const auto take = [&](std::uint32_t j, std::uint32_t at) { point[count] = j, place[count++] = at; };
+    for (const auto& bond : families[k]) {
+      if (!taken && bond.neighbour > k) take(k, 0), taken = true;
+      take(bond.neighbour, ++i);
+    }
+    if (!taken) take(k, 0);
+  }
+};
+
+/// Adds the blocks of one family in the columns begin ... end - 1.
+void add_family(const FamilyStiffness& family, const Members& members, std::uint32_t begin, std::uint32_t end,
+                PointMatrix& matrix) {
+  for (std::size_t c = 0; c < members.count; ++c) {
+    const auto k = members.point[c];
+    if (k < begin || k >= end) continue;
+    auto at = matrix.first[k];
+    for (auto r = c; r < members.count; ++r) {
+      while (matrix.row[at] != members.point[r]) ++at;
+      matrix.block[at] += family.block(members.place[r], members.place[c]);
+    }
+  }
+}
 
 }  // namespace
 
-Unknowns unknowns(const Forces& diagonal) {
-  Unknowns result;
-  for (std::size_t dof = 0; dof < std::size_t(diagonal.size()); ++dof) {
-    const bool free = at_dof(diagonal, dof) > 0;
-    result.index.push_back(free ? std::int32_t(result.dof.size()) : -1);
-    if (free) result.dof.push_back(std::uint32_t(dof));
-  }
-  return result;
-}
-
-Eigen::SparseMatrix<double> compressed(const std::vector<MatrixColumn>& columns) {
-  const auto size = Eigen::Index(columns.size());
-  Eigen::SparseMatrix<double> result(size, size);
-  std::int64_t count = 0;
-  for (Eigen::Index u = 0; u < size; ++u)
-    result.outerIndexPtr()[u] = int(count), count += std::int64_t(columns[std::size_t(u)].size());
-  result.outerIndexPtr()[size] = int(count);
-  result.resizeNonZeros(count);
-  for (Eigen::Index u = 0; u < size; ++u) {
-    auto at = result.outerIndexPtr()[u];
-    for (const auto& [row, value] : columns[std::size_t(u)])
-      result.innerIndexPtr()[at] = row, result.valuePtr()[at++] = value;
-  }
-  return result;
-}
-
-Eigen::SparseMatrix<double> stiffness_matrix(const FamilyOperator& plate, const Constraints& constraints,
-                                             const Unknowns& unknowns, bool with_dilatation) {
+PointMatrix stiffness_matrix(const FamilyOperator& plate, bool with_dilatation) {
   const Bonds bonds(plate);
-  const auto make_rows = [&] {
-    return [&](std::size_t dof, const auto& add) { row_of(plate, bonds, dof, with_dilatation, add); };
-  };
-  return folded_matrix(make_rows, constraints, unknowns);
-}
-
-Eigen::SparseMatrix<double> stiffness_matrix(const GalerkinOperator& plate, const Constraints& constraints,
-                                             const Unknowns& unknowns) {
-  return folded_matrix([&] { return FamilyRowsOf(plate); }, constraints, unknowns);
-}
-
-Eigen::SparseMatrix<double> point_graph(const geometry::Families& families) {
-  const auto size = Eigen::Index(families.points());
-  Eigen::SparseMatrix<double> result(size, size);
-  std::vector<int> counts;
-  for (std::size_t k = 0; k < families.points(); ++k)
-    counts.push_back(int(families[k].size()) + 1);
-  result.reserve(counts);
-  for (std::size_t k = 0; k < families.points(); ++k) {
-    result.insert(Eigen::Index(k), Eigen::Index(k)) = 1;
-    for (const auto& bond : families[k])
-      if (bond.neighbour > k) result.insert(bond.neighbour, Eigen::Index(k)) = 1;
+  auto result = zeros(plate.points(), [&](Column& column, std::uint32_t k) {
+    for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
+      const auto p = neighbour(k, *bond);
+      column.couple(p);
+      if (!with_dilatation) continue;
+      for (auto next = bonds.begin(p); next < bonds.end(p); ++next) column.couple(neighbour(p, *next));
+    }
+  });
+#pragma omp parallel
+  {
+    ColumnBlocks column(result);
+#pragma omp for schedule(dynamic, 64)
+    for (std::uint32_t k = 0; k < plate.points(); ++k) {
+      column.begin(k);
+      add_bonds(bonds, k, column);
+      if (with_dilatation) add_dilatations(plate, bonds, k, column);
+    }
   }
-  result.makeCompressed();
+  return result;
+}
+
+PointMatrix stiffness_matrix(const GalerkinOperator& plate) {
+  const auto& all = plate.families();
+  const auto points = plate.points();
+  auto result = zeros(points, [&](Column& column, std::uint32_t k) {
+    for (const auto& bond : all.families[k]) {
+      column.couple(bond.neighbour);
+      for (const auto& next : all.families[bond.neighbour]) column.couple(next.neighbour);
+    }
+  });
+  // every thread has columns of its own, and adds the families to them in their order; of the lattice there is one,
+  // whichever thread this is: areas of its points differ in the last bit
+  const auto lattice = std::uint32_t(std::ranges::find(all.kind, 0u) - all.kind.begin());
+#pragma omp parallel
+  {
+    const auto threads = std::size_t(omp_get_num_threads()), thread = std::size_t(omp_get_thread_num());
+    const auto begin = std::uint32_t(points * thread / threads), end = std::uint32_t(points * (thread + 1) / threads);
+    FamilyStiffness own(all, plate.section()), shared(all, plate.section());
+    if (lattice < points) shared.find(lattice);
+    for (std::uint32_t k = 0; k < points && begin < end; ++k) {
+      const Members members(all.families, k);
+      if (members.point[members.count - 1] < begin || members.point[0] >= end) continue;
+      if (all.kind[k] != 0) own.find(k);
+      add_family(all.kind[k] == 0 ? shared : own, members, begin, end, result);
+    }
+  }
   return result;
 }
 

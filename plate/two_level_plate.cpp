@@ -41,39 +41,26 @@ int remainder(std::int32_t i) {
   return ((i % window) + window) % window;
 }
 
-/// The diagonal of columns of a lower triangle, one column for every degree of freedom.
-Forces diagonal_of(const std::vector<MatrixColumn>& columns) {
-  Forces result(3, Eigen::Index(columns.size() / 3));
-  for (std::size_t dof = 0; dof < columns.size(); ++dof) {
-    const auto& column = columns[dof];
-    at_dof(result, dof) = !column.empty() && column.front().first == std::int32_t(dof) ? column.front().second : 0;
+/// A matrix of zeros that couples every coarse point to those in the window about it.
+PointMatrix zeros(const std::vector<Transfer::Cell>& cells, const Cells& index) {
+  PointMatrix result;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto begin = std::ptrdiff_t(result.row.size());
+    for (int y = -window / 2; y <= window / 2; ++y)
+      for (int x = -window / 2; x <= window / 2; ++x)
+        if (const auto j = index.at({cells[i].column + x, cells[i].row + y}); j >= std::int32_t(i))
+          result.row.push_back(std::uint32_t(j));
+    std::sort(result.row.begin() + begin, result.row.end());
+    result.first.push_back(result.row.size());
   }
+  result.block.assign(result.row.size(), Eigen::Matrix3d::Zero());
   return result;
 }
 
-/// Drops what is zero but for rounding: it would fill the factor.
-void without_rounding(std::vector<MatrixColumn>& columns) {
-  constexpr double rounding = 1e-12;
-  const Forces diagonal = diagonal_of(columns);
-#pragma omp parallel for schedule(static)
-  for (std::size_t dof = 0; dof < columns.size(); ++dof)
-    std::erase_if(columns[dof], [&](const auto& entry) {
-      const double scale = at_dof(diagonal, dof) * at_dof(diagonal, std::size_t(entry.first));
-      return entry.second * entry.second <= rounding * rounding * scale;
-    });
-}
-
-/// Pairs of points that the columns couple, lower triangle.
-Eigen::SparseMatrix<double> graph_of(const std::vector<MatrixColumn>& columns) {
-  std::vector<MatrixColumn> result(columns.size() / 3);
-  for (std::size_t dof = 0; dof < columns.size(); ++dof)
-    for (const auto& [row, value] : columns[dof]) result[dof / 3].emplace_back(row / 3, 1);
-  for (std::size_t k = 0; k < result.size(); ++k) {
-    result[k].emplace_back(std::int32_t(k), 1);
-    std::sort(result[k].begin(), result[k].end());
-    result[k].erase(std::unique(result[k].begin(), result[k].end()), result[k].end());
-  }
-  return compressed(result);
+Forces diagonal_of(const PointMatrix& matrix) {
+  Forces result(3, Eigen::Index(matrix.points()));
+  for (std::size_t k = 0; k < matrix.points(); ++k) result.col(Eigen::Index(k)) = matrix.block[matrix.first[k]].diagonal();
+  return result;
 }
 
 }  // namespace
@@ -84,25 +71,19 @@ TwoLevelPlate::TwoLevelPlate(const FamilyOperator& plate, const Boundary& bounda
   const Forces diagonal = folded_diagonal(plate, constraints_);
   inverse_diagonal_ = diagonal.unaryExpr([](double d) { return d > 0 ? weight / d : 0.0; });
   const LatticeOperator local(local_operator(plate, boundary, section, discretization));
-  const auto columns = coarse_stiffness(local);
-  const Forces coarse_diagonal = diagonal_of(columns);
-  unknowns_ = unknowns(coarse_diagonal);
-  std::vector<MatrixColumn> free;
-  for (const auto dof : unknowns_.dof) {
-    free.emplace_back();
-    for (const auto& [row, value] : columns[dof])
-      if (const auto index = unknowns_.index[std::size_t(row)]; index >= 0) free.back().emplace_back(index, value);
-  }
-  factor_ = factorised(compressed(free), order_of(unknowns_, graph_of(columns)));
+  const PointMatrix matrix = coarse_stiffness(local);
+  const Forces coarse_diagonal = diagonal_of(matrix);
+  unknowns_ = unknowns(coarse_diagonal, elimination_order(matrix, coarse_diagonal));
+  factor_ = factorised(of_unknowns(matrix, unknowns_));
 }
 
-/// Columns of R L R^T with the local plate L, lower triangle: one product with L for all coarse points that are too far
-/// from each other to meet in it.
-std::vector<MatrixColumn> TwoLevelPlate::coarse_stiffness(const FamilyOperator& local) const {
+/// R L R^T with the local plate L: one product with L for all coarse points that are too far from each other to meet
+/// in it.
+PointMatrix TwoLevelPlate::coarse_stiffness(const FamilyOperator& local) const {
   const auto& cells = transfer_.cells();
   const Cells index(cells);
   const auto coarse_points = Eigen::Index(cells.size());
-  std::vector<MatrixColumn> columns(std::size_t(3 * coarse_points));
+  PointMatrix result = zeros(cells, index);
   State coarse(3, coarse_points), fine(3, Eigen::Index(local.points()));
   Forces force;
   for (int color = 0; color < window * window; ++color)
@@ -124,14 +105,14 @@ std::vector<MatrixColumn> TwoLevelPlate::coarse_stiffness(const FamilyOperator& 
         const int x = remainder(column - c.column + window / 2) - window / 2,
                   y = remainder(row - c.row + window / 2) - window / 2;
         const auto j = index.at({c.column + x, c.row + y});
-        for (int d = 0; j >= 0 && d < 3; ++d)
-          if (const double value = -coarse(d, i); value != 0 && 3 * j + component >= std::int32_t(3 * i) + d)
-            columns[std::size_t(3 * i + d)].emplace_back(3 * j + component, value);
+        if (j < std::int32_t(i)) continue;
+        const auto begin = result.row.begin() + std::ptrdiff_t(result.first[std::size_t(i)]),
+                   end = result.row.begin() + std::ptrdiff_t(result.first[std::size_t(i) + 1]);
+        const auto at = std::lower_bound(begin, end, std::uint32_t(j)) - result.row.begin();
+        result.block[std::size_t(at)].row(component) = -coarse.col(i).transpose();
       }
     }
-  for (auto& column : columns) std::sort(column.begin(), column.end());
-  without_rounding(columns);
-  return columns;
+  return without_rounding(result);
 }
 
 void TwoLevelPlate::apply(const Forces& residual, State& result) const {

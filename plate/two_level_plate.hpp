@@ -17,7 +17,7 @@ public:
   std::size_t bytes() const override { return factor_->bytes(); }
 
 private:
-  std::vector<MatrixColumn> coarse_stiffness(const FamilyOperator& local) const;
+  PointMatrix coarse_stiffness(const FamilyOperator& local) const;
 
   const FamilyOperator& plate_;
   const Constraints& constraints_;

@@ -7,13 +7,12 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include "post/vtk.hpp"
-#include "post/whole_file.hpp"
+#include "post/files.hpp"
 #include "post/xml_text.hpp"
 
 namespace post {
 
-void write_crack_lines(const std::filesystem::path& path, const std::vector<CrackLine>& cracks) {
+std::string vtp(const std::vector<CrackLine>& cracks) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
@@ -36,7 +35,7 @@ void write_crack_lines(const std::filesystem::path& path, const std::vector<Crac
 
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
-  write_whole(path, xml_text(*writer, "cracks"));
+  return xml_text(*writer, "cracks");
 }
 
 }  // namespace post

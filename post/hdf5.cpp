@@ -160,101 +160,105 @@ void write_points(hid_t file, const Mesh& mesh) {
                       {"1", "share of the full family severed by cracks and edges"});
 }
 
-}  // namespace
-
-/// The open file.
-struct StateFile::Handle {
-  std::filesystem::path path, partial;
-  hsize_t points = 0;
-  std::size_t frames = 0;
-  Id file, tables, group;
-  Series state, velocity, step, time;
-
-  void release() {
-    for (Series* series : {&state, &velocity, &step, &time}) checked(series->release(), "closing");
-    for (Id* id : {&group, &tables, &file}) checked(id->release(), "closing");
-  }
-
-  ~Handle() {  // what close() has not renamed by now is no good
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-  }
-};
-
-StateFile::StateFile(std::filesystem::path path, const Mesh& mesh, const std::string& resolved_case,
-                     const std::string& version)
-    : handle_(std::make_unique<Handle>()) {
-  hdf5::keep_quiet();
-  Handle& h = *handle_;
-  h.path = h.partial = std::move(path);
-  h.partial += ".partial";
-  h.points = mesh.positions.size();
-  h.file = Id(H5Fcreate(h.partial.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, h.partial);
-  write_attribute(h.file, "program", "PDPlate");
-  write_attribute(h.file, "version", version);
-  write_attribute(h.file, "case", resolved_case);
-  write_attribute(h.file, "format_version", H5T_NATIVE_INT, &hdf5::format_version);
-  write_points(h.file, mesh);
-  h.tables = new_group(h.file, "tables");
-  h.group = new_group(h.file, "frames");
-  constexpr hsize_t instants = 256;  // stored together
-  h.state = Series(h.group, "state", {h.points, 3}, 1, {"length, 1, 1", "w, theta_x, theta_y of every point"});
-  h.step = Series(h.group, "step", {}, instants, {"1", "number of the time step or iteration"});
-  h.time = Series(h.group, "time", {}, instants, {"time", "time of the frame"});
-}
-
-StateFile::StateFile(StateFile&&) noexcept = default;
-
-StateFile::~StateFile() {
-  if (!handle_ || handle_->frames == 0) return;
-  try {
-    close();  // the frames up to a failure are worth keeping
-  } catch (...) {
-  }
-}
-
-namespace {
-
 /// Point by point, as the file has it.
 Eigen::Matrix3Xd by_points(const plate::State& state) { return state; }
 
-}  // namespace
-
-void StateFile::write(const Frame& frame, const plate::State* velocity) {
-  Handle& h = *handle_;
-  const auto fits = [&](const plate::State& state) { return static_cast<hsize_t>(state.cols()) == h.points; };
-  if (!fits(frame.state) || (velocity && !fits(*velocity))) {
-    throw std::invalid_argument(fmt::format("{}: a frame does not have {} points", h.path.string(), h.points));
+/// A file that is removed at the end, however that comes about: what has not been renamed by then is no good.
+struct Partial : std::filesystem::path {
+  explicit Partial(path of) : path(std::move(of += ".partial")) {}
+  Partial(const Partial&) = delete;
+  ~Partial() {
+    std::error_code ignored;
+    std::filesystem::remove(*this, ignored);
   }
-  require_space(h.partial, 2 * 3 * sizeof(double) * h.points);
-  h.state.write(h.frames, by_points(frame.state).data());
+};
+
+/// state.h5 while it is written, as state.h5.partial.
+class OpenStateFile : public StateFile::Open {
+public:
+  OpenStateFile(std::filesystem::path path, const Mesh& mesh, const std::string& resolved_case,
+                const std::string& version)
+      : path_(std::move(path)), partial_(path_), points_(mesh.positions.size()) {
+    hdf5::keep_quiet();
+    file_ = Id(H5Fcreate(partial_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, partial_);
+    write_attribute(file_, "program", "PDPlate");
+    write_attribute(file_, "version", version);
+    write_attribute(file_, "case", resolved_case);
+    write_attribute(file_, "format_version", H5T_NATIVE_INT, &hdf5::format_version);
+    write_points(file_, mesh);
+    tables_ = new_group(file_, "tables");
+    group_ = new_group(file_, "frames");
+    constexpr hsize_t instants = 256;  // stored together
+    state_ = Series(group_, "state", {points_, 3}, 1, {"length, 1, 1", "w, theta_x, theta_y of every point"});
+    step_ = Series(group_, "step", {}, instants, {"1", "number of the time step or iteration"});
+    time_ = Series(group_, "time", {}, instants, {"time", "time of the frame"});
+  }
+
+  ~OpenStateFile() override {
+    if (frames_ > 0) try {
+        close();  // the frames up to a failure are worth keeping
+      } catch (...) {
+      }
+  }
+
+  void write(const Frame& frame, const plate::State* velocity) override;
+  void write(const std::string& name, const Table& table) override;
+
+  void close() override {
+    if (closed_) return;
+    closed_ = true;
+    write_whole(path_, [&](const auto&) { release(); });
+  }
+
+private:
+  void release() {
+    for (Series* series : {&state_, &velocity_, &step_, &time_}) checked(series->release(), "closing");
+    for (Id* id : {&group_, &tables_, &file_}) checked(id->release(), "closing");
+  }
+
+  std::filesystem::path path_;
+  Partial partial_;
+  hsize_t points_ = 0;
+  std::size_t frames_ = 0;
+  bool closed_ = false;
+  Id file_, tables_, group_;
+  Series state_, velocity_, step_, time_;
+};
+
+void OpenStateFile::write(const Frame& frame, const plate::State* velocity) {
+  const auto fits = [&](const plate::State& state) { return static_cast<hsize_t>(state.cols()) == points_; };
+  if (!fits(frame.state) || (velocity && !fits(*velocity))) {
+    throw std::invalid_argument(fmt::format("{}: a frame does not have {} points", path_.string(), points_));
+  }
+  require_space(partial_, 2 * 3 * sizeof(double) * points_);
+  state_.write(frames_, by_points(frame.state).data());
   if (velocity) {
     const Meaning meaning{"length/time, 1/time, 1/time", "rates of w, theta_x, theta_y"};
-    if (!h.velocity.exists()) h.velocity = Series(h.group, "velocity", {h.points, 3}, 1, meaning);
-    h.velocity.write(h.frames, by_points(*velocity).data());
+    if (!velocity_.exists()) velocity_ = Series(group_, "velocity", {points_, 3}, 1, meaning);
+    velocity_.write(frames_, by_points(*velocity).data());
   }
   const auto step = static_cast<double>(frame.step);
-  h.step.write(h.frames, &step);
-  h.time.write(h.frames, &frame.time);
-  checked(H5Fflush(h.file, H5F_SCOPE_LOCAL), h.partial);
-  ++h.frames;
+  step_.write(frames_, &step);
+  time_.write(frames_, &frame.time);
+  checked(H5Fflush(file_, H5F_SCOPE_LOCAL), partial_);
+  ++frames_;
 }
 
-void StateFile::write(const std::string& name, const Table& table) {
-  Handle& h = *handle_;
+void OpenStateFile::write(const std::string& name, const Table& table) {
   constexpr std::size_t bytes_per_cell = 32;  // a word of a few letters
-  require_space(h.partial, bytes_per_cell * table.rows.size() * table.columns.size());
-  if (checked(H5Lexists(h.tables, name.c_str(), H5P_DEFAULT), name) > 0) {
-    checked(H5Ldelete(h.tables, name.c_str(), H5P_DEFAULT), name);
+  require_space(partial_, bytes_per_cell * table.rows.size() * table.columns.size());
+  if (checked(H5Lexists(tables_, name.c_str(), H5P_DEFAULT), name) > 0) {
+    checked(H5Ldelete(tables_, name.c_str(), H5P_DEFAULT), name);
   }
-  const Id group = new_group(h.tables, name);
+  const Id group = new_group(tables_, name);
   for (std::size_t column = 0; column < table.columns.size(); ++column) write_column(group, table, column);
 }
 
-void StateFile::close() {
-  if (!handle_) return;
-  const std::unique_ptr<Handle> handle = std::move(handle_);
-  write_whole(handle->path, [&](const auto&) { handle->release(); });
+}  // namespace
+
+std::unique_ptr<StateFile::Open> open_state_file(std::filesystem::path path, const Mesh& mesh,
+                                                 const std::string& resolved_case, const std::string& version) {
+  return std::make_unique<OpenStateFile>(std::move(path), mesh, resolved_case, version);
 }
 
 }  // namespace post

@@ -21,9 +21,17 @@ public:
   void write(const std::string& name, const Table& table);
   void close();
 
+  /// The open file (files.hpp).
+  class Open {
+  public:
+    virtual ~Open() = default;
+    virtual void write(const Frame& frame, const plate::State* velocity) = 0;
+    virtual void write(const std::string& name, const Table& table) = 0;
+    virtual void close() = 0;
+  };
+
 private:
-  struct Handle;
-  std::unique_ptr<Handle> handle_;
+  std::unique_ptr<Open> open_;
 };
 
 /// What `pdplate srif` needs of a finished run.

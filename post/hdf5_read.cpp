@@ -69,7 +69,7 @@ StoredRun read_frames(hid_t file) {
 
 }  // namespace
 
-StoredRun read_run(const std::filesystem::path& path) {
+StoredRun read_state_file(const std::filesystem::path& path) {
   hdf5::keep_quiet();
   const Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path);
   try {

@@ -1,4 +1,4 @@
-#include "post/vtk.hpp"
+#include "post/files.hpp"
 
 #include <fmt/format.h>
 #include <vtkCellType.h>
@@ -10,10 +10,8 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <bit>
 #include <stdexcept>
 
-#include "post/whole_file.hpp"
 #include "post/xml_text.hpp"
 
 namespace post {
@@ -97,31 +95,13 @@ std::string vtu(vtkUnstructuredGrid& grid) {
   return xml_text(*writer, "fields");
 }
 
-std::string file_name(std::size_t frame) {
-  return fmt::format("fields_{:04}.vtu", frame);
-}
-
-std::string pvd(const std::vector<double>& times) {
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"{}\">\n  <Collection>\n",
-      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", times[i], file_name(i));
-  }
-  return text + "  </Collection>\n</VTKFile>\n";
-}
-
 }  // namespace
 
-VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh) : folder_(std::move(folder)), mesh_(std::move(mesh)) {}
-
-void VtkSeries::write(const Frame& frame) {
+std::string vtu(const Mesh& mesh, const Frame& frame) {
   vtkNew<vtkUnstructuredGrid> grid;
-  insert_points_and_cells(*grid, mesh_);
-  insert_fields(*grid, mesh_, frame);
-  write_whole(folder_ / file_name(times_.size()), vtu(*grid));
-  times_.push_back(frame.time);
-  write_whole(folder_ / "fields.pvd", pvd(times_));
+  insert_points_and_cells(*grid, mesh);
+  insert_fields(*grid, mesh, frame);
+  return vtu(*grid);
 }
 
 }  // namespace post

@@ -3,6 +3,7 @@
 
 #include "plate/galerkin_boundary.hpp"
 #include "plate/galerkin_operator.hpp"
+#include "plate/galerkin_stiffness.hpp"
 #include "plate/loads.hpp"
 
 /// Galerkin plates small enough for dense matrices.
