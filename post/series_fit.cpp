@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <stdexcept>
 
 namespace post {
 namespace {
@@ -26,50 +25,65 @@ std::vector<std::uint32_t> points_within(const BondedPlate& plate, const TipFram
   return result;
 }
 
-}  // namespace
-
-SeriesFit::SeriesFit(const BondedPlate& plate, const geometry::Tip& tip, const FitRange& range) {
-  const TipFrame frame(tip);
-  points_ = points_within(plate, frame, range);
-  const TipSeries series(plate.section, range.outer, range.order);
-  const auto count = Eigen::Index(points_.size());
-  constexpr double least_surplus = 1.5;  // equations per unknown
-  if (3 * double(count) < least_surplus * double(series.size()))
-    throw std::invalid_argument("too few points about the tip for a fit of its fields");
-  Eigen::MatrixXd fields(3 * count, series.size());
-  Eigen::VectorXd weight(count);
-#pragma omp parallel for schedule(static)
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto k = points_[std::size_t(i)];
-    const Eigen::Matrix3Xd values = series(polar(frame, plate.positions[k], plate.spacing));
-    weight[i] = std::sqrt(plate.areas[k]);
-    fields.row(3 * i) = weight[i] / range.outer * values.row(0);
-    fields.middleRows(3 * i + 1, 2) = weight[i] * values.bottomRows(2);
-  }
+/// The row of a fit of the fields (columns; three rows a point, weighted) to a state: K = F R^-1 Q^T of their QR.
+Eigen::MatrixXd rows_of(Eigen::MatrixXd fields, const Eigen::Matrix3Xd& factors) {
   const Eigen::VectorXd scale = fields.colwise().norm().cwiseInverse();
   fields = fields * scale.asDiagonal();
-  // K = F R^-1 Q^T: the rows are Q of R^-T F^T
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(fields);
-  const Eigen::MatrixXd wanted = (series.factors() * scale.asDiagonal()).transpose();
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(3 * count, 3);
-  rows.topRows(series.size()) = qr.matrixQR().topRows(series.size()).triangularView<Eigen::Upper>().transpose().solve(wanted);
+  const Eigen::MatrixXd wanted = (factors * scale.asDiagonal()).transpose();
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(fields.rows(), 3);
+  rows.topRows(fields.cols()) = qr.matrixQR().topRows(fields.cols()).triangularView<Eigen::Upper>().transpose().solve(wanted);
   rows.applyOnTheLeft(qr.householderQ());
+  return rows;
+}
 
-  row_.resize(3, 3 * count);
+}  // namespace
+
+std::vector<SeriesFit> series_fits(const BondedPlate& plate, const geometry::Tip& tip, const FitRange& range,
+                                   const std::vector<double>& shares) {
+  const TipFrame frame(tip);
+  const auto points = points_within(plate, frame, range);
+  const TipSeries series(plate.section, range.outer, range.order);
+  std::vector<Polar> places;
+  for (const auto k : points) places.push_back(polar(frame, plate.positions[k], plate.spacing));
+  const Eigen::MatrixXd fields = series(places);
+  // of w / outer, psi_x', psi_y' to w, theta_x, theta_y: psi = (-theta_y, theta_x)
   const Point left = frame.left();
-  for (Eigen::Index i = 0; i < count; ++i) {
-    // of w, psi_x', psi_y' to w, theta_x, theta_y: psi = (-theta_y, theta_x)
-    Eigen::Matrix3d turn;
-    turn << 1 / range.outer, 0, 0, 0, frame.ahead.y(), -frame.ahead.x(), 0, left.y(), -left.x();
-    row_.middleCols(3 * i, 3) = weight[i] * rows.middleRows(3 * i, 3).transpose() * turn;
+  Eigen::Matrix3d turn;
+  turn << 1 / range.outer, 0, 0, 0, frame.ahead.y(), -frame.ahead.x(), 0, left.y(), -left.x();
+
+  std::vector<SeriesFit> result;
+  for (const double share : shares) {
+    FitRange narrower{range.inner, share * range.outer, share == 1 ? range.order : fit_order(plate.section, share * range.outer)};
+    std::vector<Eigen::Index> within, columns;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (places[i].r <= narrower.outer) within.push_back(Eigen::Index(i));
+    for (std::size_t n = 0; n < series.orders().size(); ++n)
+      if (series.orders()[n] <= narrower.order) columns.push_back(Eigen::Index(n));
+    constexpr double least_surplus = 1.5;  // equations per unknown
+    if (3 * double(within.size()) < least_surplus * double(columns.size())) break;
+    SeriesFit fit{narrower, {}, Eigen::Matrix3Xd(3, 3 * Eigen::Index(within.size()))};
+    Eigen::MatrixXd own(3 * Eigen::Index(within.size()), Eigen::Index(columns.size()));
+    std::vector<double> weight;
+    for (std::size_t i = 0; i < within.size(); ++i) {
+      fit.points.push_back(points[std::size_t(within[i])]);
+      weight.push_back(std::sqrt(plate.areas[fit.points.back()]));
+      const Eigen::Vector3d each = weight.back() * Eigen::Vector3d(1 / range.outer, 1, 1);
+      own.middleRows(3 * Eigen::Index(i), 3) = each.asDiagonal() * fields.middleRows(3 * within[i], 3)(Eigen::all, columns);
+    }
+    const Eigen::MatrixXd rows = rows_of(std::move(own), series.factors()(Eigen::all, columns));
+    for (std::size_t i = 0; i < within.size(); ++i)
+      fit.row.middleCols(3 * Eigen::Index(i), 3) = weight[i] * rows.middleRows(3 * Eigen::Index(i), 3).transpose() * turn;
+    result.push_back(std::move(fit));
   }
+  return result;
 }
 
 Eigen::Vector3d SeriesFit::operator()(const NearField& field) const {
   Eigen::Vector3d K = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const auto u = field(points_[i]);
-    K += row_.middleCols(3 * Eigen::Index(i), 3) * Eigen::Vector3d(u.w, u.theta_x, u.theta_y);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto u = field(points[i]);
+    K += row.middleCols(3 * Eigen::Index(i), 3) * Eigen::Vector3d(u.w, u.theta_x, u.theta_y);
   }
   return K;
 }
@@ -86,7 +100,7 @@ std::optional<FitRange> fit_range(const plate::Section& section, double clear, d
   if (!graded) outer = std::min(outer, usual * spacing);
   if (outer < least * spacing) outer = std::min(0.9 * clear, least * spacing);
   if (outer < least * spacing || outer > possible * layer) return std::nullopt;
-  return FitRange{std::max(2.5 * spacing, graded ? outer / 16 : 0.15 * outer), outer, fit_order(section, outer)};
+  return FitRange{std::max(2.5 * spacing, 0.15 * outer), outer, fit_order(section, outer)};
 }
 
 }  // namespace post

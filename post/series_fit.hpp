@@ -12,20 +12,18 @@ struct FitRange {
 };
 
 /// K1, K2, K3 by least squares of the displacements of all points about a tip to the fields that the plate can have there
-/// (theory.md, "Fit of the fields about a tip"; for plane problems Ayatollahi and Nejati 2011). A linear functional of the
-/// state, whose row is found once.
-class SeriesFit {
-public:
-  /// Throws std::invalid_argument where the range has too few points.
-  SeriesFit(const BondedPlate& plate, const geometry::Tip& tip, const FitRange& range);
+/// (theory.md, "Fields about a tip"; for plane problems Ayatollahi and Nejati 2011). A linear functional of the state.
+struct SeriesFit {
+  FitRange range;
+  std::vector<std::uint32_t> points;
+  Eigen::Matrix3Xd row;  // per point: of w, theta_x, theta_y
 
   Eigen::Vector3d operator()(const NearField& field) const;
-  std::size_t points() const { return points_.size(); }
-
-private:
-  std::vector<std::uint32_t> points_;
-  Eigen::Matrix3Xd row_;  // per point: of w, theta_x, theta_y
 };
+
+/// Fits over `range` and over the given shares of it, as far as these hold enough points: 1 is the first.
+std::vector<SeriesFit> series_fits(const BondedPlate& plate, const geometry::Tip& tip, const FitRange& range,
+                                   const std::vector<double>& shares);
 
 /// The range that serves a tip best, `clear` [length] being free about it: as large as the series allows.
 /// Nothing where it would hold too few points.

@@ -91,25 +91,15 @@ void TipMethods::fit(const BondedPlate& plate, const geometry::Tip& tip, double 
     no_fit_ = "series_fit: no range of 4 spacings within 2 thicknesses and 0.9 of the way to the next edge, crack, bend or load; refine";
     return;
   }
-  for (const double share : {1.0, 0.65, 0.5}) {
-    FitRange narrower = *range;
-    narrower.outer *= share;
-    narrower.order = fit_order(plate.section, narrower.outer);
-    try {
-      fits_.push_back({narrower, SeriesFit(plate, tip, narrower)});
-    } catch (const std::invalid_argument& reason) {
-      if (fits_.empty()) no_fit_ = reason.what();
-      return;
-    }
-    if (first_only) return;
-  }
+  fits_ = series_fits(plate, tip, *range, first_only ? std::vector{1.0} : std::vector{1.0, 0.65, 0.5});
+  if (fits_.empty()) no_fit_ = "series_fit: too few points about the tip for a fit of its fields; refine";
 }
 
 std::vector<FitSrif> TipMethods::fitted(const NearField& field) const {
   std::vector<FitSrif> result;
-  for (const auto& [range, fit] : fits_) {
+  for (const auto& fit : fits_) {
     const Eigen::Vector3d K = fit(field);
-    result.push_back({range.inner, range.outer, K[0], K[1], K[2]});
+    result.push_back({fit.range.inner, fit.range.outer, K[0], K[1], K[2]});
   }
   return result;
 }
@@ -148,7 +138,7 @@ Srif TipMethods::by_fit(const std::vector<FitSrif>& fits) const {
   Srif result;
   result.position = tip_.position;
   result.method = "series_fit";
-  result.samples = fits_.front().fit.points();
+  result.samples = fits_.front().points.size();
   result.fits = fits;
   result.K1 = fits.front().K1, result.K2 = fits.front().K2, result.K3 = fits.front().K3;
   return result;

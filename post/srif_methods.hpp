@@ -54,11 +54,7 @@ private:
   std::vector<std::string> methods_, left_out_;
   TipSurroundings surroundings_;
   std::vector<Integral> integrals_;
-  struct Fit {
-    FitRange range;
-    SeriesFit fit;
-  };
-  std::vector<Fit> fits_;  // the widest first; none where the field within a thickness is not resolved
+  std::vector<SeriesFit> fits_;  // the widest first; none where the field within a thickness is not resolved
   std::string no_fit_;     // why
   std::vector<DisplacementExtrapolation> openings_;
   std::vector<DisplacementExtrapolation> mix_;        // one, where it is not: proportions from the opening

@@ -178,8 +178,9 @@ private:
 
   /// The series that begins with psi of degree n/2, or with w of degree n/2 + 1.
   Field series(Powers psi, Powers w, int n) const {
-    constexpr int most = 40;  // of steps; 12 to 20 are taken
-    constexpr double negligible = 1e-13;
+    constexpr int most = 40;  // of steps; 8 to 15 are taken
+    constexpr double negligible = 1e-11;
+    const int order = n;
     Powers all_psi = psi, all_w = w;
     if (psi.empty()) all_psi = psi = rotation({}, w, n), n += 4;
     for (int step = 0; step < most; ++step, n += 4) {
@@ -190,13 +191,13 @@ private:
       for (const auto& [key, c] : psi) largest = std::max(largest, std::abs(c));
       if (largest < negligible) break;
     }
-    return {sign_ > 0, terms(all_w), terms(all_psi)};
+    return {sign_ > 0, order, terms(all_w), terms(all_psi)};
   }
 
   static std::vector<Term> terms(const Powers& sum) {
     std::vector<Term> result;
     for (const auto& [key, c] : sum)
-      if (std::abs(c) > 1e-15) result.push_back({key.first + key.second, key.first - key.second, c});
+      if (std::abs(c) > 1e-14) result.push_back({key.first + key.second, key.first - key.second, c});
     return result;
   }
 
@@ -207,46 +208,65 @@ private:
 TipSeries::TipSeries(const plate::Section& section, double radius, int order) : radius_(radius) {
   const double D = section.bending_stiffness(), S = section.shear_stiffness();
   Maker maker(section.poisson, S * radius * radius / D);
-  fields_ = maker.fields(order);
-  factors_.resize(3, size());
+  const auto fields = maker.fields(order);
+  factors_.resize(3, Eigen::Index(fields.size()));
   const double root = std::sqrt(2 * radius);
-  for (Eigen::Index n = 0; n < size(); ++n) {
-    const Field& field = fields_[std::size_t(n)];
+  for (const auto& field : fields) {
     // M = -D kappa with tension at z > 0, Q = S gamma
-    factors_.col(n) = Eigen::Vector3d(-D / radius * root, -D / radius * root, S * root).cwiseProduct(maker.ahead(field));
-    for (const auto* terms : {&field.w, &field.psi})
-      for (const auto& term : *terms)
-        highest_p_ = std::max(highest_p_, term.twice_p), highest_q_ = std::max(highest_q_, std::abs(term.twice_q));
+    factors_.col(size()) = Eigen::Vector3d(-D / radius * root, -D / radius * root, S * root).cwiseProduct(maker.ahead(field));
+    orders_.push_back(field.order);
   }
+  even_ = half(fields, true), odd_ = half(fields, false);
 }
 
-Eigen::Matrix3Xd TipSeries::operator()(const Polar& at) const {
-  std::vector<double> power(std::size_t(highest_p_) + 1);
-  std::vector<std::complex<double>> turn(2 * std::size_t(highest_q_) + 1);
-  const double root = std::sqrt(at.r / radius_);
-  power[0] = 1;
-  for (std::size_t p = 1; p < power.size(); ++p) power[p] = power[p - 1] * root;
-  for (int q = 0; q <= highest_q_; ++q) {
-    const auto value = std::polar(1.0, q * at.angle / 2);
-    turn[std::size_t(highest_q_ + q)] = value, turn[std::size_t(highest_q_ - q)] = std::conj(value);
+TipSeries::Half TipSeries::half(const std::vector<Field>& fields, bool even) {
+  Half result;
+  std::map<std::pair<int, int>, Eigen::Index> index;
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    if (fields[n].even != even) continue;
+    result.fields.push_back(Eigen::Index(n));
+    for (const auto* terms : {&fields[n].w, &fields[n].psi})
+      for (const auto& term : *terms) index.try_emplace({term.twice_p, term.twice_q}, 0);
   }
-  const auto sum = [&](const std::vector<Term>& terms) {
-    double x = 0, y = 0;
-    for (const auto& [p, q, c] : terms) {
-      const double scale = c * power[std::size_t(p)];
-      const auto& direction = turn[std::size_t(highest_q_ + q)];
-      x += scale * direction.real(), y += scale * direction.imag();
+  for (auto& [term, place] : index) place = Eigen::Index(result.terms.size()), result.terms.push_back(term);
+  result.w = result.psi = Eigen::MatrixXd::Zero(Eigen::Index(index.size()), Eigen::Index(result.fields.size()));
+  for (std::size_t i = 0; i < result.fields.size(); ++i) {
+    const Field& field = fields[std::size_t(result.fields[i])];
+    for (const auto& [p, q, c] : field.w) result.w(index.at({p, q}), Eigen::Index(i)) = c;
+    for (const auto& [p, q, c] : field.psi) result.psi(index.at({p, q}), Eigen::Index(i)) = c;
+  }
+  return result;
+}
+
+Eigen::MatrixXd TipSeries::operator()(const std::vector<Polar>& places) const {
+  const auto count = Eigen::Index(places.size());
+  Eigen::MatrixXd result(3 * count, size());
+  for (const bool even : {true, false}) {
+    const Half& half = even ? even_ : odd_;
+    Eigen::MatrixXd x(count, Eigen::Index(half.terms.size())), y(count, x.cols());
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const auto [r, angle] = places[std::size_t(k)];
+      // powers by multiplication: terms come in ascending p, then ascending q
+      const double root = std::sqrt(r / radius_);
+      const std::complex<double> turn = std::polar(1.0, angle);  // q goes on by whole numbers
+      double power = 1;
+      std::complex<double> direction = 1;
+      for (std::size_t t = 0; t < half.terms.size(); ++t) {
+        const auto [p, q] = half.terms[t];
+        const int p_before = t ? half.terms[t - 1].first : 0, q_before = t ? half.terms[t - 1].second : 0;
+        for (int n = p_before; n < p; ++n) power *= root;
+        if (t && p == p_before && q == q_before + 2)
+          direction *= turn;
+        else
+          direction = std::polar(1.0, q * angle / 2);
+        x(k, Eigen::Index(t)) = power * direction.real(), y(k, Eigen::Index(t)) = power * direction.imag();
+      }
     }
-    return std::array{x, y};
-  };
-  Eigen::Matrix3Xd result(3, size());
-  for (Eigen::Index n = 0; n < size(); ++n) {
-    const Field& field = fields_[std::size_t(n)];
-    const auto w = sum(field.w), psi = sum(field.psi);
-    if (field.even)
-      result.col(n) << radius_ * w[0], psi[0], psi[1];
-    else
-      result.col(n) << -radius_ * w[1], -psi[1], psi[0];
+    const Eigen::MatrixXd w = radius_ * (even ? x : y) * half.w * (even ? 1 : -1);
+    const Eigen::MatrixXd first = (even ? x : y) * half.psi * (even ? 1 : -1), second = (even ? y : x) * half.psi;
+    for (std::size_t i = 0; i < half.fields.size(); ++i)
+      for (Eigen::Index k = 0; k < count; ++k)
+        result.col(half.fields[i]).segment<3>(3 * k) << w(k, Eigen::Index(i)), first(k, Eigen::Index(i)), second(k, Eigen::Index(i));
   }
   return result;
 }

@@ -14,28 +14,41 @@ public:
   /// distances up to `radius` [length].
   TipSeries(const plate::Section& section, double radius, int order);
 
-  Eigen::Index size() const { return Eigen::Index(fields_.size()); }
-  /// w, psi_x', psi_y' (rows) of every field (columns), of the size of w / radius and psi in them [length, 1, 1].
-  Eigen::Matrix3Xd operator()(const Polar& at) const;
+  Eigen::Index size() const { return Eigen::Index(orders_.size()); }
+  /// The n with which every field begins.
+  const std::vector<int>& orders() const { return orders_; }
+  /// w, psi_x', psi_y' of every field (columns) at all places (three rows each), of the size of w / radius and psi in them
+  /// [length, 1, 1].
+  Eigen::MatrixXd operator()(const std::vector<Polar>& places) const;
   /// K1, K2, K3 (rows) of every field (columns).
   const Eigen::Matrix3Xd& factors() const { return factors_; }
 
 private:
-  /// Re sum c r^p exp(i q angle) of w and sum c r^p exp(i q angle) of psi_x' + i psi_y', p and q in halves from the lowest.
+  /// c r^p exp(i q angle), p and q in halves.
   struct Term {
     int twice_p, twice_q;
     double c;
   };
+  /// Re of sums of such terms is w, and sums of others are psi_x' + i psi_y'; in odd fields i times that.
   struct Field {
-    bool even;  // w in y'; the coefficients of an odd field are i times those that are stored
+    bool even;  // w in y'
+    int order;
     std::vector<Term> w, psi;
+  };
+  /// The fields of one symmetry: what they take (columns) of the same terms.
+  struct Half {
+    std::vector<std::pair<int, int>> terms;  // twice p and q
+    std::vector<Eigen::Index> fields;
+    Eigen::MatrixXd w, psi;                  // terms x fields
   };
   class Maker;
 
+  static Half half(const std::vector<Field>& fields, bool even);
+
   double radius_;
-  std::vector<Field> fields_;
+  std::vector<int> orders_;
+  Half even_, odd_;
   Eigen::Matrix3Xd factors_;
-  int highest_p_ = 0, highest_q_ = 0;
 };
 
 }  // namespace post

@@ -38,7 +38,7 @@ struct Scene {
     series.factors().row(mode).cwiseAbs().maxCoeff(&own);
     plate::State state(3, Eigen::Index(cloud.size()));
     for (std::size_t k = 0; k < cloud.size(); ++k) {
-      const Eigen::Vector3d u = series(polar(TipFrame(tip), cloud.positions[k], 1)).col(own) / series.factors()(mode, own);
+      const Eigen::Vector3d u = series({polar(TipFrame(tip), cloud.positions[k], 1)}).col(own) / series.factors()(mode, own);
       state.col(Eigen::Index(k)) << u[0], u[2], -u[1];
     }
     return state;
@@ -50,7 +50,7 @@ struct Scene {
 TEST_CASE("a unit field sampled on the lattice has its own energy release rate and factors") {
   const Scene s;
   const Ring ring{4, 8};
-  const SeriesFit fit(s.plate, s.tip, {3, 9, 6});
+  const SeriesFit fit = series_fits(s.plate, s.tip, {3, 9, 6}, {1}).at(0);
   for (int mode = 0; mode < 3; ++mode) {
     const auto state = s.field(mode);
     const double unit = unit_release(section)[mode];

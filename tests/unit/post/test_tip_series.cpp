@@ -15,7 +15,7 @@ struct Derivatives {
 Derivatives derivatives(const TipSeries& series, double r, double angle, double step) {
   const auto at = [&](int i, int j) {
     const double x = r * std::cos(angle) + i * step, y = r * std::sin(angle) + j * step;
-    return series({std::hypot(x, y), std::atan2(y, x)});
+    return series({{std::hypot(x, y), std::atan2(y, x)}});
   };
   const auto first = [&](auto&& f) -> Eigen::Matrix3Xd { return (8 * (f(1) - f(-1)) - (f(2) - f(-2))) / (12 * step); };
   const auto second = [&](auto&& f) -> Eigen::Matrix3Xd {
@@ -46,8 +46,7 @@ TEST_CASE("fields about a tip: equilibrium inside") {
           CAPTURE(n);
           CHECK(std::abs(mx) < 1e-6 * size);
           CHECK(std::abs(my) < 1e-6 * size);
-          const bool loaded = n == series.size() / 2 && false;
-          if (!loaded) CHECK((std::abs(q) < 1e-6 * size || std::abs(q - 1) < 1e-6 * size));  // 1: of the even load
+          CHECK((std::abs(q) < 1e-6 * size || std::abs(q - 1) < 1e-6 * size));  // 1: of the even load
         }
       }
     }
@@ -63,7 +62,7 @@ TEST_CASE("fields about a tip: free faces, and the factors of what is ahead") {
       const double step = 1e-5;
       const auto at = [&](double along, int n) {
         const double y = n * step;
-        return series({std::hypot(along, y), face * (std::numbers::pi - std::atan2(y, along))});
+        return series({{std::hypot(along, y), face * (std::numbers::pi - std::atan2(y, along))}});
       };
       const Eigen::Matrix3Xd across = face * (4 * at(r, 1) - 3 * at(r, 0) - at(r, 2)) / (2 * step);
       const Eigen::Matrix3Xd along = -(at(r + step, 0) - at(r - step, 0)) / (2 * step);
@@ -77,7 +76,7 @@ TEST_CASE("fields about a tip: free faces, and the factors of what is ahead") {
       }
     }
   const double r = 1e-8, step = 1e-3 * r, root = std::sqrt(2 * r);
-  const auto at = [&](double x, double y) { return series({std::hypot(x, y), std::atan2(y, x)}); };
+  const auto at = [&](double x, double y) { return series({{std::hypot(x, y), std::atan2(y, x)}}); };
   const Eigen::Matrix3Xd x = (at(r + step, 0) - at(r - step, 0)) / (2 * step), y = (at(r, step) - at(r, -step)) / (2 * step);
   for (Eigen::Index n = 0; n < series.size(); ++n) {
     const double M1 = -D * (y(2, n) + nu * x(1, n)), M2 = -D * (1 - nu) / 2 * (y(1, n) + x(2, n)), Q = S * (y(0, n) - at(r, 0)(2, n));
