@@ -56,14 +56,14 @@ std::optional<Point> neighbour(const Curves& curves, const Point& tip) {
 }
 
 void add_ring(TriangleMesh& mesh, const Sizing& sizing, const Point& tip, const Point& back, double r,
-              std::int32_t& at) {
+              std::array<std::int32_t, 2>& at) {
   const double wanted = sizing(tip + r * back);
   const auto count = std::max(6L, std::lround(2 * std::numbers::pi * r / (0.93 * wanted)));
   for (long n = 1; n < count; ++n) {
     // both sides in turn, so that they look the same
     const double angle = 2 * std::numbers::pi / double(count) * double(n % 2 == 1 ? (n + 1) / 2 : -(n / 2));
     const Point x = tip + r * (std::cos(angle) * back + std::sin(angle) * Point(-back.y(), back.x()));
-    if (std::abs(sizing(x) - wanted) < 0.02 * wanted) add(mesh, x, wanted, at);
+    if (std::abs(sizing(x) - wanted) < 0.02 * wanted) add(mesh, x, wanted, at[n % 2]);
   }
 }
 
@@ -74,8 +74,9 @@ void add_rings(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing, c
     const auto from = neighbour(curves, tip);
     if (!from || sizing(tip) >= 1) continue;
     const Point back = (*from - tip).normalized();
-    auto at = mesh.locate(tip, 0, false).triangle;
-    if (at == TriangleMesh::none) continue;
+    const auto start = mesh.locate(tip, 0, false).triangle;
+    if (start == TriangleMesh::none) continue;
+    std::array<std::int32_t, 2> at{start, start};  // triangles that were changed last, on either side
     double r = 0;
     for (const double next : radii(curves, sizing, tip, back)) add_ring(mesh, sizing, tip, back, r = next, at);
     for (double size = sizing(tip - r * back); size < 1;) {
