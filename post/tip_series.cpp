@@ -178,8 +178,8 @@ private:
 
   /// The series that begins with psi of degree n/2, or with w of degree n/2 + 1.
   Field series(Powers psi, Powers w, int n) const {
-    constexpr int most = 40;  // of steps; 8 to 15 are taken
-    constexpr double negligible = 1e-11;
+    constexpr int most = 40;  // of steps; 6 to 12 are taken
+    constexpr double negligible = 1e-9;
     const int order = n;
     Powers all_psi = psi, all_w = w;
     if (psi.empty()) all_psi = psi = rotation({}, w, n), n += 4;
@@ -197,7 +197,7 @@ private:
   static std::vector<Term> terms(const Powers& sum) {
     std::vector<Term> result;
     for (const auto& [key, c] : sum)
-      if (std::abs(c) > 1e-14) result.push_back({key.first + key.second, key.first - key.second, c});
+      if (std::abs(c) > 1e-12) result.push_back({key.first + key.second, key.first - key.second, c});
     return result;
   }
 
@@ -248,14 +248,14 @@ Eigen::MatrixXd TipSeries::operator()(const std::vector<Polar>& places) const {
       const auto [r, angle] = places[std::size_t(k)];
       // powers by multiplication: terms come in ascending p, then ascending q
       const double root = std::sqrt(r / radius_);
-      const std::complex<double> turn = std::polar(1.0, angle);  // q goes on by whole numbers
+      const std::complex<double> turn = std::polar(1.0, 2 * angle);  // q goes on by two of one p
       double power = 1;
       std::complex<double> direction = 1;
       for (std::size_t t = 0; t < half.terms.size(); ++t) {
         const auto [p, q] = half.terms[t];
         const int p_before = t ? half.terms[t - 1].first : 0, q_before = t ? half.terms[t - 1].second : 0;
         for (int n = p_before; n < p; ++n) power *= root;
-        if (t && p == p_before && q == q_before + 2)
+        if (t && p == p_before && q == q_before + 4)
           direction *= turn;
         else
           direction = std::polar(1.0, q * angle / 2);
