@@ -25,9 +25,10 @@ Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const plate::Sec
 /// Calibrated: theory.md, "What the estimated errors mean".
 ErrorShares shares_of(const BondedPlate& plate, double horizon, double clear) {
   const double layer = plate.section.thickness / std::sqrt(12 * plate.section.shear_correction);
-  if (!plate.galerkin) return {1, 1, 1e-3, 0.04, horizon / 2 / layer};
   // an error of the first order, the larger the fewer points lie between the tip and what is next to it
-  return {1, 1, std::max(1e-3, 0.04 * plate.spacing / clear), 0.04, plate.spacing / layer};
+  const double spacing = plate.spacing / clear;
+  if (plate.galerkin) return {0.6, 1, std::max(1e-3, 0.04 * spacing), 0.04, plate.spacing / layer};
+  return {0.6, 1, std::max(1e-3, 0.1 * spacing), 0.04, horizon / 2 / layer};
 }
 
 /// Of the rings that fit [length].
