@@ -46,6 +46,7 @@ struct Case {
   geometry::Outline outline;
   std::vector<geometry::Polyline> cracks;
   plate::Discretization discretization;
+  std::string formulation_reason = "as the case says";  // why discretization.formulation is what it is
   std::vector<plate::Support> supports;
   std::vector<plate::Load> loads;
   Analysis analysis;

@@ -1,3 +1,4 @@
+#include "cases/formulations.hpp"
 #include "cases/keys.hpp"
 #include "geometry/crack_extension.hpp"
 
@@ -40,11 +41,6 @@ bool axis_parallel(const geometry::Outline& outline, const std::string& name) {
   return true;
 }
 
-bool is_layer(SupportKind kind) {
-  using enum SupportKind;
-  return kind == clamped_layer || kind == simply_supported_layer || kind == simply_supported_hard_layer;
-}
-
 bool needs_axis_parallel(SupportKind kind) {
   return kind == SupportKind::symmetry || kind == SupportKind::simply_supported_hard || is_layer(kind);
 }
@@ -84,10 +80,6 @@ void check_supports(const Case& content, Reading& reading) {
         reading.complain(entry + ".edges",
                          fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second));
       const bool galerkin = content.discretization.formulation == plate::Formulation::galerkin;
-      if (galerkin && is_layer(support.kind))
-        reading.complain(entry + ".kind",
-                         "a layer outside the plate has no meaning with formulation = \"galerkin\", whose points lie on the "
-                         "edges; choose \"clamped\", \"simply_supported\" or \"simply_supported_hard\"");
       if (!galerkin && needs_axis_parallel(support.kind) && reading.sound(entry + ".kind") && !axis_parallel(content.outline, edge))
         reading.complain(entry + ".edges",
                          fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
@@ -139,23 +131,6 @@ void check_precision(const Case& content, Reading& reading) {
                                  rounding, largest));
 }
 
-/// What one formulation has and the other has not.
-void check_formulation(const Case& content, Reading& reading) {
-  using enum Analysis::Preconditioner;
-  const auto wanted = content.analysis.preconditioner;
-  if (content.discretization.formulation == plate::Formulation::ordinary) {
-    if (wanted == levels)
-      reading.complain("analysis.preconditioner",
-                       "\"levels\" is of formulation = \"galerkin\"; choose \"auto\", \"diagonal\", \"local\" or \"two_level\"");
-    return;
-  }
-  if (wanted == local || wanted == two_level)
-    reading.complain("analysis.preconditioner", "the plate with a short horizon is of formulation = \"ordinary\"; choose "
-                                                "\"auto\", \"diagonal\" or \"levels\"");
-  if (content.analysis.precision == Analysis::Precision::mixed)
-    reading.complain("analysis.precision", "\"mixed\" is of formulation = \"ordinary\"; choose \"double\"");
-}
-
 void check_probes(const Case& content, Reading& reading) {
   for (const auto& [name, point] : content.output.probes)
     if (!on_plate(content.outline, point))
@@ -202,18 +177,12 @@ void check_switch(const Case& content, Reading& reading) {
     reading.complain("growth.unstable", "\"move\" given: cracks of broken bonds cannot be handed over to a motion; choose \"stop\" or \"jump\"");
   if (growth.control != fracture::Growth::Control::load)
     reading.complain("growth.control", "must be \"load\" with unstable = \"move\": the loads stay while the plate moves");
-  if (content.discretization.formulation != plate::Formulation::ordinary)
-    reading.complain("discretization.formulation", "growth in motion severs bonds over a horizon; choose \"ordinary\"");
 }
 
-/// Bonds that break one by one, and tips that run through a moving plate, do so in families over a horizon.
-void check_formulation_of_growth(const Case& content, Reading& reading) {
+/// How the states between which bonds break one by one, or tips run, may be found.
+void check_analysis_of_growth(const Case& content, Reading& reading) {
   const bool moves = content.analysis.kind == Analysis::Kind::dynamic;
   if (!moves && !content.growth->by_bonds()) return;
-  if (content.discretization.formulation != plate::Formulation::ordinary)
-    reading.complain("discretization.formulation",
-                     fmt::format("{} bonds over a horizon; choose \"ordinary\"",
-                                 content.growth->by_bonds() ? "bonds that break one by one are" : "growth in motion severs"));
   if (content.analysis.precision == Analysis::Precision::mixed)
     reading.complain("analysis.precision", "growth is in double precision only; choose \"double\"");
   if (moves) return;
@@ -226,7 +195,7 @@ void check_formulation_of_growth(const Case& content, Reading& reading) {
 void check_growth(const Case& content, Reading& reading) {
   if (!content.growth || !reading.sound("geometry")) return;
   check_criterion(*content.growth, reading);
-  check_formulation_of_growth(content, reading);
+  check_analysis_of_growth(content, reading);
   if (content.analysis.kind == Analysis::Kind::static_) check_switch(content, reading);
   const auto paths = geometry::crack_paths(content.outline, content.cracks, tolerance(content.outline));
   if (!content.growth->by_bonds() && geometry::tips(paths).empty())
@@ -252,10 +221,10 @@ void check_growth(const Case& content, Reading& reading) {
 void check_case(const Case& content, Reading& reading) {
   if (content.loads.empty() && reading.kind != Analysis::Kind::frequencies && reading.sound("load"))
     reading.complain("load", "nothing loads the plate: give at least one [[load]]");
+  check_formulation(content, reading);
   if (!check_geometry(content, reading)) return;
   check_spacing(content, reading);
   check_precision(content, reading);
-  check_formulation(content, reading);
   check_supports(content, reading);
   check_loads(content, reading);
   check_probes(content, reading);

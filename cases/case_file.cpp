@@ -1,6 +1,7 @@
 #include "cases/case_file.hpp"
 #include <fstream>
 #include <sstream>
+#include "cases/formulations.hpp"
 #include "cases/keys.hpp"
 
 namespace cases {
@@ -71,7 +72,9 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<std::str
 
   Case content;
   content.title = path.stem().string();
+  content.discretization.formulation = plate::Formulation::galerkin;  // unless the file states another
   read_fields(case_fields(), Value(root, "", reading), content);
+  settle_formulation(states_formulation(root), content, reading);
   check_case(content, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   reading.found().content = std::move(content);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "cases/formulations.hpp"
 #include "cases/gate.hpp"
 #include "cases/growth_results.hpp"
 #include "cases/progress.hpp"
@@ -121,6 +122,8 @@ post::Summary summary_of(const CaseFile& file, const GrowingPlate& plate) {
   post::Summary summary;
   if (plate.last()) summary = about(file.content, plate.last()->assembly);
   summary.title = file.content.title;
+  summary.formulation = formulation_name(file.content.discretization.formulation);
+  summary.formulation_reason = file.content.formulation_reason;
   summary.analysis.kind = "static";
   describe(summary.analysis, plate.method(), plate.solution(), file.content.analysis.tolerance);
   summary.outcome = "done";

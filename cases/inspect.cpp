@@ -1,10 +1,11 @@
+#include <fmt/format.h>
+#include <sstream>
 #include "cases/assembly.hpp"
+#include "cases/formulations.hpp"
 #include "cases/gate.hpp"
 #include "cases/results.hpp"
 #include "cases/run.hpp"
 #include "cases/scene.hpp"
-#include <fmt/format.h>
-#include <sstream>
 
 namespace cases {
 namespace {
@@ -33,9 +34,10 @@ std::string cost(const CaseFile& file) {
   assembly.plate().internal_force(state, forces);
   stopwatch.lap("product");
 
-  std::string text = fmt::format("{}\npoints        {} and {} fictitious\nbonds         {} and {} to fictitious points\n",
-                                 file.content.title, cloud.plate_points, assembly.boundary.fictitious.size(),
-                                 assembly.bonds(), assembly.fictitious_bonds());
+  std::string text = fmt::format(
+      "{}\nformulation   {} ({})\npoints        {} and {} fictitious\nbonds         {} and {} to fictitious points\n",
+      file.content.title, formulation_name(file.content.discretization.formulation), file.content.formulation_reason,
+      cloud.plate_points, assembly.boundary.fictitious.size(), assembly.bonds(), assembly.fictitious_bonds());
   text += fmt::format("tips          {}\nset-up        {:.2f} s\none step      {:.2e} s\n", assembly.tips.size(),
                       stopwatch.total() - stopwatch.seconds("product"), stopwatch.seconds("product"));
   if (file.content.analysis.kind == Analysis::Kind::dynamic) text += dynamic_cost(file, assembly);

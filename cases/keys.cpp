@@ -18,22 +18,6 @@ Fields<plate::Section> section_fields() {
   };
 }
 
-/// The Galerkin plate has no horizon to correct.
-void check_formulation(const Value& given, plate::Discretization& d) {
-  if (d.formulation != plate::Formulation::galerkin) return;
-  const plate::Discretization standard;
-  const auto refuse = [&](const std::string& name, bool is_standard, const std::string& reason) {
-    if (!is_standard)
-      given.reading().complain(given.below(name), "has no meaning with formulation = \"galerkin\": " + reason + "; remove it");
-  };
-  refuse("influence", d.influence == standard.influence, "its families are the points of the cells about a point");
-  refuse("volume_correction", d.volume_correction == standard.volume_correction, "its families end at whole cells");
-  refuse("surface_correction", d.surface_correction == standard.surface_correction,
-         "points lie on edges and cracks, nothing is to be corrected there");
-  refuse("full_horizon", d.full_horizon == standard.full_horizon, "its families need no calibration");
-  refuse("twist_match", d.twist_match == standard.twist_match, "its families need no calibration");
-}
-
 Fields<plate::Discretization> discretization_fields() {
   using namespace plate;
   using D = Discretization;
@@ -43,9 +27,14 @@ Fields<plate::Discretization> discretization_fields() {
       number<D>("spacing", "length", &D::spacing, positive, "distance of the points; at least 4 across the plate")
           .required(),
       number<D>("horizon_ratio", "-", &D::horizon_ratio, {1.5, 20}, "horizon / spacing"),
-      choice<D, Formulation>("formulation", &D::formulation,
-                             {{{"ordinary", Formulation::ordinary}, {"galerkin", Formulation::galerkin}}},
-                             "bonds of the ordinary state-based plate, or the Galerkin plate"),
+      choice<D, Formulation>(
+          "formulation", &D::formulation,
+          {{{"ordinary", Formulation::ordinary},
+            {"galerkin", Formulation::galerkin},
+            {"auto", Formulation::galerkin}}},  // until all is read: settle_formulation
+          "bonds of the ordinary state-based plate, the Galerkin plate, or the latter unless the case asks "
+          "for what only bonds have; see \"Formulations\"")
+          .standard("\"auto\""),
       choice<D, Influence>("influence", &D::influence,
                            {{{"inverse", Influence::inverse}, {"constant", Influence::constant}}},
                            "influence function: horizon / length, or 1"),
@@ -67,7 +56,8 @@ Fields<plate::Discretization> discretization_fields() {
       choice<D, TwistMatch>("twist_match", &D::twist_match,
                             {{{"frame_invariant", TwistMatch::frame_invariant}, {"paper", TwistMatch::paper}}},
                             "calibration of the twist constant: independent of the axes, or as in Dai et al., Eq. 35"),
-      number<D>("tip_spacing", "length", &D::tip_spacing, positive, "distance of the points at crack tips").with(galerkin),
+      number<D>("tip_spacing", "length", &D::tip_spacing, positive, "distance of the points at crack tips")
+          .with(galerkin),
       number<D>("hole_spacing", "length", &D::hole_spacing, positive, "distance of the points at holes").with(galerkin),
       number<D>("spacing_growth", "-", &D::spacing_growth, {0.02, 1}, "growth of that distance per length from there")
           .with(galerkin),
@@ -96,14 +86,12 @@ const Fields<Case>& case_fields() {
       table<Case, plate::Section>("section", Layout::block, &Case::section, section_fields()),
       table<Case, Case>("geometry", Layout::block, std::identity{}, geometry_fields(), name_holes),
       table<Case, plate::Discretization>("discretization", Layout::block, &Case::discretization,
-                                         discretization_fields(), check_formulation),
+                                         discretization_fields()),
       tables<Case, plate::Support>("support", Layout::block, &Case::supports, support_fields()),
-      tables<Case, plate::Load>("load", Layout::block, &Case::loads, load_fields(), check_load)
-          .used_in(loaded),
+      tables<Case, plate::Load>("load", Layout::block, &Case::loads, load_fields(), check_load).used_in(loaded),
       table<Case, Analysis>("analysis", Layout::block, &Case::analysis, analysis_fields(), check_analysis),
       table<Case, fracture::Growth>("growth", Layout::block, &Case::growth, growth_fields()).used_in(loaded),
-      table<Case, post::SrifOptions>("srif", Layout::block, &Case::srif, srif_fields(), check_srif)
-          .used_in(loaded),
+      table<Case, post::SrifOptions>("srif", Layout::block, &Case::srif, srif_fields(), check_srif).used_in(loaded),
       table<Case, Output>("output", Layout::block, &Case::output, output_fields()),
   };
   return fields;

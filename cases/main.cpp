@@ -36,7 +36,8 @@ void print_growth(const post::GrowthSummary& growth) {
 
 void print_result(const post::Summary& summary, const std::filesystem::path& folder) {
   const auto& a = summary.analysis;
-  fmt::print("{}: {} points, {} bonds, {} {} in {:.1f} s, {}\n", summary.title, summary.points, summary.bonds,
+  fmt::print("{}: {} ({}), {} points, {} bonds, {} {} in {:.1f} s, {}\n", summary.title, summary.formulation,
+             summary.formulation_reason, summary.points, summary.bonds,
              a.iterations ? *a.iterations : a.steps.value_or(0), a.iterations ? "iterations" : "steps",
              summary.seconds.back().second, a.stop_reason);
   if (!summary.srif.empty()) {

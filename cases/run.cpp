@@ -5,6 +5,7 @@
 #include <cmath>
 #include "cases/assembly.hpp"
 #include "cases/bond_growth_run.hpp"
+#include "cases/formulations.hpp"
 #include "cases/gate.hpp"
 #include "cases/growth_run.hpp"
 #include "cases/progress.hpp"

@@ -1,5 +1,7 @@
 #include "cases/scene.hpp"
 
+#include "cases/formulations.hpp"
+
 namespace cases {
 namespace {
 
@@ -85,6 +87,8 @@ std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
 post::Summary about(const Case& c, const Assembly& assembly) {
   post::Summary summary;
   summary.title = c.title;
+  summary.formulation = formulation_name(c.discretization.formulation);
+  summary.formulation_reason = c.formulation_reason;
   summary.points = assembly.boundary.cloud.plate_points;
   summary.bonds = assembly.bonds();
   summary.fictitious_points = assembly.boundary.fictitious.size();

@@ -4,10 +4,6 @@
 
 namespace cases {
 
-std::string formulation_name(plate::Formulation formulation) {
-  return formulation == plate::Formulation::ordinary ? "ordinary" : "galerkin";
-}
-
 CaseFile in_other_formulation(const CaseFile& file) {
   using enum plate::Formulation;
   CaseFile result = file;
@@ -16,6 +12,7 @@ CaseFile in_other_formulation(const CaseFile& file) {
   c.discretization = {};
   c.discretization.spacing = given.spacing;
   c.discretization.formulation = given.formulation == ordinary ? galerkin : ordinary;
+  c.formulation_reason = "the other one of srif.second_formulation";
   c.analysis.preconditioner = Analysis::Preconditioner::automatic;
   c.analysis.precision = Analysis::Precision::double_;
   c.output.vtk = c.output.hdf5 = false;

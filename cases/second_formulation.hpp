@@ -3,9 +3,6 @@
 
 namespace cases {
 
-/// As in case files.
-std::string formulation_name(plate::Formulation formulation);
-
 /// The case in the other formulation, without files for fields. Settings that only one formulation has take their
 /// defaults. Throws CaseError where the case cannot be stated in it.
 CaseFile in_other_formulation(const CaseFile& file);

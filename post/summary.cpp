@@ -104,6 +104,8 @@ std::string to_json(const Summary& summary) {
   Json json;
   json["title"] = summary.title;
   json["outcome"] = summary.outcome;
+  json["formulation"] = summary.formulation;
+  json["formulation_reason"] = summary.formulation_reason;
   json["points"] = summary.points;
   json["bonds"] = summary.bonds;
   json["fictitious_points"] = summary.fictitious_points;

@@ -27,6 +27,7 @@ TEST_CASE("a plain case is read with its defaults") {
   REQUIRE(c.cracks.size() == 1);
   CHECK(c.cracks[0][1] == geometry::Point(0.3, 0));
   CHECK(c.discretization.horizon_ratio == 3.015);
+  CHECK(c.discretization.formulation == plate::Formulation::galerkin);
   CHECK(c.discretization.surface_correction == plate::SurfaceCorrection::position_aware);
   REQUIRE(c.supports.size() == 1);
   CHECK(c.supports[0].kind == plate::SupportKind::clamped);

@@ -13,7 +13,8 @@ namespace {
 class Table {
 public:
   explicit Table(const std::string& rows) {
-    std::ofstream(folder_ / "a.toml") << case_text::with_line(case_text::plain, 9, "spacing = 0.1") +
+    std::ofstream(folder_ / "a.toml") << case_text::with_line(case_text::plain, 9,
+                                                              "spacing = 0.1\nformulation = \"ordinary\"") +
                                              "method = \"cg\"\n[output]\nfields = []\nprobes = { far = [0.9, 0.0] }\n";
     std::ofstream(folder_ / "t.toml") << rows;
   }

@@ -6,6 +6,8 @@ using namespace case_text;
 
 namespace {
 
+const std::string bonds = with_line(plain, 9, "spacing = 0.05\nformulation = \"ordinary\"");
+
 struct Checked {
   std::vector<cases::Problem> problems;
   std::vector<std::string> warnings;
@@ -15,7 +17,7 @@ struct Checked {
 Checked checked(const std::vector<std::string>& settings) {
   cases::Stopwatch stopwatch;
   try {
-    return {{}, cases::assemble(read(plain, settings), stopwatch).warnings};
+    return {{}, cases::assemble(read(bonds, settings), stopwatch).warnings};
   } catch (const cases::CaseError& error) {
     return {error.problems(), {}};
   }

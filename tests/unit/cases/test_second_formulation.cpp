@@ -24,7 +24,7 @@ std::string without_line(std::string text, const std::string& line) {
 TEST_CASE("second formulation: both runs are whole, each states the other's factors and how far apart they are") {
   constexpr double exact = 0.1926604;  // cases/references/static_summary.csv, K1
   const std::string text = without_line(supported, "edges = [\"left\"]\n");
-  const auto own = case_text::read(text);
+  const auto own = case_text::read(text, {"discretization.formulation=ordinary"});
   const auto other = cases::in_other_formulation(own);
   REQUIRE(other.content.discretization.formulation == plate::Formulation::galerkin);
   for (const auto& file : {own, case_text::read(text, {"discretization.formulation=galerkin"})}) {
@@ -51,7 +51,8 @@ TEST_CASE("second formulation: both runs are whole, each states the other's fact
 TEST_CASE("second formulation: of a motion, row by row") {
   std::string text = without_line(supported, "edges = [\"left\"]\n");
   text.replace(text.find("kind = \"static\""), 15, "kind = \"dynamic\"\nduration = 0.2");
-  const auto file = case_text::read(text, {"section.density=1", "output.history_every=0.05"});
+  const auto file = case_text::read(
+      text, {"section.density=1", "output.history_every=0.05", "discretization.formulation=ordinary"});
   const small_run::TemporaryFolder folder;
   const auto summary = cases::run(file, {folder.path(), true});
   const auto rows = [](const std::string& csv) { return std::count(csv.begin(), csv.end(), '\n'); };
