@@ -96,7 +96,8 @@ TEST_CASE("a reference is a number, the finest run or a curve, and one of them")
 TEST_CASE("the finest run is the reference of the others, and orders follow from them") {
   const Studies studies;
   const auto study =
-      studies.read("case = \"b.toml\"\nset = [\"analysis.method=cg\", \"output.fields=[]\", \"srif.window=0.6\"]\n" +
+      studies.read("case = \"b.toml\"\nset = [\"analysis.method=cg\", \"output.fields=[]\", \"srif.window=0.6\", "
+                   "\"discretization.formulation=ordinary\"]\n" +
                    short_axis("thickness", "section.thickness", "[0.1, 0.3]") +
                    short_axis("spacing", "discretization.spacing", "[0.2, 0.1, 0.05]") +
                    reference("quantity = \"w\"\nprobe = \"far\"\nfinest = true") +

@@ -44,7 +44,7 @@ TEST_CASE("summary.json has the fields of its contract in their order") {
   summary.warnings = {"first"};
   const auto json = ordered_json::parse(post::to_json(summary));
 
-  CHECK(names(json) == std::vector<std::string>{"title", "outcome", "points", "bonds", "fictitious_points",
+  CHECK(names(json) == std::vector<std::string>{"title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points",
                                                 "fictitious_bonds", "spacing", "horizon", "analysis", "seconds",
                                                 "peak_memory_bytes", "srif", "energy", "scene", "warnings", "version",
                                                 "digest"});

@@ -10,7 +10,7 @@ using geometry::Point;
 
 namespace {
 
-const plate::Section section{1000, 0.3, 20, 5.0 / 6, 1};  // 20 spacings thick
+const plate::Section section{1000, 0.3, 200, 5.0 / 6, 1};  // 200 spacings thick
 
 /// G of a state without forces.
 double release_rate(const BondedPlate& plate, const geometry::Tip& tip, const Ring& ring, bool by_bonds, const plate::State& state) {
