@@ -104,7 +104,8 @@ std::optional<FitRange> fit_range(const plate::Section& section, double clear, d
   constexpr double resolved = 5, possible = 7;  // widths of the layer beside the faces; beyond, the series has too many fields
   const double layer = section.thickness / std::sqrt(12 * section.shear_correction);
   double outer = std::min(0.6 * clear, resolved * layer);
-  if (!graded) outer = std::min(outer, usual * spacing);
+  // graded points resolve the layer beside the faces only near the tip
+  outer = std::min(outer, graded ? std::max(usual * spacing, 2.5 * layer) : usual * spacing);
   if (outer < least * spacing) outer = std::min(0.9 * clear, least * spacing);
   if (outer < least * spacing || outer > possible * layer) return std::nullopt;
   return FitRange{std::max(2.5 * spacing, 0.15 * outer), outer, fit_order(section, outer)};
