@@ -28,7 +28,7 @@ ErrorShares shares_of(const BondedPlate& plate, double horizon, double clear) {
   // an error of the first order, the larger the fewer points lie between the tip and what is next to it
   const double spacing = plate.spacing / clear;
   if (plate.galerkin) return {0.3, 1, std::max(1e-3, 0.04 * spacing), 0.04, plate.spacing / layer};
-  return {0.4, 1.3, std::max(1e-3, 0.1 * spacing), 0.06, horizon / 2 / layer};
+  return {0.4, 1.6, std::max(1e-3, 0.1 * spacing), 0.06, horizon / 2 / layer};
 }
 
 /// Of the rings that fit [length].

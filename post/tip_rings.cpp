@@ -39,7 +39,7 @@ double clear_distance(const geometry::Outline& outline, const std::vector<geomet
 
 geometry::Tip centred(const geometry::Tip& tip, const BondedPlate& plate) {
   const TipFrame frame(tip);
-  const double behind = 5 * plate.spacing;
+  const double behind = 16 * plate.spacing;  // two steps of the staircase that a crack at 7 degrees is
   double above = behind, below = -behind;
   for (std::size_t k = 0; k < plate.plate_points; ++k) {
     const Point x = frame.local(plate.positions[k]);

@@ -9,7 +9,7 @@ namespace post {
 double clear_distance(const geometry::Outline& outline, const std::vector<geometry::CrackPath>& paths,
                       const geometry::Tip& tip, double spacing);
 
-/// The tip moved half way between the points on either side of the last five spacings of the crack: on a lattice, the crack is
+/// The tip moved half way between the points on either side of the last sixteen spacings of the crack: on a lattice, the crack is
 /// what parts the points, wherever between them it is drawn.
 geometry::Tip centred(const geometry::Tip& tip, const BondedPlate& plate);
 
