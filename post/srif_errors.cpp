@@ -52,7 +52,15 @@ public:
       const double other_modes = energy.sum() > 0 ? 1 - energy[0] / energy.sum() : 0;
       return result + Eigen::Vector3d((2 * energies + other_modes / 2) * std::abs(K[0]), largest, largest).cwiseQuotient(scale_);
     }
-    return result + K.cwiseAbs() * (2 * energies + shares_.energy * disagreement(*srif.G)) + shares_.fits * spread(largest);
+    const double size = shares_.energy * disagreement(*srif.G), bending = std::hypot(K[0], K[1]);
+    result[2] += shares_.fits * spread(largest)[2] + size * std::abs(K[2]);
+    // what K3 takes wrongly of G is missing in K1 and K2, in proportion
+    const Eigen::Vector3d unit = unit_release(section_);
+    const double taken = bending > 0 ? unit[2] / unit[0] * std::abs(K[2]) * result[2] / (bending * bending) : 0;
+    result.head<2>() += (2 * energies + size + taken) * K.head<2>().cwiseAbs();
+    if (bending < 0.1 * largest) return result + shares_.fits * Eigen::Vector3d(spread(largest)[0], spread(largest)[1], 0);
+    const double turn = shares_.fits * largest_turn(largest / bending);
+    return result + turn * Eigen::Vector3d(std::abs(K[1]), std::abs(K[0]), 0);
   }
 
   Eigen::Vector3d by_fit(const Srif& srif, const std::optional<double>& G) const {
@@ -72,6 +80,20 @@ private:
     if (fits_.size() < 2) return Eigen::Vector3d::Constant(alone * largest).cwiseQuotient(scale_);
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
     for (const auto& fit : fits_) result = result.cwiseMax((vector_of(fit) - vector_of(fits_.front())).cwiseAbs());
+    return result;
+  }
+
+  /// Largest turn of (K1, K2) between the first fit and the others [rad]; where there is no other, as for spread().
+  double largest_turn(double unit) const {
+    constexpr double alone = 0.03;
+    if (fits_.size() < 2) return alone * unit;
+    double result = 0;
+    const Eigen::Vector3d first = vector_of(fits_.front());
+    for (const auto& fit : fits_) {
+      const Eigen::Vector3d other = vector_of(fit);
+      const double lengths = first.head<2>().norm() * other.head<2>().norm();
+      if (lengths > 0) result = std::max(result, std::abs(first[0] * other[1] - first[1] * other[0]) / lengths);
+    }
     return result;
   }
 
