@@ -158,6 +158,8 @@ std::vector<post::Srif> srifs(const Case& content, const Assembly& assembly, con
       post::normalize(srif, *content.srif, content.section.thickness);
       result.push_back(std::move(srif));
     }
+  std::vector<double> largest;
+  post::mark_lost(result, content.section.thickness, largest);
   return result;
 }
 
@@ -168,7 +170,6 @@ Results::Results(const CaseFile& file, const Assembly& assembly, std::filesystem
   history_.columns = {"time",          "step",            "strain_energy", "kinetic_energy",
                       "external_work", "fracture_energy", "max_abs_w",     "discrete_energy"};
   probe_table_.columns = {"time", "probe", "x", "y", "w", "theta_x", "theta_y"};
-  srif_table_.columns = post::srif_columns();
   frequency_table_.columns = {"mode", "frequency", "omega", "residual"};
 
   std::filesystem::create_directories(folder_);
@@ -229,9 +230,18 @@ std::vector<post::Srif> Results::widened_srifs(const plate::State& state, bool a
 void Results::sample_srifs(const plate::Instant& now, bool last) {
   auto factors = growth_ ? growth_->sample(now.time, now.state) : widened_srifs(now.state, last);
   require_finite(factors, fmt::format("at step {}, time {:g}", now.step, now.time));
-  latest_ = std::move(factors);
-  post::append(srif_table_, now.time, latest_);
-  srif_rows_.push_back(latest_);
+  post::mark_lost(factors, case_.section.thickness, largest_);
+  srif_rows_.push_back(std::move(factors));
+}
+
+/// A factor that is small beside what its tip has at other times is no less resolved for it.
+post::Table Results::srif_table() {
+  post::Table result{post::srif_columns(), {}};
+  for (std::size_t i = 0; i < srif_rows_.size(); ++i) {
+    if (srif_rows_.size() > 1) post::mark_lost(srif_rows_[i], case_.section.thickness, largest_);
+    post::append(result, std::get<double>(history_.rows[i].front()), srif_rows_[i]);
+  }
+  return result;
 }
 
 void Results::frame(const plate::Instant& now) {
@@ -271,12 +281,13 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
   const std::string name = frequencies ? "frequencies" : "history";
   post::write_csv(folder_ / (name + ".csv"), main);
   if (!probes_.empty()) post::write_csv(folder_ / "probes.csv", probe_table_);
-  if (!tip_methods_.empty()) post::write_csv(folder_ / "srif.csv", srif_table_);
+  const auto srifs = srif_table();
+  if (!tip_methods_.empty()) post::write_csv(folder_ / "srif.csv", srifs);
   wait_for_frame();
   if (hdf5_) {
     hdf5_->write(name, main);
     if (!probes_.empty()) hdf5_->write("probes", probe_table_);
-    if (!tip_methods_.empty()) hdf5_->write("srif", srif_table_);
+    if (!tip_methods_.empty()) hdf5_->write("srif", srifs);
     hdf5_->close();
   }
   stopwatch.lap("output");
@@ -287,9 +298,9 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
     if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
     if (!history_.rows.empty()) summary.energy.emplace_back("residual", std::get<double>(history_.rows.back().back()));
   }
-  summary.srif = latest_;
+  if (!srif_rows_.empty()) summary.srif = srif_rows_.back();
   for (const auto& reason : left_out(assembly_, tip_methods_)) summary.warnings.push_back(reason);
-  warn_of_factors(case_, latest_, summary.warnings);
+  warn_of_factors(case_, summary.srif, summary.warnings);
   summary.frequencies = frequencies_;
   write_summary(summary, resolved_, stopwatch, folder_);
   return summary;

@@ -78,6 +78,7 @@ private:
   void wait_for_frame();
   void sample_probes(const plate::Instant& now);
   void sample_srifs(const plate::Instant& now, bool last);
+  post::Table srif_table();
   std::vector<post::Srif> widened_srifs(const plate::State& state, bool all_rings) const;
 
   const Case& case_;
@@ -88,9 +89,10 @@ private:
   std::optional<post::StateFile> hdf5_;
   std::vector<std::pair<std::string, std::vector<post::Share>>> probes_;
   std::vector<post::TipMethods> tip_methods_;
-  post::Table history_, probe_table_, srif_table_, frequency_table_;
-  std::vector<post::Srif> latest_, coarser_;
+  post::Table history_, probe_table_, frequency_table_;
+  std::vector<post::Srif> coarser_;
   std::vector<std::vector<post::Srif>> srif_rows_;
+  std::vector<double> largest_;  // of every tip so far: of |K1|, |K2|, |K3| h, by any method
   std::pair<std::string, std::vector<std::vector<post::Srif>>> second_;  // formulation, rows
   std::vector<post::Frequency> frequencies_;
   double strain_energy_ = 0;

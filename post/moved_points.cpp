@@ -13,7 +13,7 @@ class MovedPoints : public EnergyRelease {
 public:
   MovedPoints(const BondedPlate& plate, const TipFrame& frame, const Ring& ring)
       : section_(plate.section), step_(1e-4 * plate.spacing) {
-    geometry::Tessellation about{plate.cells->units, plate.cells->graded, {}, {}, {}, {}, {}};
+    geometry::Tessellation about{plate.cells->units, plate.cells->graded, {}, {}, {}, {}, {}, {}};
     std::unordered_map<std::uint32_t, std::uint32_t> index;
     const auto near = [&](const auto& cell) {
       return std::any_of(cell.begin(), cell.end(),

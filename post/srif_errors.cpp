@@ -118,8 +118,10 @@ void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits,
   for (auto& srif : found) {
     if (!srif.G) continue;
     if (*srif.G <= 0) {
-      const bool still = largest_factor(srif, h) == 0 && *srif.G == 0;
-      if (!still) srif.resolved = {false, false, false};
+      // no factors; how large they may be, the sum of energies says
+      srif.errors.fill(std::sqrt(-*srif.G / unit_release(section)[0]));
+      *srif.errors[2] /= h;
+      srif.resolved.fill(*srif.G == 0);
       continue;
     }
     if (!best) best = &srif;
@@ -136,11 +138,21 @@ void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits,
       set(srif, errors, h);
     }
   }
-  for (auto& srif : found) {
+}
+
+void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& largest) {
+  const std::vector<double> before = largest;
+  for (const auto& srif : srifs) {
+    largest.resize(std::max(largest.size(), srif.tip + 1), 0);
+    if (srif.G || srif.method == "series_fit") largest[srif.tip] = std::max(largest[srif.tip], largest_factor(srif, thickness));
+  }
+  for (auto& srif : srifs) {
     if (!srif.G && srif.method != "series_fit") continue;
-    const double largest = largest_factor(srif, h);
+    // an energy that is not positive is no better than another method's factors; beside those of earlier rows it may be none
+    const bool none = srif.G && *srif.G <= 0;
+    const double scale = !none ? largest[srif.tip] : srif.tip < before.size() ? before[srif.tip] : 0;
     for (std::size_t i = 0; i < 3; ++i)
-      if (srif.errors[i] && *srif.errors[i] * (i == 2 ? h : 1) > lost * largest) srif.resolved[i] = false;
+      srif.resolved[i] = srif.errors[i].value_or(0) * (i == 2 ? thickness : 1) <= lost * scale;
   }
 }
 

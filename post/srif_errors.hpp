@@ -12,9 +12,14 @@ struct ErrorShares {
   double width;   // of that spacing [layers]
 };
 
-/// Estimates the errors of what all methods found at one tip, and marks factors that are not resolved. `fits`: from several ranges about the
-/// tip, the one that gave the mode mix first; empty where the mix comes from the opening.
+/// Estimates the errors of what all methods found at one tip; methods whose energy release rate is not positive are marked
+/// as not resolved. `fits`: from several ranges about the tip, the one that gave the mode mix first; empty where the mix
+/// comes from the opening.
 void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits, const plate::Section& section,
                      const ErrorShares& shares);
+
+/// Marks factors by energy and by the fit whose error is above a tenth of the largest factor that their tip has had as not
+/// resolved. `largest`: of every tip, as |K1|, of the rows before; brought up to date.
+void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& largest);
 
 }  // namespace post
