@@ -200,8 +200,7 @@ void wait_without_spinning(char** argv) {
 }
 #endif
 
-/// Memory that is given back is kept for the next array: the system clears every page that it hands out, which took a
-/// third of the factorisation of a small plate.
+/// Memory that is given back is kept for the next array: the system clears every page that it hands out.
 void keep_memory() {
   mallopt(M_MMAP_THRESHOLD, 1 << 28);
   mallopt(M_TRIM_THRESHOLD, 1 << 28);
