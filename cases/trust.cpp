@@ -172,6 +172,11 @@ void warn_of_factors(const Case& c, const std::vector<post::Srif>& srifs, std::v
       continue;
     }
     if (post::largest_factor(srif, h) == 0) continue;
+    const bool opening = post::of_opening(srif.method);
+    if (opening && !std::ranges::all_of(c.srif->methods, [](const auto& m) { return post::of_opening(m); }))
+      warnings.push_back(fmt::format("{}: only the opening of the crack gives factors there, and nothing vouches for them nor for "
+                                     "their estimated error; refine",
+                                     place));
     const auto lost = named(srif, h, [&](std::size_t k, double) { return !srif.resolved[k]; });
     const auto doubtful = named(srif, h, [&](std::size_t k, double share) { return srif.resolved[k] && share > uncertain; });
     if (!lost.empty())

@@ -1,7 +1,6 @@
-#include <suitesparse/cholmod.h>
-
 #include <algorithm>
 
+#include "plate/cholmod.hpp"
 #include "plate/factor.hpp"
 #include "plate/numerical_error.hpp"
 
@@ -9,23 +8,6 @@ namespace plate {
 namespace {
 
 constexpr std::size_t few = 10000;  // points
-
-class Common {
-public:
-  Common() {
-    cholmod_start(&common_);
-    common_.print = 0;
-    common_.supernodal = CHOLMOD_SIMPLICIAL;  // the order is all that is asked for
-    common_.nmethods = 1;
-  }
-  ~Common() { cholmod_finish(&common_); }
-  Common(const Common&) = delete;
-  cholmod_common* operator&() { return &common_; }
-  cholmod_common* operator->() { return &common_; }
-
-private:
-  cholmod_common common_;
-};
 
 /// The graph of the points with unknowns, lower triangle.
 struct Graph {
@@ -62,6 +44,8 @@ std::vector<int> elimination_order(const PointMatrix& matrix, const Forces& diag
   Graph graph(matrix, place);
   auto view = graph.view();
   Common common;
+  common->supernodal = CHOLMOD_SIMPLICIAL;  // the order is all that is asked for
+  common->nmethods = 1;
   common->method[0].ordering = points.size() < few ? CHOLMOD_AMD : CHOLMOD_METIS;
   cholmod_factor* analysis = cholmod_analyze(&view, &common);
   if (!analysis) throw NumericalError("no order of elimination was found");

@@ -1,31 +1,14 @@
 #include "plate/factor.hpp"
 
 #include <omp.h>
-#include <suitesparse/cholmod.h>
 
 #include <stdexcept>
 
+#include "plate/cholmod.hpp"
 #include "plate/numerical_error.hpp"
 
 namespace plate {
 namespace {
-
-class Common {
-public:
-  Common() {
-    cholmod_start(&common_);
-    common_.print = 0;
-    common_.supernodal = CHOLMOD_SUPERNODAL;
-    common_.quick_return_if_not_posdef = true;
-  }
-  ~Common() { cholmod_finish(&common_); }
-  Common(const Common&) = delete;
-  cholmod_common* operator&() { return &common_; }
-  cholmod_common* operator->() { return &common_; }
-
-private:
-  cholmod_common common_;
-};
 
 /// The products of a sparse factorisation are too small to share out, and CHOLMOD starts four threads for its loops
 /// whatever it is told: measured 1.3 to 1.8 times as long as with none (3,000 to 10,000 points, one thread allowed), and
@@ -67,6 +50,10 @@ struct Factor::Handle {
   cholmod_factor* factor = nullptr;
   cholmod_dense *solution = nullptr, *work = nullptr, *more_work = nullptr;
 
+  Handle() {
+    common->supernodal = CHOLMOD_SUPERNODAL;
+    common->quick_return_if_not_posdef = true;
+  }
   ~Handle() {
     for (auto** dense : {&solution, &work, &more_work}) cholmod_free_dense(dense, &common);
     cholmod_free_factor(&factor, &common);

@@ -18,6 +18,10 @@ void at_least(Srif& srif, const std::array<double, 3>& other) {
 
 }  // namespace
 
+bool of_opening(const std::string& method) {
+  return method == "displacement_extrapolation" || method == "opening_series";
+}
+
 double largest_factor(const Srif& srif, double thickness) {
   return std::max({std::abs(srif.K1), std::abs(srif.K2), std::abs(srif.K3) * thickness});
 }

@@ -73,6 +73,9 @@ struct PlateScale {
   bool points_on_faces = false;
 };
 
+/// Does a method read the opening of the crack, or the field about the tip?
+bool of_opening(const std::string& method);
+
 /// The largest of |K1|, |K2|, |K3| h.
 double largest_factor(const Srif& srif, double thickness);
 

@@ -47,7 +47,6 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
       surroundings_(plate, centred(place.tip, plate), largest_radius(place.clear, plate.spacing, plate.graded())) {
   const geometry::Tip tip = centred(place.tip, plate);
   const PlateScale scale{plate.section, plate.spacing, horizon, plate.galerkin != nullptr};
-  const auto of_opening = [](const std::string& method) { return method == "displacement_extrapolation" || method == "opening_series"; };
   if (!std::ranges::all_of(methods_, of_opening)) fit(plate, tip, place.clear, options.first_ring_only);
   const std::vector<geometry::Point> positions(plate.positions.begin(),
                                                plate.positions.begin() + std::ptrdiff_t(plate.plate_points));
