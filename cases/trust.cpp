@@ -172,11 +172,12 @@ void warn_of_factors(const Case& c, const std::vector<post::Srif>& srifs, std::v
       continue;
     }
     if (post::largest_factor(srif, h) == 0) continue;
-    const bool opening = post::of_opening(srif.method);
-    if (opening && !std::ranges::all_of(c.srif->methods, [](const auto& m) { return post::of_opening(m); }))
-      warnings.push_back(fmt::format("{}: only the opening of the crack gives factors there, and nothing vouches for them nor for "
-                                     "their estimated error; refine",
+    if (post::of_opening(srif.method) && !srif.resolved[0]) {
+      warnings.push_back(fmt::format("{}: no intensity factors: too few points about it for any method but the opening of the crack, "
+                                     "for which nothing vouches there; refine",
                                      place));
+      continue;
+    }
     const auto lost = named(srif, h, [&](std::size_t k, double) { return !srif.resolved[k]; });
     const auto doubtful = named(srif, h, [&](std::size_t k, double share) { return srif.resolved[k] && share > uncertain; });
     if (!lost.empty())

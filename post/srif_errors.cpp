@@ -53,7 +53,8 @@ public:
       return result + Eigen::Vector3d((2 * energies + other_modes / 2) * std::abs(K[0]), largest, largest).cwiseQuotient(scale_);
     }
     const double size = shares_.energy * disagreement(*srif.G), bending = std::hypot(K[0], K[1]);
-    result[2] += shares_.fits * spread(largest)[2] + size * std::abs(K[2]);
+    result[2] += shares_.fits_shear * spread(largest)[2] + size * std::abs(K[2]) +
+                 shares_.shear * disagreement(*srif.G) * largest / section_.thickness;
     // what K3 takes wrongly of G is missing in K1 and K2, in proportion
     const Eigen::Vector3d unit = unit_release(section_);
     const double taken = bending > 0 ? unit[2] / unit[0] * std::abs(K[2]) * result[2] / (bending * bending) : 0;

@@ -5,8 +5,10 @@ namespace post {
 
 /// What the estimates of the errors count of each sign of an error (theory.md, "What the estimated errors mean").
 struct ErrorShares {
-  double energy;  // of the difference between the energy release rates of the fit and of the integrals, in K
-  double fits;    // of the largest difference between fits
+  double energy;  // of the difference between the energy release rates of the fit and of the integrals, in K1 and K2 ...
+  double shear;   // ... and in K3, of the largest factor
+  double fits;    // of the largest difference between fits: their turn, in K1 and K2 ...
+  double fits_shear;  // ... and in K3
   double least;   // of the largest factor
   double layer;   // of the largest factor: for K3, where a spacing (or half a horizon) is as wide as the layer beside the faces
   double width;   // of that spacing [layers]

@@ -1,5 +1,6 @@
 // Cracks oblique to the lattice, soft supports, pressure, against finite elements (cases/references/oblique_summary.csv).
 #include <catch2/catch.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -7,6 +8,7 @@
 
 #include "cases/results.hpp"
 #include "cases/static_solution.hpp"
+#include "tests/unit/geometry/random_plates.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
@@ -63,4 +65,48 @@ TEST_CASE("oblique cracks: K1, K2, K3 of both tips in both formulations, and est
         }
       }
     }
+}
+
+TEST_CASE("random polygons with a crack anywhere: both formulations agree within their estimates") {
+  random_plates::Maker maker(15);
+  std::size_t compared = 0, resolved_by_both = 0, outside = 0;
+  for (int n = 0; n < 10; ++n) {
+    auto c = vp::free_plate({maker.polygon({0, 0}, 0.95, 1.2, 5, "edge"), {}}, 0.02);
+    c.section.thickness = n % 2 ? 0.1 : 0.2;
+    c.analysis.kind = cases::Analysis::Kind::static_;
+    const double angle = maker.uniform(0, std::numbers::pi), half = maker.uniform(0.2, 0.3);
+    const geometry::Point middle(maker.uniform(-0.3, 0.3), maker.uniform(-0.3, 0.3)), way(std::cos(angle), std::sin(angle));
+    c.cracks = {geometry::Polyline{middle - half * way, middle + half * way}};
+    c.supports = {vp::held(SupportKind::simply_supported, {"edge0", "edge2"})};
+    c.srif.emplace();
+    std::array<std::vector<post::Srif>, 2> found;
+    std::array<double, 2> w;
+    for (const auto formulation : {Formulation::galerkin, Formulation::ordinary}) {
+      c.discretization.formulation = formulation;
+      const auto a = vp::assembled(c);
+      const auto state = cases::solve_at_rest(c, a, {1e-8, 100000, {}}).solution.state;
+      const bool other = formulation == Formulation::ordinary;
+      found[other] = cases::srifs(c, a, cases::tip_methods({c, {}}, a), state);
+      w[other] = state.row(0).cwiseAbs().maxCoeff();
+    }
+    CAPTURE(n, w[0], w[1]);
+    CHECK(w[1] == Approx(w[0]).epsilon(0.03));
+    for (std::size_t tip = 0; tip < 2; ++tip) {
+      const auto of_tip = [&](const auto& all) { return *std::ranges::find(all, tip, &post::Srif::tip); };
+      const post::Srif one = of_tip(found[0]), other = of_tip(found[1]);
+      const std::array K{one.K1 - other.K1, one.K2 - other.K2, one.K3 - other.K3};
+      for (std::size_t i = 0; i < 3; ++i) {
+        ++compared;
+        if (!one.resolved[i] || !other.resolved[i]) continue;
+        ++resolved_by_both;
+        const double ratio = std::abs(K[i]) / (*one.errors[i] + *other.errors[i]);
+        CAPTURE(tip, i, K[i], *one.errors[i], *other.errors[i]);
+        CHECK(ratio < 2);
+        if (ratio > 1) ++outside;
+      }
+    }
+  }
+  CAPTURE(compared, resolved_by_both, outside);
+  CHECK(resolved_by_both > compared / 4);
+  CHECK(20 * outside <= resolved_by_both);
 }
