@@ -85,8 +85,15 @@ Assembly assemble_ordinary(const CaseFile& file, std::vector<geometry::CrackPath
 
 void Stopwatch::lap(const std::string& stage) {
   const auto now = std::chrono::steady_clock::now();
-  const double spent = Seconds(now - last_).count();
+  add(stage, Seconds(now - last_).count());
   last_ = now;
+}
+
+void Stopwatch::add(const Stopwatch& other) {
+  for (const auto& [stage, spent] : other.seconds_) add(stage, spent);
+}
+
+void Stopwatch::add(const std::string& stage, double spent) {
   const auto entry = std::find_if(seconds_.begin(), seconds_.end(), [&](const auto& s) { return s.first == stage; });
   if (entry == seconds_.end())
     seconds_.emplace_back(stage, spent);

@@ -108,7 +108,7 @@ void check_spacing(const Case& content, Reading& reading) {
   const double spacing = content.discretization.spacing;
   const auto [low, high] = geometry::bounding_box(content.outline);
   const double largest = (high - low).minCoeff() / 4;  // four cells: fewer have no interior
-  if (reading.sound("discretization.spacing") && spacing > largest * (1 + 1e-9))
+  if (reading.sound("discretization.spacing") && !reading.finds_spacing && spacing > largest * (1 + 1e-9))
     reading.complain("discretization.spacing",
                      fmt::format("{} given, must be at most {}, a quarter of the plate's smaller side",
                                  number_text(spacing), number_text(largest)));
@@ -216,6 +216,20 @@ void check_growth(const Case& content, Reading& reading) {
     reading.complain("srif.richardson", "is not available with [growth]: run the case with twice the spacing");
 }
 
+/// What stands in the way of finding the discretisation.
+void check_accuracy(const Case& content, Reading& reading) {
+  if (!content.srif || !content.srif->accuracy) return;
+  const auto complain = [&](const std::string& what) { reading.complain("srif.accuracy", what); };
+  if (content.discretization.formulation == plate::Formulation::ordinary)
+    complain("needs the Galerkin plate, whose points can be graded (formulation " + content.formulation_reason + "): remove it or that");
+  if (content.growth) complain("is not available with [growth]");
+  if (content.srif->richardson || content.srif->second_formulation)
+    complain("has estimates of its own: remove srif.richardson and srif.second_formulation");
+  for (const char* method : {"virtual_crack_extension", "domain_integral", "series_fit"})
+    if (std::ranges::find(content.srif->methods, method) == content.srif->methods.end())
+      complain(fmt::format("compares methods: add \"{}\" to srif.methods, or remove these", method));
+}
+
 }  // namespace
 
 void check_case(const Case& content, Reading& reading) {
@@ -230,6 +244,7 @@ void check_case(const Case& content, Reading& reading) {
   check_probes(content, reading);
   check_tips(content, reading);
   check_growth(content, reading);
+  check_accuracy(content, reading);
 }
 
 }  // namespace cases

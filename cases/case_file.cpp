@@ -1,6 +1,7 @@
 #include "cases/case_file.hpp"
 #include <fstream>
 #include <sstream>
+#include "cases/accuracy.hpp"
 #include "cases/formulations.hpp"
 #include "cases/keys.hpp"
 
@@ -69,6 +70,7 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<std::str
   Reading reading(path.string());
   for (const auto& setting : overrides) apply_override(root, setting, reading);
   reading.kind = kind_of(root);
+  reading.finds_spacing = bool(root["srif"]["accuracy"]);
 
   Case content;
   content.title = path.stem().string();
@@ -77,6 +79,7 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<std::str
   settle_formulation(states_formulation(root), content, reading);
   check_case(content, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
+  if (content.srif && content.srif->accuracy) content.discretization = discretization_of(content, 1);
   reading.found().content = std::move(content);
   return reading.found();
 }

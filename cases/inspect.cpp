@@ -20,6 +20,7 @@ std::string dynamic_cost(const CaseFile& file, const Assembly& assembly) {
 }  // namespace
 
 std::string cost(const CaseFile& file) {
+  const Case& c = file.content;
   Stopwatch stopwatch;
   Assembly assembly = assemble(file, stopwatch);
   const auto& cloud = assembly.boundary.cloud;
@@ -47,6 +48,8 @@ std::string cost(const CaseFile& file) {
     bytes += part.bytes_per_point;
   }
   text += fmt::format("memory        {:.3g} GB\n", bytes * double(cloud.plate_points) / 1e9);
+  if (c.srif && c.srif->accuracy)
+    text += "srif.accuracy finds the discretisation: these are the first points of the search\n";
   for (const auto& warning : assembly.warnings) text += "warning: " + warning + "\n";
   return text;
 }

@@ -25,7 +25,8 @@ Fields<plate::Discretization> discretization_fields() {
                               [](const D& d) { return d.formulation == Formulation::galerkin; }};
   return {
       number<D>("spacing", "length", &D::spacing, positive, "distance of the points; at least 4 across the plate")
-          .required(),
+          .required()
+          .unless_found(),
       number<D>("horizon_ratio", "-", &D::horizon_ratio, {1.5, 20}, "horizon / spacing"),
       choice<D, Formulation>(
           "formulation", &D::formulation,

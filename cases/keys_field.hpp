@@ -36,12 +36,18 @@ struct Field {
   std::function<std::string(const T&, Analysis::Kind)> write;  // "name = value"; empty: absent
   Kinds used = any_kind;
   Kinds needed = {};
+  bool found = false;         // by the program, where srif.accuracy is given
   bool reads_absent = false;  // a table whose keys are missed where it is absent
   std::optional<Condition<T>> condition = std::nullopt;
 
   Field required(const Kinds& in = any_kind) && {
     needed = in;
     rows.front().standard = in == any_kind ? "required" : "required in " + analyses(in);
+    return std::move(*this);
+  }
+  Field unless_found() && {
+    found = true;
+    rows.front().standard += ", but with srif.accuracy";
     return std::move(*this);
   }
   /// Without a word in the help.
@@ -95,6 +101,7 @@ std::string unused(const Field<T>& field, const Value& table, const T& object) {
 template <class T>
 bool missed(const Field<T>& field, const Value& table) {
   const auto& reading = table.reading();
+  if (field.found && reading.finds_spacing) return false;
   if (field.condition && !reading.sound(table.below(field.condition->selector))) return false;
   if (!reading.kind) return field.used == any_kind && field.needed == any_kind;
   return field.needed.contains(*reading.kind);

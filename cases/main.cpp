@@ -34,26 +34,37 @@ void print_growth(const post::GrowthSummary& growth) {
   fmt::print("\n");
 }
 
+void print_factors(const std::vector<post::Srif>& srifs) {
+  const bool normalized = srifs.front().F1.has_value();
+  fmt::print("{:>4} {:>9} {:>9} {:<25} {:>13} {:>13} {:>13}{}  {:>8}\n", "tip", "x", "y", "method", "K1", "K2", "K3",
+             normalized ? fmt::format(" {:>9} {:>9} {:>9}", "F1", "F2", "F3") : "", "error");
+  for (const auto& s : srifs) {
+    const auto number = [&s](std::size_t i, const std::string& text) { return s.resolved[i] ? text : "-"; };
+    const double K[] = {s.K1, s.K2, s.K3};
+    fmt::print("{:>4} {:>9.4g} {:>9.4g} {:<25}", s.tip, s.position.x(), s.position.y(), s.method);
+    for (std::size_t i = 0; i < 3; ++i) fmt::print(" {:>13}", number(i, fmt::format("{:.6g}", K[i])));
+    const std::optional<double> F[] = {s.F1, s.F2, s.F3};
+    for (std::size_t i = 0; i < 3 && normalized; ++i) fmt::print(" {:>9}", number(i, fmt::format("{:.5f}", F[i].value_or(0))));
+    fmt::print("  {:>8}\n", s.estimated_error ? fmt::format("{:.2g} %", 100 * *s.estimated_error) : "");
+  }
+}
+
+void print_accuracy(const post::AccuracySummary& accuracy) {
+  fmt::print("accuracy {:.2g} % asked: {}\n{:>8} {:>10} {:>11} {:>9} {:>16}\n", 100 * accuracy.asked, accuracy.outcome, "points",
+             "spacing", "tip spacing", "seconds", "estimated error");
+  for (const auto& step : accuracy.path)
+    fmt::print("{:>8} {:>10.4g} {:>11.4g} {:>9.2f} {:>16}\n", step.points, step.spacing, step.tip_spacing, step.seconds,
+               step.error ? fmt::format("{:.2g} %", 100 * *step.error) : "-");
+}
+
 void print_result(const post::Summary& summary, const std::filesystem::path& folder) {
   const auto& a = summary.analysis;
   fmt::print("{}: {} ({}), {} points, {} bonds, {} {} in {:.1f} s, {}\n", summary.title, summary.formulation,
              summary.formulation_reason, summary.points, summary.bonds,
              a.iterations ? *a.iterations : a.steps.value_or(0), a.iterations ? "iterations" : "steps",
              summary.seconds.back().second, a.stop_reason);
-  if (!summary.srif.empty()) {
-    const bool normalized = summary.srif.front().F1.has_value();
-    fmt::print("{:>4} {:>9} {:>9} {:>13} {:>13} {:>13}{}  {:>8}\n", "tip", "x", "y", "K1", "K2", "K3",
-               normalized ? fmt::format(" {:>9} {:>9} {:>9}", "F1", "F2", "F3") : "", "error");
-    for (const auto& s : summary.srif) {
-      const auto number = [&s](std::size_t i, const std::string& text) { return s.resolved[i] ? text : "-"; };
-      const double K[] = {s.K1, s.K2, s.K3};
-      fmt::print("{:>4} {:>9.4g} {:>9.4g}", s.tip, s.position.x(), s.position.y());
-      for (std::size_t i = 0; i < 3; ++i) fmt::print(" {:>13}", number(i, fmt::format("{:.6g}", K[i])));
-      const std::optional<double> F[] = {s.F1, s.F2, s.F3};
-      for (std::size_t i = 0; i < 3 && normalized; ++i) fmt::print(" {:>9}", number(i, fmt::format("{:.5f}", F[i].value_or(0))));
-      fmt::print("  {:>8}\n", s.estimated_error ? fmt::format("{:.1f} %", 100 * *s.estimated_error) : "");
-    }
-  }
+  if (summary.accuracy) print_accuracy(*summary.accuracy);
+  if (!summary.srif.empty()) print_factors(summary.srif);
   for (const auto& s : summary.srif)
     if (s.second && (&s == &summary.srif.front() || (&s)[-1].tip != s.tip))
       fmt::print("tip {}: {} by {} gives K1 {:.6g}, K2 {:.6g}, K3 {:.6g}: {:.2f} % apart\n", s.tip, s.second->formulation,

@@ -69,9 +69,10 @@ void write_summary(post::Summary& summary, const std::string& resolved, const St
   post::write_whole(folder / "summary.json", post::to_json(summary));
 }
 
-Results::Results(const CaseFile& file, const Assembly& assembly, std::filesystem::path folder)
+Results::Results(const CaseFile& file, const Assembly& assembly, const std::vector<post::TipMethods>& methods,
+                 std::filesystem::path folder)
     : case_(file.content), assembly_(assembly), folder_(std::move(folder)), resolved_(resolved_toml(file.content)),
-      tip_methods_(tip_methods(file, assembly)) {
+      tip_methods_(methods) {
   for (const auto& [name, position] : case_.output.probes) probes_.emplace_back(name, probe(assembly, position));
   history_.columns = {"time",          "step",            "strain_energy", "kinetic_energy",
                       "external_work", "fracture_energy", "max_abs_w",     "discrete_energy"};
@@ -124,6 +125,11 @@ std::vector<post::Srif> Results::widened_srifs(const plate::State& state, bool a
   for (auto& srif : result)
     for (const auto& other : coarser_)
       if (other.tip == srif.tip && other.method == srif.method) post::widen(srif, other, case_.section.thickness);
+  for (const auto& refined : refined_) {
+    for (auto& srif : result)
+      if (srif.tip == refined.tip) post::refer_to(refined, srif, case_.section.thickness);
+    result.insert(std::ranges::find(result, refined.tip, &post::Srif::tip), refined);
+  }
   const auto& [formulation, rows] = second_;
   if (srif_rows_.size() >= rows.size()) return result;
   const auto& row = rows[srif_rows_.size()];
@@ -207,6 +213,7 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
   if (!srif_rows_.empty()) summary.srif = srif_rows_.back();
   for (const auto& reason : left_out(assembly_, tip_methods_)) summary.warnings.push_back(reason);
   warn_of_factors(case_, summary.srif, summary.warnings);
+  summary.accuracy = accuracy_;
   summary.frequencies = frequencies_;
   write_summary(summary, resolved_, stopwatch, folder_);
   return summary;

@@ -29,13 +29,18 @@ void write_summary(post::Summary& summary, const std::string& resolved, const St
 /// for is computed.
 class Results {
 public:
-  Results(const CaseFile& file, const Assembly& assembly, std::filesystem::path folder);
+  /// `methods` of every tip. All must outlive this.
+  Results(const CaseFile& file, const Assembly& assembly, const std::vector<post::TipMethods>& methods, std::filesystem::path folder);
 
   /// Intensity factors of the same tips and methods with twice the spacing: the difference counts in estimated errors.
   void coarser(std::vector<post::Srif> srifs) { coarser_ = std::move(srifs); }
   /// Intensity factors of the same tips in another formulation, row by row, the recommended of each tip first.
   void second(std::string formulation, std::vector<std::vector<post::Srif>> rows) {
     second_ = {std::move(formulation), std::move(rows)};
+  }
+  /// The factors that ever finer discretisations tend to, recommended at rest, and how these were found.
+  void refined(std::vector<post::Srif> srifs, post::AccuracySummary found) {
+    refined_ = std::move(srifs), accuracy_ = std::move(found);
   }
   /// Those of every row so far.
   std::vector<std::vector<post::Srif>> srif_rows() && { return std::move(srif_rows_); }
@@ -67,9 +72,10 @@ private:
   std::optional<post::VtkSeries> vtk_;
   std::optional<post::StateFile> hdf5_;
   std::vector<std::pair<std::string, std::vector<post::Share>>> probes_;
-  std::vector<post::TipMethods> tip_methods_;
+  const std::vector<post::TipMethods>& tip_methods_;
   post::Table history_, probe_table_, frequency_table_;
-  std::vector<post::Srif> coarser_;
+  std::vector<post::Srif> coarser_, refined_;
+  std::optional<post::AccuracySummary> accuracy_;
   std::vector<std::vector<post::Srif>> srif_rows_;
   std::vector<double> largest_;  // of every tip so far: of |K1|, |K2|, |K3| h, by any method
   std::pair<std::string, std::vector<std::vector<post::Srif>>> second_;  // formulation, rows

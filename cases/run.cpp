@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include "cases/assembly.hpp"
+#include "cases/accuracy.hpp"
 #include "cases/bond_growth_run.hpp"
 #include "cases/formulations.hpp"
 #include "cases/gate.hpp"
@@ -60,29 +60,9 @@ std::vector<post::Srif> coarser_srifs(const CaseFile& file) {
   return found;
 }
 
-/// A case with all that can be refused behind it: nothing has been written or solved yet.
-struct Prepared {
-  struct Steps {
-    double limit;
-    TimeGrid grid;
-  };
-  explicit Prepared(CaseFile wanted) : file(std::move(wanted)), assembly(assemble(file, stopwatch)) {
-    if (file.content.analysis.kind != Analysis::Kind::dynamic) return;
-    check_growing_tips(file, assembly);
-    const auto mass = mass_of(file.content, assembly);
-    const double limit = plate::stable_time_step(assembly.plate(), assembly.boundary.constraints, mass);
-    steps = {limit, time_grid(file, limit)};
-    stopwatch.lap("solve");
-  }
-
-  CaseFile file;
-  Stopwatch stopwatch;
-  Assembly assembly;
-  std::optional<Steps> steps;  // of dynamics
-};
-
-void solve_static(const Case& c, const Assembly& assembly, Results& results, post::Summary& summary, bool quiet,
-                  Stopwatch& stopwatch) {
+void solve_static(const Prepared& prepared, Results& results, post::Summary& summary, bool quiet, Stopwatch& stopwatch) {
+  const Case& c = prepared.file.content;
+  const Assembly& assembly = prepared.assembly;
   using enum Analysis::Method;
   const auto method = c.analysis.method;
   Progress progress(quiet, method == adr ? "adaptive dynamic relaxation" : method == direct ? "factorisation" : "conjugate gradients");
@@ -90,7 +70,7 @@ void solve_static(const Case& c, const Assembly& assembly, Results& results, pos
                                        progress.update(std::log(residual) / std::log(c.analysis.tolerance),
                                                        fmt::format("iteration {}, residual {:.1e}", i, residual));
                                      }};
-  const auto result = solve_at_rest(c, assembly, options);
+  const auto result = prepared.solution ? *prepared.solution : solve_at_rest(c, assembly, options);
   const auto& solution = result.solution;
   progress.done();
   stopwatch.lap("solve");
@@ -193,7 +173,7 @@ void solve(const Prepared& prepared, MovingGrowth* growth, Results& results, pos
            Stopwatch& stopwatch) {
   const Case& c = prepared.file.content;
   switch (c.analysis.kind) {
-    case Analysis::Kind::static_: return solve_static(c, prepared.assembly, results, summary, quiet, stopwatch);
+    case Analysis::Kind::static_: return solve_static(prepared, results, summary, quiet, stopwatch);
     case Analysis::Kind::dynamic: return solve_dynamic(prepared, growth, results, summary, quiet, stopwatch);
     case Analysis::Kind::frequencies: return solve_frequencies(c, prepared.assembly, results, summary, quiet, stopwatch);
   }
@@ -220,27 +200,41 @@ post::Summary run(const Prepared& prepared, Results& results, const RunOptions& 
 /// The whole run of a case in its other formulation.
 SrifRows run_second(const Prepared& prepared, const RunOptions& options) {
   Stopwatch stopwatch = prepared.stopwatch;
-  Results results(prepared.file, prepared.assembly, options.folder);
+  Results results(prepared.file, prepared.assembly, prepared.tip_methods, options.folder);
   run(prepared, results, options, stopwatch);
   return std::move(results).srif_rows();
 }
 
 }  // namespace
 
+namespace {
+
+post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
+  auto [plate, found, factors] = to_accuracy(file, options.quiet);
+  Stopwatch stopwatch = plate->stopwatch;
+  Results results(plate->file, plate->assembly, plate->tip_methods, options.folder);
+  results.refined(std::move(factors), std::move(found));
+  stopwatch.lap("output");
+  return run(*plate, results, options, stopwatch);
+}
+
+}  // namespace
+
 post::Summary run(const CaseFile& file, const RunOptions& options) {
-  if (file.content.growth && file.content.analysis.kind == Analysis::Kind::static_)
-    return file.content.growth->by_bonds() ? break_bonds(file, options) : grow(file, options);
+  const Case& c = file.content;
+  if (c.growth && c.analysis.kind == Analysis::Kind::static_)
+    return c.growth->by_bonds() ? break_bonds(file, options) : grow(file, options);
+  if (c.srif && c.srif->accuracy) return run_accurately(file, options);
   const Prepared prepared(file);
   Stopwatch stopwatch = prepared.stopwatch;
   std::optional<Prepared> second;
-  if (file.content.srif && file.content.srif->second_formulation) {
+  if (c.srif && c.srif->second_formulation) {
     second.emplace(in_other_formulation(file));
-    tip_methods(second->file, second->assembly);  // for what they refuse
     stopwatch.lap("second_formulation");
   }
-  Results results(file, prepared.assembly, options.folder);
+  Results results(file, prepared.assembly, prepared.tip_methods, options.folder);
   stopwatch.lap("output");
-  if (file.content.srif && file.content.srif->richardson) results.coarser(coarser_srifs(file)), stopwatch.lap("srif");
+  if (c.srif && c.srif->richardson) results.coarser(coarser_srifs(file)), stopwatch.lap("srif");
   if (second) {
     const auto name = formulation_name(second->file.content.discretization.formulation);
     results.second(name, run_second(*second, {options.folder / name, options.quiet}));

@@ -40,7 +40,7 @@ bool two_level_is_faster(const Case& c, const Assembly& assembly) {
 /// A Galerkin plate of few points is solved by its own factor. On a lattice coarser plates cost little; triangles have to
 /// be found anew for each of them (theory.md, "Statics" of the Galerkin plate).
 bool own_factor_is_faster(const Assembly& assembly) {
-  const std::size_t few = assembly.galerkin()->cells.graded ? 10000 : 2000;
+  const std::size_t few = assembly.galerkin()->cells.graded ? 100000 : 2000;
   return assembly.plate().points() <= few;
 }
 

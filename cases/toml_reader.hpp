@@ -11,6 +11,7 @@ public:
   explicit Reading(std::string file) { found_.places.emplace_back("", std::move(file)); }
 
   std::optional<Analysis::Kind> kind;  // analysis.kind, where it is known
+  bool finds_spacing = false;          // srif.accuracy is given
 
   /// The key was set on the command line as `typed`: "--set TYPED" is its place and that of everything below it.
   void overridden(const std::string& key, const std::string& typed) { overridden_.emplace_back(key, typed); }

@@ -24,6 +24,8 @@ struct SrifOptions {
   bool richardson = false;              // estimate the error from a second run with twice the spacing
   bool first_ring_only = false;         // of every integral; then no errors are estimated from rings
   bool second_formulation = false;      // ... and from a run in the other formulation of the plate
+  std::optional<double> accuracy;       // find the discretisation that gives every factor to this share of the largest
+  double accuracy_seconds = 600;        // ... as far as it is expected to be found in this time
   std::optional<Normalization> normalize;
   std::optional<double> half_length;    // the a of the normalisation
 };
@@ -57,6 +59,7 @@ struct Srif {
   std::optional<double> F1, F2, F3;             // where a normalisation is given
   std::optional<double> estimated_error;        // relative to the largest of |K1|, |K2|, |K3| h
   std::array<std::optional<double>, 3> errors;  // estimated, of K1, K2, K3, in their units
+  std::optional<double> accuracy_reached;       // where it was asked for: the largest estimated error of this tip
   std::array<bool, 3> resolved{true, true, true};  // false: this discretisation does not give that factor
   std::optional<SecondSrif> second;             // of a case that is run in both formulations
   std::optional<double> G;                      // energy release rate [force], of methods that find it

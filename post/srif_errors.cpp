@@ -145,10 +145,10 @@ void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& 
   const std::vector<double> before = largest;
   for (const auto& srif : srifs) {
     largest.resize(std::max(largest.size(), srif.tip + 1), 0);
-    if (srif.G || srif.method == "series_fit") largest[srif.tip] = std::max(largest[srif.tip], largest_factor(srif, thickness));
+    if (!of_opening(srif.method)) largest[srif.tip] = std::max(largest[srif.tip], largest_factor(srif, thickness));
   }
   for (auto& srif : srifs) {
-    if (!srif.G && srif.method != "series_fit") continue;
+    if (of_opening(srif.method)) continue;
     // an energy that is not positive is no better than another method's factors; beside those of earlier rows it may be none
     const bool none = srif.G && *srif.G <= 0;
     const double scale = !none ? largest[srif.tip] : srif.tip < before.size() ? before[srif.tip] : 0;

@@ -43,6 +43,7 @@ Json json_of(const Srif& srif) {
     if (srif.resolved[i]) add(json, F[i], normalized[i]);
   add(json, "estimated_error", srif.estimated_error);
   for (std::size_t i = 0; i < 3; ++i) add(json, error[i], srif.errors[i]);
+  add(json, "accuracy_reached", srif.accuracy_reached);
   add(json, "G", srif.G);
   if (const auto& second = srif.second)
     json["second_formulation"] = {{"formulation", second->formulation}, {"method", second->method}, {"K1", second->K1},
@@ -77,6 +78,15 @@ Json json_of(const GrowthSummary& growth) {
   return json;
 }
 
+Json json_of(const AccuracyStep& one) {
+  Json json{{"points", one.points}, {"spacing", one.spacing}, {"tip_spacing", one.tip_spacing}};
+  add(json, "hole_spacing", one.hole_spacing);
+  json["spacing_growth"] = one.spacing_growth;
+  json["seconds"] = one.seconds;
+  add(json, "estimated_error", one.error);
+  return json;
+}
+
 Json json_of(const ScenePart& part) {
   return {{"name", part.name}, {"bytes_per_point", part.bytes_per_point}, {"time_share", part.time_share}};
 }
@@ -91,6 +101,14 @@ template <typename Element>
 Json list_of(const std::vector<Element>& elements) {
   Json json = Json::array();
   for (const Element& element : elements) json.push_back(json_of(element));
+  return json;
+}
+
+Json json_of(const AccuracySummary& accuracy) {
+  Json json{{"asked", accuracy.asked}};
+  add(json, "reached", accuracy.reached);
+  json["outcome"] = accuracy.outcome;
+  json["path"] = list_of(accuracy.path);
   return json;
 }
 
@@ -119,6 +137,7 @@ std::string to_json(const Summary& summary) {
   json["seconds"] = json_of(summary.seconds);
   json["peak_memory_bytes"] = summary.peak_memory_bytes;
   json["srif"] = list_of(summary.srif);
+  if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);
   if (summary.analysis.kind == "frequencies") json["frequencies"] = list_of(summary.frequencies);
   if (summary.growth) json["growth"] = json_of(*summary.growth);
   json["energy"] = json_of(summary.energy);

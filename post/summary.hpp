@@ -1,5 +1,5 @@
 #pragma once
-#include "post/srif.hpp"
+#include "post/accuracy.hpp"
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -34,6 +34,14 @@ struct GrowthSummary {
   std::vector<double> lengths;           // of every crack at the end [length]
 };
 
+/// How the discretisation was found.
+struct AccuracySummary {
+  double asked = 0;
+  std::optional<double> reached;  // estimated, of all tips
+  std::string outcome;            // "reached", or what ended it
+  std::vector<AccuracyStep> path;
+};
+
 /// What summary.json holds; cases/README.md documents every field.
 struct Summary {
   std::string title, outcome, version, digest;
@@ -54,6 +62,7 @@ struct Summary {
   std::vector<std::pair<std::string, double>> seconds;      // geometry, families, parameters, solve, srif, output, total
   std::size_t peak_memory_bytes = 0;
   std::vector<Srif> srif;
+  std::optional<AccuracySummary> accuracy;                  // of a case that asks for it
   std::vector<Frequency> frequencies;                       // of a frequency analysis
   std::optional<GrowthSummary> growth;                      // of a case with growth
   std::vector<std::pair<std::string, double>> energy;       // strain, kinetic, external_work, fracture

@@ -5,29 +5,54 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <map>
+#include <optional>
 
 namespace post {
 namespace {
 
-/// sum c z^(a/2) conj(z)^(b/2), keys a and b; of an odd field i times that. All of one degree (a + b) / 4 at a time.
-using Powers = std::map<std::pair<int, int>, double>;
+/// sum c_a z^(a/2) conj(z)^(b/2) with a + b = `degree`, of an odd field i times that; a, b >= -3. Terms that are 0 are none.
+class Powers {
+public:
+  explicit Powers(int degree) : degree_(degree), factors_(std::size_t(degree + 2 * beyond + 1)) {}
+  Powers(int degree, std::initializer_list<std::pair<int, double>> terms) : Powers(degree) {
+    for (const auto& [a, c] : terms) at(a) += c;
+  }
 
+  int degree() const { return degree_; }
+  double& at(int a) { return factors_[std::size_t(a + beyond)]; }
+  double at(int a) const { return factors_[std::size_t(a + beyond)]; }
+
+  /// visit(a, b, c) in ascending a.
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
+    for (int a = -3; a <= degree_ + 3; ++a)
+      if (const double c = at(a); c != 0) visit(a, degree_ - a, c);
+  }
+
+private:
+  static constexpr int beyond = 5;  // a that are asked for, or set to 0
+  int degree_;
+  std::vector<double> factors_;
+};
+
+/// `sum` and `other` of one degree.
 void add(Powers& sum, const Powers& other, double factor = 1) {
-  for (const auto& [key, c] : other) sum[key] += factor * c;
+  other.for_each([&](int a, int, double c) { sum.at(a) += factor * c; });
 }
 
 Powers d_dz(const Powers& f) {
-  Powers result;
-  for (const auto& [key, c] : f)
-    if (key.first != 0) result[{key.first - 2, key.second}] = c * key.first / 2;
+  Powers result(f.degree() - 2);
+  f.for_each([&](int a, int, double c) {
+    if (a != 0) result.at(a - 2) = c * a / 2;
+  });
   return result;
 }
 
 Powers d_dconj(const Powers& f) {
-  Powers result;
-  for (const auto& [key, c] : f)
-    if (key.second != 0) result[{key.first, key.second - 2}] = c * key.second / 2;
+  Powers result(f.degree() - 2);
+  f.for_each([&](int a, int b, double c) {
+    if (b != 0) result.at(a) = c * b / 2;
+  });
   return result;
 }
 
@@ -51,10 +76,10 @@ public:
     std::vector<Field> result;
     for (const bool even : {true, false}) {
       sign_ = even ? 1 : -1;
-      for (int n = 0; n <= order; ++n) result.push_back(series(eigenfunction(n), {}, n));
+      for (int n = 0; n <= order; ++n) result.push_back(series(eigenfunction(n), {}, n, n));
       for (int p = even ? 0 : 1; p <= order + 2; ++p)
-        if (p % 2 == (even ? 0 : 1)) result.push_back(series({}, harmonic(p), p - 2));
-      if (even) result.push_back(series({}, {{{2, 2}, 0.25}}, 2));  // w = r^2 / 4: an even load
+        if (p % 2 == (even ? 0 : 1)) result.push_back(series(harmonic(p), p - 2));
+      if (even) result.push_back(series(Powers(4, {{2, 0.25}}), 2));  // w = r^2 / 4: an even load
     }
     return result;
   }
@@ -63,9 +88,9 @@ public:
   Eigen::Vector3d ahead(const Field& field) {
     sign_ = field.even ? 1 : -1;
     const auto leading = [](const std::vector<Term>& terms) {
-      Powers result;
+      Powers result(1);
       for (const auto& term : terms)
-        if (term.twice_p == 1) result[{(1 + term.twice_q) / 2, (1 - term.twice_q) / 2}] = term.c;
+        if (term.twice_p == 1) result.at((1 + term.twice_q) / 2) = term.c;
       return result;
     };
     const auto moments = moments_at(leading(field.psi), 0);
@@ -76,7 +101,7 @@ private:
   /// Real and imaginary part of f at r = 1, angle n pi.
   std::array<double, 2> at(const Powers& f, int n) const {
     double x = 0, y = 0;
-    for (const auto& [key, c] : f) x += c * cosine(n * (key.first - key.second)), y += c * sine(n * (key.first - key.second));
+    f.for_each([&](int a, int b, double c) { x += c * cosine(n * (a - b)), y += c * sine(n * (a - b)); });
     return sign_ > 0 ? std::array{x, y} : std::array{-y, x};
   }
 
@@ -91,8 +116,8 @@ private:
 
   /// Both solutions of the plane-stress equations of degree n/2, by their factors of z^n/2 and conj(z)^n/2.
   std::vector<Powers> plane(int n) const {
-    if (n == 0) return {{{{0, 0}, 1.0}}};
-    return {{{{n, 0}, 1.0}, {{2, n - 2}, -sign_ * (1 + nu_) / (3 - nu_) * n / 2}}, {{{0, n}, 1.0}}};
+    if (n == 0) return {Powers(0, {{0, 1.0}})};
+    return {Powers(n, {{n, 1.0}, {2, -sign_ * (1 + nu_) / (3 - nu_) * n / 2}}), Powers(n, {{0, 1.0}})};
   }
 
   Eigen::Matrix2Xd face_moments(const std::vector<Powers>& fields) const {
@@ -108,46 +133,43 @@ private:
     const Eigen::Matrix2Xd faces = face_moments(both);
     const Eigen::Index row = faces.row(0).norm() > faces.row(1).norm() ? 0 : 1;  // the other vanishes by itself
     const Eigen::Vector2d free = Eigen::Vector2d(-faces(row, 1), faces(row, 0)).normalized();
-    Powers result;
+    Powers result(n);
     for (std::size_t i = 0; i < 2; ++i) add(result, both[i], free[Eigen::Index(i)]);
     return result;
   }
 
   /// r^(p/2) cos or sin of p angle / 2.
   Powers harmonic(int p) const {
-    if (p == 0) return {{{0, 0}, 1.0}};
-    return {{{p, 0}, 0.5}, {{0, p}, sign_ * 0.5}};
+    if (p == 0) return Powers(0, {{0, 1.0}});
+    return Powers(p, {{p, 0.5}, {0, sign_ * 0.5}});
   }
 
   /// w of degree n/2 + 1 with lap w = div psi, psi of degree n/2, and Q_y = 0 on the faces.
   Powers deflection(const Powers& psi, int n) const {
-    Powers w;
-    const auto slope = d_dz(psi);
-    for (const auto& [key, c] : slope) {
-      const auto [a, b] = key;
+    Powers w(n + 2);
+    d_dz(psi).for_each([&](int a, int b, double c) {
       const double part = c / ((a + 2) * (b + 2));  // of 4 (a/2 + 1) (b/2 + 1)
-      w[{a + 2, b + 2}] += part;
-      w[{b + 2, a + 2}] += sign_ * part;
-    }
+      w.at(a + 2) += part;
+      w.at(b + 2) += sign_ * part;
+    });
     const auto own = harmonic(n + 2);
     const double reached = slope_across(own, 1);
     if (reached != 0) add(w, own, (at(psi, 1)[1] - slope_across(w, 1)) / reached);
     return w;
   }
 
-  /// psi of degree n/2 + 2 that answers psi of degree n/2 and w of degree n/2 + 1, with free faces.
-  Powers rotation(const Powers& psi, const Powers& w, int n) const {
-    Powers source, result;
-    add(source, psi, s_);
+  /// psi of degree n/2 + 2 that answers psi of degree n/2, if any, and w of degree n/2 + 1, with free faces.
+  Powers rotation(const std::optional<Powers>& psi, const Powers& w, int n) const {
+    Powers source(n), result(n + 4);
+    if (psi) add(source, *psi, s_);
     add(source, d_dconj(w), -2 * s_);
     Powers pending = source;
-    while (!pending.empty()) {
-      const auto [a, b] = pending.begin()->first;
-      const std::pair partner{b + 2, a - 2};
-      const auto other = source.find(partner);
-      solve_pair(a / 2.0, b / 2.0, pending.begin()->second, other == source.end() ? 0 : other->second, {a, b}, result);
-      pending.erase({a, b}), pending.erase(partner);
-    }
+    source.for_each([&](int a, int b, double c) {
+      if (pending.at(a) == 0) return;
+      const int partner = b + 2;
+      solve_pair(a, b, c, source.at(partner), result);
+      pending.at(partner) = 0;
+    });
     const auto own = plane(n + 4);
     const Eigen::Matrix2Xd faces = face_moments(own);
     const Eigen::Index row = faces.row(0).norm() > faces.row(1).norm() ? 0 : 1;
@@ -158,7 +180,8 @@ private:
 
   /// The factors X of z^(a+1) conj(z)^(b+1) and Y of z^(b+2) conj(z)^a, which the terms z^a conj(z)^b and
   /// z^(b+1) conj(z)^(a-1) of the equation have in common.
-  void solve_pair(double a, double b, double first, double second, std::pair<int, int> key, Powers& result) const {
+  void solve_pair(int twice_a, int twice_b, double first, double second, Powers& result) const {
+    const double a = twice_a / 2.0, b = twice_b / 2.0;
     const double own = 3 - nu_, crossed = sign_ * (1 + nu_);
     double X = 0, Y = 0;
     if (b + 1 == 0) {
@@ -171,34 +194,36 @@ private:
       X = (own * sum - crossed * partner) / determinant / (a + 1);
       Y = (own * partner - crossed * sum) / determinant / (b + 2);
     }
-    const std::pair X_key{key.first + 2, key.second + 2}, Y_key{key.second + 4, key.first};
-    result[X_key] = X;
-    if (X_key != Y_key) result[Y_key] = Y;
+    result.at(twice_a + 2) = X;
+    if (twice_a != twice_b + 2) result.at(twice_b + 4) = Y;
   }
 
-  /// The series that begins with psi of degree n/2, or with w of degree n/2 + 1.
-  Field series(Powers psi, Powers w, int n) const {
+  /// The series that begins with w of degree n/2 + 1.
+  Field series(const Powers& w, int n) const { return series(rotation({}, w, n), w, n + 4, n); }
+
+  /// The series that begins with psi of degree n/2, and may have had a w before that.
+  Field series(Powers psi, const std::optional<Powers>& first, int n, int order) const {
     constexpr int most = 40;  // of steps; 6 to 12 are taken
     constexpr double negligible = 1e-9;
-    const int order = n;
-    Powers all_psi = psi, all_w = w;
-    if (psi.empty()) all_psi = psi = rotation({}, w, n), n += 4;
+    Field result{sign_ > 0, order, {}, {}};
+    if (first) append(result.w, *first);
+    append(result.psi, psi);
     for (int step = 0; step < most; ++step, n += 4) {
-      w = deflection(psi, n);
+      const Powers w = deflection(psi, n);
       psi = rotation(psi, w, n);
-      add(all_w, w), add(all_psi, psi);
+      append(result.w, w), append(result.psi, psi);
       double largest = 0;
-      for (const auto& [key, c] : psi) largest = std::max(largest, std::abs(c));
+      psi.for_each([&](int, int, double c) { largest = std::max(largest, std::abs(c)); });
       if (largest < negligible) break;
     }
-    return {sign_ > 0, order, terms(all_w), terms(all_psi)};
+    return result;
   }
 
-  static std::vector<Term> terms(const Powers& sum) {
-    std::vector<Term> result;
-    for (const auto& [key, c] : sum)
-      if (std::abs(c) > 1e-12) result.push_back({key.first + key.second, key.first - key.second, c});
-    return result;
+  /// Of a degree that `terms` does not have yet.
+  static void append(std::vector<Term>& terms, const Powers& sum) {
+    sum.for_each([&](int a, int b, double c) {
+      if (std::abs(c) > 1e-12) terms.push_back({a + b, a - b, c});
+    });
   }
 
   double nu_, s_;
@@ -221,20 +246,30 @@ TipSeries::TipSeries(const plate::Section& section, double radius, int order) : 
 
 TipSeries::Half TipSeries::half(const std::vector<Field>& fields, bool even) {
   Half result;
-  std::map<std::pair<int, int>, Eigen::Index> index;
-  for (std::size_t n = 0; n < fields.size(); ++n) {
-    if (fields[n].even != even) continue;
-    result.fields.push_back(Eigen::Index(n));
-    for (const auto* terms : {&fields[n].w, &fields[n].psi})
-      for (const auto& term : *terms) index.try_emplace({term.twice_p, term.twice_q}, 0);
-  }
-  for (auto& [term, place] : index) place = Eigen::Index(result.terms.size()), result.terms.push_back(term);
-  result.w = result.psi = Eigen::MatrixXd::Zero(Eigen::Index(index.size()), Eigen::Index(result.fields.size()));
-  for (std::size_t i = 0; i < result.fields.size(); ++i) {
-    const Field& field = fields[std::size_t(result.fields[i])];
-    for (const auto& [p, q, c] : field.w) result.w(index.at({p, q}), Eigen::Index(i)) = c;
-    for (const auto& [p, q, c] : field.psi) result.psi(index.at({p, q}), Eigen::Index(i)) = c;
-  }
+  int largest = 0;  // p, and |q| <= p + 6
+  const auto for_each_term = [&](const auto& visit) {
+    for (std::size_t n = 0; n < fields.size(); ++n)
+      for (const auto* terms : {&fields[n].w, &fields[n].psi})
+        for (const auto& term : *terms)
+          if (fields[n].even == even) visit(n, terms == &fields[n].w, term);
+  };
+  for_each_term([&](std::size_t, bool, const Term& term) { largest = std::max(largest, term.twice_p); });
+  const int width = 2 * largest + 13;
+  std::vector<Eigen::Index> index(std::size_t((largest + 1) * width), -1);
+  const auto place = [&](int p, int q) -> Eigen::Index& { return index[std::size_t(p * width + q + largest + 6)]; };
+  for_each_term([&](std::size_t n, bool, const Term& term) {
+    place(term.twice_p, term.twice_q) = 0;
+    if (result.fields.empty() || result.fields.back() != Eigen::Index(n)) result.fields.push_back(Eigen::Index(n));
+  });
+  for (int p = 0; p <= largest; ++p)
+    for (int q = -largest - 6; q <= largest + 6; ++q)
+      if (auto& at = place(p, q); at == 0) at = Eigen::Index(result.terms.size()), result.terms.emplace_back(p, q);
+  result.w = result.psi = Eigen::MatrixXd::Zero(Eigen::Index(result.terms.size()), Eigen::Index(result.fields.size()));
+  Eigen::Index column = 0;
+  for_each_term([&](std::size_t n, bool of_w, const Term& term) {
+    while (result.fields[std::size_t(column)] != Eigen::Index(n)) ++column;
+    (of_w ? result.w : result.psi)(place(term.twice_p, term.twice_q), column) = term.c;
+  });
   return result;
 }
 
@@ -244,21 +279,20 @@ Eigen::MatrixXd TipSeries::operator()(const std::vector<Polar>& places) const {
   for (const bool even : {true, false}) {
     const Half& half = even ? even_ : odd_;
     Eigen::MatrixXd x(count, Eigen::Index(half.terms.size())), y(count, x.cols());
+    int largest = 0;
+    for (const auto& [p, q] : half.terms) largest = std::max(largest, std::abs(q));
+    std::vector<std::complex<double>> directions(std::size_t(largest + 1), 1);
     for (Eigen::Index k = 0; k < count; ++k) {
       const auto [r, angle] = places[std::size_t(k)];
-      // powers by multiplication: terms come in ascending p, then ascending q
+      // powers by multiplication: terms come in ascending p
       const double root = std::sqrt(r / radius_);
-      const std::complex<double> turn = std::polar(1.0, 2 * angle);  // q goes on by two of one p
+      const std::complex<double> turn = std::polar(1.0, angle / 2);
+      for (std::size_t q = 1; q < directions.size(); ++q) directions[q] = turn * directions[q - 1];
       double power = 1;
-      std::complex<double> direction = 1;
       for (std::size_t t = 0; t < half.terms.size(); ++t) {
         const auto [p, q] = half.terms[t];
-        const int p_before = t ? half.terms[t - 1].first : 0, q_before = t ? half.terms[t - 1].second : 0;
-        for (int n = p_before; n < p; ++n) power *= root;
-        if (t && p == p_before && q == q_before + 4)
-          direction *= turn;
-        else
-          direction = std::polar(1.0, q * angle / 2);
+        for (int n = t ? half.terms[t - 1].first : 0; n < p; ++n) power *= root;
+        const auto direction = q < 0 ? std::conj(directions[std::size_t(-q)]) : directions[std::size_t(q)];
         x(k, Eigen::Index(t)) = power * direction.real(), y(k, Eigen::Index(t)) = power * direction.imag();
       }
     }

@@ -1,0 +1,182 @@
+#include "cases/accuracy.hpp"
+
+#include <fmt/format.h>
+#include <sys/sysinfo.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cases/gate.hpp"
+#include "cases/progress.hpp"
+#include "plate/numerical_error.hpp"
+
+namespace cases {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double halves_the_spacing_of_points = std::numbers::sqrt2;  // twice as many points
+constexpr double least_size = 0.0715;                                 // of spacing_growth 0.02, the least that a case may ask for
+
+/// From any tip to what disturbs its field.
+double least_clear_distance(const Case& c, double side) {
+  Case fine = c;  // bends count, however slight
+  fine.discretization.tip_spacing = 1e-6 * side;
+  const auto paths = geometry::crack_paths(c.outline, c.cracks, 1e-9 * side);
+  double result = side;
+  for (const auto& tip : geometry::tips(paths)) result = std::min(result, clear_distance(fine, paths, tip));
+  return result;
+}
+
+/// Of the smallest hole; none without holes.
+std::optional<double> least_radius(const geometry::Outline& outline) {
+  std::optional<double> result;
+  const auto take = [&](double radius) { result = std::min(result.value_or(radius), radius); };
+  for (const auto& hole : outline.holes) {
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole)) {
+      take(circle->radius);
+      continue;
+    }
+    const auto [low, high] = geometry::bounding_box({std::get<geometry::Polygon>(hole), {}});
+    take((high - low).minCoeff() / 2);
+  }
+  return result;
+}
+
+/// Bytes that a run takes: measured 27 kB per point at 8,000 points (their factor), 12 at 39,000 (levels).
+double bytes_of(std::size_t points) {
+  return 27e3 * double(points);
+}
+
+double free_memory() {
+  struct sysinfo info;
+  return sysinfo(&info) == 0 ? double(info.freeram + info.bufferram) * info.mem_unit : INFINITY;
+}
+
+CaseFile with_size(const CaseFile& file, double size) {
+  CaseFile result = file;
+  Case& c = result.content;
+  c.discretization = discretization_of(file.content, size);
+  // factors are to be known far better than by the default tolerance
+  c.analysis.tolerance = std::min(c.analysis.tolerance, 1e-8);
+  c.srif->first_ring_only = true;  // errors come from the path
+  return result;
+}
+
+std::vector<post::Srif> solve(Prepared& plate) {
+  const Case& c = plate.file.content;
+  plate.solution = solve_at_rest(c, plate.assembly, {c.analysis.tolerance, c.analysis.max_iterations, {}});
+  const auto& solution = plate.solution->solution;
+  if (!solution.converged)
+    throw plate::NumericalError(fmt::format("on the way to srif.accuracy, {} points: {}, residual {:.2e}", plate.assembly.plate().points(),
+                                            solution.stop_reason, solution.residual));
+  plate.stopwatch.lap("solve");
+  auto found = srifs(c, plate.assembly, plate.tip_methods, solution.state);
+  plate.stopwatch.lap("srif");
+  require_finite(found, "on the way to srif.accuracy");
+  return found;
+}
+
+post::AccuracyStep step_of(double size, const Prepared& plate, std::vector<post::Srif> found, double seconds) {
+  const auto& d = plate.file.content.discretization;
+  const Case& c = plate.file.content;
+  const double layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
+  double clear = INFINITY;
+  for (const auto& tip : plate.assembly.tips) clear = std::min(clear, clear_distance(c, plate.assembly.paths, tip));
+  const double faces = std::min(d.spacing, *d.tip_spacing + d.spacing_growth * clear) / layer;
+  return {size,    plate.assembly.boundary.cloud.plate_points, d.spacing, *d.tip_spacing, d.hole_spacing, d.spacing_growth, faces,
+          seconds, std::move(found), std::nullopt};
+}
+
+/// Where one step that doubles the number of points does not suffice by far, two at once.
+double next_size(double size, const std::optional<double>& error, double asked) {
+  constexpr double enough = 3.5;
+  const bool far = error && *error > enough * asked;
+  return size / (far ? 2 : halves_the_spacing_of_points);
+}
+
+/// What forbids to go on to a smaller size; empty where nothing does.
+std::string end_before(double size, const std::vector<post::AccuracyStep>& path, double seconds, const post::SrifOptions& options) {
+  if (size < least_size) return "the finest discretisation of this program";
+  const auto& last = path.back();
+  const double ratio = std::pow(last.size / size, 2);
+  if (bytes_of(std::size_t(ratio * double(last.points))) > free_memory() / 2) return "memory";
+  constexpr double order = 1.3;  // of the time, in the number of points: measured 1.1 to 1.4
+  if (seconds + last.seconds * std::pow(ratio, order) > options.accuracy_seconds) return "srif.accuracy_seconds";
+  return "";
+}
+
+void warn_of_given_lengths(const CaseFile& file, std::vector<std::string>& warnings) {
+  std::string given;
+  for (const char* name : {"spacing", "tip_spacing", "hole_spacing", "spacing_growth"})
+    for (const auto& [key, where] : file.places)
+      if (key == fmt::format("discretization.{}", name)) given += (given.empty() ? "" : ", ") + std::string(name);
+  if (!given.empty()) warnings.push_back(fmt::format("srif.accuracy finds the lengths of the discretisation: {} of the case not used", given));
+}
+
+}  // namespace
+
+plate::Discretization discretization_of(const Case& c, double size) {
+  const auto [low, high] = geometry::bounding_box(c.outline);
+  const geometry::Point sides = high - low;
+  const double layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
+  plate::Discretization result = c.discretization;
+  result.spacing = size * sides.minCoeff() / 10;
+  result.tip_spacing = std::min(size * size * std::min(least_clear_distance(c, sides.maxCoeff()) / 20, 0.63 * layer), result.spacing);
+  result.hole_spacing.reset();
+  if (const auto radius = least_radius(c.outline)) result.hole_spacing = std::min(size * *radius / 4, result.spacing);
+  result.spacing_growth = 0.28 * size;
+  return result;
+}
+
+Accurate to_accuracy(const CaseFile& file, bool quiet) {
+  const auto& options = *file.content.srif;
+  const double h = file.content.section.thickness;
+  const auto start = Clock::now();
+  Accurate result;
+  auto& [plate, found, factors] = result;
+  found.asked = *options.accuracy;
+  Progress progress(quiet, "srif.accuracy");
+  Stopwatch before;
+  for (double size = 1; found.outcome.empty();) {
+    const auto begin = Clock::now();
+    constexpr double first_sizes = 0.2;
+    std::unique_ptr<Prepared> next;
+    try {
+      next = std::make_unique<Prepared>(with_size(file, size));
+    } catch (const CaseError&) {
+      // such coarse points may not do where finer ones do
+      if (plate || size < first_sizes) throw;
+      size /= halves_the_spacing_of_points;
+      continue;
+    }
+    auto srifs = solve(*next);
+    if (plate) before.add(plate->stopwatch);
+    plate = std::move(next);
+    found.path.push_back(step_of(size, *plate, std::move(srifs), std::chrono::duration<double>(Clock::now() - begin).count()));
+    factors = post::refined(found.path, h);
+    const auto error = found.path.back().error = post::largest_error(factors, plate->assembly.tips.size(), h);
+    progress.update(std::min(0.99, error ? found.asked / *error : 0),
+                    fmt::format("{} points, {}", found.path.back().points,
+                                error ? fmt::format("estimated error {:.2g} %", 100 * *error) : "no estimate yet"));
+    if (error && *error <= found.asked) found.outcome = "reached";
+    if (!found.outcome.empty()) break;
+    size = next_size(size, error, found.asked);
+    found.outcome = end_before(size, found.path, std::chrono::duration<double>(Clock::now() - start).count(), options);
+  }
+  progress.done();
+  found.reached = found.path.back().error;
+  plate->stopwatch.add(before);
+  auto& warnings = plate->assembly.warnings;
+  if (found.outcome != "reached")
+    warnings.push_back(fmt::format("srif.accuracy = {:g} not reached, estimated error {}: ended by {}", found.asked,
+                                   found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.outcome));
+  warn_of_given_lengths(file, warnings);
+  for (auto& srif : factors) {
+    srif.accuracy_reached = srif.estimated_error;
+    post::normalize(srif, options, h);
+  }
+  return result;
+}
+
+}  // namespace cases

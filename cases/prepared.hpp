@@ -1,0 +1,26 @@
+#pragma once
+#include "cases/run.hpp"
+#include "cases/static_solution.hpp"
+#include "cases/tip_factors.hpp"
+
+namespace cases {
+
+/// A case with all that can be refused behind it: nothing has been written yet. Stays where it is made.
+struct Prepared {
+  struct Steps {
+    double limit;
+    TimeGrid grid;
+  };
+  /// Throws CaseError.
+  explicit Prepared(CaseFile wanted);
+  Prepared(const Prepared&) = delete;
+
+  CaseFile file;
+  Stopwatch stopwatch;
+  Assembly assembly;
+  std::vector<post::TipMethods> tip_methods;
+  std::optional<Steps> steps;            // of central differences
+  std::optional<StaticResult> solution;  // of a plate at rest that has been solved already
+};
+
+}  // namespace cases

@@ -1,0 +1,31 @@
+#pragma once
+#include "post/srif.hpp"
+
+namespace post {
+
+/// One of several discretisations of a plate, each finer than the one before: all lengths over those of the first by `size`,
+/// those at singular points by its square, so that errors go with size^2 (theory.md, "To a stated accuracy").
+struct AccuracyStep {
+  double size = 1;
+  std::size_t points = 0;
+  double spacing = 0, tip_spacing = 0;  // [length]
+  std::optional<double> hole_spacing;   // [length]
+  double spacing_growth = 0;
+  double faces = 0;                     // spacing on the faces of cracks, a clear distance from the tip [layers]
+  double seconds = 0;
+  std::vector<Srif> srifs;              // by all methods
+  std::optional<double> error;          // estimated, of the worst factor of all tips, relative to the largest of its tip
+};
+
+/// The factors of every tip that the discretisations tend to, as method "refinement", with their estimated errors. Tips that
+/// have no such factors by both integrals and the fit in each of the last three discretisations are left out.
+std::vector<Srif> refined(const std::vector<AccuracyStep>& path, double thickness);
+
+/// The error of another method's factors, from those of the same tip that the discretisations tend to.
+void refer_to(const Srif& refined, Srif& srif, double thickness);
+
+/// The largest estimated error of all factors, relative to the largest factor of the tip (where that is below a hundredth of what
+/// other tips have, to that). Absent unless every one of `tips` has factors.
+std::optional<double> largest_error(const std::vector<Srif>& refined, std::size_t tips, double thickness);
+
+}  // namespace post
