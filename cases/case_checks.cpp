@@ -216,6 +216,24 @@ void check_growth(const Case& content, Reading& reading) {
     reading.complain("srif.richardson", "is not available with [growth]: run the case with twice the spacing");
 }
 
+/// What only steps have, and what only Lanczos vectors.
+void check_motion(const Case& content, Reading& reading) {
+  if (content.analysis.kind != Analysis::Kind::dynamic) return;
+  if (content.analysis.method == Analysis::Method::central_difference) {
+    if (reading.given("analysis.tolerance"))
+      reading.complain("analysis.tolerance", "is of method = \"lanczos\"; steps have analysis.time_step: remove it");
+    return;
+  }
+  const auto complain = [&](const char* key) {
+    reading.complain(key, "is of method = \"central_difference\"; Lanczos vectors take no steps: remove it");
+  };
+  if (content.analysis.time_step) complain("analysis.time_step");
+  if (reading.given("analysis.safety")) complain("analysis.safety");
+  if (content.analysis.precision == Analysis::Precision::mixed)
+    reading.complain("analysis.precision", "\"mixed\" is of method = \"central_difference\"; choose \"double\"");
+  if (content.growth) reading.complain("analysis.method", "\"lanczos\" given: growth in motion takes steps; choose \"central_difference\"");
+}
+
 /// What stands in the way of finding the discretisation.
 void check_accuracy(const Case& content, Reading& reading) {
   if (!content.srif || !content.srif->accuracy) return;
@@ -245,6 +263,7 @@ void check_case(const Case& content, Reading& reading) {
   check_tips(content, reading);
   check_growth(content, reading);
   check_accuracy(content, reading);
+  check_motion(content, reading);
 }
 
 }  // namespace cases

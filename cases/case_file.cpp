@@ -77,6 +77,7 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<std::str
   content.discretization.formulation = plate::Formulation::galerkin;  // unless the file states another
   read_fields(case_fields(), Value(root, "", reading), content);
   settle_formulation(states_formulation(root), content, reading);
+  settle_method(content, reading);
   check_case(content, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   if (content.srif && content.srif->accuracy) content.discretization = discretization_of(content, 1);

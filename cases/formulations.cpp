@@ -106,6 +106,15 @@ void settle_formulation(bool stated, Case& content, Reading& reading) {
                            fmt::join(asked, ", ")));
 }
 
+void settle_method(Case& content, const Reading& reading) {
+  auto& analysis = content.analysis;
+  if (analysis.kind != Analysis::Kind::dynamic || reading.given("analysis.method") || content.growth) return;
+  const auto& d = content.discretization;
+  const bool steps_asked = analysis.time_step || reading.given("analysis.safety");
+  if (d.formulation == Formulation::galerkin && (d.tip_spacing || d.hole_spacing || reading.finds_spacing) && !steps_asked)
+    analysis.method = Analysis::Method::lanczos;
+}
+
 void check_formulation(const Case& content, Reading& reading) {
   if (content.discretization.formulation == Formulation::ordinary) {
     if (content.analysis.preconditioner == Analysis::Preconditioner::levels)

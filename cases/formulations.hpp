@@ -28,6 +28,9 @@ bool states_formulation(const toml::table& root);
 /// states another, and the reason beside it. Complains about keys of graded points in a case for bonds.
 void settle_formulation(bool stated, Case& content, Reading& reading);
 
+/// Graded points move by Lanczos vectors unless the case states a method or asks for steps: stable steps follow the least spacing.
+void settle_method(Case& content, const Reading& reading);
+
 /// What one formulation has and the other has not.
 void check_formulation(const Case& content, Reading& reading);
 

@@ -1,5 +1,6 @@
 #include "cases/keys.hpp"
 #include "plate/frequencies.hpp"
+#include "plate/lanczos_motion.hpp"
 
 namespace cases {
 
@@ -142,19 +143,27 @@ const Words<Analysis::Kind>& analysis_kinds() {
 Fields<Analysis> analysis_fields() {
   using A = Analysis;
   const Kinds iterative{A::Kind::static_, A::Kind::frequencies};
+  const auto unless = [](Field<A> field, A::Method method) {
+    field.write = [write = field.write, method](const A& analysis, A::Kind kind) {
+      return analysis.method == method ? std::string() : write(analysis, kind);
+    };
+    return field;
+  };
   return {
       choice<A, A::Kind>("kind", &A::kind, analysis_kinds(), "what is sought: rest, motion, eigenfrequencies").required(),
       choice<A, A::Method>("method", &A::method, methods,
-                           "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; the others have one method each")
-          .standard("static: \"cg\"; dynamic: \"central_difference\"; frequencies: \"lanczos\""),
+                           "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; dynamic: steps, or Lanczos vectors "
+                           "that move exactly")
+          .standard("static: \"cg\"; dynamic: \"central_difference\", \"lanczos\" with graded points; frequencies: \"lanczos\""),
       choice<A, A::Preconditioner>("preconditioner", &A::preconditioner, preconditioners,
                                    "of cg: the diagonal; the factor of a plate with a horizon of 1.5 spacings; the same on every "
                                    "second point each way; or what is likely to be fastest of first and last (theory.md, \"Statics\")")
           .in({A::Kind::static_}),
-      number<A>("tolerance", "-", &A::tolerance, {1e-14, 0.1},
-                "residual / load at which a solution is accepted; of the eigenpairs")
-          .standard("static: 1e-06; frequencies: 0.0001")
-          .in(iterative),
+      unless(number<A>("tolerance", "-", &A::tolerance, {1e-14, 0.1},
+                       "static: residual / load at which a solution is accepted; frequencies: of the eigenpairs; dynamic, with lanczos: of "
+                       "the motion, rms over the mass, relative to the largest")
+                 .standard("static: 1e-06; frequencies: 0.0001; dynamic: 0.001"),
+             A::Method::central_difference),
       number<A>("max_iterations", "-", &A::max_iterations, {1, 1e9}, "limit of iterations of each solution")
           .in(iterative),
       number<A>("modes", "-", &A::modes, {1, 1000}, "number of frequencies, from the lowest")
@@ -163,7 +172,7 @@ Fields<Analysis> analysis_fields() {
       choice<A, A::Start>("start", &A::start, starts,
                           "dynamic: the plate at time 0: without deformation, or at rest in equilibrium with the loads of that time")
           .in({A::Kind::dynamic}),
-      time_step().in_dynamics(),
+      unless(time_step().in_dynamics(), A::Method::lanczos),
       number<A>("rotary_inertia", "-", &A::rotary_inertia, {1, 1e6},
                 "factor of the rotary inertia: above 1 thin plates take longer steps, and short waves run slower")
           .in_dynamics(),
@@ -171,7 +180,7 @@ Fields<Analysis> analysis_fields() {
                               "dynamic: mixed has internal forces in single precision, displacements in double; refused "
                               "where rounding would show")
           .in({A::Kind::dynamic}),
-      number<A>("safety", "-", &A::safety, {0, 1, true}, "share of the stable step that is used").in_dynamics(),
+      unless(number<A>("safety", "-", &A::safety, {0, 1, true}, "share of the stable step that is used").in_dynamics(), A::Method::lanczos),
   };
 }
 
@@ -180,12 +189,14 @@ void check_analysis(const Value& given, Analysis& analysis) {
   const auto kind = given.reading().kind;
   if (!kind) return;
   std::vector<Analysis::Method> possible{cg, adr, direct};
-  if (*kind == Analysis::Kind::dynamic) possible = {central_difference};
+  if (*kind == Analysis::Kind::dynamic) possible = {central_difference, lanczos};
   if (*kind == Analysis::Kind::frequencies) possible = {lanczos};
   const std::string key = given.below("method");
   if (!given.reading().given(key)) analysis.method = possible.front();
-  if (*kind == Analysis::Kind::frequencies && !given.reading().given(given.below("tolerance")))
-    analysis.tolerance = plate::FrequencyOptions{}.tolerance;
+  if (!given.reading().given(given.below("tolerance"))) {
+    if (*kind == Analysis::Kind::frequencies) analysis.tolerance = plate::FrequencyOptions{}.tolerance;
+    if (*kind == Analysis::Kind::dynamic) analysis.tolerance = plate::LanczosOptions{}.tolerance;
+  }
   if (!given.reading().sound(key) || std::find(possible.begin(), possible.end(), analysis.method) != possible.end())
     return;
   std::vector<std::string> names;

@@ -19,7 +19,7 @@ struct Prepared {
   Stopwatch stopwatch;
   Assembly assembly;
   std::vector<post::TipMethods> tip_methods;
-  std::optional<Steps> steps;            // of central differences
+  std::optional<Steps> steps;            // of a motion; without a limit where it takes no steps but rows
   std::optional<StaticResult> solution;  // of a plate at rest that has been solved already
 };
 

@@ -14,6 +14,7 @@
 #include "cases/second_formulation.hpp"
 #include "cases/static_solution.hpp"
 #include "plate/frequencies.hpp"
+#include "plate/lanczos_motion.hpp"
 #include "plate/numerical_error.hpp"
 
 namespace cases {
@@ -36,7 +37,7 @@ std::vector<plate::Forces> forces_of(const Assembly& assembly) {
 plate::State start_of(const Case& c, const Assembly& assembly) {
   const auto load = first_load(assembly);
   if (load.isZero(0)) return {};
-  const auto result = solve_at_rest(c, assembly, load, {c.analysis.tolerance, c.analysis.max_iterations, {}});
+  const auto result = solve_at_rest(c, assembly, load, {plate::StaticOptions{}.tolerance, c.analysis.max_iterations, {}});
   if (!result.solution.converged)
     throw plate::NumericalError(fmt::format("the plate at the start: {}, residual {:.2e}", result.solution.stop_reason,
                                             result.solution.residual));
@@ -94,6 +95,52 @@ void solve_static(const Prepared& prepared, Results& results, post::Summary& sum
                                             solution.stop_reason, solution.residual, c.analysis.tolerance));
 }
 
+/// Takes the rows and frames of a motion, as far as the step `last`.
+std::function<void(const plate::Instant&)> observer(const Prepared& prepared, std::size_t last, Results& results, post::Summary& summary,
+                                                    Progress& progress, Stopwatch& stopwatch) {
+  const Case& c = prepared.file.content;
+  return [&, last, between = c.analysis.duration / double(last), next_frame = 0.0](const plate::Instant& now) mutable {
+    stopwatch.lap("solve");
+    progress.update(now.time / c.analysis.duration, fmt::format("t = {:.4g}", now.time));
+    const bool is_last = now.step == last;
+    results.sample(now, is_last);
+    stopwatch.lap("srif");
+    if (is_last || now.time >= next_frame - between / 2) {
+      results.frame(now);
+      next_frame = c.output.every ? next_frame + *c.output.every : INFINITY;
+    }
+    stopwatch.lap("output");
+    summary.analysis.steps = now.step;
+    summary.energy = {{"strain", results.strain_energy()},
+                      {"kinetic", now.kinetic_energy},
+                      {"external_work", now.external_work}};
+    if (is_last && !moves(now.state, now.external_work))
+      require_motion(prepared.assembly, forces_of(prepared.assembly), now.state, now.external_work, summary.warnings);
+  };
+}
+
+void solve_by_lanczos(const Prepared& prepared, Results& results, post::Summary& summary, bool quiet, Stopwatch& stopwatch) {
+  const Case& c = prepared.file.content;
+  const auto& assembly = prepared.assembly;
+  const auto rows = prepared.steps->grid.steps;
+  summary.analysis.method = "lanczos";
+  summary.analysis.duration = c.analysis.duration;
+  summary.analysis.tolerance = c.analysis.tolerance;
+  Progress progress(quiet, "Lanczos vectors");
+  plate::LanczosOptions options{c.analysis.duration, rows, c.analysis.tolerance};
+  options.from_equilibrium = c.analysis.start == Analysis::Start::equilibrium;
+  options.progress = [&](std::size_t vectors, double change) {
+    progress.update(std::min(0.9, double(vectors) / 100), fmt::format("{} vectors, change {:.1e}", vectors, change));
+  };
+  const auto inverse = inverse_of(c, assembly);
+  const auto motion = plate::lanczos_motion(assembly.plate(), assembly.boundary.constraints, mass_of(c, assembly), assembly.loads, *inverse,
+                                            options, observer(prepared, rows, results, summary, progress, stopwatch));
+  progress.done();
+  summary.analysis.iterations = motion.vectors;
+  summary.analysis.residual = motion.change;
+  summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors);
+}
+
 void solve_dynamic(const Prepared& prepared, MovingGrowth* growth, Results& results, post::Summary& summary, bool quiet,
                    Stopwatch& stopwatch) {
   const Case& c = prepared.file.content;
@@ -106,25 +153,6 @@ void solve_dynamic(const Prepared& prepared, MovingGrowth* growth, Results& resu
   summary.analysis.duration = c.analysis.duration;
 
   Progress progress(quiet, "central differences");
-  double next_frame = 0;
-  const auto observe = [&](const plate::Instant& now) {
-    stopwatch.lap("solve");
-    progress.update(now.time / c.analysis.duration, fmt::format("t = {:.4g}", now.time));
-    const bool last = now.step == grid.steps;
-    results.sample(now, last);
-    stopwatch.lap("srif");
-    if (last || now.time >= next_frame - grid.time_step / 2) {
-      results.frame(now);
-      next_frame = c.output.every ? next_frame + *c.output.every : INFINITY;
-    }
-    stopwatch.lap("output");
-    summary.analysis.steps = now.step;
-    summary.energy = {{"strain", results.strain_energy()},
-                      {"kinetic", now.kinetic_energy},
-                      {"external_work", now.external_work}};
-    if (last && !moves(now.state, now.external_work))
-      require_motion(assembly, forces_of(assembly), now.state, now.external_work, summary.warnings);
-  };
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
   if (c.analysis.start == Analysis::Start::equilibrium) options.start = start_of(c, assembly);
   if (c.analysis.precision == Analysis::Precision::mixed)
@@ -133,7 +161,8 @@ void solve_dynamic(const Prepared& prepared, MovingGrowth* growth, Results& resu
       rows.internal_force(state, force);
     };
   if (growth) options.changes = &growth->changes();
-  plate::central_differences(growth ? growth->plate() : assembly.plate(), constraints, mass_of(c, assembly), assembly.loads, options, observe);
+  plate::central_differences(growth ? growth->plate() : assembly.plate(), constraints, mass_of(c, assembly), assembly.loads, options,
+                             observer(prepared, grid.steps, results, summary, progress, stopwatch));
   summary.analysis.stop_reason = "end of the duration";
 }
 
@@ -174,7 +203,9 @@ void solve(const Prepared& prepared, MovingGrowth* growth, Results& results, pos
   const Case& c = prepared.file.content;
   switch (c.analysis.kind) {
     case Analysis::Kind::static_: return solve_static(prepared, results, summary, quiet, stopwatch);
-    case Analysis::Kind::dynamic: return solve_dynamic(prepared, growth, results, summary, quiet, stopwatch);
+    case Analysis::Kind::dynamic:
+      if (c.analysis.method == Analysis::Method::lanczos) return solve_by_lanczos(prepared, results, summary, quiet, stopwatch);
+      return solve_dynamic(prepared, growth, results, summary, quiet, stopwatch);
     case Analysis::Kind::frequencies: return solve_frequencies(c, prepared.assembly, results, summary, quiet, stopwatch);
   }
 }

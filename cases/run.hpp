@@ -19,6 +19,9 @@ struct TimeGrid {
 /// Steps that end exactly on the rows of history, none above `limit`. Throws CaseError where the file asks for more.
 TimeGrid time_grid(const CaseFile& file, double limit);
 
+/// One step per row, for motions that need no steps. Throws CaseError where there are too many.
+TimeGrid row_grid(const CaseFile& file);
+
 /// Runs a case and writes its results folder. Throws CaseError before anything is written; plate::NumericalError after
 /// the last good frame, the summary and all tables have been written.
 post::Summary run(const CaseFile& file, const RunOptions& options);

@@ -73,6 +73,13 @@ std::unique_ptr<plate::Preconditioner> galerkin_levels(const Case& c, const Asse
   return std::make_unique<plate::GalerkinLevels>(galerkin->op, constraints, galerkin->seen, std::move(coarser));
 }
 
+std::unique_ptr<plate::Preconditioner> inverse_of(const Case& c, const Assembly& assembly) {
+  constexpr std::size_t many = 100000;  // points
+  if (assembly.plate().points() <= many) return std::make_unique<plate::AssembledPlate>(assembled_plate(assembly));
+  if (assembly.galerkin()) return galerkin_levels(c, assembly);
+  return std::make_unique<plate::TwoLevelPlate>(*assembly.ordinary(), assembly.boundary, c.section, c.discretization);
+}
+
 plate::Forces first_load(const Assembly& assembly) {
   plate::Forces load = plate::Forces::Zero(3, assembly.loads.front().forces.cols());
   for (const auto& one : assembly.loads) load += plate::factor(one.history, 0) * one.forces;

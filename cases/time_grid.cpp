@@ -48,19 +48,35 @@ TimeGrid given_steps(const CaseFile& file, double limit, double row) {
 
 }  // namespace
 
-TimeGrid time_grid(const CaseFile& file, double limit) {
+namespace {
+
+/// Time between rows as the file asks for it.
+double row_of(const CaseFile& file) {
   const Case& c = file.content;
   const double duration = c.analysis.duration, row = c.output.history_every.value_or(duration / 400);
+  if (!(duration / row <= most_rows))
+    refuse(file, c.output.history_every ? "output.history_every" : "analysis.duration",
+           fmt::format("a duration of {:g} in rows of {:g} is {:g} rows: at most {:g} can be kept", duration, row, duration / row, most_rows));
+  return row;
+}
+
+}  // namespace
+
+TimeGrid row_grid(const CaseFile& file) {
+  const double duration = file.content.analysis.duration, rows = std::max(1.0, std::round(duration / row_of(file)));
+  return {duration / rows, static_cast<std::size_t>(rows), 1};
+}
+
+TimeGrid time_grid(const CaseFile& file, double limit) {
+  const Case& c = file.content;
+  const double duration = c.analysis.duration;
   if (!(limit > 0) || !std::isfinite(limit))
     refuse(file, "section.density",
            fmt::format(
                "the stable time step comes out as {:g}: density, stiffness and lengths are beyond what numbers hold; "
                "choose other units",
                limit));
-  if (!(duration / row <= most_rows))
-    refuse(file, c.output.history_every ? "output.history_every" : "analysis.duration",
-           fmt::format("a duration of {:g} in rows of {:g} is {:g} rows: at most {:g} can be kept", duration, row,
-                       duration / row, most_rows));
+  const double row = row_of(file);
   if (c.analysis.time_step) return given_steps(file, limit, row);
   // whole steps between rows, whole rows in the duration
   const double rows = std::max(1.0, std::round(duration / row)), between = duration / rows;

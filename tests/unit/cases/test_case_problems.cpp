@@ -154,7 +154,7 @@ TEST_CASE("keys of the other kind of analysis are refused") {
   const std::string dynamic =
       with_line(analysis("kind = \"dynamic\"\nduration = 1"), 4, "thickness = 0.1\ndensity = 1");
   CHECK(problems(dynamic).empty());
-  expect(dynamic, "--set analysis.tolerance", "analysis.tolerance", "in statics and frequencies only",
+  expect(dynamic, "--set analysis.tolerance", "analysis.tolerance", "is of method = \"lanczos\"",
          {"analysis.tolerance=1e-6"});
   expect(dynamic, "--set analysis.method", "analysis.method", "must be \"central_difference\"",
          {"analysis.method=adr"});
