@@ -219,7 +219,7 @@ void check_growth(const Case& content, Reading& reading) {
 /// What only steps have, and what only Lanczos vectors.
 void check_motion(const Case& content, Reading& reading) {
   if (content.analysis.kind != Analysis::Kind::dynamic) return;
-  if (content.analysis.method == Analysis::Method::central_difference) {
+  if (content.analysis.method != Analysis::Method::lanczos) {
     if (reading.given("analysis.tolerance"))
       reading.complain("analysis.tolerance", "is of method = \"lanczos\"; steps have analysis.time_step: remove it");
     return;

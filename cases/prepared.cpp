@@ -22,11 +22,10 @@ Prepared::Prepared(CaseFile wanted) : file(std::move(wanted)), assembly(assemble
     if (c.analysis.method == Analysis::Method::lanczos) {
       check_held_in_motion(file, assembly);
       steps = {0, row_grid(file)};
+    } else {
+      const double limit = plate::stable_time_step(assembly.plate(), assembly.boundary.constraints, mass_of(c, assembly));
+      steps = {limit, time_grid(file, limit)};
     }
-  }
-  if (c.analysis.kind == Analysis::Kind::dynamic && c.analysis.method == Analysis::Method::central_difference) {
-    const double limit = plate::stable_time_step(assembly.plate(), assembly.boundary.constraints, mass_of(c, assembly));
-    steps = {limit, time_grid(file, limit)};
     stopwatch.lap("solve");
   }
   tip_methods = cases::tip_methods(file, assembly);

@@ -45,7 +45,8 @@ bool MovingCracks::stays(const MovingTip& tip, const Drive& drive) const {
 }
 
 void MovingCracks::start(MovingTip& tip, const Factors& factors, double time) {
-  const auto way = advance(growth_, section_, outline_, polylines(paths_), spacing_, tip.tip, factors);
+  const double angle = kink_angle(factors, growth_.direction, section_);
+  const auto way = advance(growth_, outline_, polylines(paths_), spacing_, tip.tip, angle, turns(angle));
   auto path = paths_[tip.tip.crack];
   geometry::extend(path.vertices, tip.tip.at_back, way.to);
   if (way.reached) (tip.tip.at_back ? path.back : path.front) = way.reached->crack ? geometry::End::junction : geometry::End::mouth;

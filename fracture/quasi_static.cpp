@@ -11,6 +11,7 @@ namespace {
 
 constexpr double least_calibrated = 10;       // spacings of a tip: the lattice's steps are half of one
 constexpr double largest_calibration = 1.15;  // what is further off is wrong in another way
+constexpr double least_correction = 0.009;  // of a turn: half a degree
 constexpr double together = 0.01;  // of the largest energy release rate: twice what integrals scatter with the lattice
 
 /// Grows cracks at rest. One use.
@@ -25,7 +26,7 @@ public:
 
   Grown operator()(const Solve& solve, const std::function<void(const Event&)>& observe) {
     while (true) {
-      const auto plate = solve(result_.cracks);
+      const auto plate = solved_ ? *std::exchange(solved_, {}) : solve(result_.cracks);
       if (!plate.split.empty()) {
         result_.outcome = "the plate split: " + plate.split;
         result_.ledger.fracture = booked_;  // with work and strain energy before the last advance
@@ -33,7 +34,7 @@ public:
       }
       if (break_through(plate)) continue;
       if (!load(plate, observe)) return result_;
-      move(plate);
+      move(plate, solve);
     }
   }
 
@@ -108,17 +109,53 @@ private:
     return found;
   }
 
-  void move(const LoadedPlate& plate) {
-    const auto before = result_.cracks;
-    for (std::size_t i = 0; i < plate.tips.size(); ++i) {
-      if (!moves_[i]) continue;
-      const auto& [tip, factors, G] = plate.tips[i];
-      const auto step = advance(growth_, section_, outline_, before, spacing_, tip, factors);
-      extend(tip, step);
-      moved_.push_back({tip.crack, tip.at_back, *G, step.length});
+  /// A piece that turns is laid twice: the path is curved, and its end tells by how much (theory.md, "Growth").
+  void move(const LoadedPlate& plate, const Solve& solve) {
+    const Grown before = result_;
+    std::vector<double> angles(plate.tips.size(), 0);
+    for (std::size_t i = 0; i < angles.size(); ++i)
+      if (moves_[i]) angles[i] = kink_angle(plate.tips[i].factors, growth_.direction, section_);
+    lay(plate, before.cracks, angles);
+    if (std::ranges::any_of(angles, turns)) {
+      auto trial = solve(result_.cracks);
+      if (correct(plate, trial, angles)) {
+        result_ = before;
+        moved_.clear();
+        lay(plate, before.cracks, angles);
+      } else {
+        solved_ = std::move(trial);
+      }
     }
     last_displacement_ = plate.displacement;
     ++result_.advances;
+  }
+
+  void lay(const LoadedPlate& plate, const std::vector<geometry::Polyline>& before, const std::vector<double>& angles) {
+    const bool long_leg = std::ranges::any_of(angles, turns);  // tips that move together go as far
+    for (std::size_t i = 0; i < plate.tips.size(); ++i) {
+      if (!moves_[i]) continue;
+      const auto& [tip, factors, G] = plate.tips[i];
+      const auto step = advance(growth_, outline_, before, spacing_, tip, angles[i], long_leg);
+      extend(tip, step);
+      moved_.push_back({tip.crack, tip.at_back, *G, step.length});
+    }
+  }
+
+  /// Half of the turns that the ends of the pieces ask for; false where there are none to speak of.
+  bool correct(const LoadedPlate& plate, const LoadedPlate& trial, std::vector<double>& angles) const {
+    bool changed = false;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      if (!moves_[i]) continue;
+      const auto& tip = plate.tips[i].tip;
+      const auto end = std::ranges::find_if(
+          trial.tips, [&](const auto& one) { return one.tip.crack == tip.crack && one.tip.at_back == tip.at_back; });
+      if (end == trial.tips.end() || !end->G) continue;
+      const double turn = kink_angle(end->factors, growth_.direction, section_);
+      if (std::abs(turn) < least_correction) continue;
+      angles[i] += turn / 2;
+      changed = true;
+    }
+    return changed;
   }
 
   void extend(const geometry::Tip& tip, const TipAdvance& step) {
@@ -141,6 +178,7 @@ private:
   double calibrated_ = 0, measured_ = 0, predicted_ = 0;  // length of a tip's way, energies of all advances
   double booked_ = 0;  // fracture energy at the last event
   std::vector<char> moves_;
+  std::optional<LoadedPlate> solved_;  // with the cracks as they are
   Grown result_;
 };
 
