@@ -1,7 +1,6 @@
 #include "cases/accuracy.hpp"
 
 #include <fmt/format.h>
-#include <sys/sysinfo.h>
 
 #include <cmath>
 #include <numbers>
@@ -9,14 +8,15 @@
 #include "cases/gate.hpp"
 #include "cases/progress.hpp"
 #include "plate/numerical_error.hpp"
+#include "post/tip_integrals.hpp"
 
 namespace cases {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double halves_the_spacing_of_points = std::numbers::sqrt2;  // twice as many points
-constexpr double least_size = 0.0715;                                 // of spacing_growth 0.02, the least that a case may ask for
+constexpr double doubles_the_points = std::numbers::sqrt2;  // of the size
+constexpr double least_size = 0.0715;                       // of spacing_growth 0.02, the least that a case may ask for
 
 /// From any tip to what disturbs its field.
 double least_clear_distance(const Case& c, double side) {
@@ -43,14 +43,9 @@ std::optional<double> least_radius(const geometry::Outline& outline) {
   return result;
 }
 
-/// Bytes that a run takes: measured 27 kB per point at 8,000 points (their factor), 12 at 39,000 (levels).
+/// Bytes that a run takes: measured 17 kB per point at 8,000 and 39,000 points, 18 at 85,000, most of them of the factor.
 double bytes_of(std::size_t points) {
-  return 27e3 * double(points);
-}
-
-double free_memory() {
-  struct sysinfo info;
-  return sysinfo(&info) == 0 ? double(info.freeram + info.bufferram) * info.mem_unit : INFINITY;
+  return 18e3 * double(points);
 }
 
 CaseFile with_size(const CaseFile& file, double size) {
@@ -88,11 +83,19 @@ post::AccuracyStep step_of(double size, const Prepared& plate, std::vector<post:
           seconds, std::move(found), std::nullopt};
 }
 
+/// K1 of a crack that releases the whole energy of the plate over its smaller side.
+double nominal_factor(const Prepared& plate) {
+  const Case& c = plate.file.content;
+  const auto [low, high] = geometry::bounding_box(c.outline);
+  const double energy = plate.assembly.strain_energy(plate.solution->solution.state);
+  return std::sqrt(energy / (high - low).minCoeff() / post::unit_release(c.section)[0]);
+}
+
 /// Where one step that doubles the number of points does not suffice by far, two at once.
 double next_size(double size, const std::optional<double>& error, double asked) {
   constexpr double enough = 3.5;
   const bool far = error && *error > enough * asked;
-  return size / (far ? 2 : halves_the_spacing_of_points);
+  return size / (far ? 2 : doubles_the_points);
 }
 
 /// What forbids to go on to a smaller size; empty where nothing does.
@@ -100,7 +103,8 @@ std::string end_before(double size, const std::vector<post::AccuracyStep>& path,
   if (size < least_size) return "the finest discretisation of this program";
   const auto& last = path.back();
   const double ratio = std::pow(last.size / size, 2);
-  if (bytes_of(std::size_t(ratio * double(last.points))) > free_memory() / 2) return "memory";
+  const double free = free_memory();
+  if (free > 0 && bytes_of(std::size_t(ratio * double(last.points))) > free / 2) return "memory";
   constexpr double order = 1.3;  // of the time, in the number of points: measured 1.1 to 1.4
   if (seconds + last.seconds * std::pow(ratio, order) > options.accuracy_seconds) return "srif.accuracy_seconds";
   return "";
@@ -138,24 +142,32 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
   found.asked = *options.accuracy;
   Progress progress(quiet, "srif.accuracy");
   Stopwatch before;
+  std::optional<CaseError> refused;  // the coarsest points
   for (double size = 1; found.outcome.empty();) {
     const auto begin = Clock::now();
     constexpr double first_sizes = 0.2;
     std::unique_ptr<Prepared> next;
+    std::vector<post::Srif> srifs;
     try {
       next = std::make_unique<Prepared>(with_size(file, size));
-    } catch (const CaseError&) {
+      srifs = solve(*next);
+    } catch (const CaseError& error) {
       // such coarse points may not do where finer ones do
-      if (plate || size < first_sizes) throw;
-      size /= halves_the_spacing_of_points;
+      if (!refused) refused = error;
+      if (!plate && size < first_sizes) throw *refused;
+      if (plate) found.outcome = fmt::format("what forbids the next discretisation: {}", error.problems().front().what);
+      size /= doubles_the_points;
+      continue;
+    } catch (const plate::NumericalError& error) {
+      if (!plate) throw;
+      found.outcome = error.what();
       continue;
     }
-    auto srifs = solve(*next);
     if (plate) before.add(plate->stopwatch);
     plate = std::move(next);
     found.path.push_back(step_of(size, *plate, std::move(srifs), std::chrono::duration<double>(Clock::now() - begin).count()));
     factors = post::refined(found.path, h);
-    const auto error = found.path.back().error = post::largest_error(factors, plate->assembly.tips.size(), h);
+    const auto error = found.path.back().error = post::largest_error(factors, plate->assembly.tips.size(), h, nominal_factor(*plate));
     progress.update(std::min(0.99, error ? found.asked / *error : 0),
                     fmt::format("{} points, {}", found.path.back().points,
                                 error ? fmt::format("estimated error {:.2g} %", 100 * *error) : "no estimate yet"));
@@ -172,10 +184,8 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
     warnings.push_back(fmt::format("srif.accuracy = {:g} not reached, estimated error {}: ended by {}", found.asked,
                                    found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.outcome));
   warn_of_given_lengths(file, warnings);
-  for (auto& srif : factors) {
-    srif.accuracy_reached = srif.estimated_error;
-    post::normalize(srif, options, h);
-  }
+  post::judge(factors, h, nominal_factor(*plate));
+  for (auto& srif : factors) post::normalize(srif, options, h);
   return result;
 }
 

@@ -1,13 +1,24 @@
 #include "cases/static_solution.hpp"
 
-#include <sys/sysinfo.h>
-
 #include <cmath>
+#include <fstream>
+#include <string>
 
 #include "cases/assembly_galerkin.hpp"
 #include "plate/two_level_plate.hpp"
 
 namespace cases {
+
+double free_memory() {
+  std::ifstream meminfo("/proc/meminfo");
+  for (std::string name, unit; meminfo >> name;) {
+    double kibibytes = 0;
+    if (name == "MemAvailable:" && meminfo >> kibibytes) return 1024 * kibibytes;
+    std::getline(meminfo, unit);
+  }
+  return 0;
+}
+
 namespace {
 
 /// Iterations that conjugate gradients with the diagonal take to 1e-8: measured on square plates with a crack, held on
@@ -23,11 +34,6 @@ double iterations_with_diagonal(const Case& c) {
 double factor_bytes(std::size_t points) {
   const double coarse = double(points) / 4;
   return 220 * coarse * std::log2(coarse + 2);
-}
-
-double free_memory() {
-  struct sysinfo info;
-  return sysinfo(&info) == 0 ? double(info.freeram + info.bufferram) * info.mem_unit : 0;
 }
 
 /// The factor and the iterations with it cost about as much as 600 iterations with the diagonal.

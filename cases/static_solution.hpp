@@ -13,6 +13,9 @@ struct StaticResult {
   std::size_t factor_bytes = 0;
 };
 
+/// Memory that a further program could have [bytes]; 0 where the system does not tell.
+double free_memory();
+
 /// What a summary says of a solution at rest.
 void describe(post::Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution, double tolerance);
 

@@ -179,7 +179,7 @@ void warn_of_factors(const Case& c, const std::vector<post::Srif>& srifs, std::v
       continue;
     }
     const auto lost = named(srif, h, [&](std::size_t k, double) { return !srif.resolved[k]; });
-    const auto doubtful = named(srif, h, [&](std::size_t k, double share) { return srif.resolved[k] && share > uncertain; });
+    const auto doubtful = named(srif, h, [&](std::size_t k, double share) { return srif.resolved[k] && share > uncertain && !srif.accuracy_reached; });
     if (!lost.empty())
       warnings.push_back(fmt::format("{}: not resolved are {} (estimated error of the largest factor); {}", place, lost, remedy(c)));
     if (!doubtful.empty())

@@ -27,20 +27,20 @@ const Srif* find(const std::vector<Srif>& srifs, std::size_t tip, const char* me
   return found == srifs.end() ? nullptr : &*found;
 }
 
-bool known(const Srif* srif) {
-  return srif && srif->resolved[0] && srif->resolved[1] && srif->resolved[2] && !(srif->G && *srif->G <= 0);
-}
-
-/// Of the last discretisations in a row that have both, with a fit.
+/// Of the last discretisations in a row that have both, with a fit. Where no energy is released the fit tells the factors.
 std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, std::size_t tip, double h) {
   std::vector<Pair> result;
   for (const auto& one : path) {
-    const auto *domain = find(one.srifs, tip, "domain_integral"), *extension = find(one.srifs, tip, "virtual_crack_extension");
-    if (!known(domain) || !known(extension) || !known(find(one.srifs, tip, "series_fit"))) {
+    const auto *domain = find(one.srifs, tip, "domain_integral"), *extension = find(one.srifs, tip, "virtual_crack_extension"),
+               *fit = find(one.srifs, tip, "series_fit");
+    if (!domain || !extension || !fit) {
       result.clear();
       continue;
     }
-    const auto factors = [h](const Srif& srif) { return Factors(srif.K1, srif.K2, h * srif.K3); };
+    const auto factors = [&](const Srif& integral) {
+      const Srif& srif = integral.G && *integral.G <= 0 ? *fit : integral;
+      return Factors(srif.K1, srif.K2, h * srif.K3);
+    };
     result.push_back({one.size, one.faces, factors(*domain), factors(*extension)});
   }
   return result;
@@ -132,17 +132,38 @@ void refer_to(const Srif& refined, Srif& srif, double thickness) {
   if (largest > 0) srif.estimated_error = worst / largest;
 }
 
-std::optional<double> largest_error(const std::vector<Srif>& refined, std::size_t tips, double thickness) {
+namespace {
+
+/// What an error counts against.
+double scale_of(const Srif& srif, const std::vector<Srif>& all, double thickness, double nominal) {
   constexpr double least = 0.01;
+  double largest = nominal;
+  for (const auto& other : all) largest = std::max(largest, largest_factor(other, thickness));
+  return std::max(largest_factor(srif, thickness), least * largest);
+}
+
+}  // namespace
+
+std::optional<double> largest_error(const std::vector<Srif>& refined, std::size_t tips, double thickness, double nominal) {
   if (refined.size() < tips) return std::nullopt;
-  double all = 0, result = 0;
-  for (const auto& srif : refined) all = std::max(all, largest_factor(srif, thickness));
-  if (all == 0) return 0;
-  for (const auto& srif : refined) {
-    const double scale = std::max(largest_factor(srif, thickness), least * all);
-    result = std::max({result, *srif.errors[0] / scale, *srif.errors[1] / scale, thickness * *srif.errors[2] / scale});
-  }
+  double result = 0;
+  for (const auto& srif : refined)
+    if (const double scale = scale_of(srif, refined, thickness, nominal); scale > 0)
+      result = std::max({result, *srif.errors[0] / scale, *srif.errors[1] / scale, thickness * *srif.errors[2] / scale});
   return result;
+}
+
+void judge(std::vector<Srif>& refined, double thickness, double nominal) {
+  constexpr double lost = 0.1;
+  for (auto& srif : refined) {
+    const double scale = scale_of(srif, refined, thickness, nominal);
+    srif.accuracy_reached = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double error = *srif.errors[i] * (i == 2 ? thickness : 1);
+      srif.resolved[i] = error <= lost * scale;
+      if (scale > 0) srif.accuracy_reached = std::max(*srif.accuracy_reached, error / scale);
+    }
+  }
 }
 
 }  // namespace post

@@ -18,14 +18,17 @@ struct AccuracyStep {
 };
 
 /// The factors of every tip that the discretisations tend to, as method "refinement", with their estimated errors. Tips that
-/// have no such factors by both integrals and the fit in each of the last three discretisations are left out.
+/// do not have both integrals and the fit in each of the last three discretisations are left out.
 std::vector<Srif> refined(const std::vector<AccuracyStep>& path, double thickness);
 
 /// The error of another method's factors, from those of the same tip that the discretisations tend to.
 void refer_to(const Srif& refined, Srif& srif, double thickness);
 
-/// The largest estimated error of all factors, relative to the largest factor of the tip (where that is below a hundredth of what
-/// other tips have, to that). Absent unless every one of `tips` has factors.
-std::optional<double> largest_error(const std::vector<Srif>& refined, std::size_t tips, double thickness);
+/// The largest estimated error of all factors, relative to the largest factor of the tip, or to a hundredth of what other tips have or
+/// of `nominal` where that is more: what is next to nothing need not be known. Absent unless every one of `tips` has factors.
+std::optional<double> largest_error(const std::vector<Srif>& refined, std::size_t tips, double thickness, double nominal);
+
+/// States the accuracy that every tip has reached. Factors whose error is above a tenth of what it counts against are not resolved.
+void judge(std::vector<Srif>& refined, double thickness, double nominal);
 
 }  // namespace post

@@ -148,7 +148,7 @@ void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& 
     if (!of_opening(srif.method)) largest[srif.tip] = std::max(largest[srif.tip], largest_factor(srif, thickness));
   }
   for (auto& srif : srifs) {
-    if (of_opening(srif.method)) continue;
+    if (of_opening(srif.method) || srif.accuracy_reached) continue;  // openings are not judged, and those have been
     // an energy that is not positive is no better than another method's factors; beside those of earlier rows it may be none
     const bool none = srif.G && *srif.G <= 0;
     const double scale = !none ? largest[srif.tip] : srif.tip < before.size() ? before[srif.tip] : 0;

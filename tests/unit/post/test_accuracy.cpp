@@ -71,20 +71,32 @@ TEST_CASE("accuracy: three discretisations with all methods are needed") {
   const Eigen::Vector3d domain(-0.1, 0.03, 0.4), extension(0.2, 0.01, 0.4);
   CHECK(refined(path({1, 0.7}, domain, extension), h).empty());
   auto lost = path({1, 0.7, 0.5}, domain, extension);
-  lost[1].srifs[1].resolved[2] = false;
+  lost[1].srifs.pop_back();
   CHECK(refined(lost, h).empty());
-  CHECK_FALSE(largest_error({}, 1, h).has_value());
+  CHECK_FALSE(largest_error({}, 1, h, 0).has_value());
 }
 
 TEST_CASE("accuracy: the error is that of the worst factor, relative to the largest of its tip") {
   auto found = refined(path({1, 0.7, 0.5}, {-0.1, 0.03, 0.4}, {0.2, 0.01, 0.4}), h);
   found[0].errors = {0.02, 0.01, 0.5};
-  CHECK(*largest_error(found, 1, h) == Approx(0.05 / 2));
-  CHECK_FALSE(largest_error(found, 2, h).has_value());
+  CHECK(*largest_error(found, 1, h, 0) == Approx(0.05 / 2));
+  CHECK_FALSE(largest_error(found, 2, h, 0).has_value());
   auto weak = found.front();
   weak.tip = 1, weak.K1 = 0.001, weak.K2 = weak.K3 = 0, weak.errors = {0.001, 0, 0};
   found.push_back(weak);
-  CHECK(*largest_error(found, 2, h) == Approx(0.001 / (0.01 * 2)));
+  CHECK(*largest_error(found, 2, h, 0) == Approx(0.001 / (0.01 * 2)));
+  CHECK(*largest_error(found, 2, h, 1000) == Approx(0.05 / (0.01 * 1000)));
+}
+
+TEST_CASE("accuracy: where no energy is released the fit tells the factors") {
+  const Eigen::Vector3d domain(-0.1, 0.03, 0.4), extension(0.2, 0.01, 0.4);
+  auto found = path({1, 0.7, 0.5}, domain, extension);
+  for (auto& step : found)
+    for (auto& srif : step.srifs)
+      if (srif.G) srif.G = -1e-9, srif.K1 = srif.K2 = srif.K3 = 0;
+  const auto refined = post::refined(found, h).at(0);
+  CHECK(refined.K1 == Approx(2));
+  CHECK(refined.K3 == Approx(3));
 }
 
 TEST_CASE("accuracy: another method errs by its distance and by what the refinement may") {
