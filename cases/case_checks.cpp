@@ -231,6 +231,8 @@ void check_motion(const Case& content, Reading& reading) {
   if (reading.given("analysis.safety")) complain("analysis.safety");
   if (content.analysis.precision == Analysis::Precision::mixed)
     reading.complain("analysis.precision", "\"mixed\" is of method = \"central_difference\"; choose \"double\"");
+  if (content.discretization.formulation == plate::Formulation::ordinary && !content.growth)
+    reading.complain("analysis.method", "\"lanczos\" is of formulation = \"galerkin\", whose points all have mass; choose \"central_difference\"");
   if (content.growth) reading.complain("analysis.method", "\"lanczos\" given: growth in motion takes steps; choose \"central_difference\"");
 }
 

@@ -132,8 +132,10 @@ void solve_by_lanczos(const Prepared& prepared, Results& results, post::Summary&
   options.progress = [&](std::size_t vectors, double change) {
     progress.update(std::min(0.9, double(vectors) / 100), fmt::format("{} vectors, change {:.1e}", vectors, change));
   };
+  const auto& constraints = assembly.boundary.constraints;
+  const plate::Inertia inertia(c.section, assembly.galerkin()->cells, constraints, c.analysis.rotary_inertia);
   const auto inverse = inverse_of(c, assembly);
-  const auto motion = plate::lanczos_motion(assembly.plate(), assembly.boundary.constraints, mass_of(c, assembly), assembly.loads, *inverse,
+  const auto motion = plate::lanczos_motion(assembly.plate(), constraints, inertia, assembly.loads, *inverse,
                                             options, observer(prepared, rows, results, summary, progress, stopwatch));
   progress.done();
   summary.analysis.iterations = motion.vectors;

@@ -82,8 +82,7 @@ std::unique_ptr<plate::Preconditioner> galerkin_levels(const Case& c, const Asse
 std::unique_ptr<plate::Preconditioner> inverse_of(const Case& c, const Assembly& assembly) {
   constexpr std::size_t many = 100000;  // points
   if (assembly.plate().points() <= many) return std::make_unique<plate::AssembledPlate>(assembled_plate(assembly));
-  if (assembly.galerkin()) return galerkin_levels(c, assembly);
-  return std::make_unique<plate::TwoLevelPlate>(*assembly.ordinary(), assembly.boundary, c.section, c.discretization);
+  return galerkin_levels(c, assembly);
 }
 
 plate::Forces first_load(const Assembly& assembly) {

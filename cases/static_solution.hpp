@@ -26,7 +26,7 @@ plate::Forces total_load(const Assembly& assembly);
 /// `assembly` must outlive it.
 std::unique_ptr<plate::Preconditioner> galerkin_levels(const Case& c, const Assembly& assembly);
 
-/// What is nearest to the inverse of a held plate and pays for many loads: its factor, or its coarser plates where it has many
+/// What is nearest to the inverse of a held Galerkin plate and pays for many loads: its factor, or its coarser plates where it has many
 /// points. `assembly` must outlive it.
 std::unique_ptr<plate::Preconditioner> inverse_of(const Case& c, const Assembly& assembly);
 

@@ -25,8 +25,9 @@ Eigen::Map<const VectorXd> flat(const State& state) {
 /// States u = P q whose q are orthonormal with the mass.
 class Space {
 public:
-  Space(const Operator& plate, const Constraints& constraints, const Forces& mass, const Preconditioner& inverse)
-      : plate_(plate), constraints_(constraints), mass_(mass), inverse_(inverse), vectors_(mass.size(), 0), forces_(mass.size(), 0) {}
+  Space(const Operator& plate, const Constraints& constraints, const Inertia& inertia, const Preconditioner& inverse)
+      : plate_(plate), constraints_(constraints), inertia_(inertia), inverse_(inverse), points_(Eigen::Index(plate.points())),
+        vectors_(3 * points_, 0), forces_(3 * points_, 0) {}
 
   /// The answer to nodal forces at rest, as a new vector; false where it is in the space already.
   bool add(const Forces& load) {
@@ -38,9 +39,8 @@ public:
 
   /// The next vector of the sequence of vector `i`: what the inverse makes of it need not be exact.
   bool add_after(Index i) {
-    const VectorXd inertia = flat(mass_).cwiseProduct(vectors_.col(i));
     State answer;
-    inverse_.apply(Eigen::Map<const Forces>(inertia.data(), 3, mass_.cols()), answer);
+    inverse_.apply(inertia_(state_of(vectors_.col(i))), answer);
     constraints_.impose(answer);
     return add_state(std::move(answer));
   }
@@ -59,8 +59,8 @@ private:
     const double whole = norm(u);
     if (!(whole > 0)) return false;
     for (int twice = 0; twice < 2; ++twice) {  // once leaves rounding of what was taken out
-      const VectorXd inertia = flat(mass_).cwiseProduct(u);
-      u -= vectors_.leftCols(size_) * (vectors_.leftCols(size_).transpose() * inertia);
+      const Forces momentum = inertia_(state_of(u));
+      u -= vectors_.leftCols(size_) * (vectors_.leftCols(size_).transpose() * flat(momentum));
     }
     const double rest = norm(u);
     if (!(rest > 1e-10 * whole)) return false;
@@ -69,21 +69,23 @@ private:
       vectors_.conservativeResize(u.size(), size_ + more_vectors);
       forces_.conservativeResize(u.size(), size_ + more_vectors);
     }
-    const State state = Eigen::Map<const State>(u.data(), 3, mass_.cols());
     Forces force;
-    plate_.internal_force(state, force);
+    plate_.internal_force(state_of(u), force);
+    constraints_.fold(force);
     vectors_.col(size_) = u;
     forces_.col(size_) = -flat(force);
     ++size_;
     return true;
   }
 
-  double norm(const VectorXd& u) const { return std::sqrt(u.cwiseAbs2().cwiseProduct(flat(mass_)).sum()); }
+  double norm(const VectorXd& u) const { return std::sqrt(u.dot(flat(inertia_(state_of(u))))); }
+  State state_of(const VectorXd& u) const { return Eigen::Map<const State>(u.data(), 3, points_); }
 
   const Operator& plate_;
   const Constraints& constraints_;
-  const Forces& mass_;
+  const Inertia& inertia_;
   const Preconditioner& inverse_;
+  Index points_;
   Index size_ = 0;
   MatrixXd vectors_, forces_;  // columns
 };
@@ -233,12 +235,12 @@ LanczosMotion fill(Space& space, const std::vector<TimedLoad>& loads, const Lanc
 
 }  // namespace
 
-LanczosMotion lanczos_motion(const Operator& plate, const Constraints& constraints, const Forces& mass,
+LanczosMotion lanczos_motion(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
                              const std::vector<TimedLoad>& loads, const Preconditioner& inverse, const LanczosOptions& options,
                              const std::function<void(const Instant&)>& observe) {
-  Space space(plate, constraints, mass, inverse);
+  Space space(plate, constraints, inertia, inverse);
   LanczosMotion result = fill(space, loads, options);
-  const Index points = mass.cols();
+  const auto points = Index(plate.points());
   const bool moves = space.size() > 0;
   Solved motion = moves ? solved(space, loads, options.from_equilibrium) : Solved{{}, Modes({}, MatrixXd(0, Index(loads.size())), loads), 0};
   result.largest_frequency = std::sqrt(motion.largest_square) / (2 * std::numbers::pi);

@@ -1,5 +1,6 @@
 #pragma once
 #include "plate/dynamics.hpp"
+#include "plate/inertia.hpp"
 #include "plate/preconditioner.hpp"
 
 namespace plate {
@@ -20,11 +21,11 @@ struct LanczosMotion {
 };
 
 /// The linear motion of a held plate in the space of load-dependent Lanczos vectors K^-1 F, (K^-1 M) K^-1 F, ... (Wilson, Yuan
-/// and Dickens 1982; Nour-Omid and Clough 1984; theory.md, "Dynamics"), in which every mode moves exactly; there is no time step.
+/// and Dickens 1982; Nour-Omid and Clough 1984; theory.md, "Dynamics"), in which every mode moves exactly; there is no time step. Every free degree of freedom must have mass.
 /// `inverse`: of K, exact or near. Histories are straight between their points, a sine between 500 points a period.
 /// Calls `observe` as central_differences does, with the number of the row as its step.
 /// Throws NumericalError where the vectors do not suffice or a number is not finite.
-LanczosMotion lanczos_motion(const Operator& plate, const Constraints& constraints, const Forces& mass,
+LanczosMotion lanczos_motion(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
                              const std::vector<TimedLoad>& loads, const Preconditioner& inverse, const LanczosOptions& options,
                              const std::function<void(const Instant&)>& observe);
 

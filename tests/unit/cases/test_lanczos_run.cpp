@@ -22,7 +22,7 @@ std::string moving(const std::string& more = "") {
 
 TEST_CASE("Lanczos vectors: the motion of small steps, row by row") {
   const small_run::TemporaryFolder folder;
-  const std::vector<std::string> shared{"output.history_every=0.01", "analysis.start=undeformed"};
+  const std::vector<std::string> shared{"output.history_every=0.01"};
   auto settings = shared;
   settings.push_back("analysis.method=central_difference");
   cases::run(case_text::read(moving(), settings), {folder / "steps", true});
@@ -32,8 +32,9 @@ TEST_CASE("Lanczos vectors: the motion of small steps, row by row") {
   CHECK(*summary.analysis.steps == 40);
   CHECK(*summary.analysis.iterations < 200);  // measured 72
   CHECK_FALSE(summary.analysis.time_step);
+  // steps have the mass of the points, vectors that of the cells: measured 1.2e-3, 1.2e-3, 7e-4
   for (const auto& [table, column, tolerance] :
-       {std::tuple{"history.csv", "max_abs_w", 1e-3}, {"history.csv", "strain_energy", 5e-3}, {"probes.csv", "w", 1e-3}}) {
+       {std::tuple{"history.csv", "max_abs_w", 3e-3}, {"history.csv", "strain_energy", 3e-3}, {"probes.csv", "w", 3e-3}}) {
     const auto one = post::read_csv(folder / "steps" / table), other = post::read_csv(folder / "vectors" / table);
     REQUIRE(one.rows.size() == other.rows.size());
     const auto at = std::size_t(std::ranges::find(one.columns, column) - one.columns.begin());
@@ -61,6 +62,7 @@ TEST_CASE("Lanczos vectors: for graded points unless steps are asked for; what o
   };
   refused("analysis.tolerance", {"analysis.tolerance=1e-4"});
   refused("analysis.time_step", {"analysis.method=lanczos", "analysis.time_step=1e-5"});
+  refused("analysis.method", {"analysis.method=lanczos", "discretization.formulation=ordinary"});
   refused("analysis.safety", {"analysis.method=lanczos", "analysis.safety=0.5"});
   const auto resolved = cases::resolved_toml(case_text::read(moving(), {"analysis.method=lanczos"}).content);
   CHECK_THAT(resolved, Catch::Contains("tolerance = 0.001") && !Catch::Contains("safety"));

@@ -77,7 +77,7 @@ struct Setting {
     LanczosOptions options{40, 80, tolerance};
     options.from_equilibrium = from_equilibrium;
     Moved result;
-    result.motion = lanczos_motion(chain, constraints, mass, loads, inverse, options, [&](const Instant& now) {
+    result.motion = lanczos_motion(chain, constraints, Inertia(mass), loads, inverse, options, [&](const Instant& now) {
       result.time.push_back(now.time), result.w.push_back(now.state(0, 7)), result.velocity.push_back(now.velocity()(0, 7));
       result.kinetic.push_back(now.kinetic_energy), result.strain.push_back(now.strain_energy), result.work.push_back(now.external_work);
     });
@@ -153,5 +153,5 @@ TEST_CASE("Lanczos motion: too few vectors are refused") {
   const Setting s;
   LanczosOptions options{400, 800, 1e-9};
   options.max_vectors = 8;
-  CHECK_THROWS_AS(lanczos_motion(s.chain, s.constraints, s.mass, {{s.load, {}}}, s.inverse, options, [](const Instant&) {}), NumericalError);
+  CHECK_THROWS_AS(lanczos_motion(s.chain, s.constraints, Inertia(s.mass), {{s.load, {}}}, s.inverse, options, [](const Instant&) {}), NumericalError);
 }
