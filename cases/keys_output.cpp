@@ -162,7 +162,7 @@ Fields<Analysis> analysis_fields() {
       unless(number<A>("tolerance", "-", &A::tolerance, {1e-14, 0.1},
                        "static: residual / load at which a solution is accepted; frequencies: of the eigenpairs; dynamic, with lanczos: of "
                        "the motion, rms over the mass, relative to the largest")
-                 .standard("static: 1e-06; frequencies: 0.0001; dynamic: 0.001"),
+                 .standard("static: 1e-06; frequencies: 0.0001; dynamic: 0.0003"),
              A::Method::central_difference),
       number<A>("max_iterations", "-", &A::max_iterations, {1, 1e9}, "limit of iterations of each solution")
           .in(iterative),

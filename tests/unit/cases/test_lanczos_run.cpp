@@ -65,7 +65,7 @@ TEST_CASE("Lanczos vectors: for graded points unless steps are asked for; what o
   refused("analysis.method", {"analysis.method=lanczos", "discretization.formulation=ordinary"});
   refused("analysis.safety", {"analysis.method=lanczos", "analysis.safety=0.5"});
   const auto resolved = cases::resolved_toml(case_text::read(moving(), {"analysis.method=lanczos"}).content);
-  CHECK_THAT(resolved, Catch::Contains("tolerance = 0.001") && !Catch::Contains("safety"));
+  CHECK_THAT(resolved, Catch::Contains("tolerance = 0.0003") && !Catch::Contains("safety"));
   CHECK(cases::resolved_toml(case_text::read(resolved).content) == resolved);
 }
 
