@@ -11,6 +11,8 @@ namespace cases {
 namespace {
 
 std::string dynamic_cost(const CaseFile& file, const Assembly& assembly) {
+  if (file.content.analysis.method == Analysis::Method::lanczos)
+    return fmt::format("rows          {} of Lanczos vectors, which take no steps\n", row_grid(file).steps);
   const auto& constraints = assembly.boundary.constraints;
   const double limit = plate::stable_time_step(assembly.plate(), constraints, mass_of(file.content, assembly));
   const TimeGrid grid = time_grid(file, limit);

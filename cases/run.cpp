@@ -265,7 +265,7 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
     second.emplace(in_other_formulation(file));
     stopwatch.lap("second_formulation");
   }
-  Results results(file, prepared.assembly, prepared.tip_methods, options.folder);
+  Results results(prepared.file, prepared.assembly, prepared.tip_methods, options.folder);
   stopwatch.lap("output");
   if (c.srif && c.srif->richardson) results.coarser(coarser_srifs(file)), stopwatch.lap("srif");
   if (second) {

@@ -76,6 +76,8 @@ std::vector<post::ScenePart> scene(const Case& c, const Assembly& assembly) {
     parts.push_back({"adaptive dynamic relaxation: 7 vectors", "solve", 7 * vector_bytes * all / points, 0});
   else if (method == cg || method == direct)
     parts.push_back({"conjugate gradients: 6 vectors, without a factor", "solve", 6 * vector_bytes * all / points, 0});
+  else if (c.analysis.kind == Analysis::Kind::dynamic)
+    parts.push_back({"72 Lanczos vectors, their forces and modes, without a factor", "solve", 3 * 72 * vector_bytes * all / points, 0});
   else
     parts.push_back({"Lanczos iteration and conjugate gradients", "solve",
                      (4 * double(c.analysis.modes) + 16) * vector_bytes * all / points, 0});

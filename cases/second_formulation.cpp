@@ -15,6 +15,7 @@ CaseFile in_other_formulation(const CaseFile& file) {
   c.formulation_reason = "the other one of srif.second_formulation";
   c.analysis.preconditioner = Analysis::Preconditioner::automatic;
   c.analysis.precision = Analysis::Precision::double_;
+  if (c.analysis.method == Analysis::Method::lanczos) c.analysis.method = Analysis::Method::central_difference;
   c.output.vtk = c.output.hdf5 = false;
   c.srif->second_formulation = c.srif->richardson = false;
 

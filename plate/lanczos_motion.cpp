@@ -189,13 +189,12 @@ public:
   Watch(const std::vector<TimedLoad>& loads, const LanczosOptions& options) : loads_(loads), options_(options) {}
 
   double change(const Space& space) {
-    constexpr std::size_t looks = 100;
-    const std::size_t stride = std::max<std::size_t>(1, options_.rows / looks);
+    constexpr Index looks = 100;  // however few rows are wanted
     Solved now = solved(space, loads_, options_.from_equilibrium);
-    const double row = options_.duration / double(options_.rows);
-    MatrixXd found(space.size(), Index(options_.rows / stride));
-    for (Index n = 0; n < found.cols(); ++n) {
-      now.modes.advance(double(n) * double(stride) * row, double(n + 1) * double(stride) * row);
+    const auto time = [&](Index n) { return options_.duration * double(n) / double(looks); };
+    MatrixXd found(space.size(), looks);
+    for (Index n = 0; n < looks; ++n) {
+      now.modes.advance(time(n), time(n + 1));
       found.col(n) = now.shapes * now.modes.amplitudes();
     }
     MatrixXd difference = found;
@@ -227,7 +226,7 @@ LanczosMotion fill(Space& space, const std::vector<TimedLoad>& loads, const Lanc
       if (result.change <= options.tolerance) return result;
       if (result.vectors >= options.max_vectors)
         throw NumericalError(std::to_string(result.vectors) + " Lanczos vectors change the motion by " +
-                             std::to_string(result.change) + " still");
+                             std::to_string(result.change) + " still, more than the tolerance: take a larger one, or steps");
     }
     space.add_after(next);
   }

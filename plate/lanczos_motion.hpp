@@ -9,7 +9,7 @@ struct LanczosOptions {
   double duration = 0;
   std::size_t rows = 0;              // equal times up to the duration at which the motion is seen, and time 0
   double tolerance = 3e-4;           // of the motion: root of the mean square over the mass, relative to the largest
-  std::size_t max_vectors = 400;
+  std::size_t max_vectors = 800;
   bool from_equilibrium = false;     // at time 0 at rest under the loads of that time, which have grown slowly; else undeformed
   std::function<void(std::size_t vectors, double change)> progress = {};
 };

@@ -75,4 +75,8 @@ TEST_CASE("Lanczos vectors: a plate that nothing holds is refused") {
   const small_run::TemporaryFolder folder;
   CHECK_THROWS_WITH(cases::run(case_text::read(text), {folder.path(), true}), Catch::Contains("needs a plate that supports hold"));
   CHECK(std::filesystem::is_empty(folder.path()));
+  // graded points take steps then, where the case states nothing
+  text.erase(text.find("method = \"lanczos\"\n"), 19);
+  const auto summary = cases::run(case_text::read(text, {"discretization.tip_spacing=0.04", "analysis.duration=0.01"}), {folder.path(), true});
+  CHECK(summary.analysis.method == "central_difference");
 }
