@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cases/gate.hpp"
+#include "cases/lanczos.hpp"
 #include "cases/progress.hpp"
 #include "plate/numerical_error.hpp"
 #include "post/tip_integrals.hpp"
@@ -43,22 +44,30 @@ std::optional<double> least_radius(const geometry::Outline& outline) {
   return result;
 }
 
-/// Bytes that a run takes: measured 17 kB per point at 8,000 and 39,000 points, 18 at 85,000, most of them of the factor.
-double bytes_of(std::size_t points) {
-  return 18e3 * double(points);
+/// Bytes that a run takes: measured 17 kB per point at 8,000 and 39,000 points, 18 at 85,000, most of them of the factor; in
+/// motion `vectors` of Lanczos beside, with their forces and the modes.
+double bytes_of(std::size_t points, std::size_t vectors) {
+  return (18e3 + 3 * 3 * 8 * double(vectors)) * double(points);
 }
 
 CaseFile with_size(const CaseFile& file, double size) {
   CaseFile result = file;
   Case& c = result.content;
   c.discretization = discretization_of(file.content, size);
-  // factors are to be known far better than by the default tolerance
-  c.analysis.tolerance = std::min(c.analysis.tolerance, 1e-8);
+  // factors at rest are to be known far better than by the default tolerance; in motion they are watched themselves
+  if (c.analysis.kind == Analysis::Kind::static_) c.analysis.tolerance = std::min(c.analysis.tolerance, 1e-8);
   c.srif->first_ring_only = true;  // errors come from the path
   return result;
 }
 
-std::vector<post::Srif> solve(Prepared& plate) {
+/// What one discretisation gives.
+struct Found {
+  std::vector<std::vector<post::Srif>> rows;
+  std::vector<double> truncated;  // in motion
+  double strain_energy;           // the largest
+};
+
+Found at_rest(Prepared& plate) {
   const Case& c = plate.file.content;
   plate.solution = solve_at_rest(c, plate.assembly, {c.analysis.tolerance, c.analysis.max_iterations, {}});
   const auto& solution = plate.solution->solution;
@@ -66,13 +75,33 @@ std::vector<post::Srif> solve(Prepared& plate) {
     throw plate::NumericalError(fmt::format("on the way to srif.accuracy, {} points: {}, residual {:.2e}", plate.assembly.plate().points(),
                                             solution.stop_reason, solution.residual));
   plate.stopwatch.lap("solve");
-  auto found = srifs(c, plate.assembly, plate.tip_methods, solution.state);
+  Found result{{srifs(c, plate.assembly, plate.tip_methods, solution.state)}, {}, plate.assembly.strain_energy(solution.state)};
   plate.stopwatch.lap("srif");
-  require_finite(found, "on the way to srif.accuracy");
-  return found;
+  return result;
 }
 
-post::AccuracyStep step_of(double size, const Prepared& plate, std::vector<post::Srif> found, double seconds) {
+Found in_motion(Prepared& plate) {
+  constexpr double of_truncation = 0.3;  // of the accuracy
+  const Case& c = plate.file.content;
+  plate.motion.emplace(lanczos_motion(c, plate.assembly, plate.tip_methods, of_truncation * *c.srif->accuracy, {}));
+  Found result{{}, plate.motion->truncated(), 0};
+  plate.motion->observe(plate.steps->grid.steps, [&](const plate::Instant& now) {
+    plate.stopwatch.lap("solve");
+    result.rows.push_back(srifs(c, plate.assembly, plate.tip_methods, now.state, false));
+    result.strain_energy = std::max(result.strain_energy, now.strain_energy);
+    plate.stopwatch.lap("srif");
+  });
+  return result;
+}
+
+Found solve(Prepared& plate) {
+  const bool moves = plate.file.content.analysis.kind == Analysis::Kind::dynamic;
+  Found result = moves ? in_motion(plate) : at_rest(plate);
+  for (const auto& row : result.rows) require_finite(row, "on the way to srif.accuracy");
+  return result;
+}
+
+post::AccuracyStep step_of(double size, const Prepared& plate, Found found, double seconds) {
   const auto& d = plate.file.content.discretization;
   const Case& c = plate.file.content;
   const double layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
@@ -80,15 +109,13 @@ post::AccuracyStep step_of(double size, const Prepared& plate, std::vector<post:
   for (const auto& tip : plate.assembly.tips) clear = std::min(clear, clear_distance(c, plate.assembly.paths, tip));
   const double faces = std::min(d.spacing, *d.tip_spacing + d.spacing_growth * clear) / layer;
   return {size,    plate.assembly.boundary.cloud.plate_points, d.spacing, *d.tip_spacing, d.hole_spacing, d.spacing_growth, faces,
-          seconds, std::move(found), std::nullopt};
+          seconds, std::move(found.rows), std::move(found.truncated), std::nullopt};
 }
 
 /// K1 of a crack that releases the whole energy of the plate over its smaller side.
-double nominal_factor(const Prepared& plate) {
-  const Case& c = plate.file.content;
+double nominal_factor(const Case& c, double strain_energy) {
   const auto [low, high] = geometry::bounding_box(c.outline);
-  const double energy = plate.assembly.strain_energy(plate.solution->solution.state);
-  return std::sqrt(energy / (high - low).minCoeff() / post::unit_release(c.section)[0]);
+  return std::sqrt(strain_energy / (high - low).minCoeff() / post::unit_release(c.section)[0]);
 }
 
 /// Where one step that doubles the number of points does not suffice by far, two at once.
@@ -99,15 +126,34 @@ double next_size(double size, const std::optional<double>& error, double asked) 
 }
 
 /// What forbids to go on to a smaller size; empty where nothing does.
-std::string end_before(double size, const std::vector<post::AccuracyStep>& path, double seconds, const post::SrifOptions& options) {
+std::string end_before(double size, const std::vector<post::AccuracyStep>& path, std::size_t vectors, double seconds,
+                       const post::SrifOptions& options) {
   if (size < least_size) return "the finest discretisation of this program";
   const auto& last = path.back();
   const double ratio = std::pow(last.size / size, 2);
   const double free = free_memory();
-  if (free > 0 && bytes_of(std::size_t(ratio * double(last.points))) > free / 2) return "memory";
+  if (free > 0 && bytes_of(std::size_t(ratio * double(last.points)), vectors) > free / 2) return "memory";
   constexpr double order = 1.3;  // of the time, in the number of points: measured 1.1 to 1.4
   if (seconds + last.seconds * std::pow(ratio, order) > options.accuracy_seconds) return "srif.accuracy_seconds";
   return "";
+}
+
+/// A plate that nothing holds takes steps, each of them too short for graded points.
+void require_vectors(const Prepared& plate) {
+  const auto& analysis = plate.file.content.analysis;
+  if (analysis.kind != Analysis::Kind::dynamic || analysis.method == Analysis::Method::lanczos) return;
+  throw CaseError({{plate.file.place("srif.accuracy"), "srif.accuracy",
+                    "in motion needs a plate that supports hold: hold it, or state the discretisation instead"}});
+}
+
+/// Puts the refined factors of every tip before those of the finest discretisation, whose errors they tell.
+void put_first(std::vector<post::Srif> refined, std::vector<post::Srif>& row, const post::SrifOptions& options, double thickness) {
+  for (auto& best : refined) {
+    post::normalize(best, options, thickness);
+    for (auto& srif : row)
+      if (srif.tip == best.tip) post::refer_to(best, srif, thickness);
+    row.insert(std::ranges::find(row, best.tip, &post::Srif::tip), std::move(best));
+  }
 }
 
 void warn_of_given_lengths(const CaseFile& file, std::vector<std::string>& warnings) {
@@ -125,7 +171,7 @@ plate::Discretization discretization_of(const Case& c, double size) {
   const geometry::Point sides = high - low;
   const double layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
   plate::Discretization result = c.discretization;
-  result.spacing = size * sides.minCoeff() / 10;
+  result.spacing = size * sides.minCoeff() / (c.analysis.kind == Analysis::Kind::dynamic ? 28 : 10);
   result.tip_spacing = std::min(size * size * std::min(least_clear_distance(c, sides.maxCoeff()) / 20, 0.63 * layer), result.spacing);
   result.hole_spacing.reset();
   if (const auto radius = least_radius(c.outline)) result.hole_spacing = std::min(size * *radius / 4, result.spacing);
@@ -138,20 +184,24 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
   const double h = file.content.section.thickness;
   const auto start = Clock::now();
   Accurate result;
-  auto& [plate, found, factors] = result;
+  auto& [plate, found, rows] = result;
   found.asked = *options.accuracy;
   Progress progress(quiet, "srif.accuracy");
   Stopwatch before;
   std::optional<CaseError> refused;  // the coarsest points
+  double nominal = 0;
+  std::vector<std::vector<post::Srif>> refined;
   for (double size = 1; found.outcome.empty();) {
     const auto begin = Clock::now();
     constexpr double first_sizes = 0.2;
     std::unique_ptr<Prepared> next;
-    std::vector<post::Srif> srifs;
+    Found of_next;
     try {
       next = std::make_unique<Prepared>(with_size(file, size));
-      srifs = solve(*next);
+      require_vectors(*next);
+      of_next = solve(*next);
     } catch (const CaseError& error) {
+      if (error.problems().front().key == "srif.accuracy") throw;
       // such coarse points may not do where finer ones do
       if (!refused) refused = error;
       if (!plate && size < first_sizes) throw *refused;
@@ -165,16 +215,18 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
     }
     if (plate) before.add(plate->stopwatch);
     plate = std::move(next);
-    found.path.push_back(step_of(size, *plate, std::move(srifs), std::chrono::duration<double>(Clock::now() - begin).count()));
-    factors = post::refined(found.path, h);
-    const auto error = found.path.back().error = post::largest_error(factors, plate->assembly.tips.size(), h, nominal_factor(*plate));
+    nominal = nominal_factor(plate->file.content, of_next.strain_energy);
+    found.path.push_back(step_of(size, *plate, std::move(of_next), std::chrono::duration<double>(Clock::now() - begin).count()));
+    refined = post::refined(found.path, h);
+    const auto error = found.path.back().error = post::largest_error(refined, plate->assembly.tips.size(), h, nominal);
     progress.update(std::min(0.99, error ? found.asked / *error : 0),
                     fmt::format("{} points, {}", found.path.back().points,
                                 error ? fmt::format("estimated error {:.2g} %", 100 * *error) : "no estimate yet"));
     if (error && *error <= found.asked) found.outcome = "reached";
     if (!found.outcome.empty()) break;
     size = next_size(size, error, found.asked);
-    found.outcome = end_before(size, found.path, std::chrono::duration<double>(Clock::now() - start).count(), options);
+    found.outcome = end_before(size, found.path, plate->motion ? plate->motion->vectors() : 0,
+                               std::chrono::duration<double>(Clock::now() - start).count(), options);
   }
   progress.done();
   found.reached = found.path.back().error;
@@ -184,8 +236,9 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
     warnings.push_back(fmt::format("srif.accuracy = {:g} not reached, estimated error {}: ended by {}", found.asked,
                                    found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.outcome));
   warn_of_given_lengths(file, warnings);
-  post::judge(factors, h, nominal_factor(*plate));
-  for (auto& srif : factors) post::normalize(srif, options, h);
+  post::judge(refined, h, nominal);
+  rows = found.path.back().rows;
+  for (std::size_t row = 0; row < refined.size(); ++row) put_first(std::move(refined[row]), rows[row], options, h);
   return result;
 }
 

@@ -242,6 +242,8 @@ void check_accuracy(const Case& content, Reading& reading) {
   const auto complain = [&](const std::string& what) { reading.complain("srif.accuracy", what); };
   if (content.discretization.formulation == plate::Formulation::ordinary)
     complain("needs the Galerkin plate, whose points can be graded (formulation " + content.formulation_reason + "): remove it or that");
+  else if (content.analysis.kind == Analysis::Kind::dynamic && content.analysis.method != Analysis::Method::lanczos)
+    complain("moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety)");
   if (content.growth) complain("is not available with [growth]");
   if (content.srif->richardson || content.srif->second_formulation)
     complain("has estimates of its own: remove srif.richardson and srif.second_formulation");

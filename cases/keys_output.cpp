@@ -236,10 +236,10 @@ Fields<SrifOptions> srif_fields() {
       number<S>("accuracy", "-", &S::accuracy, {1e-5, 0.2},
                 "find the discretisation by which every factor is known to this share of the largest of K1, K2, K3 thickness; "
                 "spacings and their growth need not be given, and are not used; formulation = galerkin")
-          .in({Analysis::Kind::static_}),
+          .in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       number<S>("accuracy_seconds", "s", &S::accuracy_seconds, positive,
                 "with accuracy: no finer discretisation is begun that would be expected to end later")
-          .in({Analysis::Kind::static_}),
+          .in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       table<S, Normalization>("normalize", Layout::inline_, &S::normalize, normalization_fields(), check_normalization),
       number<S>("half_length", "length", &S::half_length, positive,
                 "the a of the normalisation; required with normalize"),

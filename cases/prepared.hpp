@@ -2,6 +2,7 @@
 #include "cases/run.hpp"
 #include "cases/static_solution.hpp"
 #include "cases/tip_factors.hpp"
+#include "plate/lanczos_motion.hpp"
 
 namespace cases {
 
@@ -20,7 +21,9 @@ struct Prepared {
   Assembly assembly;
   std::vector<post::TipMethods> tip_methods;
   std::optional<Steps> steps;            // of a motion; without a limit where it takes no steps but rows
-  std::optional<StaticResult> solution;  // of a plate at rest that has been solved already
+  // of a plate that has been solved already:
+  std::optional<StaticResult> solution;
+  std::optional<plate::LanczosMotion> motion;
 };
 
 }  // namespace cases

@@ -121,15 +121,11 @@ void Results::sample_probes(const plate::Instant& now) {
 }
 
 std::vector<post::Srif> Results::widened_srifs(const plate::State& state, bool all_rings) const {
+  if (!known_.empty()) return known_.at(srif_rows_.size());
   auto result = srifs(case_, assembly_, tip_methods_, state, all_rings);
   for (auto& srif : result)
     for (const auto& other : coarser_)
       if (other.tip == srif.tip && other.method == srif.method) post::widen(srif, other, case_.section.thickness);
-  for (const auto& refined : refined_) {
-    for (auto& srif : result)
-      if (srif.tip == refined.tip) post::refer_to(refined, srif, case_.section.thickness);
-    result.insert(std::ranges::find(result, refined.tip, &post::Srif::tip), refined);
-  }
   const auto& [formulation, rows] = second_;
   if (srif_rows_.size() >= rows.size()) return result;
   const auto& row = rows[srif_rows_.size()];
@@ -150,6 +146,8 @@ void Results::sample_srifs(const plate::Instant& now, bool last) {
 post::Table Results::srif_table() {
   post::Table result{post::srif_columns(), {}};
   for (std::size_t i = 0; i < srif_rows_.size(); ++i) {
+    for (auto& srif : srif_rows_[i])
+      if (srif.tip < truncated_.size()) post::widen(srif, truncated_[srif.tip] * largest_[srif.tip], case_.section.thickness);
     if (srif_rows_.size() > 1) post::mark_lost(srif_rows_[i], case_.section.thickness, largest_);
     post::append(result, std::get<double>(history_.rows[i].front()), srif_rows_[i]);
   }

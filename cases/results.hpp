@@ -38,10 +38,12 @@ public:
   void second(std::string formulation, std::vector<std::vector<post::Srif>> rows) {
     second_ = {std::move(formulation), std::move(rows)};
   }
-  /// The factors that ever finer discretisations tend to, recommended at rest, and how these were found.
-  void refined(std::vector<post::Srif> srifs, post::AccuracySummary found) {
-    refined_ = std::move(srifs), accuracy_ = std::move(found);
+  /// The factors of all rows where they are known already, the recommended ones of each tip first, and how they were found.
+  void known(std::vector<std::vector<post::Srif>> rows, post::AccuracySummary found) {
+    known_ = std::move(rows), accuracy_ = std::move(found);
   }
+  /// What the estimated errors of every tip miss of a motion: a share of the largest factor that the tip ever has.
+  void truncated(std::vector<double> shares) { truncated_ = std::move(shares); }
   /// Those of every row so far.
   std::vector<std::vector<post::Srif>> srif_rows() && { return std::move(srif_rows_); }
   /// The growth of the run, which must outlive it.
@@ -74,7 +76,9 @@ private:
   std::vector<std::pair<std::string, std::vector<post::Share>>> probes_;
   const std::vector<post::TipMethods>& tip_methods_;
   post::Table history_, probe_table_, frequency_table_;
-  std::vector<post::Srif> coarser_, refined_;
+  std::vector<post::Srif> coarser_;
+  std::vector<std::vector<post::Srif>> known_;
+  std::vector<double> truncated_;
   std::optional<post::AccuracySummary> accuracy_;
   std::vector<std::vector<post::Srif>> srif_rows_;
   std::vector<double> largest_;  // of every tip so far: of |K1|, |K2|, |K3| h, by any method

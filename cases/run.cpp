@@ -8,13 +8,13 @@
 #include "cases/formulations.hpp"
 #include "cases/gate.hpp"
 #include "cases/growth_run.hpp"
+#include "cases/lanczos.hpp"
 #include "cases/progress.hpp"
 #include "cases/results.hpp"
 #include "cases/scene.hpp"
 #include "cases/second_formulation.hpp"
 #include "cases/static_solution.hpp"
 #include "plate/frequencies.hpp"
-#include "plate/lanczos_motion.hpp"
 #include "plate/numerical_error.hpp"
 
 namespace cases {
@@ -121,26 +121,25 @@ std::function<void(const plate::Instant&)> observer(const Prepared& prepared, st
 
 void solve_by_lanczos(const Prepared& prepared, Results& results, post::Summary& summary, bool quiet, Stopwatch& stopwatch) {
   const Case& c = prepared.file.content;
-  const auto& assembly = prepared.assembly;
   const auto rows = prepared.steps->grid.steps;
   summary.analysis.method = "lanczos";
   summary.analysis.duration = c.analysis.duration;
   summary.analysis.tolerance = c.analysis.tolerance;
   Progress progress(quiet, "Lanczos vectors");
-  plate::LanczosOptions options{c.analysis.duration, rows, c.analysis.tolerance};
-  options.from_equilibrium = c.analysis.start == Analysis::Start::equilibrium;
-  options.progress = [&](std::size_t vectors, double change) {
+  const auto found = [&](std::size_t vectors, double change) {
     progress.update(std::min(0.9, double(vectors) / 100), fmt::format("{} vectors, change {:.1e}", vectors, change));
   };
-  const auto& constraints = assembly.boundary.constraints;
-  const plate::Inertia inertia(c.section, assembly.galerkin()->cells, constraints, c.analysis.rotary_inertia);
-  const auto inverse = inverse_of(c, assembly);
-  const auto motion = plate::lanczos_motion(assembly.plate(), constraints, inertia, assembly.loads, *inverse,
-                                            options, observer(prepared, rows, results, summary, progress, stopwatch));
+  std::optional<plate::LanczosMotion> own;
+  if (!prepared.motion) {
+    own = lanczos_motion(c, prepared.assembly, prepared.tip_methods, INFINITY, found);
+    results.truncated(own->truncated());
+  }
+  const auto& motion = own ? *own : *prepared.motion;
+  motion.observe(rows, observer(prepared, rows, results, summary, progress, stopwatch));
   progress.done();
-  summary.analysis.iterations = motion.vectors;
-  summary.analysis.residual = motion.change;
-  summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors);
+  summary.analysis.iterations = motion.vectors();
+  summary.analysis.residual = motion.change();
+  summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors());
 }
 
 void solve_dynamic(const Prepared& prepared, MovingGrowth* growth, Results& results, post::Summary& summary, bool quiet,
@@ -243,10 +242,10 @@ SrifRows run_second(const Prepared& prepared, const RunOptions& options) {
 namespace {
 
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
-  auto [plate, found, factors] = to_accuracy(file, options.quiet);
+  auto [plate, found, rows] = to_accuracy(file, options.quiet);
   Stopwatch stopwatch = plate->stopwatch;
   Results results(plate->file, plate->assembly, plate->tip_methods, options.folder);
-  results.refined(std::move(factors), std::move(found));
+  results.known(std::move(rows), std::move(found));
   stopwatch.lap("output");
   return run(*plate, results, options, stopwatch);
 }

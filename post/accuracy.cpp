@@ -27,12 +27,13 @@ const Srif* find(const std::vector<Srif>& srifs, std::size_t tip, const char* me
   return found == srifs.end() ? nullptr : &*found;
 }
 
-/// Of the last discretisations in a row that have both, with a fit. Where no energy is released the fit tells the factors.
-std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, std::size_t tip, double h) {
+/// At one time: of the last discretisations in a row that have both, with a fit. Where no energy is released the fit tells the factors.
+std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, std::size_t row, std::size_t tip, double h) {
   std::vector<Pair> result;
   for (const auto& one : path) {
-    const auto *domain = find(one.srifs, tip, "domain_integral"), *extension = find(one.srifs, tip, "virtual_crack_extension"),
-               *fit = find(one.srifs, tip, "series_fit");
+    const auto& srifs = one.rows.at(row);
+    const auto *domain = find(srifs, tip, "domain_integral"), *extension = find(srifs, tip, "virtual_crack_extension"),
+               *fit = find(srifs, tip, "series_fit");
     if (!domain || !extension || !fit) {
       result.clear();
       continue;
@@ -57,20 +58,41 @@ Factors mean(const Pair& pair) {
   return (pair.domain + pair.extension) / 2;
 }
 
-/// The last change over the one before it, as a share of what it is where errors go with size^2.
-double pace(const std::vector<Pair>& found, std::size_t n, double before, double last) {
-  const auto square = [&](std::size_t i) { return found[i].size * found[i].size; };
-  return last / before * (square(n - 2) - square(n - 1)) / (square(n - 1) - square(n));
+/// What both integrals give at one tip: of every time the last discretisations that have both.
+using Course = std::vector<std::vector<Pair>>;
+
+/// The sum over all times of the products of two changes of each factor.
+template <typename First, typename Second>
+Factors products(const Course& course, const First& first, const Second& second) {
+  Factors result = Factors::Zero();
+  for (const auto& found : course) result += first(found).cwiseProduct(second(found));
+  return result;
 }
 
-/// The result after n + 1 discretisations. Errors of K3 are of one order only where its changes say so.
-Factors result_of(const std::vector<Pair>& found, std::size_t n) {
+/// The changes of each factor from discretisation n - 1 to n over those before, as a share of what they are where errors go with
+/// size^2; over all times by least squares. `value`: of a Pair.
+template <typename Value>
+Factors pace(const Course& course, std::size_t n, const Value& value) {
+  const auto last = [&](const std::vector<Pair>& found) -> Factors { return value(found[n]) - value(found[n - 1]); };
+  const auto before = [&](const std::vector<Pair>& found) -> Factors { return value(found[n - 1]) - value(found[n - 2]); };
+  const auto& sizes = course.front();
+  const auto square = [&](std::size_t i) { return sizes[i].size * sizes[i].size; };
+  return products(course, last, before).cwiseQuotient(products(course, before, before)) * (square(n - 2) - square(n - 1)) /
+         (square(n - 1) - square(n));
+}
+
+/// Errors of K3 are of one order only where its changes say so.
+bool of_one_order(const Course& course, std::size_t n) {
+  if (n < 2) return false;
+  const double share = pace(course, n, [](const Pair& pair) { return pair.domain; })[2];
+  return share > 0.33 && share < 1.5;
+}
+
+/// The result after n + 1 discretisations, at one time.
+Factors result_of(const std::vector<Pair>& found, std::size_t n, bool shear_too) {
   if (n == 0) return mean(found[0]);
   Factors result = extrapolated<Factors>(mean(found[n - 1]), mean(found[n]), found[n - 1].size, found[n].size);
-  const auto K3 = [&](std::size_t i) { return found[i].domain[2]; };
-  const double share = n > 1 ? pace(found, n, K3(n - 1) - K3(n - 2), K3(n) - K3(n - 1)) : 0;
-  const bool of_one_order = share > 0.33 && share < 1.5;
-  if (!of_one_order) result[2] = K3(n);
+  if (!shear_too) result[2] = found[n].domain[2];
   return result;
 }
 
@@ -80,43 +102,90 @@ double slowness(double pace) {
   return ratio > 0.5 ? ratio / (1 - ratio) : 1;
 }
 
-Factors errors_of(const std::vector<Pair>& found) {
-  const std::size_t n = found.size() - 1;
-  const Pair &last = found[n], &before = found[n - 1];
-  const Factors result = result_of(found, n), result_before = result_of(found, n - 1);
-  const double shrinks = std::pow(last.size / before.size, 2);
-  const Factors change = (result - result_before).cwiseAbs().cwiseMax(shrinks * (result_before - result_of(found, n - 2)).cwiseAbs());
-  const Factors step = mean(last) - mean(before), step_before = mean(before) - mean(found[n - 2]);
-  const Factors apart = extrapolated<Factors>(before.domain - before.extension, last.domain - last.extension, before.size, last.size);
-  const double others = of_others_change * change.maxCoeff(), integrals = (last.domain - last.extension).cwiseAbs().maxCoeff();
-  const double unresolved = last.size * last.size * std::clamp(last.faces / 1.5, 1.0, 4.0) * last.domain.tail<2>().norm();
-  Factors errors = apart.cwiseAbs() / 2 + of_step * step.cwiseAbs() + Factors::Constant(rounding * result.cwiseAbs().maxCoeff());
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto j = Eigen::Index(i);
-    errors[j] += slowness(pace(found, n, step_before[j], step[j])) * of_change[i] * std::max(change[j], others) + of_integrals[i] * integrals +
-                 of_size[i] * unresolved;
+struct Refined {
+  Factors K, errors;
+};
+
+/// At all times.
+std::vector<Refined> refined(const Course& course) {
+  const std::size_t n = course.front().size() - 1;
+  const std::array shear_too{of_one_order(course, n - 2), of_one_order(course, n - 1), of_one_order(course, n)};
+  const Factors paces = pace(course, n, mean);
+  std::vector<Refined> all;
+  for (const auto& found : course) {
+    const Pair &last = found[n], &before = found[n - 1];
+    const Factors result = result_of(found, n, shear_too[2]), result_before = result_of(found, n - 1, shear_too[1]);
+    const double shrinks = std::pow(last.size / before.size, 2);
+    const Factors change =
+        (result - result_before).cwiseAbs().cwiseMax(shrinks * (result_before - result_of(found, n - 2, shear_too[0])).cwiseAbs());
+    const Factors step = mean(last) - mean(before);
+    const Factors apart = extrapolated<Factors>(before.domain - before.extension, last.domain - last.extension, before.size, last.size);
+    const double others = of_others_change * change.maxCoeff(), integrals = (last.domain - last.extension).cwiseAbs().maxCoeff();
+    const double unresolved = last.size * last.size * std::clamp(last.faces / 1.5, 1.0, 4.0) * last.domain.tail<2>().norm();
+    Factors errors = apart.cwiseAbs() / 2 + of_step * step.cwiseAbs() + Factors::Constant(rounding * result.cwiseAbs().maxCoeff());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto j = Eigen::Index(i);
+      errors[j] += slowness(paces[j]) * of_change[i] * std::max(change[j], others) + of_integrals[i] * integrals + of_size[i] * unresolved;
+    }
+    all.push_back({result, errors});
   }
-  return errors;
+  return all;
+}
+
+/// Where the courses of two discretisations cross, nothing tells their error: it is no less than that of all times, root of the mean
+/// square. `truncated`: of the largest factor at any time.
+void level(std::vector<Refined>& course, double truncated) {
+  Factors squares = Factors::Zero();
+  double largest = 0;
+  for (const auto& one : course) squares += one.errors.cwiseAbs2(), largest = std::max(largest, one.K.cwiseAbs().maxCoeff());
+  const Factors mean = (squares / double(course.size())).cwiseSqrt();
+  for (auto& one : course) one.errors = one.errors.cwiseMax(mean).array() + truncated * largest;
+}
+
+/// Of the result: as many vectors leave out the same of each discretisation, which extrapolation does not enlarge.
+double truncation(const std::vector<AccuracyStep>& path, std::size_t tip) {
+  const auto of = [&](const AccuracyStep& one) { return tip < one.truncated.size() ? one.truncated[tip] : 0; };
+  return std::max(of(path.back()), of(path[path.size() - 2]));
+}
+
+/// No times where some have too few discretisations.
+Course course_of(const std::vector<AccuracyStep>& path, std::size_t tip, double thickness) {
+  constexpr std::size_t enough = 3;
+  Course result;
+  std::size_t least = path.size();
+  for (std::size_t row = 0; row < path.back().rows.size(); ++row) {
+    result.push_back(pairs(path, row, tip, thickness));
+    least = std::min(least, result.back().size());
+  }
+  if (least < enough) return {};
+  for (auto& found : result) found.erase(found.begin(), found.end() - std::ptrdiff_t(least));
+  return result;
 }
 
 }  // namespace
 
-std::vector<Srif> refined(const std::vector<AccuracyStep>& path, double thickness) {
-  std::vector<Srif> result;
-  if (path.empty()) return result;
-  for (const auto& of_last : path.back().srifs) {
-    if (!result.empty() && result.back().tip == of_last.tip) continue;
-    const auto found = pairs(path, of_last.tip, thickness);
-    if (found.size() < 3) continue;
-    Srif srif;
-    srif.tip = of_last.tip, srif.position = of_last.position, srif.method = "refinement";
-    srif.samples = found.size();
-    const Factors K = result_of(found, found.size() - 1), errors = errors_of(found);
-    srif.K1 = K[0], srif.K2 = K[1], srif.K3 = K[2] / thickness;
-    srif.errors = {errors[0], errors[1], errors[2] / thickness};
-    const double largest = largest_factor(srif, thickness);
-    if (largest > 0) srif.estimated_error = errors.maxCoeff() / largest;
-    result.push_back(std::move(srif));
+std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, double thickness) {
+  std::vector<std::vector<Srif>> result;
+  if (path.empty() || path.back().rows.empty()) return result;
+  const auto& rows = path.back().rows;
+  for (std::size_t i = 0; i < rows.front().size(); ++i) {
+    const std::size_t tip = rows.front()[i].tip;
+    if (i > 0 && rows.front()[i - 1].tip == tip) continue;
+    const Course course = course_of(path, tip, thickness);
+    if (course.empty()) continue;
+    auto found = refined(course);
+    level(found, truncation(path, tip));
+    result.resize(rows.size());
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const auto& [K, errors] = found[row];
+      Srif srif;
+      srif.tip = tip, srif.position = rows.front()[i].position, srif.method = "refinement";
+      srif.samples = course.front().size();
+      srif.K1 = K[0], srif.K2 = K[1], srif.K3 = K[2] / thickness;
+      srif.errors = {errors[0], errors[1], errors[2] / thickness};
+      if (const double largest = largest_factor(srif, thickness); largest > 0) srif.estimated_error = errors.maxCoeff() / largest;
+      result[row].push_back(std::move(srif));
+    }
   }
   return result;
 }
@@ -134,36 +203,50 @@ void refer_to(const Srif& refined, Srif& srif, double thickness) {
 
 namespace {
 
-/// What an error counts against.
-double scale_of(const Srif& srif, const std::vector<Srif>& all, double thickness, double nominal) {
-  constexpr double least = 0.01;
-  double largest = nominal;
-  for (const auto& other : all) largest = std::max(largest, largest_factor(other, thickness));
-  return std::max(largest_factor(srif, thickness), least * largest);
+/// What errors count against, by tip.
+class Scales {
+public:
+  Scales(const std::vector<std::vector<Srif>>& rows, double thickness, double nominal) : least_(0.01 * nominal) {
+    constexpr double least = 0.01;
+    for (const auto& row : rows)
+      for (const auto& srif : row) {
+        largest_.resize(std::max(largest_.size(), srif.tip + 1), 0);
+        largest_[srif.tip] = std::max(largest_[srif.tip], largest_factor(srif, thickness));
+      }
+    for (const double largest : largest_) least_ = std::max(least_, least * largest);
+  }
+  double operator()(std::size_t tip) const { return std::max(largest_.at(tip), least_); }
+
+private:
+  double least_;
+  std::vector<double> largest_;
+};
+
+double worst_error(const Srif& srif, double thickness) {
+  return std::max({*srif.errors[0], *srif.errors[1], thickness * *srif.errors[2]});
 }
 
 }  // namespace
 
-std::optional<double> largest_error(const std::vector<Srif>& refined, std::size_t tips, double thickness, double nominal) {
-  if (refined.size() < tips) return std::nullopt;
+std::optional<double> largest_error(const std::vector<std::vector<Srif>>& refined, std::size_t tips, double thickness, double nominal) {
+  if ((refined.empty() ? 0 : refined.front().size()) < tips) return std::nullopt;
+  const Scales scales(refined, thickness, nominal);
   double result = 0;
-  for (const auto& srif : refined)
-    if (const double scale = scale_of(srif, refined, thickness, nominal); scale > 0)
-      result = std::max({result, *srif.errors[0] / scale, *srif.errors[1] / scale, thickness * *srif.errors[2] / scale});
+  for (const auto& row : refined)
+    for (const auto& srif : row)
+      if (const double scale = scales(srif.tip); scale > 0) result = std::max(result, worst_error(srif, thickness) / scale);
   return result;
 }
 
-void judge(std::vector<Srif>& refined, double thickness, double nominal) {
+void judge(std::vector<std::vector<Srif>>& refined, double thickness, double nominal) {
   constexpr double lost = 0.1;
-  for (auto& srif : refined) {
-    const double scale = scale_of(srif, refined, thickness, nominal);
-    srif.accuracy_reached = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double error = *srif.errors[i] * (i == 2 ? thickness : 1);
-      srif.resolved[i] = error <= lost * scale;
-      if (scale > 0) srif.accuracy_reached = std::max(*srif.accuracy_reached, error / scale);
+  const Scales scales(refined, thickness, nominal);
+  for (auto& row : refined)
+    for (auto& srif : row) {
+      const double scale = scales(srif.tip);
+      srif.accuracy_reached = scale > 0 ? worst_error(srif, thickness) / scale : 0;
+      for (std::size_t i = 0; i < 3; ++i) srif.resolved[i] = *srif.errors[i] * (i == 2 ? thickness : 1) <= lost * scale;
     }
-  }
 }
 
 }  // namespace post

@@ -33,6 +33,13 @@ void widen(Srif& srif, const Srif& coarser, double thickness) {
   at_least(srif, {coarser.K1, coarser.K2, coarser.K3});
 }
 
+void widen(Srif& srif, double error, double thickness) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (srif.errors[i]) *srif.errors[i] += i == 2 ? error / thickness : error;
+  const double largest = largest_factor(srif, thickness);
+  if (srif.estimated_error && largest > 0) *srif.estimated_error += error / largest;
+}
+
 void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness) {
   const double largest = std::max(largest_factor(srif, thickness), largest_factor(other, thickness));
   const double relative = largest > 0 ? difference(srif, other, thickness) / largest : 0;

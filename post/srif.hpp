@@ -85,6 +85,9 @@ double largest_factor(const Srif& srif, double thickness);
 /// The difference from the same factors with twice the spacing, as a bound of the error of the first order.
 void widen(Srif& srif, const Srif& coarser, double thickness);
 
+/// Adds to the errors, those of K1, K2 and K3 times the thickness.
+void widen(Srif& srif, double error, double thickness);
+
 /// States the difference from the factors of another formulation; the estimated error is at least that.
 void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness);
 

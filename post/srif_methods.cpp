@@ -105,6 +105,16 @@ std::vector<FitSrif> TipMethods::fitted(const NearField& field) const {
   return result;
 }
 
+Eigen::MatrixXd TipMethods::functionals() const {
+  if (fits_.empty()) return {};
+  const SeriesFit& fit = fits_.front();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 3 * Eigen::Index(positions_.size()));
+  for (std::size_t i = 0; i < fit.points.size(); ++i)
+    result.middleCols(3 * Eigen::Index(fit.points[i]), 3) = fit.row.middleCols(3 * Eigen::Index(i), 3);
+  result.row(2) *= section_.thickness;
+  return result;
+}
+
 /// K1, K2, K3 whose signs and proportions the integrals of the energy release rate take over.
 Eigen::Vector3d TipMethods::split(const std::vector<FitSrif>& fits, const plate::State& state) const {
   if (!fits.empty()) return {fits.front().K1, fits.front().K2, fits.front().K3};

@@ -26,6 +26,10 @@ public:
   /// Why methods were left out.
   const std::vector<std::string>& left_out() const { return left_out_; }
 
+  /// K1, K2, K3 times the thickness of the fit of the fields about the tip, as functionals (rows) of the state flattened; no
+  /// row where there is no fit.
+  Eigen::MatrixXd functionals() const;
+
   /// Does any method ask for the internal force?
   bool needs_force() const { return !integrals_.empty(); }
 

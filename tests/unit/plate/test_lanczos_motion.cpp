@@ -55,7 +55,8 @@ private:
 constexpr Eigen::Index points = 120;
 
 struct Moved {
-  LanczosMotion motion;
+  std::size_t vectors = 0;
+  double change = 0;
   std::vector<double> time, w, kinetic, strain, work, velocity;
 };
 
@@ -74,10 +75,12 @@ struct Setting {
   Moved move(const std::vector<History>& histories, double tolerance, bool from_equilibrium = false) const {
     std::vector<TimedLoad> loads;
     for (const auto& history : histories) loads.push_back({load, history});
-    LanczosOptions options{40, 80, tolerance};
+    LanczosOptions options{40, tolerance};
     options.from_equilibrium = from_equilibrium;
     Moved result;
-    result.motion = lanczos_motion(chain, constraints, Inertia(mass), loads, inverse, options, [&](const Instant& now) {
+    const LanczosMotion motion(chain, constraints, Inertia(mass), loads, inverse, options);
+    result.vectors = motion.vectors(), result.change = motion.change();
+    motion.observe(80, [&](const Instant& now) {
       result.time.push_back(now.time), result.w.push_back(now.state(0, 7)), result.velocity.push_back(now.velocity()(0, 7));
       result.kinetic.push_back(now.kinetic_energy), result.strain.push_back(now.strain_energy), result.work.push_back(now.external_work);
     });
@@ -127,8 +130,8 @@ TEST_CASE("Lanczos motion: velocities are the slopes of the displacements") {
 TEST_CASE("Lanczos motion: a few vectors hold a smooth motion, and say how far") {
   const Setting s;
   const auto all = s.move({ramp(20)}, 1e-12), few = s.move({ramp(20)}, 1e-3);
-  CHECK(few.motion.vectors < points);
-  CHECK(few.motion.change <= 1e-3);
+  CHECK(few.vectors < points);
+  CHECK(few.change <= 1e-3);
   for (std::size_t n = 0; n < all.w.size(); ++n) CHECK(std::abs(few.w[n] - all.w[n]) < 0.01 * std::abs(all.w.back()));
 }
 
@@ -144,14 +147,47 @@ TEST_CASE("Lanczos motion: without loads nothing moves") {
   Setting s;
   s.load.setZero();
   const auto found = s.move({History{}}, 1e-3);
-  CHECK(found.motion.vectors == 0);
+  CHECK(found.vectors == 0);
   CHECK(found.w.size() == 81);
   for (const double w : found.w) CHECK(w == 0);
 }
 
 TEST_CASE("Lanczos motion: too few vectors are refused") {
   const Setting s;
-  LanczosOptions options{400, 800, 1e-9};
+  LanczosOptions options{400, 1e-9};
   options.max_vectors = 8;
-  CHECK_THROWS_AS(lanczos_motion(s.chain, s.constraints, Inertia(s.mass), {{s.load, {}}}, s.inverse, options, [](const Instant&) {}), NumericalError);
+  const std::vector<TimedLoad> loads{{s.load, {}}};
+  CHECK_THROWS_AS(LanczosMotion(s.chain, s.constraints, Inertia(s.mass), loads, s.inverse, options), NumericalError);
+}
+
+TEST_CASE("Lanczos motion: what is watched is known as well as is asked, and the truncation is not above what is said") {
+  const Setting s;
+  const std::vector<TimedLoad> loads{{s.load, {}}};
+  const auto watched = [&](double tolerance) {
+    LanczosOptions options{40, 1};  // the motion itself is not asked for
+    Eigen::MatrixXd group = Eigen::MatrixXd::Zero(2, 3 * points);
+    group(0, 3 * 7) = 1, group(1, 3 * 60) = 1, group(1, 3 * 61) = -1;
+    options.watched = {group, 10 * group};
+    options.watched_tolerance = tolerance;
+    return LanczosMotion(s.chain, s.constraints, Inertia(s.mass), loads, s.inverse, options);
+  };
+  const auto values = [](const LanczosMotion& motion) {
+    std::vector<double> result;
+    motion.observe(50, [&](const Instant& now) { result.push_back(now.state(0, 7)), result.push_back(now.state(0, 60) - now.state(0, 61)); });
+    return result;
+  };
+  const auto exact = values(watched(1e-12));
+  const double largest = *std::ranges::max_element(exact);
+  std::size_t before = 0;
+  for (const double tolerance : {0.3, 0.1, 0.03, 0.01}) {
+    const auto motion = watched(tolerance);
+    REQUIRE(motion.truncated().size() == 2);
+    CHECK(motion.truncated()[0] <= tolerance);
+    CHECK(motion.truncated()[1] == Approx(motion.truncated()[0]));
+    CHECK(motion.vectors() >= before);
+    before = motion.vectors();
+    const auto found = values(motion);
+    for (std::size_t i = 0; i < found.size(); ++i) CHECK(std::abs(found[i] - exact[i]) <= motion.truncated()[0] * largest);
+  }
+  CHECK(before < std::size_t(points));
 }

@@ -1,0 +1,13 @@
+#pragma once
+#include "cases/assembly.hpp"
+#include "plate/lanczos_motion.hpp"
+#include "post/srif_methods.hpp"
+
+namespace cases {
+
+/// The motion of a held Galerkin plate by Lanczos vectors that hold the factors of every tip with a fit to `truncation` of the largest
+/// that it ever has; truncated() has one entry per tip. `assembly` must outlive it. Throws NumericalError.
+plate::LanczosMotion lanczos_motion(const Case& c, const Assembly& assembly, const std::vector<post::TipMethods>& methods,
+                                    double truncation, const std::function<void(std::size_t vectors, double change)>& progress);
+
+}  // namespace cases
