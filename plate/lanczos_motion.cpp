@@ -99,6 +99,7 @@ Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const Lanc
   for (const auto& load : loads) space.add(load.forces);
   Watch watch(loads, options);
   constexpr Index least = 24;
+  Index most = 0;  // for what is watched
   for (Index next = 0, look = 8;; ++next) {
     const bool exhausted = next >= space.size();
     if (exhausted) return {0, std::vector<double>(options.watched.size(), 0)};
@@ -107,7 +108,10 @@ Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const Lanc
       Change change = watch.look(space);
       if (options.progress) options.progress(std::size_t(space.size()), change.motion);
       const double worst = change.watched.empty() ? 0 : *std::ranges::max_element(change.watched);
-      if (space.size() >= least && change.motion <= options.tolerance && worst <= options.watched_tolerance) return change;
+      if (space.size() >= least && change.motion <= options.tolerance) {
+        if (most == 0) most = 4 * space.size();
+        if (worst <= options.watched_tolerance || space.size() >= most) return change;
+      }
       if (std::size_t(space.size()) >= options.max_vectors)
         throw NumericalError(std::to_string(space.size()) + " Lanczos vectors change the motion by " + std::to_string(change.motion) +
                              " still, more than the tolerance: take a larger one, or steps");

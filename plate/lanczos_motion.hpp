@@ -14,7 +14,9 @@ struct LanczosOptions {
   bool from_equilibrium = false;     // at time 0 at rest under the loads of that time, which have grown slowly; else undeformed
   /// Groups of linear functionals of the state (rows, or none; columns as State::data()) whose truncation is wanted.
   std::vector<Eigen::MatrixXd> watched = {};
-  double watched_tolerance = std::numeric_limits<double>::infinity();  // of the truncation of every group
+  /// Of the truncation of every group, as far as four times as many vectors as the motion needs reach it: a fit where points are
+  /// few sees little but noise.
+  double watched_tolerance = std::numeric_limits<double>::infinity();
   std::function<void(std::size_t vectors, double change)> progress = {};
 };
 
