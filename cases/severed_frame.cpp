@@ -1,5 +1,8 @@
 #include "cases/severed_frame.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "cases/results.hpp"
 #include "post/mesh.hpp"
 
@@ -11,8 +14,10 @@ post::TipMethods severed_tip_methods(const Case& c, const Assembly& assembly, co
   const auto& cloud = assembly.boundary.cloud;
   const post::BondedPlate plate{cloud.positions,    cloud.areas, families,                 assembly.ordinary()->shapes(),
                                 cloud.plate_points, c.section,   c.discretization.spacing};
-  return {plate, post::TipPlace{tip, paths[tip.crack], std::min(reach, clear_distance(c, paths, tip))},
-          c.discretization.horizon(), options};
+  const double clear = std::min(reach, clear_distance(c, paths, tip));
+  post::TipMethods result(plate, post::TipPlace{tip, paths[tip.crack], clear, clear, 0}, c.discretization.horizon(), options);
+  if (!result.works()) throw std::invalid_argument(fmt::format("{}", fmt::join(result.left_out(), "; ")));
+  return result;
 }
 
 post::Mesh severed_frame(const Case& c, const Assembly& assembly, const geometry::Families& families, post::Frame& frame,

@@ -24,9 +24,16 @@ void read_where(const Value& given, Reference& reference) {
 }
 
 void read_value(const Value& given, Reference& reference) {
-  const auto number = given.number();
-  if (number && *number == 0) given.refuse("a number other than 0: errors are relative to it");
-  reference.known = number.value_or(0);
+  reference.known = given.number().value_or(0);
+}
+
+void read_scale(const Value& given, Reference& reference) {
+  reference.scale = given.number();
+  if (reference.scale && !(*reference.scale > 0)) given.refuse("a number above 0");
+}
+
+bool has_value(const Reference& reference) {
+  return std::holds_alternative<double>(reference.known);
 }
 
 void read_finest(const Value& given, Reference& reference) {
@@ -82,6 +89,8 @@ void check_reference(const Value& given, Reference& reference) {
     reading.complain(given.below("value"),
                      "is missing, must be a number; or give finest = true, or curve = \"FILE.csv\" and column");
   if (found.size() > 1) given.complain(fmt::format("{} given, must be one of them", fmt::join(found, " and ")));
+  if (found == std::vector<std::string>{"value"} && !reference.scale && reading.sound(given.below("value")) && std::get<double>(reference.known) == 0)
+    reading.complain(given.below("value"), "0 given, must be a number other than 0, because errors are relative to it; or give scale");
   const bool is_sound = found.size() == 1 && reading.sound(given.key());
   if (is_sound && has_curve(reference)) load(given, std::get<post::KnownCurve>(reference.known));
 }
@@ -117,6 +126,7 @@ Fields<Reference> reference_fields() {
               .with(of_tip),
           entry<Reference>("where", "", read_where),
           entry<Reference>("value", "a number", read_value),
+          entry<Reference>("scale", "a number above 0", read_scale).with({"value", "value", has_value}),
           entry<Reference>("finest", "true", read_finest),
           entry<Reference>("curve", "a file", read_curve),
           entry<Reference>("column", "the name of a column of the file", read_column)

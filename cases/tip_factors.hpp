@@ -9,7 +9,7 @@ namespace cases {
 double clear_distance(const Case& content, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip);
 
 /// The methods for the intensity factors of every tip, set up before anything is solved. `assembly` must outlive them.
-/// Throws CaseError where a method cannot work at a tip.
+/// Throws CaseError where no method can work at any tip.
 std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& assembly);
 
 /// Does a ring of points fit about the tip, as every energy release rate needs?

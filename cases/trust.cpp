@@ -103,6 +103,15 @@ void check_isotropy(const Case& c, std::vector<std::string>& warnings) {
                   d.horizon_ratio, 100 * off));
 }
 
+void check_oblique_edges(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
+  const double usual = error_of_stairs(c, boundary);
+  if (usual == 0) return;
+  warnings.push_back(fmt::format("edges oblique to the lattice are stairs of the spacing for bonds: deflections come out too large, usually by some {:.1g} %, "
+                                 "by far more where parts between edges and cracks are narrow; the Galerkin plate (formulation = \"galerkin\") "
+                                 "follows them",
+                                 100 * usual));
+}
+
 /// What the apparent toughness was measured for, and what bonds cannot do.
 void check_bonds(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
   const double h = c.section.thickness / c.discretization.spacing, m = c.discretization.horizon_ratio;
@@ -118,6 +127,15 @@ void check_bonds(const Case& c, const plate::Boundary& boundary, std::vector<std
 
 }  // namespace
 
+/// 61 random polygons with cracks and holes, 1/80 of the side: deflections 3.7 % too large in the median, a tenth of them 13 % or more,
+/// one 80 %; falling with the spacing. The Galerkin plate on such points: 0.2 %.
+double error_of_stairs(const Case& c, const plate::Boundary& boundary) {
+  const bool oblique = std::ranges::any_of(boundary.sides, [](const auto& side) { return !side.circle && side.normal_axis() < 0; });
+  if (!oblique || c.discretization.formulation == plate::Formulation::galerkin) return 0;
+  const auto [low, high] = geometry::bounding_box(c.outline);
+  return 3 * c.discretization.spacing / (high - low).minCoeff();
+}
+
 void warn_of_distrust(const Case& c, const plate::Boundary& boundary, std::vector<std::string>& warnings) {
   if (c.discretization.formulation == plate::Formulation::galerkin) {
     check_layer_spacing(c, warnings);
@@ -127,6 +145,7 @@ void warn_of_distrust(const Case& c, const plate::Boundary& boundary, std::vecto
   check_thickness(c, boundary, warnings);
   check_edge_layer(c, boundary, warnings);
   check_isotropy(c, warnings);
+  check_oblique_edges(c, boundary, warnings);
   check_rotary_inertia(c, boundary, warnings);
   if (c.growth && c.growth->by_bonds()) check_bonds(c, boundary, warnings);
 }

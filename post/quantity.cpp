@@ -41,6 +41,14 @@ Table rows_of(const Quantity& quantity, const std::filesystem::path& folder) {
   return result;
 }
 
+/// Of the tip of the quantity; null where there are none.
+const Srif* srif_of(const Quantity& quantity, const Summary& summary) {
+  const auto found = std::ranges::find_if(summary.srif, [&](const Srif& s) {
+    return s.tip == quantity.tip && (quantity.method.empty() || s.method == quantity.method);
+  });
+  return found == summary.srif.end() ? nullptr : &*found;
+}
+
 /// Nothing where the factor is not resolved.
 std::optional<double> factor(const std::string& name, const Srif& srif) {
   const std::optional<double> values[] = {srif.K1, srif.K2, srif.K3, srif.F1, srif.F2, srif.F3};
@@ -88,11 +96,14 @@ std::optional<double> value(const Quantity& quantity, const Summary& summary, co
     const Table rows = rows_of(quantity, folder);
     return rows.rows.empty() ? std::nullopt : finite(rows.rows.back()[rows.column(quantity.name)]);
   }
-  const auto srif = std::ranges::find_if(summary.srif, [&](const Srif& s) {
-    return s.tip == *quantity.tip && (quantity.method.empty() || s.method == quantity.method);
-  });
-  const auto found = srif == summary.srif.end() ? std::nullopt : factor(quantity.name, *srif);
+  const auto* srif = srif_of(quantity, summary);
+  const auto found = srif ? factor(quantity.name, *srif) : std::nullopt;
   return found && std::isfinite(*found) ? found : std::nullopt;
+}
+
+std::optional<double> estimated_error(const Quantity& quantity, const Summary& summary) {
+  const auto* srif = quantity.name.starts_with('K') ? srif_of(quantity, summary) : nullptr;
+  return srif ? srif->errors.at(std::size_t(quantity.name.at(1) - '1')) : std::nullopt;
 }
 
 Curve history(const Quantity& quantity, const std::filesystem::path& folder) {

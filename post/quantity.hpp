@@ -39,6 +39,9 @@ std::string si_unit(const std::string& quantity);
 /// Nothing where the run has no such number, or it is not finite.
 std::optional<double> value(const Quantity& quantity, const Summary& summary, const std::filesystem::path& folder);
 
+/// The estimated error of that number, in its units; of K1, K2 and K3 only.
+std::optional<double> estimated_error(const Quantity& quantity, const Summary& summary);
+
 /// The quantity at all times that the probes.csv, srif.csv or history.csv of a finished run has; no samples where none
 /// has it.
 Curve history(const Quantity& quantity, const std::filesystem::path& folder);

@@ -52,15 +52,17 @@ public:
       const double other_modes = energy.sum() > 0 ? 1 - energy[0] / energy.sum() : 0;
       return result + Eigen::Vector3d((2 * energies + other_modes / 2) * std::abs(K[0]), largest, largest).cwiseQuotient(scale_);
     }
-    const double size = shares_.energy * disagreement(*srif.G), bending = std::hypot(K[0], K[1]);
+    // a fit that is far from the energy tells neither the size nor the mode mix
+    const double apart = disagreement(*srif.G), far = std::max(0.0, apart - shares_.doubt), size = shares_.energy * apart + far;
+    const double bending = std::hypot(K[0], K[1]);
     result[2] += shares_.fits_shear * spread(largest)[2] + size * std::abs(K[2]) +
-                 shares_.shear * disagreement(*srif.G) * largest / section_.thickness;
+                 shares_.shear * apart * largest / section_.thickness;
     // what K3 takes wrongly of G is missing in K1 and K2, in proportion
     const Eigen::Vector3d unit = unit_release(section_);
-    const double taken = bending > 0 ? unit[2] / unit[0] * std::abs(K[2]) * result[2] / (bending * bending) : 0;
-    result.head<2>() += (2 * energies + size + taken) * K.head<2>().cwiseAbs();
+    const double square = 2 * ((2 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2]) / unit[0];  // error of K1^2 + K2^2
+    if (bending > 0) result.head<2>() += (std::sqrt(bending * bending + square) / bending - 1) * K.head<2>().cwiseAbs();
     if (bending < 0.1 * largest) return result + shares_.fits * Eigen::Vector3d(spread(largest)[0], spread(largest)[1], 0);
-    const double turn = shares_.fits * largest_turn(largest / bending);
+    const double turn = shares_.fits * largest_turn(largest / bending) + far;
     return result + turn * Eigen::Vector3d(std::abs(K[1]), std::abs(K[0]), 0);
   }
 

@@ -12,6 +12,7 @@ struct ErrorShares {
   double least;   // of the largest factor
   double layer;   // of the largest factor: for K3, where a spacing (or half a horizon) is as wide as the layer beside the faces
   double width;   // of that spacing [layers]
+  double doubt;   // beyond this the difference between those energies counts in full, and as a turn of K1 and K2
 };
 
 /// Estimates the errors of what all methods found at one tip; methods whose energy release rate is not positive are marked

@@ -23,12 +23,12 @@ Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const plate::Sec
 }
 
 /// Calibrated: theory.md, "What the estimated errors mean".
-ErrorShares shares_of(const BondedPlate& plate, double horizon, double clear) {
+ErrorShares shares_of(const BondedPlate& plate, double horizon, const TipPlace& place) {
   const double layer = plate.section.thickness / std::sqrt(12 * plate.section.shear_correction);
-  // an error of the first order, the larger the fewer points lie between the tip and what is next to it
-  const double spacing = plate.spacing / clear;
-  if (plate.galerkin) return {0.3, 0, 1, 1, std::max(1e-3, 0.04 * spacing), 0.04, plate.spacing / layer};
-  return {0.4, 0.4, 1.6, 2, std::max(1e-3, 0.1 * spacing), 0.2, horizon / 2 / layer};
+  // an error of the first order, the larger the fewer points lie between a tip and what is next to it; of other tips half as much
+  const double near = plate.spacing * std::max(1 / place.clear, 0.5 / place.narrowest);
+  if (plate.galerkin) return {0.3, 0, 1, 1, std::max(1e-3, 0.04 * near) + place.known_error, 0.04, plate.spacing / layer, 0.05};
+  return {0.4, 0.4, 1.6, 2, std::max(1e-3, 0.1 * near) + place.known_error, 0.2, horizon / 2 / layer, 0.1};
 }
 
 /// Of the rings that fit [length].
@@ -42,7 +42,7 @@ double largest_radius(double clear, double spacing, bool graded) {
 
 TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double horizon, const SrifOptions& options)
     : tip_(place.tip), section_(plate.section), galerkin_(plate.galerkin != nullptr),
-      shares_(shares_of(plate, horizon, place.clear)),
+      shares_(shares_of(plate, horizon, place)),
       positions_(plate.positions), methods_(options.methods),
       surroundings_(plate, centred(place.tip, plate), largest_radius(place.clear, plate.spacing, plate.graded())) {
   const geometry::Tip tip = centred(place.tip, plate);
@@ -64,7 +64,6 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
       left_out_.push_back(reason.what());
     }
   }
-  if (left_out_.size() == methods_.size()) throw std::invalid_argument(fmt::format("{}", fmt::join(left_out_, "; ")));
   if (fits_.empty() && !integrals_.empty())
     mix_.emplace_back(positions, place.path, place.tip, scale, narrow_fit(scale));
 }

@@ -11,12 +11,14 @@ struct TipPlace {
   geometry::Tip tip;
   geometry::CrackPath path;
   double clear;  // clear_distance, less where loads and pins stand nearer [length]
+  double narrowest;        // the least of `clear` of all tips: what is not resolved there errs everywhere [length]
+  double known_error = 0;  // of all factors, whatever the field about the tip says, as a share of the largest
 };
 
 /// All chosen methods at one tip: built once, evaluated at any number of times. The recommended one comes first.
 class TipMethods {
 public:
-  /// Methods that cannot work at this tip are left out; throws std::invalid_argument, with the reasons, where none can.
+  /// Methods that cannot work at this tip are left out.
   TipMethods(const BondedPlate& plate, const TipPlace& place, double horizon, const SrifOptions& options);
 
   /// `force`: internal force of the state (Operator::internal_force). `all_rings` = false: only those that the result needs,
@@ -25,6 +27,8 @@ public:
 
   /// Why methods were left out.
   const std::vector<std::string>& left_out() const { return left_out_; }
+  /// Is any method left?
+  bool works() const { return left_out_.size() < methods_.size(); }
 
   /// K1, K2, K3 times the thickness of the fit of the fields about the tip, as functionals (rows) of the state flattened; no
   /// row where there is no fit.

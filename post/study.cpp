@@ -47,6 +47,7 @@ const std::vector<Column>& own_columns() {
        [](Row row) { return shown("{:.6g}", row.reference); }},
       {"error", "error %", [](Row row) { return cell(row.error()); },
        [](Row row) { return row.error() ? fmt::format("{:+.3f}", 100 * *row.error()) : ""; }},
+      {"estimated_error", nullptr, [](Row row) { return cell(row.estimated_error()); }, {}},
       {"points", "points", [](Row row) { return cell(row.points); }, [](Row row) { return shown("{}", row.points); }},
       {"spacing", "spacing", [](Row row) { return cell(row.spacing); },
        [](Row row) { return shown("{:.5g}", row.spacing); }},
@@ -120,6 +121,7 @@ std::vector<Wanted> wanted(const std::vector<Reference>& references, const std::
     if (!matched) continue;
     known->reference = references[i].known;
     known->source = references[i].source;
+    known->scale = references[i].scale;
   }
   return result;
 }
@@ -162,8 +164,15 @@ std::string folder_name(const std::vector<std::string>& labels, const std::set<s
 }
 
 std::optional<double> StudyRow::error() const {
-  if (rms_error || !computed || !reference || *reference == 0) return rms_error;
-  return (*computed - *reference) / *reference;
+  const auto unit = scale ? scale : reference;
+  if (rms_error || !computed || !reference || *unit == 0) return rms_error;
+  return (*computed - *reference) / *unit;
+}
+
+std::optional<double> StudyRow::estimated_error() const {
+  const auto unit = scale ? scale : reference;
+  if (rms_error || !estimated || !unit || *unit == 0) return std::nullopt;
+  return *estimated / std::abs(*unit);
 }
 
 std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>& wanted, const Summary& summary,
@@ -176,7 +185,7 @@ std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>&
     if (stage == "solve") common.solve_seconds = spent;
   }
   std::vector<StudyRow> rows;
-  for (const auto& [quantity, reference, source] : wanted) {
+  for (const auto& [quantity, reference, source, scale] : wanted) {
     auto& row = rows.emplace_back(common);
     row.quantity = quantity.name;
     row.place = quantity.place();
@@ -184,7 +193,9 @@ std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>&
     row.source = source;
     row.computed = value(quantity, summary, folder);
     if (!row.computed) row.message = lack(quantity, summary);
+    if (row.computed) row.estimated = estimated_error(quantity, summary);
     if (!reference || !row.computed) continue;
+    row.scale = scale;
     row.against_finest = std::holds_alternative<Finest>(*reference);
     if (const auto* number = std::get_if<double>(&*reference)) row.reference = *number;
     if (const auto* known = std::get_if<KnownCurve>(&*reference)) compare_with(row, *known, history(quantity, folder));

@@ -22,7 +22,7 @@ struct KnownCurve {
   Curve curve = {};
 };
 
-using Known = std::variant<double, Finest, KnownCurve>;  // a number is not 0: errors are relative to it
+using Known = std::variant<double, Finest, KnownCurve>;  // a number of 0 needs a scale
 
 /// What a quantity should be, in all runs with these labels.
 struct Reference {
@@ -30,6 +30,7 @@ struct Reference {
   std::map<std::string, std::string> where = {};  // axis -> label; the other axes match any label
   Known known = 0.0;
   std::string source = {};
+  std::optional<double> scale = std::nullopt;  // what errors are relative to, instead of the reference
 };
 
 /// Is the reference one for the run with these labels, one per axis?
@@ -43,6 +44,7 @@ struct Wanted {
   Quantity quantity;
   std::optional<Known> reference;
   std::string source = {};
+  std::optional<double> scale = std::nullopt;  // of the reference
 };
 
 /// What is compared in the run with these labels: the distinct quantities of all references, in their order, as far as
@@ -65,6 +67,8 @@ struct StudyRow {
   std::vector<std::string> labels;  // one per axis
   std::string quantity, place, method;
   std::optional<double> computed, reference;      // compared with a curve: the peaks of both
+  std::optional<double> scale = {};               // what errors are relative to, instead of the reference
+  std::optional<double> estimated = {};           // error of `computed`, as the run estimates it, in its units
   std::optional<double> rms_error;                // compared with a curve: rms difference / |peak of the curve|
   bool against_finest = false;                    // the reference is another row: see `refer_to_finest`
   std::string source;                             // of the reference
@@ -73,8 +77,10 @@ struct StudyRow {
   std::optional<double> seconds, solve_seconds;   // of the run in total, and of its solution
   std::string message = {};
 
-  /// rms_error, or else (computed - reference) / reference, where both are known and the reference is not zero.
+  /// rms_error, or else (computed - reference) / scale, or / reference, where these are known and not zero.
   std::optional<double> error() const;
+  /// `estimated` relative to the same.
+  std::optional<double> estimated_error() const;
 };
 
 /// The rows of a finished run, one per quantity, or one without quantity where none is wanted. `run` has what is the

@@ -8,7 +8,7 @@ using namespace post;
 namespace {
 
 const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 1};
-const ErrorShares shares{0.3, 0, 1, 1, 0.001, 0.04, 0.25};
+const ErrorShares shares{0.3, 0, 1, 1, 0.001, 0.04, 0.25, 0.05};
 
 Srif by_energy(const std::string& method, double K1, double K2, double K3, double factor = 1) {
   Srif result;

@@ -129,7 +129,7 @@ TEST_CASE("study.csv is read back as it was written") {
   post::write_csv(folder / "study.csv", table(post::StudyTable{{"2a/W"}, {row("0.1", 1.1, 1), failed}}));
   const auto table = post::read_csv(folder / "study.csv");
   CHECK(table.columns == std::vector<std::string>{"2a/W", "quantity", "place", "srif_method", "computed", "reference",
-                                                  "error", "points", "spacing", "horizon", "iterations", "seconds",
+                                                  "error", "estimated_error", "points", "spacing", "horizon", "iterations", "seconds",
                                                   "solve_seconds", "reference_source", "message"});
   REQUIRE(table.rows.size() == 2);
   CHECK(table.rows[0][0] == post::Cell("0.1"));
@@ -196,4 +196,21 @@ TEST_CASE("the text has a column of methods only where one is named") {
   CHECK_THAT(to_text(study), !Catch::Contains("method"));
   study.rows[0].method = "first";
   CHECK_THAT(to_text(study), Catch::Contains("method"));
+}
+
+TEST_CASE("errors are relative to the reference or to a scale, estimated ones to the same") {
+  const FinishedRun run;
+  auto summary = run.summary;
+  REQUIRE(summary.srif.front().tip == 0);
+  summary.srif.front().errors[0] = 0.02;
+  StudyRow known;
+  known.labels = {"a"};
+  const auto rows = post::study_rows(known, {{{"K1", 0}, post::Known(0.4), ""}, {{"K1", 0}, post::Known(0.0), "", 2.0}, {{"K1", 0}, post::Known(0.0), ""}},
+                                     summary, run.folder.path());
+  CHECK(*rows[0].error() == Approx(0.25));
+  CHECK(*rows[0].estimated_error() == Approx(0.05));
+  CHECK(*rows[1].error() == Approx(0.5 / 2));
+  CHECK(*rows[1].estimated_error() == Approx(0.01));
+  CHECK_FALSE(rows[2].error().has_value());
+  CHECK_FALSE(rows[2].estimated_error().has_value());
 }
