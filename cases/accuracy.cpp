@@ -19,14 +19,12 @@ using Clock = std::chrono::steady_clock;
 constexpr double doubles_the_points = std::numbers::sqrt2;  // of the size
 constexpr double least_size = 0.0715;                       // of spacing_growth 0.02, the least that a case may ask for
 
-/// From any tip to what disturbs its field.
-double least_clear_distance(const Case& c, double side) {
+/// From any tip to what disturbs its field; the side of the plate without tips.
+double exact_clear_distance(const Case& c, double side) {
   Case fine = c;  // bends count, however slight
   fine.discretization.tip_spacing = 1e-6 * side;
   const auto paths = geometry::crack_paths(c.outline, c.cracks, 1e-9 * side);
-  double result = side;
-  for (const auto& tip : geometry::tips(paths)) result = std::min(result, clear_distance(fine, paths, tip));
-  return result;
+  return std::min(side, least_clear_distance(fine, paths, geometry::tips(paths)));
 }
 
 /// Of the smallest hole; none without holes.
@@ -105,8 +103,7 @@ post::AccuracyStep step_of(double size, const Prepared& plate, Found found, doub
   const auto& d = plate.file.content.discretization;
   const Case& c = plate.file.content;
   const double layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
-  double clear = INFINITY;
-  for (const auto& tip : plate.assembly.tips) clear = std::min(clear, clear_distance(c, plate.assembly.paths, tip));
+  const double clear = least_clear_distance(c, plate.assembly.paths, plate.assembly.tips);
   const double faces = std::min(d.spacing, *d.tip_spacing + d.spacing_growth * clear) / layer;
   return {size,    plate.assembly.boundary.cloud.plate_points, d.spacing, *d.tip_spacing, d.hole_spacing, d.spacing_growth, faces,
           seconds, std::move(found.rows), std::move(found.truncated), std::nullopt};
@@ -172,7 +169,7 @@ plate::Discretization discretization_of(const Case& c, double size) {
   const double layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
   plate::Discretization result = c.discretization;
   result.spacing = size * sides.minCoeff() / (c.analysis.kind == Analysis::Kind::dynamic ? 28 : 10);
-  result.tip_spacing = std::min(size * size * std::min(least_clear_distance(c, sides.maxCoeff()) / 20, 0.63 * layer), result.spacing);
+  result.tip_spacing = std::min(size * size * std::min(exact_clear_distance(c, sides.maxCoeff()) / 20, 0.63 * layer), result.spacing);
   result.hole_spacing.reset();
   if (const auto radius = least_radius(c.outline)) result.hole_spacing = std::min(size * *radius / 4, result.spacing);
   result.spacing_growth = 0.28 * size;

@@ -20,6 +20,12 @@ double clear_distance(const Case& c, const std::vector<geometry::CrackPath>& pat
   return clear;
 }
 
+double least_clear_distance(const Case& c, const std::vector<geometry::CrackPath>& paths, const std::vector<geometry::Tip>& tips) {
+  double result = INFINITY;
+  for (const auto& tip : tips) result = std::min(result, clear_distance(c, paths, tip));
+  return result;
+}
+
 bool ringed(const Case& c, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip) {
   const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
   return !post::rings(clear_distance(c, paths, tip), spacing, false).empty();
@@ -62,9 +68,8 @@ std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& 
                                 spacing,
                                 galerkin ? &galerkin->op.families() : nullptr,
                                 galerkin ? &galerkin->cells : nullptr};
-  const double stairs = error_of_stairs(c, assembly.boundary) / 2;  // measured: about half of that of deflections
-  double narrowest = INFINITY;
-  for (const auto& tip : assembly.tips) narrowest = std::min(narrowest, clear_distance(c, assembly.paths, tip));
+  const double stairs = 0.75 * error_of_stairs(c, assembly.boundary);  // measured: half of that of deflections is within it for 89 %
+  const double narrowest = least_clear_distance(c, assembly.paths, assembly.tips);
   for (const auto& tip : assembly.tips) {
     result.emplace_back(plate, post::TipPlace{tip, assembly.paths[tip.crack], clear_distance(c, assembly.paths, tip), narrowest, stairs},
                         c.discretization.horizon(), *c.srif);

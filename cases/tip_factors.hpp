@@ -8,6 +8,9 @@ namespace cases {
 /// Distance from a tip within which nothing disturbs the field of the tip (post::clear_distance), not even loads and pins.
 double clear_distance(const Case& content, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip);
 
+/// The least of all these tips; infinite without tips.
+double least_clear_distance(const Case& content, const std::vector<geometry::CrackPath>& paths, const std::vector<geometry::Tip>& tips);
+
 /// The methods for the intensity factors of every tip, set up before anything is solved. `assembly` must outlive them.
 /// Throws CaseError where no method can work at any tip.
 std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& assembly);
