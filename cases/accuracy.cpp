@@ -135,12 +135,17 @@ std::string end_before(double size, const std::vector<post::AccuracyStep>& path,
   return "";
 }
 
-/// A plate that nothing holds takes steps, each of them too short for graded points.
-void require_vectors(const Prepared& plate) {
-  const auto& analysis = plate.file.content.analysis;
-  if (analysis.kind != Analysis::Kind::dynamic || analysis.method == Analysis::Method::lanczos) return;
-  throw CaseError({{plate.file.place("srif.accuracy"), "srif.accuracy",
-                    "in motion needs a plate that supports hold: hold it, or state the discretisation instead"}});
+/// Adds what Lanczos vectors leave out to the errors of tips without refined factors, in which it is.
+void add_truncation(const std::vector<double>& truncated, const std::vector<std::vector<post::Srif>>& refined,
+                    std::vector<std::vector<post::Srif>>& rows, double thickness) {
+  std::vector<double> largest(truncated.size(), 0);
+  for (const auto& row : rows)
+    for (const auto& srif : row)
+      if (!post::of_opening(srif.method)) largest[srif.tip] = std::max(largest[srif.tip], post::largest_factor(srif, thickness));
+  for (auto& row : rows)
+    for (auto& srif : row)
+      if (refined.empty() || std::ranges::find(refined.front(), srif.tip, &post::Srif::tip) == refined.front().end())
+        post::widen(srif, truncated[srif.tip] * largest[srif.tip], thickness);
 }
 
 /// Puts the refined factors of every tip before those of the finest discretisation, whose errors they tell.
@@ -195,10 +200,10 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
     Found of_next;
     try {
       next = std::make_unique<Prepared>(with_size(file, size));
-      require_vectors(*next);
       of_next = solve(*next);
     } catch (const CaseError& error) {
-      if (error.problems().front().key == "srif.accuracy") throw;
+      const auto& key = error.problems().front().key;
+      if (key == "srif.accuracy" || key.starts_with("analysis.") || key.starts_with("output.")) throw;
       // such coarse points may not do where finer ones do
       if (!refused) refused = error;
       if (!plate && size < first_sizes) throw *refused;
@@ -235,6 +240,7 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
   warn_of_given_lengths(file, warnings);
   post::judge(refined, h, nominal);
   rows = found.path.back().rows;
+  if (plate->motion) add_truncation(plate->motion->truncated(), refined, rows, h);
   for (std::size_t row = 0; row < refined.size(); ++row) put_first(std::move(refined[row]), rows[row], options, h);
   return result;
 }

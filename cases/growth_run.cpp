@@ -57,6 +57,8 @@ private:
       if (!ringed(c, assembly.paths, tip)) result.tips.push_back({tip, {}, std::nullopt});
     if (!result.tips.empty()) return result;  // they break through
     const auto methods = tip_methods(file, assembly);
+    for (std::size_t i = 0; i < methods.size(); ++i)
+      if (!methods[i].works()) throw CaseError({{file.place("srif"), "srif", left_out(assembly, methods).front()}});
     const auto solve = solve_at_rest(c, assembly, {c.analysis.tolerance, c.analysis.max_iterations, {}});
     stopwatch_.lap("solve");
     solution_ = solve.solution;

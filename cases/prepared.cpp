@@ -9,6 +9,9 @@ namespace {
 void settle_free_motion(CaseFile& file, const Assembly& assembly) {
   const auto pieces = plate::pieces(assembly.boundary, assembly.families());
   if (!assembly.may_move && std::ranges::none_of(pieces, [](const auto& piece) { return piece.free_modes > 0; })) return;
+  if (file.content.srif && file.content.srif->accuracy)
+    throw CaseError({{file.place("srif.accuracy"), "srif.accuracy",
+                      "in motion needs a plate that supports hold: hold it, or state the discretisation instead"}});
   const bool stated = std::ranges::any_of(file.places, [](const auto& given) { return given.first == "analysis.method"; });
   if (stated)
     throw CaseError({{file.place("analysis.method"), "analysis.method",

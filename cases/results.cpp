@@ -210,7 +210,11 @@ post::Summary Results::finish(post::Summary summary, Stopwatch& stopwatch) {
   }
   if (!srif_rows_.empty()) summary.srif = srif_rows_.back();
   for (const auto& reason : left_out(assembly_, tip_methods_)) summary.warnings.push_back(reason);
-  warn_of_factors(case_, summary.srif, summary.warnings);
+  warn_of_factors(case_, summary.srif, largest_, summary.warnings);
+  for (std::size_t tip = 0; tip < truncated_.size(); ++tip)
+    if (truncated_[tip] > 0.03)
+      summary.warnings.push_back(fmt::format("tip {}: Lanczos vectors leave out some {:.2g} % of the largest factor: take a smaller analysis.tolerance",
+                                             tip, 100 * truncated_[tip]));
   summary.accuracy = accuracy_;
   summary.frequencies = frequencies_;
   write_summary(summary, resolved_, stopwatch, folder_);

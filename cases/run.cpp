@@ -45,7 +45,7 @@ plate::State start_of(const Case& c, const Assembly& assembly) {
 }
 
 /// The intensity factors of the case with twice the spacing.
-std::vector<post::Srif> coarser_srifs(const CaseFile& file) {
+std::vector<post::Srif> coarser_srifs(const CaseFile& file, std::vector<std::string>& warnings) {
   CaseFile coarse = file;
   Case& c = coarse.content;
   c.discretization.spacing *= 2;
@@ -58,6 +58,9 @@ std::vector<post::Srif> coarser_srifs(const CaseFile& file) {
                                             result.solution.residual));
   auto found = srifs(c, assembly, methods, result.solution.state);
   require_finite(found, "with twice the spacing");
+  for (std::size_t tip = 0; tip < methods.size(); ++tip)
+    if (!methods[tip].works())
+      warnings.push_back(fmt::format("tip {}: srif.richardson knows nothing of its errors: no method has room with twice the spacing", tip));
   return found;
 }
 
@@ -257,7 +260,7 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
   if (c.growth && c.analysis.kind == Analysis::Kind::static_)
     return c.growth->by_bonds() ? break_bonds(file, options) : grow(file, options);
   if (c.srif && c.srif->accuracy) return run_accurately(file, options);
-  const Prepared prepared(file);
+  Prepared prepared(file);
   Stopwatch stopwatch = prepared.stopwatch;
   std::optional<Prepared> second;
   if (c.srif && c.srif->second_formulation) {
@@ -266,7 +269,7 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
   }
   Results results(prepared.file, prepared.assembly, prepared.tip_methods, options.folder);
   stopwatch.lap("output");
-  if (c.srif && c.srif->richardson) results.coarser(coarser_srifs(file)), stopwatch.lap("srif");
+  if (c.srif && c.srif->richardson) results.coarser(coarser_srifs(file, prepared.assembly.warnings)), stopwatch.lap("srif");
   if (second) {
     const auto name = formulation_name(second->file.content.discretization.formulation);
     results.second(name, run_second(*second, {options.folder / name, options.quiet}));

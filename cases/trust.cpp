@@ -154,9 +154,8 @@ namespace {
 
 /// "K2 (4.1 %), K3 (12 %)": those that are, with their estimated errors as shares of the largest factor.
 template <typename Which>
-std::string named(const post::Srif& srif, double thickness, const Which& which) {
+std::string named(const post::Srif& srif, double thickness, double largest, const Which& which) {
   std::string result;
-  const double largest = post::largest_factor(srif, thickness);
   for (std::size_t i = 0; i < 3; ++i) {
     const double share = srif.errors[i].value_or(0) * (i == 2 ? thickness : 1) / largest;
     if (which(i, share)) result += fmt::format("{}K{} ({:.2g} %)", result.empty() ? "" : ", ", i + 1, 100 * share);
@@ -177,7 +176,8 @@ std::string remedy(const Case& c) {
 
 }  // namespace
 
-void warn_of_factors(const Case& c, const std::vector<post::Srif>& srifs, std::vector<std::string>& warnings) {
+void warn_of_factors(const Case& c, const std::vector<post::Srif>& srifs, const std::vector<double>& largest,
+                     std::vector<std::string>& warnings) {
   constexpr double uncertain = 0.03;
   const double h = c.section.thickness;
   for (std::size_t i = 0; i < srifs.size(); ++i) {
@@ -190,15 +190,16 @@ void warn_of_factors(const Case& c, const std::vector<post::Srif>& srifs, std::v
                                      place, *srif.G, remedy(c)));
       continue;
     }
-    if (post::largest_factor(srif, h) == 0) continue;
+    const double scale = std::max(post::largest_factor(srif, h), srif.tip < largest.size() ? largest[srif.tip] : 0);
+    if (scale == 0) continue;
     if (post::of_opening(srif.method) && !srif.resolved[0]) {
       warnings.push_back(fmt::format("{}: no intensity factors: too few points about it for any method but the opening of the crack, "
                                      "for which nothing vouches there; refine",
                                      place));
       continue;
     }
-    const auto lost = named(srif, h, [&](std::size_t k, double) { return !srif.resolved[k]; });
-    const auto doubtful = named(srif, h, [&](std::size_t k, double share) { return srif.resolved[k] && share > uncertain && !srif.accuracy_reached; });
+    const auto lost = named(srif, h, scale, [&](std::size_t k, double) { return !srif.resolved[k]; });
+    const auto doubtful = named(srif, h, scale, [&](std::size_t k, double share) { return srif.resolved[k] && share > uncertain && !srif.accuracy_reached; });
     if (!lost.empty())
       warnings.push_back(fmt::format("{}: not resolved are {} (estimated error of the largest factor); {}", place, lost, remedy(c)));
     if (!doubtful.empty())

@@ -14,7 +14,8 @@ void warn_of_distrust(const Case& c, const plate::Boundary& boundary, std::vecto
 double error_of_stairs(const Case& c, const plate::Boundary& boundary);
 
 /// Adds warnings, with what to change, for the recommended factors of tips that are not resolved, or uncertain by more than
-/// 3 % of the largest. `srifs`: the recommended of each tip first.
-void warn_of_factors(const Case& c, const std::vector<post::Srif>& srifs, std::vector<std::string>& warnings);
+/// 3 % of the largest. `srifs`: the recommended of each tip first. `largest`: that every tip has had at other times, where there are.
+void warn_of_factors(const Case& c, const std::vector<post::Srif>& srifs, const std::vector<double>& largest,
+                     std::vector<std::string>& warnings);
 
 }  // namespace cases

@@ -109,8 +109,8 @@ Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const Lanc
       if (options.progress) options.progress(std::size_t(space.size()), change.motion);
       const double worst = change.watched.empty() ? 0 : *std::ranges::max_element(change.watched);
       if (space.size() >= least && change.motion <= options.tolerance) {
-        if (most == 0) most = 4 * space.size();
-        if (worst <= options.watched_tolerance || space.size() >= most) return change;
+        if (most == 0) most = std::min(4 * space.size(), Index(options.max_vectors));
+        if (std::isfinite(worst) && (worst <= options.watched_tolerance || space.size() >= most)) return change;
       }
       if (std::size_t(space.size()) >= options.max_vectors)
         throw NumericalError(std::to_string(space.size()) + " Lanczos vectors change the motion by " + std::to_string(change.motion) +

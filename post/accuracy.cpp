@@ -142,7 +142,7 @@ void level(std::vector<Refined>& course, double truncated) {
   for (auto& one : course) one.errors = one.errors.cwiseMax(mean).array() + truncated * largest;
 }
 
-/// Of the result: as many vectors leave out the same of each discretisation, which extrapolation does not enlarge.
+/// Of the result: about as many vectors leave out about the same of each discretisation, which extrapolation does not enlarge.
 double truncation(const std::vector<AccuracyStep>& path, std::size_t tip) {
   const auto of = [&](const AccuracyStep& one) { return tip < one.truncated.size() ? one.truncated[tip] : 0; };
   return std::max(of(path.back()), of(path[path.size() - 2]));

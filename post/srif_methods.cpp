@@ -26,7 +26,8 @@ Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const plate::Sec
 ErrorShares shares_of(const BondedPlate& plate, double horizon, const TipPlace& place) {
   const double layer = plate.section.thickness / std::sqrt(12 * plate.section.shear_correction);
   // an error of the first order, the larger the fewer points lie between a tip and what is next to it; of other tips half as much
-  const double near = plate.spacing * std::max(1 / place.clear, 0.5 / place.narrowest);
+  const double least = plate.spacing / 2;
+  const double near = plate.spacing * std::max(1 / std::max(place.clear, least), 0.5 / std::max(place.narrowest, least));
   if (plate.galerkin) return {0.3, 0, 1, 1, std::max(1e-3, 0.04 * near) + place.known_error, 0.04, plate.spacing / layer, 0.05};
   return {0.4, 0.4, 1.6, 2, std::max(1e-3, 0.1 * near) + place.known_error, 0.2, horizon / 2 / layer, 0.1};
 }
@@ -64,8 +65,13 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
       left_out_.push_back(reason.what());
     }
   }
-  if (fits_.empty() && !integrals_.empty())
+  if (!fits_.empty() || integrals_.empty()) return;
+  try {
     mix_.emplace_back(positions, place.path, place.tip, scale, narrow_fit(scale));
+  } catch (const std::invalid_argument& reason) {
+    for (const auto& integral : integrals_) left_out_.push_back(fmt::format("{}: no mode mix: {}", integral.method, reason.what()));
+    integrals_.clear();
+  }
 }
 
 TipMethods::Integral TipMethods::integral_of(const std::string& method, const BondedPlate& plate,
