@@ -161,7 +161,7 @@ TEST_CASE("five hundred random plates with holes and one to three cracks: both f
     found.add(under_pressure(plate.outline, plate.cracks, found.plates % 2 ? 0.1 : 0.2, 0.02));
   }
   WARN(found.text());  // in w bonds say themselves that they are off
-  CHECK(20 * found.refused[0] < found.plates);  // parts that one straight edge holds: bonds, whose edges are stairs, do not see that they turn about it
+  CHECK(20 * found.refused[0] < found.plates);  // where a ligament narrower than a spacing holds a part
   CHECK(20 * found.outside <= found.resolved);
   CHECK(100 * found.wrong <= found.resolved);
 }
