@@ -166,6 +166,22 @@ void warn_of_given_lengths(const CaseFile& file, std::vector<std::string>& warni
   if (!given.empty()) warnings.push_back(fmt::format("srif.accuracy finds the lengths of the discretisation: {} of the case not used", given));
 }
 
+/// What is said of the search, and its rows. `refined`: judged.
+void conclude(const CaseFile& file, std::vector<std::vector<post::Srif>> refined, Accurate& result) {
+  const auto& options = *file.content.srif;
+  const double h = file.content.section.thickness;
+  auto& [plate, found, rows] = result;
+  found.reached = found.path.back().error;
+  auto& warnings = plate->assembly.warnings;
+  if (found.outcome != "reached")
+    warnings.push_back(fmt::format("srif.accuracy = {:g} not reached, estimated error {}: ended by {}", found.asked,
+                                   found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.outcome));
+  warn_of_given_lengths(file, warnings);
+  rows = found.path.back().rows;
+  if (plate->motion) add_truncation(plate->motion->truncated(), refined, rows, h);
+  for (std::size_t row = 0; row < refined.size(); ++row) put_first(std::move(refined[row]), rows[row], options, h);
+}
+
 }  // namespace
 
 plate::Discretization discretization_of(const Case& c, double size) {
@@ -186,7 +202,8 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
   const double h = file.content.section.thickness;
   const auto start = Clock::now();
   Accurate result;
-  auto& [plate, found, rows] = result;
+  auto& plate = result.plate;
+  auto& found = result.found;
   found.asked = *options.accuracy;
   Progress progress(quiet, "srif.accuracy");
   Stopwatch before;
@@ -231,17 +248,9 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
                                std::chrono::duration<double>(Clock::now() - start).count(), options);
   }
   progress.done();
-  found.reached = found.path.back().error;
   plate->stopwatch.add(before);
-  auto& warnings = plate->assembly.warnings;
-  if (found.outcome != "reached")
-    warnings.push_back(fmt::format("srif.accuracy = {:g} not reached, estimated error {}: ended by {}", found.asked,
-                                   found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.outcome));
-  warn_of_given_lengths(file, warnings);
   post::judge(refined, h, nominal);
-  rows = found.path.back().rows;
-  if (plate->motion) add_truncation(plate->motion->truncated(), refined, rows, h);
-  for (std::size_t row = 0; row < refined.size(); ++row) put_first(std::move(refined[row]), rows[row], options, h);
+  conclude(file, std::move(refined), result);
   return result;
 }
 

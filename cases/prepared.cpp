@@ -35,6 +35,7 @@ Prepared::Prepared(CaseFile wanted) : file(std::move(wanted)), assembly(assemble
     stopwatch.lap("solve");
   }
   tip_methods = cases::tip_methods(file, assembly);
+  warn_of_ligaments(c, assembly);
   stopwatch.lap("srif");
 }
 

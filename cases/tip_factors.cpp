@@ -81,6 +81,19 @@ std::vector<post::TipMethods> tip_methods(const CaseFile& file, const Assembly& 
   return result;
 }
 
+void warn_of_ligaments(const Case& c, Assembly& assembly) {
+  constexpr double resolved = 2;  // spacings
+  const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
+  for (const auto& tip : assembly.tips) {
+    const double clear = post::clear_distance(c.outline, assembly.paths, tip, spacing);
+    if (clear >= resolved * spacing) continue;
+    assembly.warnings.push_back(fmt::format("tip at ({:g}, {:g}): the next edge, crack or bend is {:.2g} spacings away: what lies between is not "
+                                            "resolved, and deflections and the factors of all tips may be off by more than is estimated; take "
+                                            "discretization.spacing or tip_spacing = {:.2g}",
+                                            tip.position.x(), tip.position.y(), clear / spacing, clear / 4));
+  }
+}
+
 std::vector<std::string> left_out(const Assembly& assembly, const std::vector<post::TipMethods>& methods) {
   std::vector<std::string> result;
   for (std::size_t tip = 0; tip < methods.size(); ++tip) {

@@ -22,6 +22,9 @@ bool ringed(const Case& content, const std::vector<geometry::CrackPath>& paths, 
 /// near to an edge, a load or another crack for it: CaseError at rest, a warning in motion, where they stay.
 void check_growing_tips(const CaseFile& file, Assembly& assembly);
 
+/// Adds a warning for each tip that has something within two spacings: what lies between is not resolved, and the whole plate may be wrong.
+void warn_of_ligaments(const Case& content, Assembly& assembly);
+
 /// Which methods are missing at which tips, and why.
 std::vector<std::string> left_out(const Assembly& assembly, const std::vector<post::TipMethods>& methods);
 

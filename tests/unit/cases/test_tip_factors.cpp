@@ -27,6 +27,12 @@ TEST_CASE("factors: a tip without room has none and a warning, the others have t
   CHECK(tips_with_factors(summary) == std::set<std::size_t>{0, 1, 2});
   CHECK(std::ranges::count_if(summary.warnings, [](const auto& text) { return text.starts_with("tip at (0.95, 0.5): no intensity factors: "); }) == 1);
 
+  const auto of_ligament = [](const auto& text) { return text.find("what lies between is not resolved") != std::string::npos; };
+  CHECK(std::ranges::count_if(summary.warnings, of_ligament) == 1);
+  const auto wider = cases::run(case_text::read(cracked, {"geometry.cracks=[[[-0.3, 0.0], [0.3, 0.0]], [[0.6, 0.5], [0.85, 0.5]]]", by_energy}),
+                                {folder.path(), true});
+  CHECK(std::ranges::none_of(wider.warnings, of_ligament));
+
   const auto all_near = case_text::read(cracked, {"geometry.cracks=[[[-0.96, 0.5], [0.95, 0.5]]]", by_energy});
   CHECK_THROWS_WITH(cases::run(all_near, {folder / "refused", true}), Catch::Contains("tip at (-0.96, 0.5)") && Catch::Contains("tip at (0.95, 0.5)"));
   CHECK_FALSE(std::filesystem::exists(folder / "refused"));
