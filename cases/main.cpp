@@ -6,15 +6,15 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
-#include "cases/energy_check.hpp"
-#include "cases/extremes.hpp"
-#include "cases/study.hpp"
-#include "plate/numerical_error.hpp"
-#include "post/compare.hpp"
-#include "post/fatigue.hpp"
-#include "post/study_orders.hpp"
-#include "post/table.hpp"
-#include "post/whole_file.hpp"
+#include "cases/driver/energy_check.hpp"
+#include "cases/studies/extremes.hpp"
+#include "cases/studies/study.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "post/studies/compare.hpp"
+#include "post/studies/fatigue.hpp"
+#include "post/studies/orders.hpp"
+#include "post/files/table.hpp"
+#include "post/files/whole_file.hpp"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <experimental/simd>
 #include <map>
 
-#include "cases/assembly.hpp"
-#include "plate/two_level_plate.hpp"
-#include "plate/statics.hpp"
+#include "cases/driver/assembly.hpp"
+#include "plate/bonds/levels/two_level_plate.hpp"
+#include "plate/solve/statics.hpp"
 
 namespace {
 

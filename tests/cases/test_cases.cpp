@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
-#include "cases/study.hpp"
+#include "cases/studies/study.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/unit/post/xml.hpp"
 

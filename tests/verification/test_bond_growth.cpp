@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "cases/run.hpp"
-#include "post/table.hpp"
+#include "cases/driver/run.hpp"
+#include "post/files/table.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,12 +1,12 @@
 // Eigenfrequencies: closed forms, rigid motions, dense eigenvalues.
-#include "plate/frequencies.hpp"
+#include "plate/solve/motion/frequencies.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "plate/exact.hpp"
+#include "plate/model/exact.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 #include "tests/verification/verified_plate.hpp"
 

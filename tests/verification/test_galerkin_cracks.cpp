@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "cases/results.hpp"
-#include "cases/static_solution.hpp"
+#include "cases/driver/results.hpp"
+#include "cases/driver/static_solution.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

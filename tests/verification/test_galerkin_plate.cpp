@@ -2,9 +2,9 @@
 // the formulation's first implementation (theory.md, "The Galerkin plate").
 #include <catch2/catch.hpp>
 
-#include "plate/exact.hpp"
-#include "plate/local_plate.hpp"
-#include "plate/resultants.hpp"
+#include "plate/model/exact.hpp"
+#include "plate/bonds/levels/local_plate.hpp"
+#include "plate/model/resultants.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 #include "tests/verification/galerkin_plate.hpp"
 #include "tests/verification/verified_plate.hpp"

@@ -1,8 +1,8 @@
 // The direction of cracks that grow at rest: smooth, and the same at tips that are alike.
 #include <catch2/catch.hpp>
 
-#include "cases/run.hpp"
-#include "post/table.hpp"
+#include "cases/driver/run.hpp"
+#include "post/files/table.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "cases/results.hpp"
+#include "cases/driver/results.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

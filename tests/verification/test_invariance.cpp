@@ -2,7 +2,7 @@
 // polyline.
 #include <catch2/catch.hpp>
 
-#include "cases/results.hpp"
+#include "cases/driver/results.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

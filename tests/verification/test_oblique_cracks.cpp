@@ -6,8 +6,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "cases/results.hpp"
-#include "cases/static_solution.hpp"
+#include "cases/driver/results.hpp"
+#include "cases/driver/static_solution.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,7 +1,7 @@
 // The parameters of a finer and finer lattice approach those of the continuum (Dai et al., Eqs. 7-8 corrected).
 #include <catch2/catch.hpp>
 
-#include "plate/influence.hpp"
+#include "plate/bonds/parameters/influence.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,7 +1,7 @@
 // Section forces of solved plates against statics.
 #include <catch2/catch.hpp>
 
-#include "plate/resultants.hpp"
+#include "plate/model/resultants.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "plate/exact.hpp"
+#include "plate/model/exact.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

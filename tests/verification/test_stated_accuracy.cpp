@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "cases/run.hpp"
-#include "post/quantity.hpp"
+#include "cases/driver/run.hpp"
+#include "post/studies/quantity.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 namespace {

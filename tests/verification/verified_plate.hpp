@@ -2,8 +2,8 @@
 #include <numbers>
 #include <random>
 
-#include "cases/assembly.hpp"
-#include "plate/statics.hpp"
+#include "cases/driver/assembly.hpp"
+#include "plate/solve/statics.hpp"
 
 /// Plates for verification, turned into points and bonds by the very function that the program uses.
 namespace verified_plate {

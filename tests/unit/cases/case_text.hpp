@@ -1,5 +1,5 @@
 #pragma once
-#include "cases/case_file.hpp"
+#include "cases/input/case_file.hpp"
 
 #include <catch2/catch.hpp>
 

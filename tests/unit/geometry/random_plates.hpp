@@ -2,7 +2,7 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/cloud.hpp"
+#include "geometry/lattice/cloud.hpp"
 
 /// Valid plates of every kind: polygons of any direction, some with holes, with none to three cracks.
 namespace random_plates {

@@ -1,10 +1,10 @@
 #pragma once
 #include <random>
 
-#include "plate/galerkin_boundary.hpp"
-#include "plate/galerkin_operator.hpp"
-#include "plate/galerkin_stiffness.hpp"
-#include "plate/loads.hpp"
+#include "plate/galerkin/boundary.hpp"
+#include "plate/galerkin/operator.hpp"
+#include "plate/galerkin/stiffness.hpp"
+#include "plate/model/loads.hpp"
 
 /// Galerkin plates small enough for dense matrices.
 namespace galerkin_plate {

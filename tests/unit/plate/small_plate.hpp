@@ -2,10 +2,10 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "geometry/seeding.hpp"
-#include "plate/boundary.hpp"
-#include "plate/family_operator.hpp"
-#include "plate/position_aware.hpp"
+#include "geometry/lattice/seeding.hpp"
+#include "plate/model/boundary.hpp"
+#include "plate/bonds/family_operator.hpp"
+#include "plate/bonds/parameters/position_aware.hpp"
 
 /// Plates small enough for dense matrices.
 namespace small_plate {

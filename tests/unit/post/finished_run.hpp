@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "post/quantity.hpp"
+#include "post/studies/quantity.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 /// The summary and the tables of a run that has ended.

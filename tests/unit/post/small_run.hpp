@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "post/frame.hpp"
+#include "post/files/frame.hpp"
 
 /// What the tests of the writers share: a folder of their own, a full disk, a plate of six points.
 namespace small_run {

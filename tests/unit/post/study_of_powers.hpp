@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "post/study.hpp"
+#include "post/studies/study.hpp"
 
 /// Studies whose errors are known powers of the spacing.
 namespace study_of_powers {

@@ -1,0 +1,225 @@
+#include "cases/driver/lattice_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/lattice/cell_index.hpp"
+
+namespace cases {
+namespace {
+
+using geometry::Point;
+
+// All lengths in spacings. A point of a plate without corners is within half a diagonal of a cell, 0.71, of a point of
+// the lattice; a right corner may be up to 1.7 away.
+constexpr double largest_gap = 2;  // from the outline to the next point; a corner sharper than a right angle has more
+constexpr double longest_spike = 10;  // that a sharp corner may lose
+constexpr double largest_move = 1;    // of a pin or a force
+constexpr double probe_reach = 1.6;   // a probe lies between points as near as this
+constexpr double window = 12;         // distances beyond it are not told apart
+
+/// Where the points are.
+class Seeded {
+public:
+  explicit Seeded(const geometry::Cloud& cloud) : units_(cloud.units), lattice_(lattice_of(cloud)), index_(lattice_) {}
+
+  /// From any place to the nearest point, at most `window` [spacings].
+  double distance(const Point& u) const {
+    double best = window;
+    for (double ring = 0; ring <= std::min(best + 1, window); ++ring)
+      for (double y = -ring; y <= ring; ++y)
+        for (double x = -ring; x <= ring; x += std::abs(y) == ring ? 1 : 2 * ring)
+          if (const auto k = index_.at(u + Point(x, y))) best = std::min(best, (lattice_[*k] - u).norm());
+    return best;
+  }
+  double distance_from(const Point& x) const { return distance(units_.to_lattice(x)); }
+
+private:
+  static std::vector<Point> lattice_of(const geometry::Cloud& cloud) {
+    std::vector<Point> result;
+    for (std::size_t k = 0; k < cloud.plate_points; ++k) result.push_back(cloud.units.to_lattice(cloud.positions[k]));
+    return result;
+  }
+
+  geometry::LatticeUnits units_;
+  std::vector<Point> lattice_;
+  plate::CellIndex index_;
+};
+
+/// Places on the edges and holes called `name` (empty: on all), half a spacing apart.
+std::vector<Point> places(const geometry::Outline& cells, const std::string& name) {
+  std::vector<Point> result;
+  for (const auto& edge : geometry::straight_edges(cells)) {
+    if (!name.empty() && edge.name != name) continue;
+    const double count = std::ceil(2 * (edge.to - edge.from).norm());
+    for (double i = 0; i <= count; ++i) result.push_back(edge.from + i / count * (edge.to - edge.from));
+  }
+  for (const auto& hole : cells.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && (name.empty() || circle->name == name)) {
+      const double count = std::ceil(4 * std::numbers::pi * circle->radius);
+      for (double i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        result.push_back(circle->centre + circle->radius * Point(std::cos(angle), std::sin(angle)));
+      }
+    }
+  return result;
+}
+
+/// A corner of the outline sharper than a right angle, and how far from it points may be missing.
+struct Spike {
+  Point corner;
+  double length;
+};
+
+std::vector<Spike> spikes(const geometry::Outline& cells) {
+  const auto& v = cells.outer.vertices;
+  std::vector<Spike> result;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const Point to = (v[(i + 1) % v.size()] - v[i]).normalized(),
+                from = (v[(i + v.size() - 1) % v.size()] - v[i]).normalized();
+    const bool convex = to.x() * from.y() - to.y() * from.x() > 0;
+    const double half = std::acos(std::clamp(to.dot(from), -1.0, 1.0)) / 2;
+    // a circle of 0.71 holds a point; in the corner it reaches as far as this
+    if (convex && half < std::numbers::pi / 4)
+      result.push_back({v[i], std::min(longest_spike, std::sqrt(0.5) * (1 + 1 / std::sin(half)))});
+  }
+  return result;
+}
+
+double allowed_gap(const std::vector<Spike>& sharp, const Point& u) {
+  double result = largest_gap;
+  for (const auto& spike : sharp)
+    if ((u - spike.corner).norm() <= spike.length) result = std::max(result, spike.length);
+  return result;
+}
+
+/// Parts of the plate that have no points.
+void check_parts(const CaseFile& file, const geometry::Cloud& cloud, const geometry::Outline& cells,
+                 const Seeded& seeded, std::vector<Problem>& problems) {
+  const auto sharp = spikes(cells);
+  double furthest = 0;
+  Point where(0, 0);
+  for (const auto& u : places(cells, ""))
+    if (const double d = seeded.distance(u); d > allowed_gap(sharp, u) && d > furthest) furthest = d, where = u;
+  if (furthest == 0) return;
+  const Point x = cloud.units.from_lattice(where);
+  double held = 0;
+  for (std::size_t k = 0; k < cloud.plate_points; ++k) held += cloud.areas[k];
+  const double all = geometry::area(file.content.outline);
+  problems.push_back(
+      {file.place("discretization.spacing"), "discretization.spacing",
+       fmt::format(
+           "{:g} leaves out a part of the plate: ({:.6g}, {:.6g}) on its outline is {} spacings from the nearest "
+           "point, and the cells of the points hold {:.4g} of its area of {:.4g}; parts no wider than a spacing "
+           "have no points: refine, or choose formulation = \"galerkin\"",
+           cloud.units.spacing, x.x(), x.y(),
+           furthest < window ? fmt::format("{:.2g}", furthest) : fmt::format("over {:g}", window), held, all)});
+}
+
+void check_loaded_edges(const CaseFile& file, const geometry::Outline& cells, const Seeded& seeded,
+                        std::vector<Problem>& problems) {
+  const auto& loads = file.content.loads;
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    for (const auto& name : loads[i].edges) {
+      const auto edge = places(cells, name);
+      if (std::ranges::any_of(edge, [&](const auto& u) { return seeded.distance(u) < largest_gap - 0.5; })) continue;
+      const auto key = fmt::format("load[{}].edges", i);
+      problems.push_back(
+          {file.place(key), key,
+           fmt::format("edge \"{}\" has no point of the lattice beside it that the load could act on: refine", name)});
+    }
+}
+
+/// Single places that would act somewhere else.
+void check_places(const CaseFile& file, const Seeded& seeded, std::vector<Problem>& problems) {
+  const Case& c = file.content;
+  const auto check = [&](const std::string& key, const char* what, const Point& x, double most) {
+    const double away = seeded.distance_from(x);
+    if (away > most)
+      problems.push_back(
+          {file.place(key), key,
+           fmt::format("the {} at ({:g}, {:g}) is {:.2g} spacings from the nearest point of the lattice, which "
+                       "would stand for it: at most {:g}; refine, or choose formulation = \"galerkin\"",
+                       what, x.x(), x.y(), away, most)});
+  };
+  for (std::size_t i = 0; i < c.supports.size(); ++i)
+    for (const auto& x : c.supports[i].points) check(fmt::format("support[{}].points", i), "pin", x, largest_move);
+  for (std::size_t i = 0; i < c.loads.size(); ++i)
+    if (c.loads[i].kind == plate::Load::Kind::point_force)
+      check(fmt::format("load[{}].position", i), "force", c.loads[i].position, largest_move);
+  for (const auto& [name, x] : c.output.probes) check("output.probes." + name, "probe", x, probe_reach);
+}
+
+bool holds_edges(const plate::Support& support) {
+  return !support.edges.empty() && support.kind != plate::SupportKind::free;
+}
+
+void check_held_lengths(const CaseFile& file, const geometry::Outline& cells, std::vector<Problem>& problems) {
+  const auto& supports = file.content.supports;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    if (!holds_edges(supports[i])) continue;
+    double length = 0;
+    for (const auto& name : supports[i].edges) length += geometry::edge_length(cells, name);
+    if (length >= 1 - 1e-9) continue;
+    const auto key = fmt::format("support[{}].edges", i);
+    problems.push_back(
+        {file.place(key), key,
+         fmt::format("acts on a length of {:.2g} spacings: bonds cannot hold a plate on less than one; refine, or "
+                     "choose formulation = \"galerkin\"",
+                     length)});
+  }
+}
+
+/// Largest distance of the pins from the straight line through them that fits best.
+double width(const std::vector<Point>& pins) {
+  Point middle(0, 0);
+  for (const auto& x : pins) middle += x / double(pins.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const auto& x : pins) spread += (x - middle) * (x - middle).transpose();
+  const Point across = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(0);
+  double result = 0;
+  for (const auto& x : pins) result = std::max(result, std::abs(across.dot(x - middle)));
+  return result;
+}
+
+/// Pins alone hold a plate by their triangle; each acts up to 0.7 of a spacing beside its place.
+void check_pins(const CaseFile& file, const geometry::LatticeUnits& units, std::vector<Problem>& problems,
+                std::vector<std::string>& warnings) {
+  constexpr double least = 1, few = 5;  // spacings
+  const auto& supports = file.content.supports;
+  if (file.content.analysis.kind != Analysis::Kind::static_ || std::ranges::any_of(supports, holds_edges)) return;
+  std::vector<Point> pins;
+  for (const auto& support : supports)
+    for (const auto& x : support.points) pins.push_back(units.to_lattice(x));
+  if (pins.size() < 3) return;  // refused elsewhere
+  const double wide = width(pins);
+  const auto said = fmt::format(
+      "the pins are within {:.2g} spacings of one line, and each acts at the nearest point of the lattice, up to 0.7 "
+      "spacings "
+      "from its place",
+      wide);
+  if (wide < least)
+    problems.push_back({file.place("support"), "support", said + ": refine, or choose formulation = \"galerkin\""});
+  else if (wide < few)
+    warnings.push_back(said + ": deflections may be far off");
+}
+
+}  // namespace
+
+void check_lattice(const CaseFile& file, const geometry::Cloud& cloud, const geometry::Outline& cells,
+                   std::vector<std::string>& warnings) {
+  const Seeded seeded(cloud);
+  std::vector<Problem> problems;
+  check_parts(file, cloud, cells, seeded, problems);
+  check_loaded_edges(file, cells, seeded, problems);
+  check_places(file, seeded, problems);
+  check_held_lengths(file, cells, problems);
+  check_pins(file, cloud.units, problems, warnings);
+  if (!problems.empty()) throw CaseError(problems);
+}
+
+}  // namespace cases

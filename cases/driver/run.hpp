@@ -1,0 +1,36 @@
+#pragma once
+#include "cases/input/case_file.hpp"
+#include "post/files/summary.hpp"
+#include "post/files/table.hpp"
+
+namespace cases {
+
+struct RunOptions {
+  std::filesystem::path folder;  // results go here; made if it does not exist
+  bool quiet = false;
+};
+
+/// The steps of a dynamic run.
+struct TimeGrid {
+  double time_step;
+  std::size_t steps, steps_per_row;  // rows of history, probes and intensity factors
+};
+
+/// Steps that end exactly on the rows of history, none above `limit`. Throws CaseError where the file asks for more.
+TimeGrid time_grid(const CaseFile& file, double limit);
+
+/// One step per row, for motions that need no steps. Throws CaseError where there are too many.
+TimeGrid row_grid(const CaseFile& file);
+
+/// Runs a case and writes its results folder. Throws CaseError before anything is written; plate::NumericalError after
+/// the last good frame, the summary and all tables have been written.
+post::Summary run(const CaseFile& file, const RunOptions& options);
+
+/// What a run would cost, as text: points, bonds, memory, time step, steps. Writes nothing. Throws CaseError.
+std::string cost(const CaseFile& file);
+
+/// Extracts the intensity factors again from the frames of a finished run; rows of srif.csv.
+/// Throws CaseError or std::runtime_error.
+post::Table srif_again(const std::filesystem::path& folder, const std::vector<std::string>& methods);
+
+}  // namespace cases

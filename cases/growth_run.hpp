@@ -1,9 +1,0 @@
-#pragma once
-#include "cases/run.hpp"
-
-namespace cases {
-
-/// Runs a static case whose cracks grow. Throws as run() does.
-post::Summary grow(const CaseFile& file, const RunOptions& options);
-
-}  // namespace cases

@@ -1,0 +1,273 @@
+#include "cases/input/formulations.hpp"
+#include "cases/input/keys.hpp"
+#include "geometry/shape/crack_extension.hpp"
+
+#include <limits>
+
+namespace cases {
+
+namespace {
+
+using geometry::Edge;
+using geometry::Point;
+using plate::SupportKind;
+
+/// A length that counts as nothing beside the plate.
+double tolerance(const geometry::Outline& outline) {
+  const auto [low, high] = geometry::bounding_box(outline);
+  return 1e-9 * (high - low).norm();
+}
+
+double distance_to_boundary(const geometry::Outline& outline, const Point& point) {
+  double nearest = INFINITY;
+  for (const Edge& edge : geometry::straight_edges(outline))
+    nearest = std::min(nearest, geometry::distance({edge.from, edge.to}, point));
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
+      nearest = std::min(nearest, std::abs((point - circle->centre).norm() - circle->radius));
+  return nearest;
+}
+
+bool on_plate(const geometry::Outline& outline, const Point& point) {
+  return geometry::contains(outline, point) || distance_to_boundary(outline, point) <= tolerance(outline);
+}
+
+/// Does the name stand for straight edges parallel to the axes only?
+bool axis_parallel(const geometry::Outline& outline, const std::string& name) {
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name) return false;
+  for (const Edge& edge : geometry::straight_edges(outline))
+    if (edge.name == name && (edge.to - edge.from).cwiseAbs().minCoeff() > tolerance(outline)) return false;
+  return true;
+}
+
+bool needs_axis_parallel(SupportKind kind) {
+  return kind == SupportKind::symmetry || kind == SupportKind::simply_supported_hard || is_layer(kind);
+}
+
+/// Shape and cracks; true where edges and points can be checked against the shape.
+bool check_geometry(const Case& content, Reading& reading) {
+  for (const char* key : {"geometry.outline", "geometry.holes"})
+    if (!reading.sound(key)) return false;
+  if (content.outline.outer.vertices.empty()) return false;
+  const auto shape_faults = geometry::faults(content.outline);
+  for (const auto& fault : shape_faults) reading.complain("geometry." + fault.where, fault.what);
+  if (!shape_faults.empty()) return false;
+  if (!reading.sound("geometry.cracks")) return true;
+  for (const auto& fault : geometry::faults(content.outline, content.cracks, tolerance(content.outline)))
+    reading.complain("geometry." + fault.where, fault.what);
+  return true;
+}
+
+void check_names(const std::vector<std::string>& names, const std::vector<std::string>& existing,
+                 const std::string& key, Reading& reading) {
+  for (const auto& name : names)
+    if (std::find(existing.begin(), existing.end(), name) == existing.end())
+      reading.complain(key, fmt::format("the plate has no edge \"{}\"{}; its edges: {}", name,
+                                        did_you_mean(name, existing), listed(existing)));
+}
+
+void check_supports(const Case& content, Reading& reading) {
+  const auto existing = geometry::edge_names(content.outline);
+  std::map<std::string, std::size_t> holder;
+  for (std::size_t i = 0; i < content.supports.size(); ++i) {
+    const auto& support = content.supports[i];
+    const std::string entry = fmt::format("support[{}]", i);
+    check_names(support.edges, existing, entry + ".edges", reading);
+    for (const auto& edge : support.edges) {
+      const auto [first, fresh] = holder.emplace(edge, i);
+      if (!fresh && first->second != i)
+        reading.complain(entry + ".edges",
+                         fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second));
+      const bool galerkin = content.discretization.formulation == plate::Formulation::galerkin;
+      if (!galerkin && needs_axis_parallel(support.kind) && reading.sound(entry + ".kind") && !axis_parallel(content.outline, edge))
+        reading.complain(entry + ".edges",
+                         fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
+                                     "of support needs because it mirrors or extends the lattice there",
+                                     edge));
+    }
+    for (const auto& point : support.points)
+      if (!on_plate(content.outline, point))
+        reading.complain(entry + ".points", text_of(point) + " given, must lie in the plate or on its boundary");
+  }
+}
+
+void check_loads(const Case& content, Reading& reading) {
+  const auto existing = geometry::edge_names(content.outline);
+  for (std::size_t i = 0; i < content.loads.size(); ++i) {
+    const auto& load = content.loads[i];
+    const std::string entry = fmt::format("load[{}]", i);
+    check_names(load.edges, existing, entry + ".edges", reading);
+    const std::string position = entry + ".position";
+    if (reading.given(position) && reading.sound(position) && !geometry::contains(content.outline, load.position))
+      reading.complain(position, text_of(load.position) + " given, must lie inside the plate");
+  }
+}
+
+void check_spacing(const Case& content, Reading& reading) {
+  const double spacing = content.discretization.spacing;
+  const auto [low, high] = geometry::bounding_box(content.outline);
+  const double largest = (high - low).minCoeff() / 4;  // four cells: fewer have no interior
+  if (reading.sound("discretization.spacing") && !reading.finds_spacing && spacing > largest * (1 + 1e-9))
+    reading.complain("discretization.spacing",
+                     fmt::format("{} given, must be at most {}, a quarter of the plate's smaller side",
+                                 number_text(spacing), number_text(largest)));
+}
+
+/// Rounding of the deflection against the shear strains of bending, 2^-24 (L / spacing) (L / h)^2: up to 0.3
+/// K1(t) was within a thousandth of that in double (measured: 8e-6 at 0.003, 5e-5 at 0.07, 8e-4 at 0.3).
+void check_precision(const Case& content, Reading& reading) {
+  constexpr double largest = 0.3;
+  if (content.analysis.precision != Analysis::Precision::mixed || !reading.sound("section.thickness") ||
+      !reading.sound("discretization.spacing"))
+    return;
+  const auto [low, high] = geometry::bounding_box(content.outline);
+  const double side = (high - low).maxCoeff(), slender = side / content.section.thickness;
+  const double rounding = std::numeric_limits<float>::epsilon() / 2 * side / content.discretization.spacing * slender * slender;
+  if (rounding > largest)
+    reading.complain("analysis.precision",
+                     fmt::format("\"mixed\" given: so thin a plate loses its shear strains in the rounding of its deflection, "
+                                 "2^-24 (side/spacing) (side/thickness)^2 = {:.2g}, above {:g}; choose \"double\"",
+                                 rounding, largest));
+}
+
+void check_probes(const Case& content, Reading& reading) {
+  for (const auto& [name, point] : content.output.probes)
+    if (!on_plate(content.outline, point))
+      reading.complain("output.probes." + name, text_of(point) + " given, must lie in the plate or on its boundary");
+}
+
+void check_tips(const Case& content, Reading& reading) {
+  if (!content.srif || !reading.sound("geometry") || (content.growth && content.growth->by_bonds())) return;
+  const auto paths = geometry::crack_paths(content.outline, content.cracks, tolerance(content.outline));
+  if (geometry::tips(paths).empty())
+    reading.complain("srif",
+                     "there is no crack tip to find intensity factors at: remove [srif] or give geometry.cracks");
+}
+
+/// What growth by single bonds has and that by tips has not, and the other way round.
+void check_criterion(const fracture::Growth& growth, Reading& reading) {
+  using enum fracture::Growth::Criterion;
+  const bool limits = growth.criterion == curvature_shear && (growth.critical_curvature || growth.critical_shear);
+  if (!reading.given("growth.fracture_energy") && !limits)
+    reading.complain("growth.fracture_energy", "is missing, must be a number > 0");
+  if (growth.criterion != curvature_shear)
+    for (const char* key : {"growth.critical_curvature", "growth.critical_shear"})
+      if (reading.given(key)) reading.complain(key, "is of criterion = \"curvature_shear\": remove it");
+  if (!growth.by_bonds() && reading.given("growth.apparent_toughness"))
+    reading.complain("growth.apparent_toughness", "is of criteria for bonds: remove it");
+  if (limits && !reading.given("growth.fracture_energy") && reading.given("growth.apparent_toughness"))
+    reading.complain("growth.apparent_toughness", "divides what follows from growth.fracture_energy, which is not given: remove it");
+  if (growth.by_bonds())
+    for (const char* key : {"growth.direction", "growth.increment"})
+      if (reading.given(key)) reading.complain(key, "is of criterion = \"energy_release\": bonds break where they fail; remove it");
+}
+
+/// From rest to motion.
+void check_switch(const Case& content, Reading& reading) {
+  const auto& growth = *content.growth;
+  const bool moves = growth.unstable == fracture::Growth::Unstable::move;
+  if (!moves) {
+    if (reading.given("growth.duration")) reading.complain("growth.duration", "is of unstable = \"move\": remove it");
+    return;
+  }
+  if (!reading.given("growth.duration")) reading.complain("growth.duration", "is missing, must be a number > 0");
+  if (!reading.given("section.density")) reading.complain("section.density", "is missing, must be a number > 0: the plate may begin to move");
+  if (growth.by_bonds())
+    reading.complain("growth.unstable", "\"move\" given: cracks of broken bonds cannot be handed over to a motion; choose \"stop\" or \"jump\"");
+  if (growth.control != fracture::Growth::Control::load)
+    reading.complain("growth.control", "must be \"load\" with unstable = \"move\": the loads stay while the plate moves");
+}
+
+/// How the states between which bonds break one by one, or tips run, may be found.
+void check_analysis_of_growth(const Case& content, Reading& reading) {
+  const bool moves = content.analysis.kind == Analysis::Kind::dynamic;
+  if (!moves && !content.growth->by_bonds()) return;
+  if (content.analysis.precision == Analysis::Precision::mixed)
+    reading.complain("analysis.precision", "growth is in double precision only; choose \"double\"");
+  if (moves) return;
+  if (content.analysis.method != Analysis::Method::cg)
+    reading.complain("analysis.method", "breaking bonds takes a solution for each, by conjugate gradients with one factor; choose \"cg\"");
+  if (content.analysis.preconditioner != Analysis::Preconditioner::automatic)
+    reading.complain("analysis.preconditioner", "bonds that break at rest have one of their own; choose \"auto\"");
+}
+
+void check_growth(const Case& content, Reading& reading) {
+  if (!content.growth || !reading.sound("geometry")) return;
+  check_criterion(*content.growth, reading);
+  check_analysis_of_growth(content, reading);
+  if (content.analysis.kind == Analysis::Kind::static_) check_switch(content, reading);
+  const auto paths = geometry::crack_paths(content.outline, content.cracks, tolerance(content.outline));
+  if (!content.growth->by_bonds() && geometry::tips(paths).empty())
+    reading.complain("growth", "there is no crack tip that could grow: give geometry.cracks, criterion = \"bond_energy\", or "
+                               "remove [growth]");
+  double longest = 0, all = 0;
+  for (const auto& crack : content.cracks) longest = std::max(longest, geometry::length(crack)), all += geometry::length(crack);
+  const double there = content.growth->by_bonds() ? all : longest;
+  if (content.growth->max_length && there >= *content.growth->max_length)
+    reading.complain("growth.max_length", fmt::format("{} given, must be larger than the {:.6g} of geometry.cracks",
+                                                      number_text(*content.growth->max_length), there));
+  const auto has = [&](const char* method) { return std::ranges::find(content.srif->methods, method) != content.srif->methods.end(); };
+  if (content.srif && !content.growth->by_bonds() && !has("virtual_crack_extension") && !has("domain_integral"))
+    reading.complain("srif.methods", "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");
+  if (content.srif && content.srif->second_formulation)
+    reading.complain("srif.second_formulation", "is not available with [growth]: run both cases and compare their growth.csv");
+  if (content.srif && content.srif->richardson)
+    reading.complain("srif.richardson", "is not available with [growth]: run the case with twice the spacing");
+}
+
+/// What only steps have, and what only Lanczos vectors.
+void check_motion(const Case& content, Reading& reading) {
+  if (content.analysis.kind != Analysis::Kind::dynamic) return;
+  if (content.analysis.method != Analysis::Method::lanczos) {
+    if (reading.given("analysis.tolerance"))
+      reading.complain("analysis.tolerance", "is of method = \"lanczos\"; steps have analysis.time_step: remove it");
+    return;
+  }
+  const auto complain = [&](const char* key) {
+    reading.complain(key, "is of method = \"central_difference\"; Lanczos vectors take no steps: remove it");
+  };
+  if (content.analysis.time_step) complain("analysis.time_step");
+  if (reading.given("analysis.safety")) complain("analysis.safety");
+  if (content.analysis.precision == Analysis::Precision::mixed)
+    reading.complain("analysis.precision", "\"mixed\" is of method = \"central_difference\"; choose \"double\"");
+  if (content.discretization.formulation == plate::Formulation::ordinary && !content.growth)
+    reading.complain("analysis.method", "\"lanczos\" is of formulation = \"galerkin\", whose points all have mass; choose \"central_difference\"");
+  if (content.growth) reading.complain("analysis.method", "\"lanczos\" given: growth in motion takes steps; choose \"central_difference\"");
+}
+
+/// What stands in the way of finding the discretisation.
+void check_accuracy(const Case& content, Reading& reading) {
+  if (!content.srif || !content.srif->accuracy) return;
+  const auto complain = [&](const std::string& what) { reading.complain("srif.accuracy", what); };
+  if (content.discretization.formulation == plate::Formulation::ordinary)
+    complain("needs the Galerkin plate, whose points can be graded (formulation " + content.formulation_reason + "): remove it or that");
+  else if (content.analysis.kind == Analysis::Kind::dynamic && content.analysis.method != Analysis::Method::lanczos)
+    complain("moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety)");
+  if (content.growth) complain("is not available with [growth]");
+  if (content.srif->richardson || content.srif->second_formulation)
+    complain("has estimates of its own: remove srif.richardson and srif.second_formulation");
+  for (const char* method : {"virtual_crack_extension", "domain_integral", "series_fit"})
+    if (std::ranges::find(content.srif->methods, method) == content.srif->methods.end())
+      complain(fmt::format("compares methods: add \"{}\" to srif.methods, or remove these", method));
+}
+
+}  // namespace
+
+void check_case(const Case& content, Reading& reading) {
+  if (content.loads.empty() && reading.kind != Analysis::Kind::frequencies && reading.sound("load"))
+    reading.complain("load", "nothing loads the plate: give at least one [[load]]");
+  check_formulation(content, reading);
+  if (!check_geometry(content, reading)) return;
+  check_spacing(content, reading);
+  check_precision(content, reading);
+  check_supports(content, reading);
+  check_loads(content, reading);
+  check_probes(content, reading);
+  check_tips(content, reading);
+  check_growth(content, reading);
+  check_accuracy(content, reading);
+  check_motion(content, reading);
+}
+
+}  // namespace cases

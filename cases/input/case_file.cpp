@@ -1,0 +1,92 @@
+#include "cases/input/case_file.hpp"
+#include <fstream>
+#include <sstream>
+#include "cases/driver/accuracy.hpp"
+#include "cases/input/formulations.hpp"
+#include "cases/input/keys.hpp"
+
+namespace cases {
+
+namespace {
+
+std::string report(const std::vector<Problem>& problems) {
+  std::vector<std::string> lines;
+  for (const auto& problem : problems)
+    lines.push_back(problem.key.empty() ? fmt::format("{}: {}", problem.place, problem.what)
+                                        : fmt::format("{}: {}: {}", problem.place, problem.key, problem.what));
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+std::string contents(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) throw CaseError({{path.string(), "", "no such file"}});
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  if (std::filesystem::is_directory(path, ignored) || !file) throw CaseError({{path.string(), "", "cannot be read"}});
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+toml::table parsed(const std::filesystem::path& path) {
+  const std::string text = contents(path);
+  try {
+    return toml::parse(text, path.string());
+  } catch (const toml::parse_error& error) {
+    const auto at = error.source().begin;
+    throw CaseError(
+        {{fmt::format("{}:{}:{}", path.string(), at.line, at.column), "", std::string(error.description())}});
+  }
+}
+
+namespace {
+
+/// analysis.kind decides about other keys: it is needed before they are read.
+std::optional<Analysis::Kind> kind_of(const toml::table& root) {
+  const auto given = root["analysis"]["kind"].value<std::string>();
+  for (const auto& [name, kind] : analysis_kinds().allowed)
+    if (given == name) return kind;
+  return std::nullopt;
+}
+
+}  // namespace
+
+CaseError::CaseError(std::vector<Problem> problems)
+    : std::runtime_error(report(problems)), problems_(std::move(problems)) {}
+
+std::string CaseFile::place(const std::string& key) const {
+  for (std::string parent = key;;) {
+    for (const auto& [given, where] : places)
+      if (given == parent) return where;
+    if (parent.empty()) return "";
+    const auto cut = parent.find_last_of(".[");
+    parent.resize(cut == std::string::npos ? 0 : cut);
+  }
+}
+
+CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  toml::table root = parsed(path);
+  Reading reading(path.string());
+  for (const auto& setting : overrides) apply_override(root, setting, reading);
+  reading.kind = kind_of(root);
+  reading.finds_spacing = bool(root["srif"]["accuracy"]);
+
+  Case content;
+  content.title = path.stem().string();
+  content.discretization.formulation = plate::Formulation::galerkin;  // unless the file states another
+  read_fields(case_fields(), Value(root, "", reading), content);
+  settle_formulation(states_formulation(root), content, reading);
+  settle_method(content, reading);
+  check_case(content, reading);
+  if (!reading.problems().empty()) throw CaseError(reading.problems());
+  if (content.srif && content.srif->accuracy) content.discretization = discretization_of(content, 1);
+  reading.found().content = std::move(content);
+  return reading.found();
+}
+
+std::string resolved_toml(const Case& content) {
+  return write_fields(case_fields(), content, content.analysis.kind, "\n") + "\n";
+}
+
+}  // namespace cases

@@ -1,0 +1,26 @@
+#pragma once
+#include "cases/input/keys_forms.hpp"
+
+/// The table of keys, and what is checked when the whole file is read.
+namespace cases {
+
+Fields<Case> geometry_fields();
+Fields<plate::Support> support_fields();
+Fields<plate::Load> load_fields();
+Fields<Analysis> analysis_fields();
+Fields<fracture::Growth> growth_fields();
+Fields<post::SrifOptions> srif_fields();
+Fields<Output> output_fields();
+void name_holes(const Value& geometry, Case& content);
+void check_load(const Value& load, plate::Load& content);
+const Words<Analysis::Kind>& analysis_kinds();
+void check_analysis(const Value& analysis, Analysis& content);
+void check_srif(const Value& srif, post::SrifOptions& content);
+
+/// The root of the tree: the whole case file.
+const Fields<Case>& case_fields();
+
+/// Checks between tables: shape and cracks, edge names, points, what loads and holds the plate.
+void check_case(const Case& content, Reading& reading);
+
+}  // namespace cases

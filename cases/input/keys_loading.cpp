@@ -1,0 +1,184 @@
+#include "cases/input/keys.hpp"
+
+namespace cases {
+
+namespace {
+
+using plate::History;
+using plate::Load;
+using plate::Support;
+using plate::SupportKind;
+
+/// Names of edges: a list that is not empty and names none twice.
+template <class T>
+Field<T> edges(const std::string& help) {
+  return value<T>(
+      {"edges", "-", "a list of edge names", "", help},
+      [](const Value& given, T& object) {
+        const auto names = given.texts();
+        if (!names) return;
+        if (names->empty()) given.refuse("a list of at least one edge name");
+        for (auto name = names->begin(); name != names->end(); ++name)
+          if (std::find(names->begin(), name, *name) != name)
+            given.complain(fmt::format("\"{}\" is named twice", *name));
+        object.edges = *names;
+      },
+      [](const T& object) { return object.edges.empty() ? "" : text_of(object.edges); });
+}
+
+const Words<SupportKind> support_kinds{{{"clamped", SupportKind::clamped},
+                                        {"simply_supported", SupportKind::simply_supported},
+                                        {"simply_supported_hard", SupportKind::simply_supported_hard},
+                                        {"symmetry", SupportKind::symmetry},
+                                        {"free", SupportKind::free},
+                                        {"clamped_layer", SupportKind::clamped_layer},
+                                        {"simply_supported_layer", SupportKind::simply_supported_layer},
+                                        {"simply_supported_hard_layer", SupportKind::simply_supported_hard_layer},
+                                        {"pinned", SupportKind::pinned}}};
+
+const Words<Load::Kind> load_kinds{{{"pressure", Load::Kind::pressure},
+                                    {"edge_moment", Load::Kind::edge_moment},
+                                    {"edge_shear", Load::Kind::edge_shear},
+                                    {"point_force", Load::Kind::point_force}}};
+
+const Words<History::Kind> history_words{
+    {{"step", History::Kind::step}, {"ramp", History::Kind::ramp}, {"sine", History::Kind::sine}}};
+
+/// Keys of loads of certain kinds.
+Condition<Load> kind_is(std::vector<Load::Kind> kinds) {
+  std::vector<std::string> names;
+  for (const auto kind : kinds) names.push_back(load_kinds.name(kind));
+  return {"kind", fmt::format("kind = {}", fmt::join(names, " or ")),
+          [kinds](const Load& load) { return std::find(kinds.begin(), kinds.end(), load.kind) != kinds.end(); }};
+}
+
+Condition<Load> history_is(History::Kind kind) {
+  return {"history", "history = " + history_words.name(kind),
+          [kind](const Load& load) { return load.history.kind == kind; }};
+}
+
+void read_history(const Value& given, Load& load) {
+  if (given.is_text()) {
+    const auto kind = history_words.find(given, *given.text());
+    if (kind) load.history.kind = *kind;
+    return;
+  }
+  const auto rows = given.points();
+  if (!rows) return;
+  if (rows->empty())
+    return given.refuse(history_words.text() + " or a table [[time, factor], ...] of at least one row");
+  for (std::size_t i = 1; i < rows->size(); ++i)
+    if (!((*rows)[i - 1].x() < (*rows)[i].x()))
+      return given.complain(
+          fmt::format("time {} after {} given, times must ascend", (*rows)[i].x(), (*rows)[i - 1].x()));
+  load.history.kind = History::Kind::table;
+  for (const auto& row : *rows) load.history.table.emplace_back(row.x(), row.y());
+}
+
+std::string history_text(const Load& load) {
+  if (load.history.kind != History::Kind::table) return quoted(history_words.name(load.history.kind));
+  std::vector<geometry::Point> rows;
+  for (const auto& [time, factor] : load.history.table) rows.emplace_back(time, factor);
+  return text_of(rows);
+}
+
+Field<Load> tensor() {
+  return value<Load>(
+      {"tensor", "force", "[Mxx, Myy, Mxy]", "", "moments of a uniform field on the edges, instead of value and twist"},
+      [](const Value& given, Load& load) {
+        const auto moments = given.numbers(3, "[Mxx, Myy, Mxy]");
+        if (!moments) return;
+        load.tensor = {(*moments)[0], (*moments)[1], (*moments)[2]};
+        load.has_tensor = true;
+      },
+      [](const Load& load) {
+        if (!load.has_tensor) return std::string();
+        return fmt::format("[{}, {}, {}]", number_text(load.tensor[0]), number_text(load.tensor[1]),
+                           number_text(load.tensor[2]));
+      });
+}
+
+/// A value or twist: absent from what is written where a tensor replaces it.
+Field<Load> amount(const std::string& name, const std::string& unit, double Load::*member, const std::string& help) {
+  auto field = number<Load>(name, unit, member, finite, help);
+  field.write = [write = field.write](const Load& load, Analysis::Kind kind) {
+    return load.has_tensor ? std::string() : write(load, kind);
+  };
+  return field;
+}
+
+}  // namespace
+
+Fields<Support> support_fields() {
+  const Condition<Support> of_edges{"kind", "a kind other than pinned",
+                                    [](const Support& s) { return s.kind != SupportKind::pinned; }};
+  const Condition<Support> of_points{"kind", "kind = pinned",
+                                     [](const Support& s) { return s.kind == SupportKind::pinned; }};
+  return {
+      choice<Support, SupportKind>("kind", &Support::kind, support_kinds, "how the edge is held; see \"Supports\"")
+          .required(),
+      edges<Support>("the edges that are held, each by one support").required().with(of_edges),
+      value<Support>(
+          {"points", "length", "[[x, y], ...]", "", "points in the plate or on its boundary where w = 0"},
+          [](const Value& given, Support& support) {
+            const auto points = given.points();
+            if (points && points->empty()) given.refuse("a list of at least one point");
+            if (points) support.points = *points;
+          },
+          [](const Support& support) { return support.points.empty() ? "" : text_of(support.points); })
+          .required()
+          .with(of_points),
+  };
+}
+
+Fields<Load> load_fields() {
+  using enum Load::Kind;
+  const auto rise_time = [](auto& load) -> auto& {
+    return load.history.rise_time;
+  };
+  const auto frequency = [](auto& load) -> auto& {
+    return load.history.frequency;
+  };
+  return {
+      choice<Load, Load::Kind>("kind", &Load::kind, load_kinds, "what acts; see \"Signs\"").required(),
+      amount("value", "force/length^2, force, force/length, force", &Load::value,
+             "pressure, edge moment per length, edge shear per length, point force")
+          .standard("required without tensor"),
+      edges<Load>("the edges that are loaded").required().with(kind_is({edge_moment, edge_shear})),
+      amount("twist", "force", &Load::twist, "twisting moment M_ns beside value, s = normal turned by +90 degrees")
+          .with(kind_is({edge_moment})),
+      tensor().with(kind_is({edge_moment})),
+      value<Load>(
+          {"position", "length", "[x, y] inside the plate", "", "where the force acts"},
+          [](const Value& given, Load& load) {
+            if (const auto point = given.point()) load.position = *point;
+          },
+          [](const Load& load) { return text_of(load.position); })
+          .required()
+          .with(kind_is({point_force})),
+      value<Load>({"history", "-", history_words.text() + " or a table [[time, factor], ...]", "",
+                   "factor in time; a table is linear between its rows and constant beyond them"},
+                  read_history, history_text)
+          .in_dynamics(),
+      number<Load>("rise_time", "time", rise_time, positive, "time from 0 to the full value")
+          .required()
+          .with(history_is(History::Kind::ramp))
+          .in_dynamics(),
+      number<Load>("frequency", "1/time", frequency, positive, "sin(2 pi frequency time)")
+          .required()
+          .with(history_is(History::Kind::sine))
+          .in_dynamics(),
+  };
+}
+
+void check_load(const Value& given, Load& load) {
+  auto& reading = given.reading();
+  const bool has_value = reading.given(given.below("value")), has_tensor = reading.given(given.below("tensor"));
+  if (!has_value && !has_tensor) reading.complain(given.below("value"), "is missing, must be a finite number");
+  for (const char* name : {"value", "twist"})
+    if (load.has_tensor && reading.given(given.below(name)))
+      reading.complain(given.below(name),
+                       fmt::format("'{}' is given beside 'tensor', which replaces it: remove one of them", name));
+}
+
+}  // namespace cases

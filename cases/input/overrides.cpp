@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+#include "cases/input/toml_reader.hpp"
+
+namespace cases {
+
+namespace {
+
+/// One step of a dotted key: a name in a table or an index in a list.
+using Step = std::variant<std::string, std::size_t>;
+
+/// load[0].value and load.0.value are the same key.
+std::vector<Step> steps(const std::string& key) {
+  std::vector<Step> result;
+  std::string word;
+  const auto finish = [&] {
+    if (word.empty()) return;
+    const bool index =
+        word.size() < 9 && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+    result.push_back(index && !result.empty() ? Step(std::size_t(std::stoul(word))) : Step(word));
+    word.clear();
+  };
+  for (const char c : key)
+    if (c == '.' || c == '[' || c == ']')
+      finish();
+    else if (c != ' ')
+      word += c;
+  finish();
+  return result;
+}
+
+std::string dotted(const std::vector<Step>& path) {
+  std::string key;
+  for (const auto& step : path)
+    if (const auto* name = std::get_if<std::string>(&step))
+      key += (key.empty() ? "" : ".") + *name;
+    else
+      key += fmt::format("[{}]", std::get<std::size_t>(step));
+  return key;
+}
+
+/// Puts a node at `step` of its parent; false where the parent has no such place.
+bool put(toml::node& parent, const Step& step, toml::node& value) {
+  return value.visit([&](auto& node) {
+    if (const auto* name = std::get_if<std::string>(&step)) {
+      if (!parent.is_table()) return false;
+      parent.as_table()->insert_or_assign(*name, std::move(node));
+      return true;
+    }
+    auto* array = parent.as_array();
+    const std::size_t index = std::get<std::size_t>(step);
+    if (!array || index > array->size()) return false;
+    if (index == array->size())
+      array->push_back(std::move(node));
+    else
+      array->replace(array->cbegin() + std::ptrdiff_t(index), std::move(node));
+    return true;
+  });
+}
+
+toml::node* child(toml::node& parent, const Step& step) {
+  if (const auto* name = std::get_if<std::string>(&step))
+    return parent.is_table() ? parent.as_table()->get(*name) : nullptr;
+  return parent.is_array() ? parent.as_array()->get(std::get<std::size_t>(step)) : nullptr;
+}
+
+/// The value as TOML, or as it stands where it is none.
+toml::table parsed(const std::string& text) {
+  try {
+    return toml::parse("value = " + text);
+  } catch (const toml::parse_error&) {
+    toml::table bare;
+    bare.insert_or_assign("value", text);
+    return bare;
+  }
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Edit distance with neighbours exchanged, of a word to every beginning of another.
+std::vector<std::size_t> distances(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d.back();
+}
+
+}  // namespace
+
+void apply_override(toml::table& root, const std::string& setting, Reading& reading) {
+  const auto equals = setting.find('=');
+  const std::string typed = setting.substr(0, equals);
+  const auto path = steps(typed);
+  if (equals == std::string::npos || path.empty()) {
+    reading.complain({"--set " + typed, dotted(path), fmt::format("{} given, must be key=value", quoted(setting))});
+    return;
+  }
+  toml::node* parent = &root;
+  std::vector<Step> made = path;  // the uppermost key that the override makes
+  for (std::size_t i = 0; i + 1 < path.size() && parent; ++i) {
+    toml::node* next = child(*parent, path[i]);
+    const bool list = std::holds_alternative<std::size_t>(path[i + 1]);
+    toml::table table;
+    toml::array array;
+    if (!next && put(*parent, path[i], list ? static_cast<toml::node&>(array) : table)) {
+      next = child(*parent, path[i]);
+      if (i + 1 < made.size()) made.resize(i + 1);
+    }
+    parent = next;
+  }
+  auto value = parsed(setting.substr(equals + 1));
+  if (!parent || !put(*parent, path.back(), *value.get("value")))
+    reading.complain({"--set " + typed, dotted(path), "leads nowhere: the file has no such table or list entry"});
+  else
+    reading.overridden(dotted(made), typed);
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  std::size_t nearest = word.size() / 3 + 2;  // more edits than this: another word
+  std::string best;
+  for (const auto& candidate : candidates) {
+    const auto d = distances(lower_case(word), lower_case(candidate));
+    std::size_t distance = d.back();
+    if (word.size() > 3) distance = std::min(distance, *std::min_element(d.begin() + 1, d.end()) + 1);
+    if (distance < nearest) {
+      nearest = distance;
+      best = candidate;
+    }
+  }
+  return best.empty() ? "" : fmt::format(" (did you mean '{}'?)", best);
+}
+
+}  // namespace cases

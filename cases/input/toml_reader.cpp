@@ -1,0 +1,193 @@
+#include "cases/input/toml_reader.hpp"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+namespace cases {
+
+void Reading::note(const std::string& key, std::size_t line) {
+  const std::string& file = found_.places.front().second;
+  for (const auto& [parent, typed] : overridden_)
+    if (at_or_below(key, parent)) {
+      found_.places.emplace_back(key, "--set " + typed);
+      return;
+    }
+  if (line > 0) found_.places.emplace_back(key, fmt::format("{}:{}", file, line));
+}
+
+void Reading::complain(const std::string& key, const std::string& what) {
+  problems_.push_back({found_.place(key), key, what});
+}
+
+std::vector<Problem> Reading::problems() const {
+  const std::string file = found_.places.front().second + ":";
+  const auto line = [&](const Problem& problem) {
+    return problem.place.starts_with(file) ? std::atol(problem.place.c_str() + file.size()) : 0;
+  };
+  auto sorted = problems_;
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) { return line(a) < line(b); });
+  return sorted;
+}
+
+bool Reading::given(const std::string& key) const {
+  for (const auto& place : found_.places)
+    if (place.first == key) return true;
+  return false;
+}
+
+bool Reading::sound(const std::string& key) const {
+  for (const auto& problem : problems_)
+    if (at_or_below(problem.key, key)) return false;
+  return true;
+}
+
+Value::Value(const toml::node& node, std::string key, Reading& reading)
+    : node_(&node), key_(std::move(key)), reading_(&reading) {
+  if (!key_.empty()) reading.note(key_, node.source().begin.line);
+}
+
+void Value::refuse(const std::string& must_be) const {
+  complain(shown() + " given, must be " + must_be);
+}
+
+std::string Value::toml() const {
+  if (const auto* number = node_->as_floating_point()) return number_text(number->get());
+  if (const auto* word = node_->as_string()) return quoted(word->get());
+  std::ostringstream out;
+  node_->visit([&](const auto& node) { out << node; });
+  std::string text = out.str();
+  for (char& c : text)
+    if (c == '\n') c = ' ';
+  return text;
+}
+
+std::string Value::shown() const {
+  constexpr std::size_t longest = 60;
+  const std::string text = toml();
+  return text.size() > longest && !is_text() && !node_->is_number() ? text.substr(0, longest) + "..." : text;
+}
+
+const toml::table* Value::table() const {
+  if (!is_table()) refuse("a table");
+  return node_->as_table();
+}
+
+std::optional<double> Value::number() const {
+  const auto value = node_->is_number() ? node_->value<double>() : std::nullopt;
+  if (value && std::isfinite(*value)) return value;
+  refuse("a finite number");
+  return std::nullopt;
+}
+
+std::optional<std::string> Value::text() const {
+  if (is_text()) return node_->value<std::string>();
+  refuse("a string");
+  return std::nullopt;
+}
+
+std::optional<bool> Value::boolean() const {
+  if (node_->is_boolean()) return node_->value<bool>();
+  refuse("true or false");
+  return std::nullopt;
+}
+
+std::optional<std::vector<double>> Value::numbers(std::size_t count, const std::string& form) const {
+  std::vector<double> values;
+  if (const auto* array = node_->as_array())
+    for (const auto& element : *array)
+      if (element.is_number() && std::isfinite(*element.value<double>())) values.push_back(*element.value<double>());
+  if (values.size() == count && node_->as_array()->size() == count) return values;
+  refuse(form + " with finite numbers");
+  return std::nullopt;
+}
+
+std::optional<std::vector<std::string>> Value::texts() const {
+  std::vector<std::string> words;
+  const auto* array = node_->as_array();
+  if (array)
+    for (const auto& element : *array)
+      if (element.is_string()) words.push_back(*element.value<std::string>());
+  if (array && words.size() == array->size()) return words;
+  refuse("a list of strings");
+  return std::nullopt;
+}
+
+std::optional<geometry::Point> Value::point() const {
+  const auto values = numbers(2, "[x, y]");
+  if (!values) return std::nullopt;
+  return geometry::Point((*values)[0], (*values)[1]);
+}
+
+std::optional<std::vector<geometry::Point>> Value::points() const {
+  std::vector<geometry::Point> points;
+  const auto* array = node_->as_array();
+  const std::size_t size = array ? array->size() : 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto* pair = (*array)[i].as_array();
+    if (!pair || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number()) break;
+    points.emplace_back(*(*pair)[0].value<double>(), *(*pair)[1].value<double>());
+    if (!points.back().allFinite()) break;
+  }
+  if (array && points.size() == size && (points.empty() || points.back().allFinite())) return points;
+  refuse("a list of points [[x, y], ...] with finite numbers");
+  return std::nullopt;
+}
+
+std::optional<std::vector<Value>> Value::elements(const std::string& form) const {
+  const auto* array = node_->as_array();
+  if (!array) {
+    refuse(form);
+    return std::nullopt;
+  }
+  std::vector<Value> values;
+  for (std::size_t i = 0; i < array->size(); ++i)
+    values.emplace_back((*array)[i], fmt::format("{}[{}]", key_, i), *reading_);
+  return values;
+}
+
+bool at_or_below(const std::string& key, const std::string& parent) {
+  if (!key.starts_with(parent)) return false;
+  return parent.empty() || key.size() == parent.size() || key[parent.size()] == '.' || key[parent.size()] == '[';
+}
+
+std::string number_text(double x) {
+  return x == 0 ? "0" : fmt::format("{}", x);
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') result += '\\';
+    if (code < 0x20 || code == 0x7f)
+      result += fmt::format("\\u{:04X}", code);
+    else
+      result += c;
+  }
+  return result + '"';
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::vector<std::string> marked;
+  for (const auto& word : words) marked.push_back(quoted(word));
+  return fmt::format("{}", fmt::join(marked, ", "));
+}
+
+std::string text_of(const geometry::Point& x) {
+  return fmt::format("[{}, {}]", number_text(x.x()), number_text(x.y()));
+}
+
+std::string text_of(const std::vector<geometry::Point>& points) {
+  std::vector<std::string> texts;
+  for (const auto& point : points) texts.push_back(text_of(point));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+std::string text_of(const std::vector<std::string>& words) {
+  return "[" + listed(words) + "]";
+}
+
+}  // namespace cases

@@ -1,0 +1,93 @@
+#pragma once
+#include <toml++/toml.h>
+#include "cases/input/case_file.hpp"
+
+/// Values of a case file that know their key and their place, and complain by themselves.
+namespace cases {
+
+/// What the reading of one file collects: places of keys, problems.
+class Reading {
+public:
+  explicit Reading(std::string file) { found_.places.emplace_back("", std::move(file)); }
+
+  std::optional<Analysis::Kind> kind;  // analysis.kind, where it is known
+  bool finds_spacing = false;          // srif.accuracy is given
+
+  /// The key was set on the command line as `typed`: "--set TYPED" is its place and that of everything below it.
+  void overridden(const std::string& key, const std::string& typed) { overridden_.emplace_back(key, typed); }
+  /// The file gives this key at this line (0: not in the file).
+  void note(const std::string& key, std::size_t line);
+  /// Something is wrong with the key: the place is its own or that of its nearest parent.
+  void complain(const std::string& key, const std::string& what);
+  void complain(Problem problem) { problems_.push_back(std::move(problem)); }
+
+  bool given(const std::string& key) const;
+  /// Has nothing been complained about at or below this key?
+  bool sound(const std::string& key) const;
+
+  /// Those of the command line first, then those of the file by line.
+  std::vector<Problem> problems() const;
+  CaseFile& found() { return found_; }
+
+private:
+  CaseFile found_;
+  std::vector<std::pair<std::string, std::string>> overridden_;
+  std::vector<Problem> problems_;
+};
+
+/// A value of the file. The readers complain and return nothing where the value has another form.
+class Value {
+public:
+  Value(const toml::node& node, std::string key, Reading& reading);
+
+  const std::string& key() const { return key_; }
+  Reading& reading() const { return *reading_; }
+  std::string below(const std::string& name) const { return key_.empty() ? name : key_ + "." + name; }
+  void complain(const std::string& what) const { reading_->complain(key_, what); }
+  /// Complains "VALUE given, must be ...".
+  void refuse(const std::string& must_be) const;
+  /// The value as TOML, in one line.
+  std::string toml() const;
+  /// The value as TOML, shortened.
+  std::string shown() const;
+
+  bool is_text() const { return node_->is_string(); }
+  bool is_table() const { return node_->is_table(); }
+  const toml::table* table() const;
+  std::optional<double> number() const;
+  std::optional<std::string> text() const;
+  std::optional<bool> boolean() const;
+  std::optional<std::vector<double>> numbers(std::size_t count, const std::string& form) const;
+  std::optional<std::vector<std::string>> texts() const;
+  std::optional<geometry::Point> point() const;
+  std::optional<std::vector<geometry::Point>> points() const;
+  std::optional<std::vector<Value>> elements(const std::string& form) const;
+
+private:
+  const toml::node* node_;
+  std::string key_;
+  Reading* reading_;
+};
+
+/// Puts "key=value" into the tree, before anything is read. Complains where the key cannot be reached.
+void apply_override(toml::table& root, const std::string& setting, Reading& reading);
+
+/// The candidate nearest to a word by edit distance (also to a beginning of a candidate), as
+/// " (did you mean 'x'?)"; empty where none is near.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
+
+/// Does the key lie at or below another one?
+bool at_or_below(const std::string& key, const std::string& parent);
+
+/// A number as TOML: the shortest text that reads as the same double.
+std::string number_text(double x);
+std::string quoted(const std::string& text);
+std::string listed(const std::vector<std::string>& words);
+std::string text_of(const geometry::Point& x);
+std::string text_of(const std::vector<geometry::Point>& points);
+std::string text_of(const std::vector<std::string>& words);
+
+/// The file as a tree. Throws CaseError where it is no TOML.
+toml::table parsed(const std::filesystem::path& path);
+
+}  // namespace cases

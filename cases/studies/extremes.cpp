@@ -1,0 +1,79 @@
+#include "cases/studies/extremes.hpp"
+
+#include <set>
+
+namespace cases {
+namespace {
+
+template <class T>
+Fields<T> joined(Fields<T> fields, Fields<T> more) {
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
+}
+
+template <class T>
+Field<T> tolerance() {
+  return number<T>("tolerance", "-", &T::tolerance, positive, "").required();
+}
+
+Fields<Extremes> extremes_fields() {
+  const auto value =
+      joined<KnownValue>(quantity_fields<KnownValue>(),
+                         {number<KnownValue>("is", "", &KnownValue::is, finite, "").required(), tolerance<KnownValue>(),
+                          word<KnownValue>("source", &KnownValue::source).required()});
+  const auto equal =
+      joined<EqualValue>(quantity_fields<EqualValue>(),
+                         {word<EqualValue>("row", &EqualValue::row).required(),
+                          number<EqualValue>("factor", "-", &EqualValue::factor, finite, ""), tolerance<EqualValue>()});
+  const Fields<ConservedEnergy> conserved{number<ConservedEnergy>("after", "time", &ConservedEnergy::after, {0}, ""),
+                                          tolerance<ConservedEnergy>()};
+  const Fields<ExtremeRow> row{
+      word<ExtremeRow>("group", &ExtremeRow::group).required(),
+      word<ExtremeRow>("title", &ExtremeRow::title).required(),
+      case_file<ExtremeRow>().required(),
+      settings<ExtremeRow>(),
+      number<ExtremeRow>("time_step_share", "-", &ExtremeRow::time_step_share, positive, ""),
+      table<ExtremeRow, KnownValue>("value", Layout::inline_, &ExtremeRow::value, value),
+      table<ExtremeRow, EqualValue>("equal", Layout::inline_, &ExtremeRow::equal, equal),
+      table<ExtremeRow, ConservedEnergy>("conserved", Layout::inline_, &ExtremeRow::conserved, conserved),
+      word<ExtremeRow>("refused", &ExtremeRow::refused),
+      word<ExtremeRow>("failed", &ExtremeRow::failed),
+      word<ExtremeRow>("warned", &ExtremeRow::warned)};
+  return {word<Extremes>("title", &Extremes::title), settings<Extremes>(),
+          tables<Extremes, ExtremeRow>("row", Layout::block, &Extremes::rows, row)};
+}
+
+/// Every row has a name of its own and an oracle; what it should equal stands before it.
+void check_rows(const Extremes& extremes, Reading& reading) {
+  std::set<std::string> before;
+  for (std::size_t i = 0; i < extremes.rows.size(); ++i) {
+    const auto& row = extremes.rows[i];
+    const std::string key = fmt::format("row[{}]", i);
+    const bool ends = row.value || row.equal || row.conserved || !row.warned.empty();
+    const int oracles = ends + !row.refused.empty() + !row.failed.empty();
+    if (oracles == 0 && reading.sound(key))
+      reading.complain(key, "has no oracle: value, equal, conserved, refused, failed or warned");
+    if (oracles > 1) reading.complain(key, "cannot be refused, fail and give a result at once");
+    if (row.equal && !row.equal->row.empty() && !before.contains(row.equal->row))
+      reading.complain(key + ".equal.row", fmt::format("no row \"{}\" before this one{}", row.equal->row,
+                                                       did_you_mean(row.equal->row, {before.begin(), before.end()})));
+    if (!row.title.empty() && !before.insert(row.title).second)
+      reading.complain(key + ".title", fmt::format("\"{}\" is given twice", row.title));
+  }
+  if (extremes.rows.empty() && reading.sound("row")) reading.complain("row", "is missing, must be [[row]]");
+}
+
+}  // namespace
+
+Extremes read_extremes(const std::filesystem::path& path) {
+  const toml::table root = parsed(path);
+  Reading reading(path.string());
+  Extremes extremes;
+  extremes.title = path.stem().string();
+  read_fields(extremes_fields(), Value(root, "", reading), extremes);
+  check_rows(extremes, reading);
+  if (!reading.problems().empty()) throw CaseError(reading.problems());
+  return extremes;
+}
+
+}  // namespace cases

@@ -1,0 +1,180 @@
+#include <set>
+
+#include "cases/studies/keys.hpp"
+#include "post/studies/orders.hpp"
+
+namespace cases {
+namespace {
+
+namespace fs = std::filesystem;
+using post::Reference;
+
+const auto element = [](const std::string& list, std::size_t i) { return fmt::format("{}[{}]", list, i); };
+
+/// Names of axes are columns of study.csv, labels tell the points of an axis apart.
+void check_axes(const Study& study, Reading& reading) {
+  std::set<std::string> columns(post::study_columns().begin(), post::study_columns().end());
+  columns.insert(post::order_columns().begin(), post::order_columns().end());
+  for (const char* stood_for : {"spacing", "horizon"}) columns.erase(stood_for);  // an axis may stand for them
+  double runs = 1;
+  for (std::size_t i = 0; i < study.axes.size(); ++i) {
+    const auto& [name, key, points] = study.axes[i];
+    const std::string axis = element("axis", i);
+    if (!name.empty() && !columns.insert(name).second)
+      reading.complain(axis + ".name", fmt::format("\"{}\" is a column of study.csv or orders.csv already", name));
+    if (points.empty() && reading.sound(axis + ".point") && reading.sound(axis + ".key") &&
+        reading.sound(axis + ".values"))
+      reading.complain(axis + ".point", "is missing, must be [[axis.point]] with a label; or give key and values");
+    std::set<std::string> labels;
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      const std::string label_key = key.empty() ? element(axis + ".point", j) + ".label" : element(axis + ".values", j);
+      if (const auto& label = points[j].label; !label.empty() && !labels.insert(label).second)
+        reading.complain(label_key, fmt::format("\"{}\" is given twice", label));
+    }
+    runs *= double(points.size());
+  }
+  constexpr double most = 10000;  // a slip: runs take seconds or more
+  if (runs > most) reading.complain("axis", fmt::format("{:g} combinations, must be at most {:g}", runs, most));
+}
+
+/// The axes and labels of a reference exist.
+void check_where(const Study& study, const Reference& reference, const std::string& key, Reading& reading) {
+  for (const auto& [name, label] : reference.where) {
+    const std::string at = key + ".where." + name;
+    const auto axis = std::ranges::find(study.axes, name, &Axis::name);
+    if (axis == study.axes.end()) {
+      reading.complain(at, fmt::format("no axis \"{}\"{}", name, did_you_mean(name, study.axis_names())));
+      continue;
+    }
+    std::vector<std::string> labels;
+    for (const auto& point : axis->points) labels.push_back(point.label);
+    if (std::ranges::find(labels, label) == labels.end())
+      reading.complain(at, fmt::format("\"{}\" given, must be one of {}", label, listed(labels)));
+  }
+}
+
+void check_references(const Study& study, Reading& reading) {
+  const auto& references = study.references;
+  for (std::size_t j = 0; j < references.size(); ++j) {
+    const std::string key = element("reference", j);
+    check_where(study, references[j], key, reading);
+    const auto end = references.begin() + std::ptrdiff_t(j);
+    const auto same =
+        std::find_if(references.begin(), end, [&](const auto& r) { return post::overlap(r, references[j]); });
+    const std::string other = element("reference", std::size_t(same - references.begin()));
+    if (same != end && reading.sound(key))
+      reading.complain(key, fmt::format("matches a run with the same quantity as {} ({}): one for each run", other,
+                                        reading.found().place(other)));
+  }
+}
+
+/// Why a run of the case has no such quantity; empty where it has.
+std::string lacking(const Case& c, const post::Quantity& quantity) {
+  if (quantity.probe && !c.output.probes.contains(*quantity.probe))
+    return fmt::format("the case has no probe \"{}\"", *quantity.probe);
+  if (!quantity.tip) return "";
+  if (!c.srif) return "the case has no [srif]";
+  if (quantity.name.starts_with('F') && !c.srif->normalize) return "the case has no srif.normalize";
+  const auto [low, high] = geometry::bounding_box(c.outline);
+  const auto tips = geometry::tips(geometry::crack_paths(c.outline, c.cracks, 1e-9 * (high - low).norm())).size();
+  return *quantity.tip < tips ? "" : fmt::format("the case has {} crack tips, counted from 0", tips);
+}
+
+/// Reads the cases of all runs; a problem of several is said once, with the first of them where it is not in all.
+/// Tells nothing where the axes are wrong: then it is not known which the cases are.
+class Runs {
+public:
+  Runs(Study& study, Reading& reading) : study_(study), reading_(reading) {}
+
+  void read() {
+    std::vector<std::size_t> sizes;
+    for (const auto& axis : study_.axes) sizes.push_back(axis.points.size());
+    const auto all = post::combinations(sizes);
+    for (const auto& combination : all) read_run(combination);
+    for (auto& [problem, runs] : problems_) {
+      if (runs.size() < all.size())
+        problem.what += fmt::format(" (in {} of {} runs, first: {})", runs.size(), all.size(), runs.front());
+      reading_.complain(problem);
+    }
+  }
+
+private:
+  void complain(const Problem& problem, const StudyRun& run) {
+    auto same = std::ranges::find_if(problems_, [&](const auto& known) {
+      return known.first.place == problem.place && known.first.key == problem.key && known.first.what == problem.what;
+    });
+    if (same == problems_.end()) same = problems_.insert(same, {problem, {}});
+    same->second.push_back(fmt::format("{}", fmt::join(run.labels, ", ")));
+  }
+
+  void read_run(const std::vector<std::size_t>& combination) {
+    StudyRun run;
+    auto path = study_.case_file;
+    auto set = study_.set;
+    for (std::size_t axis = 0; axis < combination.size(); ++axis) {
+      const auto& point = study_.axes[axis].points[combination[axis]];
+      run.labels.push_back(point.label);
+      if (point.case_file) path = point.case_file;
+      set.insert(set.end(), point.set.begin(), point.set.end());
+    }
+    if (!path) return complain({reading_.found().place("case"), "case", "is missing, must be a case file"}, run);
+    std::vector<std::string> overrides;
+    for (const auto& setting : set) overrides.push_back(setting.text);
+    try {
+      run.file = read_case(*path, overrides);
+    } catch (const CaseError& error) {
+      for (auto problem : error.problems()) {
+        const std::string where = problem.place;  // an override's becomes that of the study file
+        for (const auto& [text, place] : set)
+          if (where == "--set " + text.substr(0, text.find('='))) problem.place = place;
+        complain(problem, run);
+      }
+      return;
+    }
+    run.wanted = post::wanted(study_.references, study_.axis_names(), run.labels, [&](std::size_t i, bool needed) {
+      const auto& reference = study_.references[i];
+      const std::string key = element("reference", i), lack = lacking(run.file.content, reference.quantity);
+      const bool is_static = run.file.content.analysis.kind == Analysis::Kind::static_;
+      const bool is_curve = std::holds_alternative<post::KnownCurve>(reference.known);
+      if (needed && !lack.empty()) complain({reading_.found().place(key), key, lack}, run);
+      if (needed && is_curve && is_static)
+        complain({reading_.found().place(key), key, "the case is static, so it has no history for a curve"}, run);
+      return lack.empty();
+    });
+    study_.runs.push_back(std::move(run));
+  }
+
+  Study& study_;
+  Reading& reading_;
+  std::vector<std::pair<Problem, std::vector<std::string>>> problems_;
+};
+
+/// Where a reference is the finest run, an axis changes the spacing.
+void check_finest(const Study& study, Reading& reading) {
+  std::vector<post::StudyRow> rows;
+  for (const auto& run : study.runs) rows.push_back(bare_row(run));
+  const auto along = post::refinement(rows);
+  for (std::size_t i = 0; i < study.references.size(); ++i)
+    if (std::holds_alternative<post::Finest>(study.references[i].known) && (!along || along->by_horizon))
+      reading.complain(element("reference", i) + ".finest", "no axis changes the spacing, so no run is the finest");
+}
+
+}  // namespace
+
+Study read_study(const fs::path& path) {
+  const toml::table root = parsed(path);
+  Reading reading(path.string());
+  Study study;
+  study.title = path.stem().string();
+  read_fields(study_fields(), Value(root, "", reading), study);
+  check_axes(study, reading);
+  if (reading.sound("axis")) check_references(study, reading);
+  if (reading.sound("axis") && reading.sound("case") && reading.sound("set")) Runs(study, reading).read();
+  if (reading.problems().empty()) check_finest(study, reading);
+  if (!reading.problems().empty()) throw CaseError(reading.problems());
+  std::set<std::string> taken;
+  for (auto& run : study.runs) taken.insert(run.folder = post::folder_name(run.labels, taken));
+  return study;
+}
+
+}  // namespace cases

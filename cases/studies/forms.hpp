@@ -1,0 +1,76 @@
+#pragma once
+#include "cases/input/keys.hpp"
+#include "post/studies/study.hpp"
+
+/// Forms of the files that run many cases: studies and tables of extremes. Nothing is written from them.
+namespace cases {
+
+/// An override "key=value" and where the file gives it.
+struct Setting {
+  std::string text, place;
+};
+
+template <class T>
+Field<T> entry(const std::string& name, const std::string& allowed, std::function<void(const Value&, T&)> read) {
+  return {name, {{name, "", allowed, "", ""}}, std::move(read), {}};
+}
+
+template <class T, class Project>
+Field<T> word(const std::string& name, Project project) {
+  return entry<T>(name, "a string", [=](const Value& given, T& object) {
+    const auto text = given.text();
+    if (text && text->empty()) given.refuse("a string that is not empty");
+    if (text) std::invoke(project, object) = *text;
+  });
+}
+
+template <class T>
+Field<T> case_file() {
+  return entry<T>("case", "a case file", [](const Value& given, T& object) {
+    const auto name = given.text();
+    if (!name) return;
+    object.case_file = std::filesystem::path(given.reading().found().place("")).parent_path() / *name;
+    if (!std::filesystem::exists(*object.case_file))
+      given.complain(fmt::format("no such file: {}", object.case_file->string()));
+  });
+}
+
+template <class T>
+Field<T> settings() {
+  return entry<T>("set", "", [](const Value& given, T& object) {
+    const auto elements = given.elements("a list of overrides [\"key=value\", ...]");
+    for (const auto& element : elements.value_or(std::vector<Value>()))
+      if (const auto text = element.text()) object.set.push_back({*text, given.reading().found().place(element.key())});
+  });
+}
+
+/// The keys quantity, tip and probe of an object with a member `quantity`.
+template <class T>
+Fields<T> quantity_fields() {
+  Words<std::string> words;
+  for (const auto& name : post::quantity_names()) words.allowed.emplace_back(name, name);
+  const auto name = [](auto& object) -> auto& {
+    return object.quantity.name;
+  };
+  const auto of_kind = [](const std::string& kind, const std::string& quantities) {
+    return Condition<T>{"quantity", quantities,
+                        [=](const T& object) { return post::kind_of_place(object.quantity.name) == kind; }};
+  };
+  const auto read_tip = [](const Value& given, T& object) {
+    const auto tip = given.number();
+    if (tip && (*tip < 0 || *tip > 1e6 || *tip != std::floor(*tip)))
+      given.refuse("the number of a crack tip, from 0");
+    else if (tip)
+      object.quantity.tip = static_cast<std::size_t>(*tip);
+  };
+  const auto read_probe = [](const Value& given, T& object) { object.quantity.probe = given.text(); };
+  return {choice<T, std::string>("quantity", name, words, "").required(),
+          entry<T>("tip", "the number of a crack tip, from 0", read_tip)
+              .required()
+              .with(of_kind("tip", "quantity = K1 ... F3")),
+          entry<T>("probe", "the name of a probe", read_probe)
+              .required()
+              .with(of_kind("probe", "quantity = w, theta_x or theta_y"))};
+}
+
+}  // namespace cases

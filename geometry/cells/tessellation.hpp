@@ -1,0 +1,58 @@
+#pragma once
+#include <array>
+#include "geometry/cells/curves.hpp"
+#include "geometry/lattice/families.hpp"
+
+namespace geometry {
+
+/// Points on all edges, holes and both faces of every crack, and the cells between them: squares of the lattice and
+/// triangles. A crack is where neighbouring cells have points of their own at the same places; at a tip they share one.
+struct Tessellation {
+  using Square = std::array<std::uint32_t, 4>;    // counter-clockwise from the lower left
+  using Triangle = std::array<std::uint32_t, 3>;  // counter-clockwise
+  struct Border {
+    std::uint32_t from, to;  // the plate on the left
+    std::int32_t edge;       // which of the names; -1: the face of a crack
+  };
+
+  LatticeUnits units;
+  bool graded = false;           // the distance of points varies
+  std::vector<Point> positions;  // [length]
+  std::vector<Square> squares;
+  std::vector<Triangle> triangles;
+  std::vector<Border> borders;
+  std::vector<std::string> names;  // of the edges
+  /// Positions from `units.origin` on [length]: differences of these are as exact as numbers allow, those of `positions`
+  /// are not where the plate is far from the origin.
+  std::vector<Point> local;
+};
+
+/// Moves a point [length].
+inline void move(Tessellation& cells, std::size_t k, const Point& by) {
+  cells.positions[k] += by, cells.local[k] += by;
+}
+
+/// How far apart points are: one spacing, or less about tips and holes and growing with the distance from them.
+struct Grading {
+  std::optional<double> at_tips, at_holes;  // [length]
+  double growth = 0.2;                      // of the distance of neighbouring points per distance from there
+};
+
+/// The lattice with its squares wherever nothing disturbs it, and triangles (constrained Delaunay) between it and
+/// edges, holes and cracks that do not follow it; lattice points closer than 0.6 spacings to those are left out. With a
+/// grading, triangles all over. `singles`: places that get a point of their own. Throws std::invalid_argument where the
+/// pieces of edges and cracks cross each other: circles are polygons here.
+Tessellation tessellation(const Outline& outline, const std::vector<CrackPath>& cracks, double spacing,
+                          const std::vector<Point>& singles, const Grading& grading);
+
+/// The points that share a cell with each point. Points inside the lattice share bonds.
+Families cell_families(const Tessellation& tessellation);
+
+/// The same, every point with bonds of its own.
+Families exact_cell_families(const Tessellation& tessellation);
+
+/// Positions, those on the faces of cracks moved into their cells by 2e-6 of the distance to the next points of the
+/// crack: so they tell on which face they are.
+std::vector<Point> seen_positions(const Tessellation& tessellation);
+
+}  // namespace geometry

@@ -1,0 +1,11 @@
+#pragma once
+#include "geometry/lattice/cloud.hpp"
+
+namespace geometry {
+
+/// The square lattice of cell centres inside the outline, row by row from the lower left, with the area of each cell
+/// that lies in the plate. The lower left corner of the outline's bounding box is the corner of a cell.
+/// Throws std::invalid_argument where no cell centre lies inside.
+Cloud lattice(const Outline& outline, double spacing);
+
+}  // namespace geometry

@@ -1,0 +1,228 @@
+#include "geometry/shape/crack_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/shape/predicates.hpp"
+
+namespace geometry {
+namespace {
+
+constexpr double closure = 1.0 / 1024;  // how far a mouth or a junction is extended straight ahead
+
+/// The side of a vector to which the infinitesimal (e, e^2) points: +1 left, -1 right.
+int side_of_shift(const Point& d) {
+  return d.y() != 0 ? (d.y() < 0 ? 1 : -1) : (d.x() < 0 ? -1 : 1);
+}
+
+/// The side of the line from a to b on which a shifted point lies; never 0.
+int shifted_side(const Point& a, const Point& b, const Point& point) {
+  const int s = side(a, b, point);
+  return s != 0 ? s : side_of_shift(b - a);
+}
+
+/// The side of a shifted bond on which a vertex lies; 0 for a tip that touches the bond.
+int side_of_bond(const Point& p, const Point& q, const Point& vertex, bool tip) {
+  const int s = side(p, q, vertex);
+  return s != 0 || tip ? s : -side_of_shift(q - p);
+}
+
+bool near(const Point& p, const Point& q, const Point& a, const Point& b) {
+  return std::max(a.x(), b.x()) + closure >= std::min(p.x(), q.x()) &&
+         std::min(a.x(), b.x()) - closure <= std::max(p.x(), q.x()) &&
+         std::max(a.y(), b.y()) + closure >= std::min(p.y(), q.y()) &&
+         std::min(a.y(), b.y()) - closure <= std::max(p.y(), q.y());
+}
+
+Point ahead(const Point& from, const Point& end) {
+  return (end - from).normalized();
+}
+
+/// Does the bond cross segment i? The line is that of the unextended segment, so that points on it stay on it.
+bool crosses(const CrackPath& crack, std::size_t i, const Point& p, const Point& q) {
+  const Point &a = crack.vertices[i], &b = crack.vertices[i + 1];
+  if (shifted_side(a, b, p) == shifted_side(a, b, q)) return false;
+  const bool front = i == 0, back = i + 2 == crack.vertices.size();
+  const bool front_tip = front && crack.front == End::tip, back_tip = back && crack.back == End::tip;
+  const Point from = front && !front_tip ? Point(a + closure * ahead(b, a)) : a;
+  const Point to = back && !back_tip ? Point(b + closure * ahead(a, b)) : b;
+  return side_of_bond(p, q, from, front_tip) * side_of_bond(p, q, to, back_tip) < 0;
+}
+
+double distance_to_boundary(const Outline& outline, const Point& x) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : straight_edges(outline)) least = std::min(least, distance_to_segment(edge.from, edge.to, x));
+  for (const Hole& hole : outline.holes)
+    if (const auto* circle = std::get_if<Circle>(&hole))
+      least = std::min(least, std::abs((x - circle->centre).norm() - circle->radius));
+  return least;
+}
+
+/// Is the end of a crack within tolerance of another crack, or of a part of its own beyond its first segment?
+bool joins(const std::vector<Polyline>& polylines, std::size_t crack, bool at_back, double tolerance) {
+  const Polyline& own = polylines[crack];
+  const Point& end = at_back ? own.back() : own.front();
+  const Polyline rest(at_back ? own.begin() : own.begin() + 1, at_back ? own.end() - 1 : own.end());
+  if (rest.size() > 1 && distance(rest, end) <= tolerance) return true;
+  for (std::size_t other = 0; other < polylines.size(); ++other)
+    if (other != crack && distance(polylines[other], end) <= tolerance) return true;
+  return false;
+}
+
+bool outside(const Outline& outline, const Point& x, double tolerance) {
+  return !contains(outline, x) && distance_to_boundary(outline, x) > tolerance;
+}
+
+/// The hole in which the point lies; none for a point beyond the outer boundary.
+std::optional<std::size_t> hole_at(const Outline& outline, const Point& x) {
+  for (std::size_t i = 0; i < outline.holes.size(); ++i) {
+    const auto* circle = std::get_if<Circle>(&outline.holes[i]);
+    const auto* polygon = std::get_if<Polygon>(&outline.holes[i]);
+    if (circle ? (x - circle->centre).norm() < circle->radius : contains({*polygon, {}}, x)) return i;
+  }
+  return std::nullopt;
+}
+
+/// Positions along ab, from 0 to 1, that split it where it meets the boundary.
+std::vector<double> splits(const Outline& outline, const Point& a, const Point& b) {
+  const Point d = b - a;
+  std::vector<double> all{0, 1};
+  for (const Edge& edge : straight_edges(outline)) {
+    const double sine = cross(d, edge.to - edge.from);
+    if (sine != 0 && meet(a, b, edge.from, edge.to)) all.push_back(cross(edge.from - a, edge.to - edge.from) / sine);
+  }
+  for (const Hole& hole : outline.holes)
+    if (const auto* circle = std::get_if<Circle>(&hole)) {
+      const Point from = a - circle->centre;
+      const double root = std::pow(circle->radius * d.norm(), 2) - std::pow(cross(from, d), 2);
+      if (root <= 0) continue;
+      for (double sign : {-1.0, 1.0}) all.push_back((-from.dot(d) + sign * std::sqrt(root)) / d.squaredNorm());
+    }
+  for (double& t : all) t = std::clamp(t, 0.0, 1.0);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Where a segment leaves the plate between two ends that do not.
+std::optional<std::string> excursion(const Outline& outline, const Point& a, const Point& b, double tolerance) {
+  if (outside(outline, a, tolerance) || outside(outline, b, tolerance)) return std::nullopt;
+  const std::vector<double> t = splits(outline, a, b);
+  for (std::size_t k = 0; k + 1 < t.size(); ++k) {
+    const Point from = a + t[k] * (b - a), to = a + t[k + 1] * (b - a), middle = (from + to) / 2;
+    if (!outside(outline, middle, tolerance)) continue;
+    const auto hole = hole_at(outline, middle);
+    return text("runs ", hole ? text("through holes[", *hole, "]") : "outside the outline", " between ", at(from),
+                " and ", at(to), "; split it into two cracks");
+  }
+  return std::nullopt;
+}
+
+/// Do two segments share more than a point of the same line?
+bool runs_along(const Point& a, const Point& b, const Point& c, const Point& d, double tolerance) {
+  const Point along = ahead(c, d);
+  if (std::abs(cross(along, a - c)) > tolerance || std::abs(cross(along, b - c)) > tolerance) return false;
+  const double start = std::min(along.dot(a - c), along.dot(b - c)), end = std::max(along.dot(a - c), along.dot(b - c));
+  return std::min(end, (d - c).norm()) - std::max(start, 0.0) > tolerance;
+}
+
+std::vector<std::string> faults_alone(const Polyline& crack, double tolerance) {
+  if (crack.size() < 2) return {text("has ", crack.size(), " vertices; a crack needs at least 2")};
+  std::vector<std::string> found;
+  for (std::size_t i = 0; i < crack.size(); ++i) {
+    if (!crack[i].allFinite()) return {text("vertex ", i, " at ", at(crack[i]), " is not finite")};
+    if (i > 0 && (crack[i] - crack[i - 1]).norm() <= tolerance)
+      found.push_back(text("segment ", i - 1, " from ", at(crack[i - 1]), " to ", at(crack[i]), " has no length"));
+  }
+  if (!found.empty()) return found;
+  for (std::size_t j = 1; j + 1 < crack.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i) {
+      const Point &a = crack[i], &b = crack[i + 1], &c = crack[j], &d = crack[j + 1];
+      const bool joined = (i == 0 && distance_to_segment(c, d, a) <= tolerance) ||
+                          (j + 2 == crack.size() && distance_to_segment(a, b, d) <= tolerance);
+      if (runs_along(a, b, c, d, tolerance))
+        found.push_back(text("segments ", i, " and ", j, " run along each other"));
+      else if (i + 1 < j && !joined && meet(a, b, c, d))
+        found.push_back(text("segments ", i, " and ", j, " cross; split it into two cracks"));
+    }
+  return found;
+}
+
+std::vector<std::string> faults_in_plate(const Outline& outline, const Polyline& crack, double tolerance) {
+  std::vector<std::string> found;
+  for (std::size_t i = 0; i < crack.size(); ++i) {
+    if (!outside(outline, crack[i], tolerance)) continue;
+    const auto hole = hole_at(outline, crack[i]);
+    found.push_back(text("vertex ", i, " at ", at(crack[i]), " lies ", distance_to_boundary(outline, crack[i]),
+                         hole ? text(" inside holes[", *hole, "]") : " outside the outline"));
+  }
+  for (std::size_t i = 0; i + 1 < crack.size(); ++i) {
+    if (const auto what = excursion(outline, crack[i], crack[i + 1], tolerance))
+      found.push_back(text("segment ", i, " ", *what));
+    for (const Edge& edge : straight_edges(outline))
+      if (runs_along(crack[i], crack[i + 1], edge.from, edge.to, tolerance))
+        found.push_back(
+            text("segment ", i, " from ", at(crack[i]), " to ", at(crack[i + 1]), " lies on the edge ", edge.name));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance) {
+  std::vector<CrackPath> paths;
+  for (std::size_t crack = 0; crack < polylines.size(); ++crack) {
+    const auto end = [&](bool at_back) {
+      const Point& x = at_back ? polylines[crack].back() : polylines[crack].front();
+      if (distance_to_boundary(outline, x) <= tolerance) return End::mouth;
+      return joins(polylines, crack, at_back, tolerance) ? End::junction : End::tip;
+    };
+    paths.push_back({polylines[crack], end(false), end(true)});
+  }
+  return paths;
+}
+
+std::vector<Tip> tips(const std::vector<CrackPath>& paths) {
+  std::vector<Tip> all;
+  for (std::size_t crack = 0; crack < paths.size(); ++crack) {
+    const Polyline& v = paths[crack].vertices;
+    if (paths[crack].front == End::tip) all.push_back({v.front(), ahead(v[1], v[0]), crack, false});
+    if (paths[crack].back == End::tip) all.push_back({v.back(), ahead(v[v.size() - 2], v.back()), crack, true});
+  }
+  return all;
+}
+
+bool severs(const CrackPath& crack, const Point& p, const Point& q) {
+  for (std::size_t i = 0; i + 1 < crack.vertices.size(); ++i)
+    if (near(p, q, crack.vertices[i], crack.vertices[i + 1]) && crosses(crack, i, p, q)) return true;
+  return false;
+}
+
+std::vector<Fault> faults(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance) {
+  std::vector<Fault> found;
+  const auto where = [](std::size_t i) { return text("cracks[", i, "]"); };
+  const auto along = [&](const Polyline& one, const Polyline& other) {
+    for (std::size_t i = 0; i + 1 < one.size(); ++i)
+      for (std::size_t j = 0; j + 1 < other.size(); ++j)
+        if (runs_along(one[i], one[i + 1], other[j], other[j + 1], tolerance)) return true;
+    return false;
+  };
+  for (std::size_t i = 0; i < polylines.size(); ++i) {
+    auto all = faults_alone(polylines[i], tolerance);
+    if (all.empty()) all = faults_in_plate(outline, polylines[i], tolerance);
+    for (const std::string& what : all) found.push_back({where(i), what});
+    for (std::size_t j = 0; j < i; ++j)
+      if (along(polylines[i], polylines[j])) found.push_back({where(i), text("runs along ", where(j))});
+  }
+  return found;
+}
+
+double distance(const Polyline& polyline, const Point& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point& v : polyline) least = std::min(least, (v - point).norm());
+  for (std::size_t i = 0; i + 1 < polyline.size(); ++i)
+    least = std::min(least, distance_to_segment(polyline[i], polyline[i + 1], point));
+  return least;
+}
+
+}  // namespace geometry

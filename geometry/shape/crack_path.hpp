@@ -1,0 +1,46 @@
+#pragma once
+#include "geometry/shape/outline.hpp"
+
+namespace geometry {
+
+using Polyline = std::vector<Point>;
+
+/// What the end of a crack is: a tip inside the plate, a mouth on an edge or hole, a junction on another crack.
+enum class End { tip, mouth, junction };
+
+/// A crack as a polyline with the kind of its two ends.
+struct CrackPath {
+  Polyline vertices;
+  End front;  // at vertices.front()
+  End back;   // at vertices.back()
+};
+
+/// A crack tip: its position and the unit direction straight ahead of it.
+struct Tip {
+  Point position;
+  Point direction;
+  std::size_t crack;
+  bool at_back;
+};
+
+/// The polylines with their ends classified. An end within `tolerance` of the boundary is a mouth, one within
+/// `tolerance` of another crack (or of another part of its own) a junction, any other a tip.
+std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance);
+
+/// The tips of all cracks: front before back, in the order of the cracks.
+std::vector<Tip> tips(const std::vector<CrackPath>& paths);
+
+/// Does the crack sever the bond between two points? Exact, by two rules:
+/// a bond that merely touches a tip stays; a point exactly on the crack lies on the side of +x
+/// (+y where the crack is horizontal), as if all points were moved by the infinitesimal (e, e^2).
+/// Mouths and junctions are closed ends: a bond through them is severed.
+bool severs(const CrackPath& crack, const Point& p, const Point& q);
+
+/// Everything that is wrong with the cracks: fewer than two vertices, zero length, self-crossing, outside the plate,
+/// through a hole, wholly on an edge.
+std::vector<Fault> faults(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance);
+
+/// Distance of a point from a polyline.
+double distance(const Polyline& polyline, const Point& point);
+
+}  // namespace geometry

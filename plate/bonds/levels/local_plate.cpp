@@ -1,0 +1,127 @@
+#include "plate/bonds/levels/local_plate.hpp"
+
+#include <cmath>
+
+#include "plate/model/numerical_error.hpp"
+#include "plate/bonds/parameters/position_aware.hpp"
+
+namespace plate {
+namespace {
+
+constexpr double sweep = 0.6;  // weight of a Jacobi sweep
+constexpr double reach = 1.5;  // horizon of the local plate, in spacings
+
+/// A section whose bond-based plate (Poisson's ratio 1/3, no dilatation) comes nearest to the one given: D (1 + nu) and
+/// D (1 - nu) met in the geometric mean, the same shear stiffness.
+Section bond_based(const Section& s) {
+  Section result = s;
+  result.poisson = 1.0 / 3;
+  const double D =
+      s.bending_stiffness() * std::sqrt((1 - s.poisson * s.poisson) / (1 - result.poisson * result.poisson));
+  result.young = 12 * D * (1 - result.poisson * result.poisson) / std::pow(s.thickness, 3);
+  result.shear_correction *= s.shear_stiffness() / result.shear_stiffness();
+  return result;
+}
+
+}  // namespace
+
+FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
+                              const Discretization& discretization) {
+  auto families = geometry::without(plate.families(), [&](std::uint32_t k, std::uint32_t j) {
+    return (boundary.lattice[k] - boundary.lattice[j]).norm() > reach;
+  });
+  Discretization full_cells = discretization;
+  full_cells.volume_correction = VolumeCorrection::none;
+  auto shapes = bond_shapes(families.vectors(), section, full_cells);
+  const auto& areas = boundary.cloud.areas;
+  const auto kinds = family_kinds(families, areas, boundary.active);
+  auto weights = position_aware(families, shapes, areas, boundary.active, kinds, bond_based(section)).weights;
+  return {std::move(families), std::move(shapes), areas, std::move(weights)};
+}
+
+std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix) {
+  // a part that hangs on two points of the local plate, but on more of the true one, leaves a zero
+  for (double shift = 0;; shift = shift == 0 ? 1e-12 : 1e3 * shift) try {
+      return std::make_unique<Factor>(matrix, shift);
+    } catch (const NumericalError&) {
+      if (shift > 1e-4) throw;
+    }
+}
+
+Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces) {
+  Eigen::VectorXd result(unknowns.size());
+  for (Eigen::Index u = 0; u < result.size(); ++u) result[u] = at_dof(forces, unknowns.dof[std::size_t(u)]);
+  return result;
+}
+
+Forces folded_diagonal(const Operator& plate, const Constraints& constraints) {
+  Forces diagonal = plate.diagonal();
+  constraints.fold_diagonal(diagonal);
+  return diagonal;
+}
+
+LocalPlate::LocalPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
+                       const Discretization& discretization)
+    : plate_(plate), constraints_(boundary.constraints) {
+  const Forces diagonal = folded_diagonal(plate, constraints_);
+  inverse_diagonal_ = diagonal.unaryExpr([](double d) { return d > 0 ? sweep / d : 0.0; });
+  const FamilyOperator local = local_operator(plate, boundary, section, discretization);
+  const Forces both = folded_diagonal(local, constraints_).cwiseMin(diagonal);
+  const PointMatrix matrix = folded(stiffness_matrix(local, false), constraints_);
+  unknowns_ = unknowns(both, elimination_order(matrix, both));
+  factor_ = factorised(of_unknowns(matrix, unknowns_));
+}
+
+void LocalPlate::apply(const Forces& residual, State& result) const {
+  const auto subtract_product = [&](State& direction) {  // rest = residual - K direction
+    constraints_.impose(direction);
+    plate_.internal_force(direction, product_);
+    constraints_.fold(product_);
+    rest_ = residual + product_;
+  };
+  result = inverse_diagonal_.cwiseProduct(residual);
+  subtract_product(result);
+  const Eigen::MatrixXd local = factor_->solve(gathered(unknowns_, rest_));
+  for (Eigen::Index u = 0; u < local.rows(); ++u) at_dof(result, unknowns_.dof[std::size_t(u)]) += local(u, 0);
+  subtract_product(result);
+  result += inverse_diagonal_.cwiseProduct(rest_);
+}
+
+AssembledPlate::AssembledPlate(const Operator& plate, const Constraints& constraints, const PointMatrix& matrix)
+    : constraints_(constraints) {
+  const Forces diagonal = folded_diagonal(plate, constraints);
+  unknowns_ = unknowns(diagonal, elimination_order(matrix, diagonal));
+  factor_ = std::make_unique<Factor>(of_unknowns(matrix, unknowns_));
+}
+
+AssembledPlate::AssembledPlate(const FamilyOperator& plate, const Constraints& constraints)
+    : AssembledPlate(plate, constraints, folded(stiffness_matrix(plate, true), constraints)) {}
+
+AssembledPlate::AssembledPlate(const GalerkinOperator& plate, const Constraints& constraints)
+    : AssembledPlate(plate, constraints, folded(stiffness_matrix(plate), constraints)) {}
+
+void AssembledPlate::apply(const Forces& residual, State& result) const {
+  const Eigen::MatrixXd solution = factor_->solve(gathered(unknowns_, residual));
+  result.setZero(3, residual.cols());
+  for (Eigen::Index u = 0; u < solution.rows(); ++u) at_dof(result, unknowns_.dof[std::size_t(u)]) = solution(u, 0);
+}
+
+std::vector<State> AssembledPlate::solve(const std::vector<Forces>& loads) const {
+  Eigen::MatrixXd right(unknowns_.size(), Eigen::Index(loads.size()));
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    Forces folded = loads[i];
+    constraints_.fold(folded);
+    right.col(Eigen::Index(i)) = gathered(unknowns_, folded);
+  }
+  const Eigen::MatrixXd solution = factor_->solve(right);
+  std::vector<State> result(loads.size());
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    result[i].setZero(3, loads[i].cols());
+    for (Eigen::Index u = 0; u < solution.rows(); ++u)
+      at_dof(result[i], unknowns_.dof[std::size_t(u)]) = solution(u, Eigen::Index(i));
+    constraints_.impose(result[i]);
+  }
+  return result;
+}
+
+}  // namespace plate

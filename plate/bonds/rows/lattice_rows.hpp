@@ -1,0 +1,65 @@
+#pragma once
+#include "plate/bonds/rows/packets.hpp"
+
+namespace plate {
+
+/// The forces of a FamilyOperator in the number `Real`, for many points at once. Points that follow each other and
+/// share a pattern of bonds are rows. Points one above the other that look alike, but not to the numbering, are
+/// gathered into rows with what they see. The rest goes in packets.
+/// Any number of threads gives the same bits. One call at a time.
+template <typename Real>
+class LatticeRows {
+public:
+  explicit LatticeRows(const FamilyOperator& plate);
+
+  void internal_force(const Values<Real>& state, Values<Real>& forces) const;
+
+  double row_share() const { return row_share_; }        // of the points: in rows of their own
+  double folded_share() const { return folded_share_; }  // of the points: in rows that are folded
+  double packet_share() const { return packet_share_; }  // of the points: in packets
+  std::size_t bytes() const;
+
+private:
+  static constexpr std::size_t lanes = Lane<Real>::size();  // points
+  static constexpr std::size_t pitch = 192;                 // of gathered rows
+  static constexpr std::uint32_t farthest = 16;             // spacings that a gathered row sees
+
+  struct Row {
+    std::uint32_t first, length, pattern;
+  };
+  /// A PointColumn.
+  struct GatheredRow {
+    std::uint32_t length, pattern, reach;
+    std::size_t first_point, first_source;  // in gathered_points_ and sources_
+  };
+  struct Scratch;
+
+  std::vector<std::uint32_t> add_rows(const geometry::FamilyRuns& runs, const Patterns& patterns, double spacing);
+  void add_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
+                   const std::vector<std::uint32_t>& pattern_of, double spacing);
+  void share_out();
+
+  void row_dilatation(const Row& row, const Fields<Real>& in, Real* q) const;
+  void row_force(const Row& row, const Fields<Real>& in, const ForceFields<Real>& out) const;
+  Row gather_row(const GatheredRow& row, const Fields<Real>& in, bool all, Scratch& scratch) const;
+  void gathered_dilatation(const GatheredRow& row, const Fields<Real>& in, Scratch& scratch) const;
+  void gathered_force(const GatheredRow& row, const Fields<Real>& in, const ForceFields<Real>& out,
+                      Scratch& scratch) const;
+  template <typename OnRow, typename OnGathered, typename OnPacket>
+  void for_share(const OnRow& row, const OnGathered& gathered, const OnPacket& packet) const;
+
+  std::vector<RowPattern<Real>> patterns_;
+  std::vector<Row> rows_;
+  std::vector<GatheredRow> gathered_;
+  std::vector<std::uint32_t> gathered_points_, sources_;
+  Packets<Real> packets_;
+  std::vector<double> work_;                         // up to every row, gathered row and packet, in this order
+  std::size_t field_size_ = 0;                       // of Scratch
+  mutable Eigen::Array<Real, Eigen::Dynamic, 1> q_;  // by point, of the state in hand: 2 A a theta
+  double row_share_ = 0, folded_share_ = 0, packet_share_ = 0;
+};
+
+extern template class LatticeRows<double>;
+extern template class LatticeRows<float>;
+
+}  // namespace plate

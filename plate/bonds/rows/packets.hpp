@@ -1,0 +1,42 @@
+#pragma once
+#include "plate/bonds/rows/kernels.hpp"
+
+namespace plate {
+
+/// Points that no row takes, one vector of them at a time, with the weights of their bonds lane by lane.
+template <typename Real>
+class Packets {
+public:
+  /// `pattern_of` [points of the plate]: which of the patterns a point has.
+  void add(const Patterns& patterns, std::vector<std::uint32_t> points, const std::vector<std::uint32_t>& pattern_of);
+
+  std::size_t size() const { return packets_.size(); }
+  void dilatation(std::size_t i, const Fields<Real>& in, Real* q) const;
+  void force(std::size_t i, const Fields<Real>& in, const ForceFields<Real>& out) const;
+
+  /// Rough time of a packet, in operations on a vector.
+  double work(std::size_t i) const { return 120 * double(packets_[i].end - packets_[i].first); }
+  std::size_t bytes() const { return packets_.size() * sizeof(Packet) + bonds_.size() * sizeof(Bond); }
+
+private:
+  static constexpr std::size_t lanes = Lane<Real>::size();
+
+  /// One bond of every point of a packet.
+  struct Bond {
+    Real mx[lanes], my[lanes], half_length[lanes];
+    Real D_kj[lanes], D_jk[lanes], curvature[lanes], shear[lanes];
+    std::uint32_t neighbour[lanes];
+  };
+  struct Packet {
+    std::uint32_t point[lanes], used;
+    Real stiffness[lanes];   // 2 A a
+    std::size_t first, end;  // in bonds_
+  };
+  std::vector<Packet> packets_;
+  std::vector<Bond> bonds_;
+};
+
+extern template class Packets<double>;
+extern template class Packets<float>;
+
+}  // namespace plate

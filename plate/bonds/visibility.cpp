@@ -1,0 +1,103 @@
+#include "plate/model/boundary.hpp"
+
+#include <algorithm>
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+/// Which points lie within one horizon of something a bond can leave the plate through: all edges of an outline that
+/// is not convex, and holes. All others need no test.
+std::vector<char> near_openings(const Boundary& boundary, const geometry::Outline& outline, double reach) {
+  const auto& vertices = outline.outer.vertices;
+  bool convex = true;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Point a = vertices[(i + 1) % vertices.size()] - vertices[i];
+    const Point b = vertices[(i + 2) % vertices.size()] - vertices[(i + 1) % vertices.size()];
+    if (a.x() * b.y() - a.y() * b.x() < 0) convex = false;
+  }
+  const std::size_t outer = vertices.size();
+  std::vector<char> near(boundary.lattice.size(), 0);
+  for (std::size_t s = convex ? outer : 0; s < boundary.sides.size(); ++s) {
+    const Side& side = boundary.sides[s];
+    for (std::size_t k = 0; k < boundary.cloud.plate_points; ++k) {
+      const Point& u = boundary.lattice[k];
+      const double away = side.circle ? side.inside(u) : geometry::distance({side.edge.from, side.edge.to}, u);
+      if (away <= reach) near[k] = 1;
+    }
+  }
+  return near;
+}
+
+/// Do pq and the side cross, each strictly between the ends of the other?
+bool crosses(const Side& side, const Point& p, const Point& q) {
+  if (side.circle) {
+    const Point d = q - p;
+    const double t = std::clamp((side.centre - p).dot(d) / d.squaredNorm(), 0.0, 1.0);
+    return (p + t * d - side.centre).norm() < side.radius;
+  }
+  const auto turn = [](const Point& a, const Point& b, const Point& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+  };
+  return turn(side.edge.from, side.edge.to, p) * turn(side.edge.from, side.edge.to, q) < 0 &&
+         turn(p, q, side.edge.from) * turn(p, q, side.edge.to) < 0;
+}
+
+bool is_layer_side(const Side& side) {
+  return side.kind == SupportKind::clamped_layer || side.kind == SupportKind::simply_supported_layer ||
+         side.kind == SupportKind::simply_supported_hard_layer;
+}
+
+/// A bond to a mirror image must cross a side of the image, and no image of it any other side.
+bool sees_image(const Boundary& boundary, std::uint32_t k, std::uint32_t j) {
+  const FictitiousPoint& image = boundary.fictitious[j - boundary.cloud.plate_points];
+  const Point &p = boundary.lattice[k], &q = boundary.lattice[j];
+  const auto own = [&](std::size_t s) { return int(s) == image.sides[0] || int(s) == image.sides[1]; };
+  bool through = false;
+  for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+    const Side& side = boundary.sides[s];
+    if (own(s))
+      through = through || (side.circle ? crosses(side, p, q) : geometry::meet(p, q, side.edge.from, side.edge.to));
+  }
+  return through && !boundary.any_image(k, j, [&](const Point& a, const Point& b) {
+    for (std::size_t s = 0; s < boundary.sides.size(); ++s)
+      if (!own(s) && crosses(boundary.sides[s], a, b)) return true;
+    return false;
+  });
+}
+
+bool sees_layer(const Boundary& boundary, std::uint32_t k, std::uint32_t j) {
+  for (const Side& side : boundary.sides)
+    if (!is_layer_side(side) && crosses(side, boundary.lattice[k], boundary.lattice[j])) return false;
+  return true;
+}
+
+}  // namespace
+
+bool Boundary::any_image(std::uint32_t k, std::uint32_t j,
+                         const std::function<bool(const Point&, const Point&)>& test) const {
+  Point p = lattice[k], q = lattice[j];
+  if (test(p, q)) return true;
+  const auto outer = std::max(k, j);
+  if (is_plate(outer)) return false;
+  const FictitiousPoint& point = fictitious[outer - cloud.plate_points];
+  if (!point.exact) return false;
+  const auto mirror = [&](int side, const Point& u) { return sides[static_cast<std::size_t>(side)].mirrored(u); };
+  for (const int side : point.sides)
+    if (side >= 0 && test(mirror(side, p), mirror(side, q))) return true;
+  if (point.sides[1] < 0) return false;
+  return test(mirror(point.sides[1], mirror(point.sides[0], p)), mirror(point.sides[1], mirror(point.sides[0], q)));
+}
+
+geometry::Pairwise sees(const Boundary& boundary, const geometry::Outline& outline, double horizon_ratio) {
+  auto near = near_openings(boundary, outline, horizon_ratio);
+  return [&boundary, &outline, near = std::move(near)](std::uint32_t k, std::uint32_t j) {
+    if (boundary.is_plate(j)) return !(near[k] && near[j]) || !geometry::leaves(outline, boundary.lattice[k], boundary.lattice[j]);
+    const bool layer = boundary.fictitious[j - boundary.cloud.plate_points].layer;
+    if (boundary.is_plate(k)) return layer ? sees_layer(boundary, k, j) : sees_image(boundary, k, j);
+    return layer && boundary.fictitious[k - boundary.cloud.plate_points].layer && sees_layer(boundary, k, j);
+  };
+}
+
+}  // namespace plate

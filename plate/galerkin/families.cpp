@@ -1,0 +1,141 @@
+#include "plate/galerkin/families.hpp"
+
+#include <algorithm>
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+using geometry::Tessellation;
+
+/// Area times the gradients of the three hat functions of a triangle.
+std::array<Point, 3> area_gradients(const std::array<Point, 3>& x) {
+  std::array<Point, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point side = x[(i + 2) % 3] - x[(i + 1) % 3];
+    result[i] = Point(-side.y(), side.x()) / 2;
+  }
+  return result;
+}
+
+/// Calls visit(triangle, share) for the triangles and for the halves of squares along both diagonals, of which each
+/// counts half.
+template <typename Visit>
+void for_triangles(const Tessellation& cells, const Visit& visit) {
+  for (const auto& [a, b, c, d] : cells.squares)
+    for (const auto& triangle : {Tessellation::Triangle{a, b, c}, {a, c, d}, {a, b, d}, {b, c, d}})
+      visit(triangle, 0.5);
+  for (const auto& triangle : cells.triangles) visit(triangle, 1.0);
+}
+
+/// Points with four squares about them.
+std::vector<char> inside_lattice(const Tessellation& cells) {
+  std::vector<char> squares(cells.local.size(), 0);
+  for (const auto& square : cells.squares)
+    for (const auto k : square) ++squares[k];
+  for (char& count : squares) count = count == 4;
+  return squares;
+}
+
+/// Kind 0 for points inside the lattice whose neighbours are there too, a kind of its own for any other.
+void number_kinds(GalerkinFamilies& result, const std::vector<char>& inside) {
+  std::uint32_t count = 1;
+  std::size_t regular_bonds = 0;
+  for (std::size_t k = 0; k < inside.size(); ++k) {
+    bool regular = inside[k];
+    for (const auto& bond : result.families[k]) regular = regular && inside[bond.neighbour];
+    result.kind.push_back(regular ? 0 : count++);
+    if (regular) regular_bonds = result.families[k].size();
+  }
+  result.first = {0, regular_bonds};
+  for (std::size_t k = 0; k < inside.size(); ++k)
+    if (result.kind[k] > 0) result.first.push_back(result.first.back() + result.families[k].size());
+  result.bonds.assign(result.first.back(), {Point(0, 0), 0});
+}
+
+/// Twice the mean area of the triangles about each point: as on a lattice of the spacing there.
+void find_squares(GalerkinFamilies& result, const Tessellation& cells) {
+  std::vector<double> count(cells.local.size(), 0);
+  for (const auto& triangle : cells.triangles)
+    for (const auto k : triangle) ++count[k];
+  for (std::size_t k = 0; k < count.size(); ++k) result.own_square.push_back(6 * result.areas[k] / count[k]);
+}
+
+GalerkinFamilies weighted(geometry::Families families, const Tessellation& cells, const std::vector<char>& inside) {
+  GalerkinFamilies result;
+  result.families = std::move(families);
+  const auto points = cells.local.size();
+  number_kinds(result, inside);
+  constexpr auto none = std::uint32_t(-1);
+  std::uint32_t example = none;  // of kind 0
+  for (std::uint32_t k = 0; k < points && example == none; ++k)
+    if (result.kind[k] == 0) example = k;
+
+  result.areas.assign(points, 0);
+  result.spacing_square = cells.units.spacing * cells.units.spacing;
+  for_triangles(cells, [&](const Tessellation::Triangle& triangle, double share) {
+    const auto [a, b, c] = triangle;
+    const auto gradients = area_gradients({cells.local[a], cells.local[b], cells.local[c]});
+    const double area = gradients[2].dot(cells.local[c] - cells.local[a]);
+    for (const auto k : triangle) {
+      result.areas[k] += share * area / 3;
+      if (result.kind[k] == 0 && k != example) continue;
+      auto* const bonds = result.bonds.data() + result.first[result.kind[k]];
+      for (std::size_t i = 0; i < 3; ++i)
+        if (triangle[i] != k) bonds[result.families[k].find(triangle[i])].gradient += share / 3 * gradients[i];
+    }
+  });
+  for (std::uint32_t k = 0; k < points; ++k) {
+    if (result.kind[k] == 0 && k != example) continue;
+    auto* const bonds = result.bonds.data() + result.first[result.kind[k]];
+    const auto family = result.families[k];
+    double around = 0;
+    for (const auto& bond : family) around += result.areas[bond.neighbour];
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      bonds[i].gradient /= result.areas[k];
+      bonds[i].share = result.areas[k] * result.areas[family[i].neighbour] / around;
+    }
+  }
+  if (cells.graded) find_squares(result, cells);
+  return result;
+}
+
+}  // namespace
+
+GalerkinFamilies galerkin_families(const Tessellation& cells) {
+  return weighted(geometry::cell_families(cells), cells, inside_lattice(cells));
+}
+
+GalerkinFamilies moved_galerkin_families(const Tessellation& cells) {
+  return weighted(geometry::exact_cell_families(cells), cells, std::vector<char>(cells.local.size(), 0));
+}
+
+ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, const Tessellation& cells) {
+  const auto points = Eigen::Index(cells.local.size());
+  Eigen::Matrix2Xd first = Eigen::Matrix2Xd::Zero(2, points);
+  Eigen::Matrix4Xd second = Eigen::Matrix4Xd::Zero(4, points);
+  const auto tensor = [](const Point& a, const Point& b) {
+    return Eigen::Vector4d(a.x() * b.x(), a.x() * b.y(), a.y() * b.x(), a.y() * b.y());
+  };
+  for (std::size_t k = 0; k < cells.local.size(); ++k) {
+    const auto family = families.families[k];
+    const auto* bonds = families.of(k);
+    const double area = families.areas[k];
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      const auto [member, vector] = family[i];
+      first.col(member) += area * bonds[i].gradient;
+      first.col(Eigen::Index(k)) -= area * bonds[i].gradient;
+      second.col(member) -= area * tensor(families.families.vectors()[vector], bonds[i].gradient);  // X_k - x_i
+    }
+    second.col(Eigen::Index(k)) += area * Eigen::Vector4d(1, 0, 0, 1);
+  }
+  for (const auto& border : cells.borders) {
+    const Point along = cells.local[border.to] - cells.local[border.from], normal(along.y(), -along.x());
+    first.col(border.from) -= normal / 2, first.col(border.to) -= normal / 2;
+    second.col(border.from) -= tensor(along / 6, normal), second.col(border.to) -= tensor(-along / 6, normal);
+  }
+  const double h = cells.units.spacing;
+  return {first.cwiseAbs().maxCoeff() / h, second.cwiseAbs().maxCoeff() / (h * h)};
+}
+
+}  // namespace plate

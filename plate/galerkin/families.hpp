@@ -1,0 +1,41 @@
+#pragma once
+#include "geometry/cells/tessellation.hpp"
+
+namespace plate {
+
+/// What the family of point k takes from its member i (theory.md 40-42).
+struct GalerkinBond {
+  geometry::Point gradient;  // G^k_i, the mean over the cells about k of the gradient of i's hat function [1 / length]
+  double share;              // c_ki: how much of k's area the residuals of the bond stand for [length^2]
+};
+
+/// Families of the points that share a cell, with the weights that make the plate variationally consistent: sums over
+/// them obey Gauss's theorem. Points inside the lattice share their weights.
+struct GalerkinFamilies {
+  geometry::Families families;
+  std::vector<double> areas;        // V_k [length^2]
+  std::vector<std::uint32_t> kind;  // per point; 0: squares all about the point and its neighbours
+  std::vector<std::size_t> first;   // per kind: where its bonds begin; size: kinds + 1
+  std::vector<GalerkinBond> bonds;  // of every kind, in the order of the family
+  double spacing_square = 0;        // [length^2]
+  std::vector<double> own_square;   // where the distance of points varies: that of the spacing about each
+
+  /// One for all points wherever that is possible: a shear scaling that varies would not pass constant shear.
+  double square(std::size_t k) const { return own_square.empty() ? spacing_square : own_square[k]; }
+  const GalerkinBond* of(std::size_t k) const { return bonds.data() + first[kind[k]]; }
+};
+
+GalerkinFamilies galerkin_families(const geometry::Tessellation& cells);
+
+/// The same for cells whose points have been moved: no two points share anything, squares need not be squares.
+GalerkinFamilies moved_galerkin_families(const geometry::Tessellation& cells);
+
+/// Largest residuals, in spacings, of the two conditions of variational consistency (Bode's thesis, Eqs. 5.16
+/// and 5.24): sum_k V_k G^k_i = A_i, the normals of the border at i, and sum_k V_k X_k (x) G^k_i = integral of x phi_i
+/// n - V_i I.
+struct ConsistencyResiduals {
+  double first = 0, second = 0;
+};
+ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, const geometry::Tessellation& cells);
+
+}  // namespace plate

@@ -1,0 +1,56 @@
+#pragma once
+#include "plate/galerkin/boundary.hpp"
+#include "plate/bonds/levels/local_plate.hpp"
+
+namespace plate {
+
+/// A Galerkin plate with its supports; `seen`: geometry::seen_positions() of its cells.
+struct GalerkinLevel {
+  geometry::Tessellation cells;
+  std::vector<geometry::Point> seen;
+  Boundary boundary;
+  GalerkinOperator plate;
+};
+
+/// The same plate on coarser and coarser points, the last of them factorised, between Jacobi sweeps on each (theory.md,
+/// "Statics"): rotations interpolated in the coarser cells, the deflection with what the rotations add to it in a plate
+/// without shear.
+class GalerkinLevels : public Preconditioner {
+public:
+  /// `plate`, `constraints` and `seen` must outlive this. `coarser`: at least one.
+  GalerkinLevels(const GalerkinOperator& plate, const Constraints& constraints,
+                 const std::vector<geometry::Point>& seen, std::vector<GalerkinLevel> coarser);
+
+  void apply(const Forces& residual, State& result) const override;
+
+  std::size_t bytes() const override;
+
+private:
+  struct Share {
+    std::uint32_t other;
+    double weight, x, y;  // x, y: half the weight times the way from there [length]
+  };
+  /// From the points of the next coarser plate to those of this one, and back.
+  struct Transfer {
+    std::vector<std::size_t> first;
+    std::vector<Share> shares;
+  };
+  struct Sweeps {
+    const GalerkinOperator* plate;
+    const Constraints* constraints;
+    Forces inverse_diagonal;  // times the weight of a sweep
+    Transfer from_coarser, to_coarser;
+    mutable Forces rest, product, coarse_force;
+    mutable State coarse;
+  };
+
+  static Transfer transfer(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse);
+  static Transfer transposed(const Transfer& transfer, std::size_t others);
+  void cycle(std::size_t level, const Forces& residual, State& result) const;
+
+  std::vector<GalerkinLevel> coarser_;
+  std::vector<Sweeps> sweeps_;  // of every level but the last
+  std::unique_ptr<AssembledPlate> last_;
+};
+
+}  // namespace plate

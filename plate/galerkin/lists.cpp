@@ -1,0 +1,231 @@
+#include "plate/galerkin/lists.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "plate/bonds/rows/lanes.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+using Vector = Lane<double>;
+constexpr std::size_t lanes = Vector::size();
+
+// numbers of a bond: direction, 1 / length, gradient times length, share
+constexpr std::size_t bond_numbers = 6;
+// numbers of a family: V D, V f S, t_b D, t_s e S, sums of share n n (3) and share n n n n (5)
+constexpr std::size_t family_numbers = 12;
+constexpr std::size_t most_bonds = 32;  // that are kept between the two loops over a family
+
+Vector loaded(const double* from) {
+  return Vector(from, simd::element_aligned);
+}
+
+void store(const Vector& value, double* to) {
+  value.copy_to(to, simd::element_aligned);
+}
+
+/// A bond of every lane.
+struct BondLanes {
+  Vector x, y, inverse, Gx, Gy, share;
+
+  BondLanes(const double* bonds, std::size_t b)
+      : x(number(bonds, b, 0)),
+        y(number(bonds, b, 1)),
+        inverse(number(bonds, b, 2)),
+        Gx(number(bonds, b, 3)),
+        Gy(number(bonds, b, 4)),
+        share(number(bonds, b, 5)) {}
+
+private:
+  static Vector number(const double* bonds, std::size_t b, std::size_t n) {
+    return loaded(bonds + (b * bond_numbers + n) * lanes);
+  }
+};
+
+/// Strains of the families of all lanes, and sums over their bonds that the residuals need.
+struct Strains {
+  Vector turn_x[most_bonds], turn_y[most_bonds], shear[most_bonds];  // (psi_i - psi_k) / length, bond shear angle
+  Vector Hxx = 0, Hxy = 0, Hyx = 0, Hyy = 0, gamma_x = 0, gamma_y = 0;
+  // sums of share (turn (x) n), of share (turn . n) n (x) n and of share shear n
+  Vector Axx = 0, Axy = 0, Ayx = 0, Ayy = 0, Bxx = 0, Bxy = 0, Byy = 0, shear_x = 0, shear_y = 0;
+
+  Strains(const State& state, const std::uint32_t* owners, const std::uint32_t* members, const double* bonds,
+          std::size_t count) {
+    const double* const w = state.row(0).data();
+    const double* const theta_x = state.row(1).data();
+    const double* const theta_y = state.row(2).data();
+    const Vector own_w = gather(w, owners), own_x = -gather(theta_y, owners), own_y = gather(theta_x, owners);
+    for (std::size_t b = 0; b < count; ++b, members += lanes) {
+      const BondLanes n(bonds, b);
+      const Vector x = -gather(theta_y, members), y = gather(theta_x, members);
+      const Vector ux = (x - own_x) * n.inverse, uy = (y - own_y) * n.inverse;
+      const Vector g = (gather(w, members) - own_w) * n.inverse - 0.5 * (n.x * (x + own_x) + n.y * (y + own_y));
+      turn_x[b] = ux, turn_y[b] = uy, shear[b] = g;
+      Hxx += ux * n.Gx, Hxy += ux * n.Gy, Hyx += uy * n.Gx, Hyy += uy * n.Gy;
+      gamma_x += g * n.Gx, gamma_y += g * n.Gy;
+      const Vector cx = n.share * n.x, cy = n.share * n.y, along = ux * n.x + uy * n.y;
+      Axx += ux * cx, Axy += ux * cy, Ayx += uy * cx, Ayy += uy * cy;
+      Bxx += along * n.x * cx, Bxy += along * n.x * cy, Byy += along * n.y * cy;
+      shear_x += g * cx, shear_y += g * cy;
+    }
+  }
+};
+
+/// Moments times area less the sum of t (x) n, shear force times area less the sum of tau n.
+struct Resultants {
+  Vector Mxx, Mxy, Myx, Myy, Qx, Qy;
+
+  Resultants(const Strains& e, const double* own, double nu) {
+    const auto sum = [&](std::size_t n) { return loaded(own + n * lanes); };
+    const double less = (1 - nu) / 2, more = (1 + nu) / 2;
+    const Vector VD = sum(0), VS = sum(1), bending = sum(2), residual = sum(3);
+    const Vector xx = sum(4), xy = sum(5), yy = sum(6), xxxx = sum(7), xxxy = sum(8), xxyy = sum(9), xyyy = sum(10),
+                 yyyy = sum(11);
+    const Vector both = e.Hxy + e.Hyx, twist = VD * less * both;
+    const Vector along_xx = more * (e.Bxx - e.Hxx * xxxx - both * xxxy - e.Hyy * xxyy);
+    const Vector along_xy = more * (e.Bxy - e.Hxx * xxxy - both * xxyy - e.Hyy * xyyy);
+    const Vector along_yy = more * (e.Byy - e.Hxx * xxyy - both * xyyy - e.Hyy * yyyy);
+    Mxx = VD * (e.Hxx + nu * e.Hyy) - bending * (less * (e.Axx - e.Hxx * xx - e.Hxy * xy) + along_xx);
+    Mxy = twist - bending * (less * (e.Axy - e.Hxx * xy - e.Hxy * yy) + along_xy);
+    Myx = twist - bending * (less * (e.Ayx - e.Hyx * xx - e.Hyy * xy) + along_xy);
+    Myy = VD * (e.Hyy + nu * e.Hxx) - bending * (less * (e.Ayy - e.Hyx * xy - e.Hyy * yy) + along_yy);
+    Qx = VS * e.gamma_x - residual * (e.shear_x - xx * e.gamma_x - xy * e.gamma_y);
+    Qy = VS * e.gamma_y - residual * (e.shear_y - xy * e.gamma_x - yy * e.gamma_y);
+  }
+};
+
+}  // namespace
+
+GalerkinLists::GalerkinLists(const GalerkinFamilies& families, const Section& section,
+                             const std::vector<std::uint32_t>& points)
+    : points_(points), poisson_(section.poisson) {
+  std::vector<char> acts(families.areas.size(), 0);
+  for (const auto i : points) {
+    acts[i] = 1;
+    for (const auto& bond : families.families[i]) acts[bond.neighbour] = 1;
+  }
+  for (std::uint32_t k = 0; k < acts.size(); ++k)
+    if (acts[k]) kept_.push_back(k);
+  // by size within pieces that stay in the cache
+  constexpr std::size_t piece = 2048;
+  for (std::size_t begin = 0; begin < kept_.size(); begin += piece)
+    std::stable_sort(kept_.begin() + std::ptrdiff_t(begin),
+                     kept_.begin() + std::ptrdiff_t(std::min(kept_.size(), begin + piece)),
+                     [&](auto a, auto b) { return families.families[a].size() < families.families[b].size(); });
+  for (std::size_t first = 0; first < kept_.size(); first += lanes) add_block(families, section, first);
+  find_slots(families, points);
+  given_.assign(3 * lanes * (members_.size() / lanes + blocks_.size()), 0);
+}
+
+/// Families kept_[first] and those after it; lanes that are left over repeat the last one.
+void GalerkinLists::add_block(const GalerkinFamilies& families, const Section& section, std::size_t first) {
+  const auto of_lane = [&](std::size_t lane) { return kept_[std::min(first + lane, kept_.size() - 1)]; };
+  std::size_t most = 0;
+  for (std::size_t lane = 0; lane < lanes; ++lane) most = std::max(most, families.families[of_lane(lane)].size());
+  if (most > most_bonds) throw std::invalid_argument("a point has more than 32 neighbours");
+  blocks_.push_back({members_.size() / lanes, std::uint32_t(most)});
+  members_.resize(members_.size() + most * lanes);
+  bonds_.resize(bonds_.size() + most * lanes * bond_numbers, 0);
+  families_.resize(families_.size() + lanes * family_numbers, 0);
+  double* const own = families_.data() + (blocks_.size() - 1) * lanes * family_numbers;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const auto k = of_lane(lane);
+    kept_lanes_.push_back(k);
+    const auto family = families.families[k];
+    const GalerkinStiffness s(section, families.square(k));
+    std::array<double, family_numbers> sums{families.areas[k] * s.D, families.areas[k] * s.shear, s.bending_residual,
+                                            s.shear_residual};
+    for (std::size_t b = 0; b < most; ++b) {
+      const auto at = blocks_.back().first_bond + b;
+      members_[at * lanes + lane] = b < family.size() ? family[b].neighbour : k;
+      if (b >= family.size()) continue;
+      const Point& x = families.families.vectors()[family[b].vector_id];
+      const auto& bond = families.of(k)[b];
+      const double length = x.norm(), nx = x.x() / length, ny = x.y() / length, c = bond.share;
+      const std::array<double, bond_numbers> numbers{
+          nx, ny, 1 / length, bond.gradient.x() * length, bond.gradient.y() * length, c};
+      for (std::size_t n = 0; n < bond_numbers; ++n) bonds_[(at * bond_numbers + n) * lanes + lane] = numbers[n];
+      const std::array<double, 8> products{nx * nx,           nx * ny,           ny * ny,           nx * nx * nx * nx,
+                                           nx * nx * nx * ny, nx * nx * ny * ny, nx * ny * ny * ny, ny * ny * ny * ny};
+      for (std::size_t n = 0; n < products.size(); ++n) sums[4 + n] += c * products[n];
+    }
+    for (std::size_t n = 0; n < family_numbers; ++n) own[n * lanes + lane] = sums[n];
+  }
+}
+
+/// Every point takes what its own family and those of its neighbours leave for it.
+void GalerkinLists::find_slots(const GalerkinFamilies& families, const std::vector<std::uint32_t>& points) {
+  std::vector<std::uint32_t> place(families.areas.size());
+  for (std::uint32_t n = 0; n < kept_.size(); ++n) place[kept_[n]] = n;
+  const auto bond_slots = members_.size() / lanes;
+  // three rows of lanes for every bond, then for every block
+  const auto slot = [&](std::size_t row, std::size_t lane) { return std::uint32_t(3 * lanes * row + lane); };
+  first_slot_.push_back(0);
+  for (const auto i : points) {
+    slots_.push_back(slot(bond_slots + place[i] / lanes, place[i] % lanes));
+    for (const auto& bond : families.families[i]) {
+      const auto n = place[bond.neighbour];
+      const auto b = families.families[bond.neighbour].find(i);
+      slots_.push_back(slot(blocks_[n / lanes].first_bond + b, n % lanes));
+    }
+    first_slot_.push_back(slots_.size());
+  }
+}
+
+/// One block of families: strains, then what each bond leaves at its member and at its owner: gradients of the energy,
+/// phi on w of the member, m on its psi; the owner takes the opposite, and both the lever of phi.
+void GalerkinLists::act(std::size_t block, const State& state) const {
+  const auto [first, count] = blocks_[block];
+  const double* const bonds = bonds_.data() + first * bond_numbers * lanes;
+  const double* const own = families_.data() + block * lanes * family_numbers;
+  const Strains e(state, kept_lanes_.data() + block * lanes, members_.data() + first * lanes, bonds, count);
+  const Resultants r(e, own, poisson_);
+  const Vector bending = loaded(own + 2 * lanes), residual = loaded(own + 3 * lanes);
+  const double less = (1 - poisson_) / 2, more = (1 + poisson_) / 2;
+  Vector sum_w = 0, sum_x = 0, sum_y = 0;
+  for (std::size_t b = 0; b < count; ++b) {
+    const BondLanes n(bonds, b);
+    const Vector rx = e.turn_x[b] - e.Hxx * n.x - e.Hxy * n.y, ry = e.turn_y[b] - e.Hyx * n.x - e.Hyy * n.y;
+    const Vector along = more * (rx * n.x + ry * n.y), weight = n.share * bending;
+    const Vector tau = n.share * residual * (e.shear[b] - n.x * e.gamma_x - n.y * e.gamma_y);
+    const Vector phi_length = r.Qx * n.Gx + r.Qy * n.Gy + tau;
+    const Vector mx = (r.Mxx * n.Gx + r.Mxy * n.Gy + weight * (less * rx + along * n.x)) * n.inverse;
+    const Vector my = (r.Myx * n.Gx + r.Myy * n.Gy + weight * (less * ry + along * n.y)) * n.inverse;
+    const Vector phi = phi_length * n.inverse, lever = 0.5 * phi_length;
+    double* const to = given_.data() + 3 * lanes * (first + b);
+    // force on w; couples on theta_x = psi_y and theta_y = -psi_x
+    store(-phi, to), store(lever * n.y - my, to + lanes), store(mx - lever * n.x, to + 2 * lanes);
+    sum_w += phi, sum_x += mx + lever * n.x, sum_y += my + lever * n.y;
+  }
+  double* const to = given_.data() + 3 * lanes * (members_.size() / lanes + block);
+  store(sum_w, to), store(sum_y, to + lanes), store(-sum_x, to + 2 * lanes);
+}
+
+void GalerkinLists::internal_force(const State& state, Forces& forces) const {
+#pragma omp parallel
+  {
+#pragma omp for schedule(static)
+    for (std::size_t block = 0; block < blocks_.size(); ++block) act(block, state);
+#pragma omp for schedule(static)
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      Eigen::Vector3d sum(0, 0, 0);
+      for (auto s = first_slot_[i]; s < first_slot_[i + 1]; ++s) {
+        const double* const given = given_.data() + slots_[s];
+        sum += Eigen::Vector3d(given[0], given[lanes], given[2 * lanes]);
+      }
+      forces.col(points_[i]) = sum;
+    }
+  }
+}
+
+std::size_t GalerkinLists::bytes() const {
+  return sizeof(std::uint32_t) *
+             (kept_.size() + kept_lanes_.size() + members_.size() + points_.size() + slots_.size()) +
+         sizeof(double) * (bonds_.size() + families_.size() + given_.size()) + sizeof(Block) * blocks_.size() +
+         sizeof(std::size_t) * first_slot_.size();
+}
+
+}  // namespace plate

@@ -1,0 +1,44 @@
+#pragma once
+#include "plate/galerkin/law.hpp"
+
+namespace plate {
+
+/// The points of a Galerkin plate that are in no row of lattice points, with the families that act on them: as many
+/// families at once as a machine vector has lanes.
+class GalerkinLists {
+public:
+  /// `points`: those in no row.
+  GalerkinLists(const GalerkinFamilies& families, const Section& section, const std::vector<std::uint32_t>& points);
+
+  /// Sets the forces on those points. One call at a time.
+  void internal_force(const State& state, Forces& forces) const;
+
+  /// The families that act on them, of any number of points.
+  const std::vector<std::uint32_t>& kept() const { return kept_; }
+  std::size_t bytes() const;
+
+private:
+  /// Families side by side, with the bonds of the largest; missing ones weigh nothing.
+  struct Block {
+    std::size_t first_bond;  // in bonds_, lanes at a time
+    std::uint32_t bonds;
+  };
+  void add_block(const GalerkinFamilies& families, const Section& section, std::size_t first);
+  void find_slots(const GalerkinFamilies& families, const std::vector<std::uint32_t>& points);
+  void act(std::size_t block, const State& state) const;
+
+  std::vector<std::uint32_t> kept_;        // sorted so that families of one size are side by side
+  std::vector<std::uint32_t> kept_lanes_;  // the same by blocks, the last one filled up
+  std::vector<Block> blocks_;
+  std::vector<std::uint32_t> members_;   // per bond and lane
+  std::vector<double> bonds_;            // per bond: direction, 1 / length, gradient times length, share; lanes of each
+  std::vector<double> families_;         // per block: stiffnesses and sums over the bonds; lanes of each
+  std::vector<std::uint32_t> points_;    // in no row
+  std::vector<std::size_t> first_slot_;  // per point of those
+  std::vector<std::uint32_t> slots_;     // where families leave forces for it
+  double poisson_;
+  mutable std::vector<double>
+      given_;  // force and couples that families leave: per bond and family, three rows of lanes
+};
+
+}  // namespace plate

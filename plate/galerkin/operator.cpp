@@ -1,0 +1,94 @@
+#include "plate/galerkin/operator.hpp"
+
+#include <algorithm>
+
+#include "plate/galerkin/stiffness.hpp"
+
+namespace plate {
+
+GalerkinOperator::GalerkinOperator(GalerkinFamilies families, const Section& section)
+    : families_(std::move(families)),
+      section_(section),
+      rows_(families_, section),
+      lists_(families_, section, rows_.others()) {
+  const auto regular = std::ranges::find(families_.kind, 0u);
+  if (regular != families_.kind.end()) lattice_ = std::uint32_t(regular - families_.kind.begin());
+}
+
+void GalerkinOperator::internal_force(const State& state, Forces& forces) const {
+  forces.resize(3, state.cols());
+  rows_.internal_force(state, forces);
+  lists_.internal_force(state, forces);
+}
+
+/// Adds to every point in no row what the families that it belongs to have for it: own(family, k, found) leaves three
+/// numbers for every member of the family of k in found.
+template <typename Own>
+void GalerkinOperator::gather(const Own& own, Forces& result) const {
+  const auto& f = families_.families;
+  const auto& kept = lists_.kept();
+  std::vector<std::size_t> first{0};
+  std::vector<std::uint32_t> place(points());
+  for (std::uint32_t n = 0; n < kept.size(); ++n) {
+    place[kept[n]] = n;
+    first.push_back(first.back() + f[kept[n]].size() + 1);
+  }
+  std::vector<Eigen::Vector3d> found(first.back());
+#pragma omp parallel
+  {
+    FamilyStiffness single(families_, section_), shared(families_, section_);
+    if (lattice_) shared.find(*lattice_);
+#pragma omp for schedule(dynamic, 64)
+    for (std::size_t n = 0; n < kept.size(); ++n) {
+      const bool regular = families_.kind[kept[n]] == 0;
+      if (!regular) single.find(kept[n]);
+      own(regular ? shared : single, kept[n], found.data() + first[n]);
+    }
+#pragma omp for schedule(static)
+    for (std::size_t i = 0; i < rows_.others().size(); ++i) {
+      const auto k = rows_.others()[i];
+      Eigen::Vector3d sum = found[first[place[k]]];
+      for (const auto& bond : f[k]) sum += found[first[place[bond.neighbour]] + f[bond.neighbour].find(k) + 1];
+      result.col(k) += sum;
+    }
+  }
+}
+
+void GalerkinOperator::absolute_product(const State& state, Forces& forces) const {
+  forces.setZero(3, state.cols());
+  rows_.absolute_product(state, forces);
+  const auto own = [&](const FamilyStiffness& K, std::uint32_t k, Eigen::Vector3d* found) {
+    const auto family = families_.families[k];
+    for (std::size_t i = 0; i < K.members(); ++i) {
+      found[i].setZero();
+      for (std::size_t j = 0; j < K.members(); ++j)
+        found[i] += K.block(i, j).cwiseAbs() * state.col(j == 0 ? k : family[j - 1].neighbour);
+    }
+  };
+  gather(own, forces);
+}
+
+Forces GalerkinOperator::diagonal() const {
+  Forces result = Forces::Zero(3, Eigen::Index(points()));
+  rows_.diagonal(result);
+  const auto own = [](const FamilyStiffness& K, std::uint32_t, Eigen::Vector3d* found) {
+    for (std::size_t i = 0; i < K.members(); ++i) found[i] = K.block(i, i).diagonal();
+  };
+  gather(own, result);
+  return result;
+}
+
+Eigen::VectorXd GalerkinOperator::energies(const State& state) const {
+  Eigen::VectorXd result(state.cols());
+#pragma omp parallel for schedule(static)
+  for (Eigen::Index k = 0; k < result.size(); ++k)
+    result[k] = family_energy(families_, section_, std::size_t(k), state);
+  return result;
+}
+
+std::size_t GalerkinOperator::bytes() const {
+  return rows_.bytes() + lists_.bytes() + families_.bonds.size() * sizeof(GalerkinBond) +
+         families_.first.size() * sizeof(std::size_t) + families_.kind.size() * sizeof(std::uint32_t);
+}
+
+}  // namespace plate

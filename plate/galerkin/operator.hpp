@@ -1,0 +1,40 @@
+#pragma once
+#include <optional>
+
+#include "plate/galerkin/lists.hpp"
+#include "plate/galerkin/rows.hpp"
+#include "plate/model/operator.hpp"
+
+namespace plate {
+
+/// The Galerkin plate: nodal mean strains of the cells about every point, and residuals of its bonds (theory.md, "The
+/// Galerkin plate"). Points inside the lattice by rows, all others by lists of their bonds.
+/// Forces are gathered: any number of threads gives the same bits. One call at a time.
+class GalerkinOperator : public Operator {
+public:
+  GalerkinOperator(GalerkinFamilies families, const Section& section);
+
+  std::size_t points() const override { return families_.areas.size(); }
+  void internal_force(const State& state, Forces& forces) const override;
+  void absolute_product(const State& state, Forces& forces) const override;
+  Forces diagonal() const override;
+
+  /// Strain energy of every family [points].
+  Eigen::VectorXd energies(const State& state) const;
+
+  const GalerkinFamilies& families() const { return families_; }
+  const Section& section() const { return section_; }
+  std::size_t bytes() const;
+
+private:
+  template <typename Own>
+  void gather(const Own& own, Forces& result) const;
+
+  GalerkinFamilies families_;
+  Section section_;
+  GalerkinRows rows_;
+  GalerkinLists lists_;
+  std::optional<std::uint32_t> lattice_;  // a point of kind 0
+};
+
+}  // namespace plate

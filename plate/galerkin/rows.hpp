@@ -1,0 +1,38 @@
+#pragma once
+#include <array>
+#include "plate/galerkin/law.hpp"
+
+namespace plate {
+
+/// Rows of lattice points whose forces come from the 25 points about each with the same factors: the families of a
+/// point and of its neighbours, summed once for all.
+class GalerkinRows {
+public:
+  GalerkinRows(const GalerkinFamilies& families, const Section& section);
+
+  /// Points that are in no row.
+  const std::vector<std::uint32_t>& others() const { return others_; }
+
+  void internal_force(const State& state, Forces& forces) const;
+  void absolute_product(const State& state, Forces& forces) const;
+  void diagonal(Forces& diagonal) const;
+  std::size_t bytes() const { return rows_.size() * sizeof(Row) + others_.size() * sizeof(std::uint32_t); }
+
+private:
+  struct Row {
+    std::uint32_t first, length;
+    std::array<std::int32_t, 5> step;  // to the middle of the five rows of points about it
+  };
+  using Factors =
+      std::array<double, 225>;  // 25 places, lowest row first; of each the force's component, then the state's
+
+  template <typename Apply>
+  void apply(const Apply& apply) const;
+  void product(const Factors& factors, const State& state, Forces& forces) const;
+
+  Factors factors_{};  // -K
+  std::vector<Row> rows_;
+  std::vector<std::uint32_t> others_;
+};
+
+}  // namespace plate

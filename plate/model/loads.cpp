@@ -1,0 +1,162 @@
+#include "plate/model/loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include "plate/model/state.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+/// A short piece of an edge: its middle, its outward normal times its length.
+struct Piece {
+  Point middle;
+  Point normal;
+};
+
+/// Eight pieces per spacing, so that each lies in one cell where the edge follows the lattice.
+std::vector<Piece> pieces_of(const geometry::Edge& edge, double spacing) {
+  const Point along = edge.to - edge.from;
+  const auto count = static_cast<int>(std::ceil(8 * along.norm() / spacing - 1e-6));
+  const Point step = along / count;
+  std::vector<Piece> pieces;
+  for (int i = 0; i < count; ++i) pieces.push_back({edge.from + (i + 0.5) * step, {step.y(), -step.x()}});
+  return pieces;
+}
+
+std::vector<Piece> pieces_of(const geometry::Circle& hole, double spacing) {
+  const auto count = static_cast<int>(std::ceil(16 * std::numbers::pi * hole.radius / spacing));
+  const double angle = 2 * std::numbers::pi / count;
+  std::vector<Piece> pieces;
+  for (int i = 0; i < count; ++i) {
+    const Point radial(std::cos((i + 0.5) * angle), std::sin((i + 0.5) * angle));
+    pieces.push_back({hole.centre + hole.radius * radial, -hole.radius * angle * radial});
+  }
+  return pieces;
+}
+
+/// All pieces of one straight edge or circle, with the points of the plate near it.
+struct Border {
+  std::vector<Piece> pieces;
+  std::vector<std::uint32_t> near;
+};
+
+std::vector<Border> borders(const std::string& name, const geometry::Cloud& cloud,
+                            const geometry::Outline& outline) {
+  const double spacing = cloud.units.spacing, reach = 2 * spacing;
+  std::vector<Border> result;
+  const auto near = [&](const auto& away) {
+    std::vector<std::uint32_t> points;
+    for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
+      if (away(cloud.positions[k]) < reach) points.push_back(k);
+    return points;
+  };
+  for (const auto& edge : geometry::straight_edges(outline))
+    if (edge.name == name)
+      result.push_back({pieces_of(edge, spacing), near([&](const Point& x) {
+                          return geometry::distance(geometry::Polyline{edge.from, edge.to}, x);
+                        })});
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name)
+      result.push_back({pieces_of(*circle, spacing), near([&](const Point& x) {
+                          return std::abs((x - circle->centre).norm() - circle->radius);
+                        })});
+  return result;
+}
+
+std::uint32_t nearest(const std::vector<std::uint32_t>& points, const geometry::Cloud& cloud, const Point& x) {
+  std::uint32_t best = points.front();
+  for (const auto k : points)
+    if ((cloud.positions[k] - x).squaredNorm() < (cloud.positions[best] - x).squaredNorm()) best = k;
+  return best;
+}
+
+/// A force F at `lever` from the point: by w(lever) = w + lever . psi it is F on w and a couple on the rotations.
+Eigen::Vector3d moved_force(double force, const Point& lever) {
+  return {force, force * lever.y(), -force * lever.x()};
+}
+
+/// Couple of a moment tensor M (tension on z > 0 positive) on an edge with normal n: work M n . (u, v)/z.
+Eigen::Vector3d edge_couple(const Load& load, const Point& normal) {
+  if (load.has_tensor) {
+    const auto [xx, yy, xy] = load.tensor;
+    return {0, -(xy * normal.x() + yy * normal.y()), xx * normal.x() + xy * normal.y()};
+  }
+  const Point along(-normal.y(), normal.x());
+  const Point moment = load.value * normal + load.twist * along;
+  return {0, -moment.y(), moment.x()};
+}
+
+void add_edge_load(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline, Forces& forces) {
+  for (const auto& name : load.edges)
+    for (const Border& border : borders(name, cloud, outline)) {
+      if (border.near.empty())
+        throw std::invalid_argument("edge '" + name + "' has no point of the plate within two spacings");
+      for (const Piece& piece : border.pieces) {
+        const auto k = nearest(border.near, cloud, piece.middle);
+        const Point lever = piece.middle - cloud.positions[k];
+        forces.col(k) += load.kind == Load::Kind::edge_moment ? edge_couple(load, piece.normal)
+                                                              : moved_force(load.value * piece.normal.norm(), lever);
+      }
+    }
+}
+
+void add_edge_load(const Load& load, const geometry::Tessellation& cells, Forces& forces) {
+  for (const auto& border : cells.borders) {
+    if (border.edge == geometry::Curves::crack) continue;
+    const auto& name = cells.names[std::size_t(border.edge)];
+    if (std::find(load.edges.begin(), load.edges.end(), name) == load.edges.end()) continue;
+    const Point along = cells.positions[border.to] - cells.positions[border.from];
+    for (const int end : {1, -1}) {
+      const auto k = end > 0 ? border.from : border.to;
+      // a force q on a piece from 0 to l, deflections by the third-order line through both ends: q l^2 / 12 on the slopes
+      forces.col(k) += load.kind == Load::Kind::edge_moment
+                           ? edge_couple(load, Point(along.y(), -along.x()) / 2)
+                           : moved_force(load.value * along.norm() / 2, Point(along * (end / 6.0)));
+    }
+  }
+}
+
+}  // namespace
+
+Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas) {
+  Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
+  switch (load.kind) {
+    case Load::Kind::pressure:
+      for (std::size_t k = 0; k < areas.size(); ++k) forces(0, Eigen::Index(k)) = load.value * areas[k];
+      break;
+    case Load::Kind::point_force: {
+      std::size_t nearest = 0;
+      for (std::size_t k = 0; k < areas.size(); ++k)
+        if ((cells.positions[k] - load.position).squaredNorm() < (cells.positions[nearest] - load.position).squaredNorm())
+          nearest = k;
+      forces.col(Eigen::Index(nearest)) = moved_force(load.value, load.position - cells.positions[nearest]);
+      break;
+    }
+    case Load::Kind::edge_moment:
+    case Load::Kind::edge_shear: add_edge_load(load, cells, forces); break;
+  }
+  return forces;
+}
+
+Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline) {
+  Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(cloud.size()));
+  switch (load.kind) {
+    case Load::Kind::pressure:
+      for (std::uint32_t k = 0; k < cloud.plate_points; ++k) forces(0, k) = load.value * cloud.areas[k];
+      break;
+    case Load::Kind::point_force: {
+      const auto k = geometry::nearest_plate_point(cloud, load.position);
+      forces.col(static_cast<Eigen::Index>(k)) = moved_force(load.value, load.position - cloud.positions[k]);
+      break;
+    }
+    case Load::Kind::edge_moment:
+    case Load::Kind::edge_shear: add_edge_load(load, cloud, outline, forces); break;
+  }
+  return forces;
+}
+
+}  // namespace plate

@@ -1,0 +1,26 @@
+#pragma once
+#include "geometry/lattice/cloud.hpp"
+
+namespace plate {
+
+/// How an edge is held (theory.md, "Supports"); psi_n and psi_s: rotation along the normal and along the edge.
+enum class SupportKind {
+  free,
+  clamped,                      // w = psi_n = psi_s = 0 on the line
+  simply_supported,             // w = 0 on the line (soft)
+  simply_supported_hard,        // w = psi_s = 0 on the line
+  symmetry,                     // mirror plane
+  clamped_layer,                // Dai et al.: all zero in a layer of one horizon outside the plate
+  simply_supported_layer,       // Dai et al.: w = 0 in that layer
+  simply_supported_hard_layer,  // w = psi_s = 0 in that layer
+  pinned                        // w = 0 at single points
+};
+
+/// A support of named edges, or of single points (pinned).
+struct Support {
+  SupportKind kind = SupportKind::free;
+  std::vector<std::string> edges;
+  std::vector<geometry::Point> points;
+};
+
+}  // namespace plate

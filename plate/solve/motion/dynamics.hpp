@@ -1,0 +1,75 @@
+#pragma once
+#include "plate/model/constraints.hpp"
+#include "plate/model/operator.hpp"
+#include "plate/model/history.hpp"
+#include "plate/model/section.hpp"
+#include <functional>
+
+namespace plate {
+
+/// A load case: generalised nodal forces times a factor of time.
+struct TimedLoad {
+  Forces forces;
+  History history;
+};
+
+/// Mass per degree of freedom, diag(rho h, rho h^3 / 12, rho h^3 / 12) times the area (Eq. 9), carried over to the
+/// free ones; zero at held degrees of freedom and at points that are not active (images that store no energy).
+/// `rotary`: factor of the rotary inertia; above 1 thin plates take longer steps (theory.md, "Dynamics").
+Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
+            const Constraints& constraints, double rotary = 1);
+
+/// 2 / omega with omega^2 not below the largest eigenvalue of M^-1 K: the largest value of a Lanczos iteration, which comes
+/// from below, plus 1 %, or the bound of Collatz for |K|, whichever is smaller.
+double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass);
+
+/// What the observer of a dynamic run sees.
+struct Instant {
+  std::size_t step;
+  double time;
+  const State& state;
+  std::function<State()> velocity;  // of this step; computed when asked for
+  double kinetic_energy;
+  double external_work;
+  double strain_energy;
+  /// v(n-1/2) M v(n+1/2) / 2 - f u: with the strain energy, what central differences conserve under constant loads.
+  double discrete_energy = 0;
+};
+
+/// A step of a motion, as those who change the plate see it. Before the force they may change state and velocity too.
+struct Moment {
+  std::size_t step;
+  double time, time_step;
+  State& state;
+  State& velocity;  // half a step before
+};
+
+/// Changes a plate while it moves. Called in every step.
+class Changes {
+public:
+  virtual ~Changes() = default;
+  virtual void before_force(const Moment& now) = 0;
+  /// `force`: the internal force, carried over to the free degrees of freedom.
+  virtual void after_force(const Moment& now, const Forces& force) = 0;
+};
+
+struct DynamicOptions {
+  double time_step = 0;
+  std::size_t steps = 0;
+  std::size_t observe_every = 1;
+  /// Internal forces in single precision, where the plate's own are not wanted; displacements stay in double.
+  std::function<void(const Values<float>&, Values<float>&)> single = {};
+  /// In double precision only.
+  Changes* changes = nullptr;
+  /// At rest at time 0, under loads that have grown slowly: their work until then counts. Empty: zero.
+  State start = {};
+};
+
+/// Central differences (Eqs. 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a dt^2 / 2.
+/// Calls `observe` at step 0, every `observe_every` steps and at the end.
+/// Throws NumericalError where the deflection is not finite, with step, time and point.
+void central_differences(const Operator& plate, const Constraints& constraints, Forces mass,
+                         const std::vector<TimedLoad>& loads, const DynamicOptions& options,
+                         const std::function<void(const Instant&)>& observe);
+
+}  // namespace plate

@@ -1,0 +1,166 @@
+#include "plate/solve/motion/lanczos_motion.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "plate/solve/motion/lanczos_space.hpp"
+#include "plate/model/numerical_error.hpp"
+
+namespace plate {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Between looks at whether they suffice: as many as are worth a look, whose time grows with their third power.
+Index more_vectors(Index vectors) {
+  return std::max<Index>(8, vectors / 64 * 8);
+}
+
+/// The modes of a space, as combinations (columns) of its vectors.
+struct Solved {
+  MatrixXd shapes;
+  MovingModes modes;
+  double largest_square;
+};
+
+Solved solved(const LanczosSpace& space, const std::vector<TimedLoad>& loads, bool from_equilibrium) {
+  if (space.size() == 0) return {{}, MovingModes({}, MatrixXd(0, Index(loads.size())), loads), 0};
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(space.stiffness());
+  const VectorXd& squares = eigen.eigenvalues();
+  if (eigen.info() != Eigen::Success || !(squares[0] > 0)) throw NumericalError("Lanczos vectors: the stiffness is not positive");
+  MatrixXd shares(space.size(), Index(loads.size()));
+  for (std::size_t l = 0; l < loads.size(); ++l) shares.col(Index(l)) = space.vectors().transpose() * flat(loads[l].forces);
+  Solved result{eigen.eigenvectors(), MovingModes(squares, eigen.eigenvectors().transpose() * shares, loads), squares.tail<1>()[0]};
+  if (from_equilibrium) result.modes.rest();
+  return result;
+}
+
+/// How much more vectors change what is wanted.
+struct Change {
+  double motion;               // in the norm of the mass, relative to the largest
+  std::vector<double> watched; // LanczosMotion::truncated()
+};
+
+/// The motion in growing spaces, at some times.
+class Watch {
+public:
+  Watch(const std::vector<TimedLoad>& loads, const LanczosOptions& options) : loads_(loads), options_(options) {}
+
+  Change look(const LanczosSpace& space) {
+    constexpr Index times = 100;  // however few rows are wanted
+    Solved now = solved(space, loads_, options_.from_equilibrium);
+    const auto time = [&](Index n) { return options_.duration * double(n) / double(times); };
+    MatrixXd found(space.size(), times);
+    for (Index n = 0; n < times; ++n) {
+      now.modes.advance(time(n), time(n + 1));
+      found.col(n) = now.shapes * now.modes.amplitudes();
+    }
+    MatrixXd difference = found;
+    difference.topRows(before_.rows()) -= before_;
+    Change result{before_.size() == 0 ? 1 : share(difference.colwise().norm().maxCoeff(), found.colwise().norm().maxCoeff()), {}};
+    before_ = std::move(found);
+    result.watched = truncated(space);
+    return result;
+  }
+
+private:
+  static double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+  std::vector<double> truncated(const LanczosSpace& space) {
+    constexpr double fewer = 0.7, safety = 4;
+    Look now{space.size(), {}};
+    for (const auto& group : options_.watched) now.values.push_back(group.rows() > 0 ? MatrixXd(group * space.vectors() * before_) : MatrixXd::Zero(1, 1));
+    const auto other = std::find_if(looks_.rbegin(), looks_.rend(), [&](const Look& look) { return double(look.vectors) <= fewer * double(now.vectors); });
+    std::vector<double> result(options_.watched.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t g = 0; g < result.size() && other != looks_.rend(); ++g)
+      result[g] = safety * share((now.values[g] - other->values[g]).cwiseAbs().maxCoeff(), now.values[g].cwiseAbs().maxCoeff());
+    looks_.push_back(std::move(now));
+    return result;
+  }
+
+  struct Look {
+    Index vectors;
+    std::vector<MatrixXd> values;  // of every watched group
+  };
+
+  const std::vector<TimedLoad>& loads_;
+  const LanczosOptions& options_;
+  MatrixXd before_;  // amplitudes of the vectors
+  std::vector<Look> looks_;
+};
+
+/// Adds vectors until they change the motion, and what is watched, no more.
+Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const LanczosOptions& options) {
+  for (const auto& load : loads) space.add(load.forces);
+  Watch watch(loads, options);
+  constexpr Index least = 24;
+  Index most = 0;  // for what is watched
+  for (Index next = 0, look = 8;; ++next) {
+    const bool exhausted = next >= space.size();
+    if (exhausted) return {0, std::vector<double>(options.watched.size(), 0)};
+    if (space.size() >= look) {
+      look = space.size() + more_vectors(space.size());
+      Change change = watch.look(space);
+      if (options.progress) options.progress(std::size_t(space.size()), change.motion);
+      const double worst = change.watched.empty() ? 0 : *std::ranges::max_element(change.watched);
+      if (space.size() >= least && change.motion <= options.tolerance) {
+        if (most == 0) most = std::min(4 * space.size(), Index(options.max_vectors));
+        if (std::isfinite(worst) && (worst <= options.watched_tolerance || space.size() >= most)) return change;
+      }
+      if (std::size_t(space.size()) >= options.max_vectors)
+        throw NumericalError(std::to_string(space.size()) + " Lanczos vectors change the motion by " + std::to_string(change.motion) +
+                             " still, more than the tolerance: take a larger one, or steps");
+    }
+    space.add_after(next);
+  }
+}
+
+}  // namespace
+
+LanczosMotion::LanczosMotion(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
+                             const std::vector<TimedLoad>& loads, const Preconditioner& inverse, const LanczosOptions& options)
+    : duration_(options.duration), points_(Index(plate.points())), start_({}, {}, loads) {
+  LanczosSpace space(plate, constraints, inertia, inverse);
+  auto change = fill(space, loads, options);
+  change_ = change.motion, truncated_ = std::move(change.watched);
+  Solved motion = solved(space, loads, options.from_equilibrium);
+  largest_frequency_ = std::sqrt(motion.largest_square) / (2 * std::numbers::pi);
+  shapes_ = space.size() > 0 ? MatrixXd(space.vectors() * motion.shapes) : MatrixXd(3 * points_, 0);
+  start_ = std::move(motion.modes);
+}
+
+void LanczosMotion::observe(std::size_t rows, const std::function<void(const Instant&)>& see) const {
+  constexpr std::size_t together = 16;  // states of several rows are one product of matrices
+  const auto time_of = [&](std::size_t row) { return duration_ * double(row) / double(rows); };
+  MovingModes modes = start_;
+  for (std::size_t first = 0; first <= rows; first += together) {
+    std::vector<MovingModes> at;
+    MatrixXd amplitudes(shapes_.cols(), Index(std::min(together, rows + 1 - first)));
+    for (Index i = 0; i < amplitudes.cols(); ++i) {
+      const auto row = first + std::size_t(i);
+      if (row > 0) modes.advance(time_of(row - 1), time_of(row));
+      at.push_back(modes);
+      amplitudes.col(i) = modes.amplitudes();
+    }
+    const MatrixXd states = shapes_ * amplitudes;
+    for (Index i = 0; i < states.cols(); ++i) {
+      const auto& then = at[std::size_t(i)];
+      const double time = time_of(first + std::size_t(i));
+      const State state = Eigen::Map<const State>(states.col(i).data(), 3, points_);
+      if (!state.allFinite()) throw NumericalError("the state is not finite at time " + std::to_string(time));
+      const auto velocity = [&]() -> State {
+        const VectorXd all = shapes_ * then.velocities();
+        return Eigen::Map<const State>(all.data(), 3, points_);
+      };
+      see({first + std::size_t(i), time, state, velocity, then.kinetic_energy(), then.work(), then.strain_energy(),
+           then.kinetic_energy() + then.potential(time)});
+    }
+  }
+}
+
+}  // namespace plate

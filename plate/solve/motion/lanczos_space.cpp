@@ -1,0 +1,68 @@
+#include "plate/solve/motion/lanczos_space.hpp"
+
+#include "plate/model/numerical_error.hpp"
+#include "plate/solve/statics.hpp"
+
+namespace plate {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+LanczosSpace::LanczosSpace(const Operator& plate, const Constraints& constraints, const Inertia& inertia, const Preconditioner& inverse)
+    : plate_(plate), constraints_(constraints), inertia_(inertia), inverse_(inverse), points_(Index(plate.points())),
+      vectors_(3 * points_, 0), forces_(3 * points_, 0) {}
+
+bool LanczosSpace::add(const Forces& load) {
+  const StaticOptions options{1e-8, 10000, {}};
+  const auto solution = conjugate_gradients(plate_, constraints_, load, options, &inverse_);
+  if (!solution.converged) throw NumericalError("Lanczos vectors: conjugate gradients: " + solution.stop_reason);
+  return add_state(solution.state);
+}
+
+bool LanczosSpace::add_after(Index i) {
+  State answer;
+  inverse_.apply(inertia_(state_of(vectors_.col(i))), answer);
+  constraints_.impose(answer);
+  return add_state(std::move(answer));
+}
+
+MatrixXd LanczosSpace::stiffness() const {
+  const MatrixXd K = vectors().transpose() * forces_.leftCols(size_);
+  return (K + K.transpose()) / 2;
+}
+
+bool LanczosSpace::add_state(const State& answer) {
+  VectorXd u = flat(answer);
+  const double whole = norm(u);
+  if (!(whole > 0)) return false;
+  for (int twice = 0; twice < 2; ++twice) {  // once leaves rounding of what was taken out
+    const Forces momentum = inertia_(state_of(u));
+    u -= vectors_.leftCols(size_) * (vectors_.leftCols(size_).transpose() * flat(momentum));
+  }
+  const double rest = norm(u);
+  if (!(rest > 1e-10 * whole)) return false;
+  u /= rest;
+  if (size_ == vectors_.cols()) {
+    constexpr Index more = 16;
+    vectors_.conservativeResize(u.size(), size_ + more);
+    forces_.conservativeResize(u.size(), size_ + more);
+  }
+  Forces force;
+  plate_.internal_force(state_of(u), force);
+  constraints_.fold(force);
+  vectors_.col(size_) = u;
+  forces_.col(size_) = -flat(force);
+  ++size_;
+  return true;
+}
+
+double LanczosSpace::norm(const VectorXd& u) const {
+  return std::sqrt(u.dot(flat(inertia_(state_of(u)))));
+}
+
+State LanczosSpace::state_of(const VectorXd& u) const {
+  return Eigen::Map<const State>(u.data(), 3, points_);
+}
+
+}  // namespace plate

@@ -1,0 +1,45 @@
+#pragma once
+#include <Eigen/Dense>
+
+#include "plate/solve/motion/inertia.hpp"
+#include "plate/model/operator.hpp"
+#include "plate/solve/preconditioner.hpp"
+
+namespace plate {
+
+/// States u = P q of a held plate whose q are orthonormal with the mass. What it is made of must outlive it.
+class LanczosSpace {
+public:
+  LanczosSpace(const Operator& plate, const Constraints& constraints, const Inertia& inertia, const Preconditioner& inverse);
+
+  /// The answer to nodal forces at rest, as a new vector; false where it is in the space already.
+  /// Throws NumericalError where conjugate gradients do not find it.
+  bool add(const Forces& load);
+  /// The next vector of the sequence of vector `i`: what the inverse makes of it need not be exact.
+  bool add_after(Eigen::Index i);
+
+  Eigen::Index size() const { return size_; }
+  /// Columns, each a state flattened.
+  auto vectors() const { return vectors_.leftCols(size_); }
+  /// u_i K u_j
+  Eigen::MatrixXd stiffness() const;
+
+private:
+  bool add_state(const State& answer);
+  double norm(const Eigen::VectorXd& u) const;
+  State state_of(const Eigen::VectorXd& u) const;
+
+  const Operator& plate_;
+  const Constraints& constraints_;
+  const Inertia& inertia_;
+  const Preconditioner& inverse_;
+  Eigen::Index points_, size_ = 0;
+  Eigen::MatrixXd vectors_, forces_;  // columns
+};
+
+/// A state as a vector.
+inline Eigen::Map<const Eigen::VectorXd> flat(const State& state) {
+  return {state.data(), state.size()};
+}
+
+}  // namespace plate

@@ -1,0 +1,105 @@
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <optional>
+#include <random>
+
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/reduction.hpp"
+
+namespace plate {
+namespace {
+
+Forces inverse_of(const Forces& mass) {
+  return mass.unaryExpr([](double m) { return m > 0 ? 1 / m : 0.0; });
+}
+
+double dot(const Forces& a, const State& b) {
+  return ordered_sum<1>(static_cast<std::size_t>(a.size()),
+                        [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
+}
+
+/// max over i of (|K| s)_i / (M_i s_i) for a positive s bounds the eigenvalues of M^-1 K. From s = M^(-1/2), scaled
+/// Gershgorin, improved by a few products.
+double collatz_bound(const Operator& plate, const Constraints& constraints, const Forces& mass) {
+  constexpr int improvements = 3;
+  const Forces inverse_mass = inverse_of(mass);
+  State scale = inverse_mass.cwiseSqrt();
+  Forces product;
+  double smallest_bound = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= improvements; ++i) {
+    constraints.impose_absolute(scale);
+    plate.absolute_product(scale, product);
+    constraints.fold_absolute(product);
+    const State next = product.cwiseProduct(inverse_mass);
+    double bound = 0, largest = 0;
+    for (Eigen::Index n = 0; n < next.size(); ++n)
+      if (mass.data()[n] > 0) {
+        bound = std::max(bound, next.data()[n] / scale.data()[n]);
+        largest = std::max(largest, next.data()[n] * std::sqrt(mass.data()[n]));
+      }
+    smallest_bound = std::min(smallest_bound, bound);
+    scale = next / largest;
+  }
+  return smallest_bound;
+}
+
+/// The largest eigenvalue of M^-1 K and a margin, by Lanczos's recursion without a basis: lost orthogonality repeats
+/// eigenvalues, but does not make the largest larger. Nothing where it does not settle.
+std::optional<double> lanczos_bound(const Operator& plate, const Constraints& constraints, const Forces& mass) {
+  constexpr double tolerance = 1e-3, margin = 0.01;
+  constexpr std::size_t most = 400, check_every = 10;
+  const Forces root = inverse_of(mass).cwiseSqrt();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  State now = root.unaryExpr([&](double r) { return r > 0 ? uniform(random) : 0.0; }),
+        before = State::Zero(3, now.cols());
+  now /= std::sqrt(dot(now, now));
+  std::vector<double> alpha, beta;
+  Forces forces;
+  State scaled;
+  while (alpha.size() < most) {
+    scaled = root.cwiseProduct(now);
+    constraints.impose(scaled);
+    plate.internal_force(scaled, forces);
+    constraints.fold(forces);
+    State next = -root.cwiseProduct(forces);  // M^(-1/2) K M^(-1/2) now
+    if (!beta.empty()) next -= beta.back() * before;
+    alpha.push_back(dot(next, now));
+    next -= alpha.back() * now;
+    beta.push_back(std::sqrt(dot(next, next)));
+    if (alpha.size() % check_every == 0) {
+      const auto size = Eigen::Index(alpha.size());
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
+      ritz.computeFromTridiagonal(Eigen::Map<Eigen::VectorXd>(alpha.data(), size),
+                                  Eigen::Map<Eigen::VectorXd>(beta.data(), size - 1));
+      const double largest = ritz.eigenvalues()[size - 1];
+      if (beta.back() * std::abs(ritz.eigenvectors()(size - 1, size - 1)) < tolerance * largest)
+        return largest * (1 + margin);
+    }
+    if (!(beta.back() > 0)) return std::nullopt;  // a plate so small that the space is exhausted
+    before = std::move(now);
+    now = next / beta.back();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
+            const Constraints& constraints, double rotary) {
+  Forces result = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
+  const double translation = section.density * section.thickness;
+  const double rotation = rotary * translation * section.thickness * section.thickness / 12;
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    if (active[k])
+      result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
+  constraints.fold_diagonal(result);
+  return result;
+}
+
+double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass) {
+  const double bound = collatz_bound(plate, constraints, mass);
+  return 2 / std::sqrt(std::min(bound, lanczos_bound(plate, constraints, mass).value_or(bound)));
+}
+
+}  // namespace plate

@@ -1,0 +1,184 @@
+#include "plate/solve/statics.hpp"
+
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/bonds/levels/local_plate.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "plate/solve/reduction.hpp"
+#include <cmath>
+
+namespace plate {
+namespace {
+
+constexpr std::size_t report_every = 50;
+
+/// 1 / d at free degrees of freedom that have stiffness, 0 at all others; d = diag(P^T diag(K) P).
+Forces inverse(const Forces& diagonal) {
+  return diagonal.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
+}
+
+/// 1 / lambda of Eq. 14: the diagonal, scaled so that no frequency exceeds 2 with time step 1.
+Forces inverse_fictitious_mass(const Operator& plate, const Constraints& constraints, const Forces& diagonal) {
+  const double step = stable_time_step(plate, constraints, diagonal);
+  return inverse(diagonal) * (step * step);
+}
+
+double weighted_norm(const Forces& forces, const Forces& weight) {
+  const auto [sum] = ordered_sum<1>(static_cast<std::size_t>(forces.size()), [&](std::size_t i) {
+    return std::array<double, 1>{forces.data()[i] * forces.data()[i] * weight.data()[i]};
+  });
+  return std::sqrt(sum);
+}
+
+void require_finite(double value, const char* method, std::size_t iteration) {
+  if (!std::isfinite(value))
+    throw NumericalError(std::string(method) + ": the residual is not finite at iteration " +
+                         std::to_string(iteration));
+}
+
+std::string reason(bool converged, const StaticOptions& options) {
+  return converged ? "residual below tolerance" : "not converged in " + std::to_string(options.max_iterations) +
+                                                      " iterations";
+}
+
+/// Conjugate gradients for a stiffness that is given by product(direction, forces): forces = -K direction, folded.
+/// `weight`: the inverse of its diagonal; the preconditioner where there is no other.
+template <typename Product>
+StaticSolution iterate(const Product& minus_k, const Constraints& constraints, const Forces& weight,
+                       const Preconditioner* preconditioner, const Forces& load, const StaticOptions& options) {
+  const auto size = static_cast<std::size_t>(load.size());
+  Forces residual = load;
+  constraints.fold(residual);
+  residual = residual.array() * (weight.array() > 0).cast<double>();
+  const double load_norm = weighted_norm(residual, weight);
+
+  StaticSolution result;
+  result.state = State::Zero(3, load.cols());
+  if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
+  State correction, direction = State::Zero(3, load.cols());
+  Forces product;
+  double* u = result.state.data();
+  double* r = residual.data();
+  double* p = direction.data();
+  const double* d = weight.data();
+  double norm = load_norm, rho = 0;
+
+  for (result.iterations = 0;; ++result.iterations) {
+    result.residual = norm / load_norm;
+    require_finite(result.residual, "conjugate gradients", result.iterations);
+    if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
+    result.converged = result.residual <= options.tolerance;
+    if (result.converged || result.iterations == options.max_iterations) break;
+
+    double rho_next = norm * norm;
+    if (preconditioner) {
+      preconditioner->apply(residual, correction);
+      const double* z = correction.data();
+      rho_next = ordered_sum<1>(size, [&](std::size_t i) { return std::array<double, 1>{r[i] * z[i]}; })[0];
+    }
+    const double beta = rho > 0 ? rho_next / rho : 0;
+    rho = rho_next;
+    const double* z = preconditioner ? correction.data() : nullptr;
+#pragma omp parallel for simd schedule(static)
+    for (std::size_t i = 0; i < size; ++i) p[i] = (z ? z[i] : d[i] * r[i]) + beta * p[i];
+
+    minus_k(direction, product);
+    const double* minus_kp = product.data();
+    const auto [curvature] = ordered_sum<1>(size, [&](std::size_t i) {
+      return std::array<double, 1>{-p[i] * minus_kp[i]};  // zero at held degrees of freedom
+    });
+    if (!(curvature > 0))
+      throw NotPositive("conjugate gradients: the stiffness is not positive at iteration " +
+                           std::to_string(result.iterations));
+    const double alpha = rho / curvature;
+    const auto [square] = ordered_sum<1>(size, [&](std::size_t i) {
+      const double moved = d[i] > 0 ? alpha : 0;
+      u[i] += moved * p[i];
+      r[i] += moved * minus_kp[i];
+      return std::array<double, 1>{r[i] * r[i] * d[i]};
+    });
+    norm = std::sqrt(square);
+  }
+  constraints.impose(result.state);
+  result.stop_reason = reason(result.converged, options);
+  return result;
+}
+
+}  // namespace
+
+StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constraints& constraints,
+                                           const Forces& load, const StaticOptions& options) {
+  const auto size = static_cast<std::size_t>(load.size());
+  const Forces diagonal = folded_diagonal(plate, constraints), weight = inverse(diagonal);
+  const Forces inverse_mass = inverse_fictitious_mass(plate, constraints, diagonal);
+  Forces external = load;
+  constraints.fold(external);
+  const double load_norm = weighted_norm(external, weight);
+
+  StaticSolution result;
+  result.state = State::Zero(3, load.cols());
+  if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
+  State velocity = State::Zero(3, load.cols());
+  Forces force, previous = Forces::Zero(3, load.cols());
+  double* u = result.state.data();
+  double* v = velocity.data();
+  double* a_before = previous.data();  // acceleration F / lambda of the step before
+
+  for (result.iterations = 0;; ++result.iterations) {
+    plate.internal_force(result.state, force);
+    constraints.fold(force);
+    const double* f = force.data();
+    // squared residual; u K u and u u of Eq. 19 with the fictitious mass, so that w and rotations may be added
+    const auto [residual, stiffness, mass] = ordered_sum<3>(size, [&](std::size_t i) {
+      const double total = f[i] + external.data()[i];
+      const double inverse = inverse_mass.data()[i];
+      if (inverse == 0) return std::array<double, 3>{0, 0, 0};
+      const double local = v[i] == 0 ? 0 : -(total * inverse - a_before[i]) / v[i];  // Eq. 20
+      const double square = u[i] * u[i] / inverse;
+      return std::array<double, 3>{total * total * weight.data()[i], square * local, square};
+    });
+    result.residual = std::sqrt(residual) / load_norm;
+    require_finite(result.residual, "adaptive dynamic relaxation", result.iterations);
+    if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
+    result.converged = result.residual <= options.tolerance;
+    if (result.converged || result.iterations == options.max_iterations) break;
+
+    const bool first = result.iterations == 0;
+    const double c = stiffness > 0 && mass > 0 ? std::min(2 * std::sqrt(stiffness / mass), 1.9) : 0;  // Eq. 19
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < size; ++i) {
+      const double a = (f[i] + external.data()[i]) * inverse_mass.data()[i];
+      v[i] = first ? a / 2 : ((2 - c) * v[i] + 2 * a) / (2 + c);  // Eqs. 18, 16
+      u[i] += v[i];                                               // Eq. 17
+      a_before[i] = a;
+    }
+    constraints.impose(result.state);
+  }
+  result.stop_reason = reason(result.converged, options);
+  return result;
+}
+
+StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& load,
+                                   const StaticOptions& options, const Preconditioner* preconditioner) {
+  const auto product = [&](State& direction, Forces& forces) {
+    constraints.impose(direction);
+    plate.internal_force(direction, forces);
+    constraints.fold(forces);
+  };
+  const Forces weight = inverse(folded_diagonal(plate, constraints));
+  return iterate(product, constraints, weight, preconditioner, load, options);
+}
+
+StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& shift,
+                                   const Forces& load, const StaticOptions& options,
+                                   const Preconditioner* preconditioner) {
+  const auto product = [&](State& direction, Forces& forces) {
+    constraints.impose(direction);
+    plate.internal_force(direction, forces);
+    constraints.fold(forces);
+    forces -= shift.cwiseProduct(direction);
+  };
+  const Forces weight = inverse(folded_diagonal(plate, constraints) + shift);
+  return iterate(product, constraints, weight, preconditioner, load, options);
+}
+
+}  // namespace plate

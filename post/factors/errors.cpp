@@ -1,0 +1,162 @@
+#include "post/factors/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/factors/tip_integrals.hpp"
+
+namespace post {
+namespace {
+
+/// Above this share of the largest factor an error leaves nothing of a factor that is not the largest.
+constexpr double lost = 0.1;
+
+template <typename Factors>
+Eigen::Vector3d vector_of(const Factors& K) {
+  return {K.K1, K.K2, K.K3};
+}
+
+/// Of sqrt(G): from another integral, or from the next ring where there is no other.
+std::optional<double> difference_of_energies(const Srif& srif, const std::vector<Srif>& found) {
+  std::optional<double> result;
+  const auto compare = [&](double G) {
+    if (G > 0) result = std::max(result.value_or(0), std::abs(1 - std::sqrt(G / *srif.G)));
+  };
+  for (const auto& other : found)
+    if (other.G && other.method != srif.method) compare(*other.G);
+  if (!result && srif.rings.size() > 1) compare(srif.rings[1].G);
+  return result;
+}
+
+void set(Srif& srif, const Eigen::Vector3d& errors, double thickness) {
+  const Eigen::Vector3d scale(1, 1, thickness);
+  const double largest = largest_factor(srif, thickness);
+  for (Eigen::Index i = 0; i < 3; ++i) srif.errors[std::size_t(i)] = errors[i];
+  if (largest > 0) srif.estimated_error = errors.cwiseProduct(scale).maxCoeff() / largest;
+}
+
+class Estimate {
+public:
+  Estimate(const std::vector<FitSrif>& fits, const plate::Section& section, const ErrorShares& shares)
+      : fits_(fits), section_(section), shares_(shares), scale_(1, 1, section.thickness) {}
+
+  /// `energies`: relative difference in sqrt(G) of the integrals among themselves.
+  Eigen::Vector3d by_energy(const Srif& srif, double energies) const {
+    const Eigen::Vector3d K = vector_of(srif);
+    const double largest = largest_factor(srif, section_.thickness);
+    Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least * largest).cwiseQuotient(scale_);
+    result[2] += layer() * largest / section_.thickness;
+    if (fits_.empty()) {
+      // the split is that of the first samples of the opening: nothing vouches for it
+      const Eigen::Vector3d energy = unit_release(section_).cwiseProduct(K.cwiseAbs2());
+      const double other_modes = energy.sum() > 0 ? 1 - energy[0] / energy.sum() : 0;
+      return result + Eigen::Vector3d((2 * energies + other_modes / 2) * std::abs(K[0]), largest, largest).cwiseQuotient(scale_);
+    }
+    // a fit that is far from the energy tells neither the size nor the mode mix
+    const double apart = disagreement(*srif.G), far = std::max(0.0, apart - shares_.doubt), size = shares_.energy * apart + far;
+    const double bending = std::hypot(K[0], K[1]);
+    result[2] += shares_.fits_shear * spread(largest)[2] + size * std::abs(K[2]) +
+                 shares_.shear * apart * largest / section_.thickness;
+    // what K3 takes wrongly of G is missing in K1 and K2, in proportion
+    const Eigen::Vector3d unit = unit_release(section_);
+    const double square = 2 * ((2 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2]) / unit[0];  // error of K1^2 + K2^2
+    if (bending > 0) result.head<2>() += (std::sqrt(bending * bending + square) / bending - 1) * K.head<2>().cwiseAbs();
+    if (bending < 0.1 * largest) return result + shares_.fits * Eigen::Vector3d(spread(largest)[0], spread(largest)[1], 0);
+    const double turn = shares_.fits * largest_turn(largest / bending) + far;
+    return result + turn * Eigen::Vector3d(std::abs(K[1]), std::abs(K[0]), 0);
+  }
+
+  Eigen::Vector3d by_fit(const Srif& srif, const std::optional<double>& G) const {
+    const Eigen::Vector3d K = vector_of(srif);
+    const double largest = largest_factor(srif, section_.thickness);
+    Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least * largest).cwiseQuotient(scale_);
+    result[2] += layer() * largest / section_.thickness;
+    return result + shares_.fits * spread(largest) + (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs();
+  }
+
+private:
+  double layer() const { return shares_.layer * std::pow(std::min(shares_.width, 1.5), 3); }
+
+  /// Largest difference between the first fit and the others, of each factor; where there is no other, a share of the largest.
+  Eigen::Vector3d spread(double largest) const {
+    constexpr double alone = 0.03;
+    if (fits_.size() < 2) return Eigen::Vector3d::Constant(alone * largest).cwiseQuotient(scale_);
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    for (const auto& fit : fits_) result = result.cwiseMax((vector_of(fit) - vector_of(fits_.front())).cwiseAbs());
+    return result;
+  }
+
+  /// Largest turn of (K1, K2) between the first fit and the others [rad]; where there is no other, as for spread().
+  double largest_turn(double unit) const {
+    constexpr double alone = 0.03;
+    if (fits_.size() < 2) return alone * unit;
+    double result = 0;
+    const Eigen::Vector3d first = vector_of(fits_.front());
+    for (const auto& fit : fits_) {
+      const Eigen::Vector3d other = vector_of(fit);
+      const double lengths = first.head<2>().norm() * other.head<2>().norm();
+      if (lengths > 0) result = std::max(result, std::abs(first[0] * other[1] - first[1] * other[0]) / lengths);
+    }
+    return result;
+  }
+
+  double disagreement(double G) const {
+    const double fitted = unit_release(section_).dot(vector_of(fits_.front()).cwiseAbs2());
+    return std::abs(1 - std::sqrt(fitted / G));
+  }
+
+  const std::vector<FitSrif>& fits_;
+  const plate::Section& section_;
+  const ErrorShares& shares_;
+  Eigen::Vector3d scale_;
+};
+
+}  // namespace
+
+void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits, const plate::Section& section,
+                     const ErrorShares& shares) {
+  const Estimate estimate(fits, section, shares);
+  const double h = section.thickness;
+  const Srif* best = nullptr;
+  for (auto& srif : found) {
+    if (!srif.G) continue;
+    if (*srif.G <= 0) {
+      // no factors; how large they may be, the sum of energies says
+      srif.errors.fill(std::sqrt(-*srif.G / unit_release(section)[0]));
+      *srif.errors[2] /= h;
+      srif.resolved.fill(*srif.G == 0);
+      continue;
+    }
+    if (!best) best = &srif;
+    const auto energies = difference_of_energies(srif, found);
+    if (energies || !fits.empty()) set(srif, estimate.by_energy(srif, energies.value_or(0)), h);
+  }
+  for (auto& srif : found) {
+    if (srif.G || largest_factor(srif, h) == 0) continue;
+    if (srif.method == "series_fit") {
+      set(srif, estimate.by_fit(srif, best ? best->G : std::nullopt), h);
+    } else if (best) {
+      Eigen::Vector3d errors = 1.5 * (vector_of(srif) - vector_of(*best)).cwiseAbs();
+      for (Eigen::Index i = 0; i < 3; ++i) errors[i] = std::max(errors[i], srif.errors[std::size_t(i)].value_or(0));
+      set(srif, errors, h);
+    }
+  }
+}
+
+void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& largest) {
+  const std::vector<double> before = largest;
+  for (const auto& srif : srifs) {
+    largest.resize(std::max(largest.size(), srif.tip + 1), 0);
+    if (!of_opening(srif.method)) largest[srif.tip] = std::max(largest[srif.tip], largest_factor(srif, thickness));
+  }
+  for (auto& srif : srifs) {
+    if (of_opening(srif.method) || srif.accuracy_reached) continue;  // openings are not judged, and those have been
+    // an energy that is not positive is no better than another method's factors; beside those of earlier rows it may be none
+    const bool none = srif.G && *srif.G <= 0;
+    const double scale = !none ? largest[srif.tip] : srif.tip < before.size() ? before[srif.tip] : 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      srif.resolved[i] = srif.errors[i].value_or(0) * (i == 2 ? thickness : 1) <= lost * scale;
+  }
+}
+
+}  // namespace post

@@ -1,0 +1,62 @@
+#include "post/factors/srif.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace post {
+namespace {
+
+double difference(const Srif& a, const Srif& b, double thickness) {
+  return std::max({std::abs(a.K1 - b.K1), std::abs(a.K2 - b.K2), std::abs(a.K3 - b.K3) * thickness});
+}
+
+/// The errors are at least the differences from another result.
+void at_least(Srif& srif, const std::array<double, 3>& other) {
+  const std::array own{srif.K1, srif.K2, srif.K3};
+  for (std::size_t i = 0; i < 3; ++i) srif.errors[i] = std::max(srif.errors[i].value_or(0), std::abs(own[i] - other[i]));
+}
+
+}  // namespace
+
+bool of_opening(const std::string& method) {
+  return method == "displacement_extrapolation" || method == "opening_series";
+}
+
+double largest_factor(const Srif& srif, double thickness) {
+  return std::max({std::abs(srif.K1), std::abs(srif.K2), std::abs(srif.K3) * thickness});
+}
+
+void widen(Srif& srif, const Srif& coarser, double thickness) {
+  const double largest = largest_factor(srif, thickness);
+  if (largest == 0) return;
+  srif.estimated_error = std::max(srif.estimated_error.value_or(0), difference(srif, coarser, thickness) / largest);
+  at_least(srif, {coarser.K1, coarser.K2, coarser.K3});
+}
+
+void widen(Srif& srif, double error, double thickness) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (srif.errors[i]) *srif.errors[i] += i == 2 ? error / thickness : error;
+  const double largest = largest_factor(srif, thickness);
+  if (srif.estimated_error && largest > 0) *srif.estimated_error += error / largest;
+}
+
+void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness) {
+  const double largest = std::max(largest_factor(srif, thickness), largest_factor(other, thickness));
+  const double relative = largest > 0 ? difference(srif, other, thickness) / largest : 0;
+  srif.second = {formulation, other.method, other.K1, other.K2, other.K3, relative};
+  if (largest == 0) return;
+  srif.estimated_error = std::max(srif.estimated_error.value_or(0), relative);
+  at_least(srif, {other.K1, other.K2, other.K3});
+}
+
+void normalize(Srif& srif, const SrifOptions& options, double thickness) {
+  if (!options.normalize || !options.half_length) return;
+  const Normalization& n = *options.normalize;
+  const double moment = n.moment ? *n.moment : *n.pressure * std::pow(*n.width / 2, 2);
+  const double unit = moment * std::sqrt(*options.half_length);
+  srif.F1 = srif.K1 / unit;
+  srif.F2 = srif.K2 / unit;
+  srif.F3 = srif.K3 * thickness / unit;
+}
+
+}  // namespace post

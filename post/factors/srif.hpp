@@ -1,0 +1,97 @@
+#pragma once
+#include "geometry/lattice/cloud.hpp"
+#include "plate/model/section.hpp"
+#include "plate/model/state.hpp"
+#include "post/factors/interpolation.hpp"
+#include <array>
+#include <optional>
+
+/// What leaves the program: intensity factors, tables, files for ParaView and HDF5.
+namespace post {
+
+/// The forces or moments that F = K / (...) refers to: pressure and width: F = K / (p (W/2)^2 sqrt a);
+/// moment: F = K / (M sqrt a). F3 has K3 times the thickness, to be without dimension.
+struct Normalization {
+  std::optional<double> pressure, width, moment;
+};
+
+struct SrifOptions {
+  std::vector<std::string> methods{"virtual_crack_extension", "domain_integral", "series_fit", "displacement_extrapolation"};
+  double window_horizons = 2;           // displacement extrapolation: fit over 0 < r <= this many horizons (Dai: 2) ...
+  std::optional<double> window;         // ... or over this length
+  int skip = 0;                         // samples next to the tip left out
+  int rows = 1;                         // rows of points on each side: 1 nearest row, 2 extrapolated to the crack
+  bool richardson = false;              // estimate the error from a second run with twice the spacing
+  bool first_ring_only = false;         // of every integral; then no errors are estimated from rings
+  bool second_formulation = false;      // ... and from a run in the other formulation of the plate
+  std::optional<double> accuracy;       // find the discretisation that gives every factor to this share of the largest
+  double accuracy_seconds = 600;        // ... as far as it is expected to be found in this time
+  std::optional<Normalization> normalize;
+  std::optional<double> half_length;    // the a of the normalisation
+};
+
+/// The intensity factors from one ring about the tip.
+struct RingSrif {
+  double inner, outer;  // [length]
+  double G;             // energy release rate of the plate [force]
+  double K1, K2, K3;
+};
+
+/// The intensity factors from one range of the fit about the tip.
+struct FitSrif {
+  double inner, outer;  // [length]
+  double K1, K2, K3;
+};
+
+/// The factors of the same tip by the recommended method of the other formulation.
+struct SecondSrif {
+  std::string formulation, method;
+  double K1 = 0, K2 = 0, K3 = 0;
+  double difference = 0;  // largest of the three, relative to the largest K
+};
+
+/// Moment and shear intensity factors of one tip by one method (no pi: K1 = lim sqrt(2 r) M_nn).
+struct Srif {
+  std::size_t tip = 0;
+  geometry::Point position{0, 0};
+  std::string method;
+  double K1 = 0, K2 = 0, K3 = 0;                // [force length^(1/2)] moments, [force / length^(1/2)] shear
+  std::optional<double> F1, F2, F3;             // where a normalisation is given
+  std::optional<double> estimated_error;        // relative to the largest of |K1|, |K2|, |K3| h
+  std::array<std::optional<double>, 3> errors;  // estimated, of K1, K2, K3, in their units
+  std::optional<double> accuracy_reached;       // where it was asked for: the largest estimated error of this tip
+  std::array<bool, 3> resolved{true, true, true};  // false: this discretisation does not give that factor
+  std::optional<SecondSrif> second;             // of a case that is run in both formulations
+  std::optional<double> G;                      // energy release rate [force], of methods that find it
+  std::vector<RingSrif> rings;                  // of methods that use rings; the first gave the result
+  std::vector<FitSrif> fits;                    // of the fit of the fields about the tip; the first gave the result
+  double fit_residual = 0;                      // rms misfit of the straight line / largest |K| of the fit
+  std::size_t samples = 0;
+};
+
+/// The numbers that displacement extrapolation needs of a plate.
+struct PlateScale {
+  plate::Section section;
+  double spacing, horizon;  // [length]
+  bool points_on_faces = false;
+};
+
+/// Does a method read the opening of the crack, or the field about the tip?
+bool of_opening(const std::string& method);
+
+/// The largest of |K1|, |K2|, |K3| h.
+double largest_factor(const Srif& srif, double thickness);
+
+/// The difference from the same factors with twice the spacing, as a bound of the error of the first order.
+void widen(Srif& srif, const Srif& coarser, double thickness);
+
+/// Adds to the errors, those of K1, K2 and K3 times the thickness.
+void widen(Srif& srif, double error, double thickness);
+
+/// States the difference from the factors of another formulation; the estimated error is at least that.
+void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness);
+
+/// F1, F2, F3 where the options give a normalisation.
+void normalize(Srif& srif, const SrifOptions& options, double thickness);
+
+}  // namespace post

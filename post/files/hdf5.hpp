@@ -1,0 +1,46 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include "post/files/frame.hpp"
+#include "post/files/table.hpp"
+
+namespace post {
+
+/// state.h5: points (positions, areas, cut), every written frame (time, step, state), tables (history, probes, srif),
+/// the text of the resolved case; each dataset with attributes `unit` and `description`. Written as
+/// state.h5.partial and renamed by close().
+/// Throws std::runtime_error where HDF5 fails.
+class StateFile {
+public:
+  /// `velocity`: dynamics also stores the velocities, so that a run could go on from any frame.
+  StateFile(std::filesystem::path path, const Mesh& mesh, const std::string& resolved_case, const std::string& version);
+  ~StateFile();
+  StateFile(StateFile&&) noexcept;
+
+  void write(const Frame& frame, const plate::State* velocity);
+  void write(const std::string& name, const Table& table);
+  void close();
+
+  /// The open file (files.hpp).
+  class Open {
+  public:
+    virtual ~Open() = default;
+    virtual void write(const Frame& frame, const plate::State* velocity) = 0;
+    virtual void write(const std::string& name, const Table& table) = 0;
+    virtual void close() = 0;
+  };
+
+private:
+  std::unique_ptr<Open> open_;
+};
+
+/// What `pdplate srif` needs of a finished run.
+struct StoredRun {
+  std::vector<Eigen::Vector2d> positions;
+  std::vector<double> times;
+  std::vector<plate::State> states;
+};
+
+StoredRun read_run(const std::filesystem::path& path);
+
+}  // namespace post

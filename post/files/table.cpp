@@ -1,0 +1,189 @@
+#include "post/files/table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include "post/files/whole_file.hpp"
+
+namespace post {
+namespace {
+
+std::optional<double> number(const std::string& text) {
+  double value = 0;
+  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  if (rest != end || error != std::errc{}) return std::nullopt;
+  return value;
+}
+
+std::string trimmed(const std::string& text) {
+  constexpr auto blanks = " \t\r";
+  const auto begin = text.find_first_not_of(blanks);
+  if (begin == std::string::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+/// Quoted where it would be read as something else: as two cells, a comment, a number or an empty cell.
+std::string quoted(const std::string& word) {
+  const bool plain = !word.empty() && word == trimmed(word) && word.find_first_of(",\"\r\n#") == std::string::npos;
+  if (plain && !number(word)) return word;
+  std::string result = "\"";
+  for (const char c : word) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+std::string text_of(const Cell& cell) {
+  if (const auto* value = std::get_if<double>(&cell)) return fmt::format("{}", *value);
+  if (const auto* word = std::get_if<std::string>(&cell)) return quoted(*word);
+  return {};
+}
+
+/// Goes through the text row by row and knows the line for messages.
+class CsvReader {
+public:
+  CsvReader(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
+    if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;
+  }
+
+  std::size_t row_line() const { return row_line_; }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw std::runtime_error(fmt::format("{}:{}: {}", name_, row_line_, what));
+  }
+
+  /// The cells of the next row that is not a comment; nothing at the end of the text.
+  std::optional<std::vector<Cell>> next() {
+    while (position_ < text_.size() && text_[position_] == '#') {
+      position_ = std::min(text_.find('\n', position_), text_.size() - 1) + 1;
+      ++line_;
+    }
+    if (position_ >= text_.size()) return std::nullopt;
+    row_line_ = line_;
+    std::vector<Cell> cells;
+    do cells.push_back(cell());
+    while (!at_row_end());
+    return cells;
+  }
+
+private:
+  /// Steps over the separator behind a cell: true where the row ends.
+  bool at_row_end() {
+    if (position_ >= text_.size()) return true;
+    const char separator = text_[position_++];
+    line_ += separator == '\n';
+    return separator == '\n';
+  }
+
+  Cell cell() {
+    const auto begin = text_.find_first_not_of(" \t", position_);
+    if (begin != std::string::npos && text_[begin] == '"') return quoted_cell(begin + 1);
+    const auto end = std::min(text_.find_first_of(",\n", position_), text_.size());
+    const std::string word = trimmed(text_.substr(position_, end - position_));
+    position_ = end;
+    if (word.empty()) return {};
+    if (const auto value = number(word)) return *value;
+    return word;
+  }
+
+  Cell quoted_cell(std::size_t begin) {
+    std::string word;
+    for (position_ = begin; position_ < text_.size(); ++position_) {
+      const bool quote = text_[position_] == '"';
+      if (quote && !text_.substr(position_ + 1, 1).starts_with('"')) break;
+      word += text_[position_];
+      position_ += quote;
+      line_ += text_[position_] == '\n';
+    }
+    if (position_ >= text_.size()) fail("a quotation mark is not closed");
+    const auto end = std::min(text_.find_first_of(",\n", ++position_), text_.size());
+    if (!trimmed(text_.substr(position_, end - position_)).empty()) fail("text behind a closing quotation mark");
+    position_ = end;
+    return word;
+  }
+
+  std::string name_, text_;
+  std::size_t position_ = 0, line_ = 1, row_line_ = 1;
+};
+
+std::string read_text(const std::filesystem::path& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file.is_open() || file.bad()) {
+    throw std::filesystem::filesystem_error("cannot read", path, std::error_code(errno, std::generic_category()));
+  }
+  return text;
+}
+
+std::vector<std::string> header(const CsvReader& reader, const std::vector<Cell>& cells) {
+  std::vector<std::string> names;
+  for (const Cell& cell : cells) {
+    const std::string name = std::holds_alternative<std::string>(cell) ? std::get<std::string>(cell) : text_of(cell);
+    if (name.empty()) reader.fail(fmt::format("column {} has no name", names.size() + 1));
+    if (std::ranges::find(names, name) != names.end()) reader.fail(fmt::format("column {} appears twice", name));
+    names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::size_t Table::column(const std::string& name) const {
+  const auto found = std::ranges::find(columns, name);
+  if (found == columns.end()) {
+    throw std::out_of_range(fmt::format("no column {}; there are {}", name, fmt::join(columns, ", ")));
+  }
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+void write_csv(const std::filesystem::path& path, const Table& table) {
+  std::string text;
+  const auto add_line = [&text](const auto& cells, const auto& to_text) {
+    const char* separator = "";
+    for (const auto& cell : cells) {
+      text += separator;
+      text += to_text(cell);
+      separator = ",";
+    }
+    text += '\n';
+  };
+  add_line(table.columns, quoted);
+  for (const auto& row : table.rows) {
+    if (row.size() != table.columns.size()) {
+      throw std::invalid_argument(
+          fmt::format("{}: a row has {} cells for {} columns", path.string(), row.size(), table.columns.size()));
+    }
+    add_line(row, text_of);
+  }
+  write_whole(path, text);
+}
+
+Table read_csv(const std::filesystem::path& path) {
+  CsvReader reader(path.string(), read_text(path));
+  Table table;
+  while (auto row = reader.next()) {
+    const bool blank = row->size() == 1 && std::holds_alternative<std::monostate>(row->front());
+    if (blank && table.columns.size() != 1) continue;
+    if (table.columns.empty()) {
+      table.columns = header(reader, *row);
+    } else if (row->size() != table.columns.size()) {
+      reader.fail(fmt::format("{} cells for {} columns", row->size(), table.columns.size()));
+    } else {
+      table.rows.push_back(std::move(*row));
+    }
+  }
+  if (table.columns.empty()) throw std::runtime_error(path.string() + ": no header line");
+  return table;
+}
+
+}  // namespace post

@@ -1,0 +1,107 @@
+#include "post/files/files.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <stdexcept>
+
+#include "post/files/xml_text.hpp"
+
+namespace post {
+namespace {
+
+template <typename Cells>
+void insert(vtkUnstructuredGrid& grid, int type, const Cells& cells, std::vector<bool>& used) {
+  for (const auto& cell : cells) {
+    std::array<vtkIdType, std::tuple_size_v<typename Cells::value_type>> ids;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      ids[i] = cell[i];
+      used.at(cell[i]) = true;
+    }
+    grid.InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+}
+
+void insert_points_and_cells(vtkUnstructuredGrid& grid, const Mesh& mesh) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.positions.size()));
+  for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
+    points->SetPoint(static_cast<vtkIdType>(k), mesh.positions[k].x(), mesh.positions[k].y(), 0);
+  }
+  grid.SetPoints(points);
+  grid.AllocateExact(static_cast<vtkIdType>(mesh.quads.size() + mesh.triangles.size()),
+                     static_cast<vtkIdType>(4 * mesh.quads.size() + 3 * mesh.triangles.size()));
+  std::vector<bool> used(mesh.positions.size(), false);
+  insert(grid, VTK_QUAD, mesh.quads, used);
+  insert(grid, VTK_TRIANGLE, mesh.triangles, used);
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    const auto id = static_cast<vtkIdType>(k);
+    if (!used[k]) grid.InsertNextCell(VTK_VERTEX, 1, &id);
+  }
+}
+
+/// Copies one row per component and one column per point; throws where the points are not those of the grid.
+template <typename Rows>
+void add_point_data(vtkUnstructuredGrid& grid, const char* name, const Eigen::MatrixBase<Rows>& rows) {
+  if (rows.cols() != grid.GetNumberOfPoints()) {
+    throw std::invalid_argument(
+        fmt::format("{} has {} values for {} points", name, rows.cols(), grid.GetNumberOfPoints()));
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(rows.rows()));
+  array->SetNumberOfTuples(rows.cols());
+  Eigen::Map<Eigen::MatrixXd>(array->GetPointer(0), rows.rows(), rows.cols()) = rows;
+  grid.GetPointData()->AddArray(array);
+}
+
+Eigen::Map<const Eigen::RowVectorXd> row(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+void insert_fields(vtkUnstructuredGrid& grid, const Mesh& mesh, const Frame& frame) {
+  const plate::Resultants& resultants = frame.resultants;
+  add_point_data(grid, "w", frame.state.row(0));
+  add_point_data(grid, "theta", frame.state.bottomRows<2>());
+  add_point_data(grid, "damage", row(frame.damage));
+  add_point_data(grid, "cut", row(mesh.cut));
+  add_point_data(grid, "Mxx", resultants.moments.row(0));
+  add_point_data(grid, "Myy", resultants.moments.row(1));
+  add_point_data(grid, "Mxy", resultants.moments.row(2));
+  add_point_data(grid, "Qx", resultants.shear.row(0));
+  add_point_data(grid, "Qy", resultants.shear.row(1));
+  add_point_data(grid, "von_mises", resultants.von_mises.transpose());
+  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, frame.state.cols());
+  displacement.row(2) = frame.state.row(0);
+  add_point_data(grid, "displacement", displacement);
+
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("TimeValue");
+  time->InsertNextValue(frame.time);
+  grid.GetFieldData()->AddArray(time);
+}
+
+std::string vtu(vtkUnstructuredGrid& grid) {
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(&grid);
+  return xml_text(*writer, "fields");
+}
+
+}  // namespace
+
+std::string vtu(const Mesh& mesh, const Frame& frame) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  insert_points_and_cells(*grid, mesh);
+  insert_fields(*grid, mesh, frame);
+  return vtu(*grid);
+}
+
+}  // namespace post

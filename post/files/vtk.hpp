@@ -1,0 +1,30 @@
+#pragma once
+#include "post/files/frame.hpp"
+#include <filesystem>
+
+namespace post {
+
+/// Frames for ParaView: fields_NNNN.vtu (binary, compressed) and fields.pvd, which lists them with their times and is
+/// written anew with each frame. Point data: w, theta (2 components), damage, cut, Mxx, Myy, Mxy, Qx, Qy, von_mises,
+/// displacement (3 components: 0, 0, w).
+class VtkSeries {
+public:
+  VtkSeries(std::filesystem::path folder, Mesh mesh);
+  /// Of the frames from now on.
+  void remesh(Mesh mesh) { mesh_ = std::move(mesh); }
+  void write(const Frame& frame);
+
+private:
+  std::filesystem::path folder_;
+  Mesh mesh_;
+  std::vector<double> times_;
+};
+
+/// Cracks as polylines, cracks.vtp: cell data crack (its number), point data advance (at which a vertex was reached).
+struct CrackLine {
+  std::vector<Eigen::Vector2d> vertices;  // [length]
+  std::vector<double> advances;           // per vertex
+};
+void write_crack_lines(const std::filesystem::path& path, const std::vector<CrackLine>& cracks);
+
+}  // namespace post

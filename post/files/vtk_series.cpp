@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "post/files/files.hpp"
+#include "post/files/vtk.hpp"
+#include "post/files/whole_file.hpp"
+
+namespace post {
+namespace {
+
+std::string file_name(std::size_t frame) {
+  return fmt::format("fields_{:04}.vtu", frame);
+}
+
+std::string pvd(const std::vector<double>& times) {
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"{}\">\n  <Collection>\n",
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", times[i], file_name(i));
+  }
+  return text + "  </Collection>\n</VTKFile>\n";
+}
+
+}  // namespace
+
+VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh) : folder_(std::move(folder)), mesh_(std::move(mesh)) {}
+
+void VtkSeries::write(const Frame& frame) {
+  write_whole(folder_ / file_name(times_.size()), files().vtu(mesh_, frame));
+  times_.push_back(frame.time);
+  write_whole(folder_ / "fields.pvd", pvd(times_));
+}
+
+void write_crack_lines(const std::filesystem::path& path, const std::vector<CrackLine>& cracks) {
+  write_whole(path, files().vtp(cracks));
+}
+
+}  // namespace post

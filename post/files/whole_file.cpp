@@ -1,0 +1,43 @@
+#include "post/files/whole_file.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+namespace post {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+  throw fs::filesystem_error("cannot write", path, std::error_code(error != 0 ? error : EIO, std::generic_category()));
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();  // what is still in the buffer meets a full disk only here
+  if (!file) fail(path, errno);
+}
+
+}  // namespace
+
+void write_whole(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  fs::path beside = path;
+  beside += ".partial";
+  try {
+    write(beside);
+    fs::rename(beside, path);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(beside, ignored);
+    throw;
+  }
+}
+
+void write_whole(const fs::path& path, const std::string& text) {
+  write_whole(path, [&](const fs::path& beside) { write_text(beside, text); });
+}
+
+}  // namespace post

@@ -1,0 +1,99 @@
+// A case that says how well its intensity factors are to be known.
+#include <nlohmann/json.hpp>
+
+#include "cases/driver/accuracy.hpp"
+#include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+using case_text::expect;
+using case_text::plain;
+using case_text::with_line;
+
+namespace {
+
+/// Section 4.1 of Dai et al.: W/2h = 10, 2a/W = 0.3, pressure; without a discretisation.
+std::string unmeshed() {
+  std::string text = with_line(plain, 11, "kind = \"simply_supported\"\nedges = [\"bottom\", \"top\"]");
+  for (const std::string line : {"edges = [\"left\"]\n", "[discretization]\n", "spacing = 0.05\n"})
+    text.erase(text.find(line), line.size());
+  return text + "[srif]\naccuracy = 0.004\n[output]\nfields = []\n";
+}
+
+}  // namespace
+
+TEST_CASE("accuracy: the program finds the discretisation, and its factors are as exact as it says") {
+  constexpr double exact = 0.1926604;  // cases/references/static_summary.csv, K1
+  const small_run::TemporaryFolder folder;
+  const auto summary = cases::run(case_text::read(unmeshed()), {folder / "first", true});
+  REQUIRE(summary.accuracy);
+  CHECK(summary.accuracy->outcome == "reached");
+  CHECK(*summary.accuracy->reached <= 0.004);
+  CHECK(summary.accuracy->path.size() >= 3);
+  CHECK(summary.points == summary.accuracy->path.back().points);
+  CHECK(summary.points < 4000);  // measured 1,583
+  for (std::size_t i = 0; i < summary.srif.size(); ++i) {
+    const auto& srif = summary.srif[i];
+    const bool first = i == 0 || summary.srif[i - 1].tip != srif.tip;
+    CHECK((srif.method == "refinement") == first);
+    CHECK(srif.accuracy_reached.has_value() == first);
+    CHECK(std::abs(srif.K1 - exact) < *srif.errors[0]);
+    if (!first) continue;
+    CHECK(*srif.accuracy_reached == *srif.estimated_error);
+    CHECK(std::abs(srif.K1 / exact - 1) < 0.001);  // measured 3e-5
+    CHECK(std::abs(srif.K2) < *srif.errors[1]);  // zero by symmetry
+    CHECK(std::abs(srif.K3) < *srif.errors[2]);
+  }
+  CHECK(summary.warnings.empty());
+
+  const auto json = nlohmann::json::parse(small_run::text_of(folder / "first/summary.json"));
+  CHECK(json["accuracy"]["asked"] == 0.004);
+  CHECK(json["accuracy"]["path"].size() == summary.accuracy->path.size());
+  CHECK(json["srif"][0]["accuracy_reached"] == *summary.srif[0].accuracy_reached);
+
+  const auto again = cases::run(cases::read_case(folder / "first/case.resolved.toml", {}), {folder / "again", true});
+  CHECK(small_run::text_of(folder / "again/srif.csv") == small_run::text_of(folder / "first/srif.csv"));
+  REQUIRE(again.warnings.size() == 1);  // its lengths are found, not taken
+  CHECK_THAT(again.warnings[0], Catch::Contains("srif.accuracy finds the lengths of the discretisation: spacing, tip_spacing"));
+}
+
+TEST_CASE("accuracy: what ends the search before is said, and the error that was reached") {
+  const small_run::TemporaryFolder folder;
+  const auto summary = cases::run(case_text::read(unmeshed(), {"srif.accuracy=1e-5", "srif.accuracy_seconds=1e-9"}), {folder.path(), true});
+  CHECK(summary.accuracy->outcome == "srif.accuracy_seconds");
+  CHECK_FALSE(summary.accuracy->reached);
+  CHECK_THAT(summary.warnings, Catch::VectorContains(std::string("srif.accuracy = 1e-05 not reached, estimated error unknown: ended "
+                                                                  "by srif.accuracy_seconds")));
+}
+
+TEST_CASE("accuracy: lengths follow the sizes of the plate, its tips and holes, whatever the units") {
+  const auto of = [](const std::vector<std::string>& settings, double size) {
+    return cases::discretization_of(case_text::read(unmeshed(), settings).content, size);
+  };
+  const auto first = of({}, 1), second = of({}, 0.5);
+  CHECK(second.spacing == Approx(first.spacing / 2));
+  CHECK(second.spacing_growth == Approx(first.spacing_growth / 2));
+  CHECK(*second.tip_spacing == Approx(*first.tip_spacing / 4));
+  CHECK_FALSE(first.hole_spacing);
+  CHECK(*of({"geometry.holes=[{circle=[0.7, 0.7, 0.1]}]"}, 1).hole_spacing == Approx(0.025));
+  CHECK(*of({"geometry.cracks=[[[-0.3, 0.0], [0.9, 0.0]]]"}, 1).tip_spacing == Approx(0.1 / 20));
+  CHECK(*of({"section.thickness=0.01"}, 1).tip_spacing == Approx(0.63 * 0.01 / std::sqrt(10.0)));
+}
+
+TEST_CASE("accuracy: what it cannot be had with is refused") {
+  const std::string text = unmeshed();
+  const auto refused = [&](const std::vector<std::string>& settings, const std::string& what) {
+    const auto found = case_text::problems(text, settings);
+    REQUIRE(found.size() >= 1);
+    CHECK(found[0].key == "srif.accuracy");
+    CHECK_THAT(found[0].what, Catch::Contains(what));
+  };
+  refused({"discretization.formulation=ordinary"}, "needs the Galerkin plate");
+  refused({"discretization.surface_correction=none"}, "auto: the case asks for surface_correction");
+  refused({"growth.fracture_energy=1"}, "is not available with [growth]");
+  refused({"srif.richardson=true"}, "has estimates of its own");
+  refused({"srif.methods=[\"domain_integral\", \"series_fit\"]"}, "add \"virtual_crack_extension\"");
+  refused({"srif.accuracy=0"}, "must be a number in [1e-05, 0.2]");
+  const auto without = case_text::problems(text.substr(0, text.find("accuracy")) + text.substr(text.find("[output]")));
+  REQUIRE(without.size() == 1);
+  CHECK(without[0].key == "discretization.spacing");
+}

@@ -1,0 +1,153 @@
+// Which formulation "auto" stands for, and that a resolved case keeps it.
+#include "cases/input/formulations.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "cases/driver/run.hpp"
+#include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+using namespace case_text;
+using plate::Formulation;
+
+namespace {
+
+struct Asked {
+  std::vector<std::string> settings;
+  std::string of;       // that is asked for, in words
+  bool refused = true;  // beside formulation = "galerkin"
+};
+
+const std::vector<std::string> motion{"section.density=1", "analysis={kind=\"dynamic\", duration=0.05}"};
+
+std::vector<std::string> in_motion(const std::string& setting) {
+  auto all = motion;
+  all.push_back(setting);
+  return all;
+}
+
+/// Everything that only bonds have.
+std::vector<Asked> all_asked() {
+  return {{{"discretization.horizon_ratio=3.015"}, "horizon_ratio", false},
+          {{"discretization.horizon_ratio=4"}, "horizon_ratio", false},
+          {{"discretization.influence=inverse"}, "influence", false},
+          {{"discretization.influence=constant"}, "influence"},
+          {{"discretization.volume_correction=linear"}, "volume_correction", false},
+          {{"discretization.volume_correction=none"}, "volume_correction"},
+          {{"discretization.surface_correction=position_aware"}, "surface_correction", false},
+          {{"discretization.surface_correction=volume"}, "surface_correction"},
+          {{"discretization.full_horizon=lattice"}, "full_horizon"},
+          {{"discretization.twist_match=paper"}, "twist_match"},
+          {{"support[0].kind=clamped_layer"}, "a layer outside the plate"},
+          {{"support[0].kind=simply_supported_layer"}, "a layer outside the plate"},
+          {{"support[0].kind=simply_supported_hard_layer"}, "a layer outside the plate"},
+          {{"analysis.preconditioner=local"}, "preconditioner = \"local\""},
+          {{"analysis.preconditioner=two_level"}, "preconditioner = \"two_level\""},
+          {in_motion("analysis.precision=mixed"), "precision = \"mixed\""},
+          {in_motion("growth={fracture_energy=1}"), "growth in motion"},
+          {in_motion("growth={fracture_energy=1, criterion=\"bond_energy\"}"), "bonds that break one by one"},
+          {{"growth={fracture_energy=1, criterion=\"bond_energy\"}"}, "bonds that break one by one"},
+          {{"growth={fracture_energy=1, criterion=\"curvature_shear\"}"}, "bonds that break one by one"},
+          {{"section.density=1", "growth={fracture_energy=1, unstable=\"move\", duration=1}"}, "unstable = \"move\""},
+          {{"discretization.twist_match=paper", "discretization.horizon_ratio=4", "support[0].kind=clamped_layer"},
+           "horizon_ratio, twist_match, a layer outside the plate"}};
+}
+
+/// What asks for neither formulation, or for the Galerkin plate.
+const std::vector<std::vector<std::string>> nothing_asked{{},
+                                                          {"discretization.spacing=0.1"},
+                                                          {"discretization.tip_spacing=0.01"},
+                                                          {"analysis.preconditioner=levels"},
+                                                          {"analysis.preconditioner=diagonal"},
+                                                          {"analysis.method=adr"},
+                                                          {"support[0].kind=symmetry"},
+                                                          {"growth={fracture_energy=1, unstable=\"stop\"}"},
+                                                          {"srif={window_horizons=3}"},
+                                                          motion};
+
+std::vector<std::string> with(std::vector<std::string> settings, const std::string& further) {
+  settings.push_back(further);
+  return settings;
+}
+
+/// Is the case for this, for this reason, and its resolved form for the same?
+void check(const std::vector<std::string>& settings, Formulation formulation, const std::string& reason) {
+  CAPTURE(settings, problems(plain, settings).size());
+  const auto c = read(plain, settings).content;
+  CHECK(c.discretization.formulation == formulation);
+  CHECK(c.formulation_reason == reason);
+  const auto resolved = cases::resolved_toml(c);
+  CHECK_THAT(resolved, Catch::Contains("formulation = \"" + cases::formulation_name(formulation) + "\""));
+  const auto again = read(resolved).content;
+  CHECK(again.discretization.formulation == formulation);
+  CHECK(again.formulation_reason == "as the case says");
+  CHECK(cases::resolved_toml(again) == resolved);
+}
+
+}  // namespace
+
+TEST_CASE("auto: bonds where the case asks for what only they have, else the Galerkin plate; the reason says it") {
+  for (const auto& asked : all_asked()) {
+    check(asked.settings, Formulation::ordinary, "auto: the case asks for " + asked.of);
+    check(with(asked.settings, "discretization.formulation=auto"), Formulation::ordinary,
+          "auto: the case asks for " + asked.of);
+    check(with(asked.settings, "discretization.formulation=ordinary"), Formulation::ordinary, "as the case says");
+  }
+  for (const auto& settings : nothing_asked) {
+    check(settings, Formulation::galerkin, "auto: nothing asks for bonds");
+    check(with(settings, "discretization.formulation=auto"), Formulation::galerkin, "auto: nothing asks for bonds");
+    check(with(settings, "discretization.formulation=galerkin"), Formulation::galerkin, "as the case says");
+  }
+}
+
+TEST_CASE("auto: what it takes bonds for is what the Galerkin plate refuses, or takes without effect") {
+  for (const auto& asked : all_asked()) {
+    CAPTURE(asked.settings);
+    const auto found = problems(plain, with(asked.settings, "discretization.formulation=galerkin"));
+    CHECK(found.empty() != asked.refused);
+  }
+}
+
+TEST_CASE("auto: by a line of the file as by an override") {
+  const auto c = read(with_line(plain, 9, "spacing = 0.05\nsurface_correction = \"position_aware\"")).content;
+  CHECK(c.discretization.formulation == Formulation::ordinary);
+  CHECK(c.formulation_reason == "auto: the case asks for surface_correction");
+  const auto stated = with_line(plain, 9, "spacing = 0.05\nhorizon_ratio = 4\nformulation = \"galerkin\"");
+  CHECK(read(stated).content.discretization.formulation == Formulation::galerkin);
+  CHECK(read(stated, {"discretization.formulation=auto"}).content.discretization.formulation == Formulation::ordinary);
+}
+
+TEST_CASE("auto: what asks for both formulations is refused") {
+  expect(with_line(plain, 9, "spacing = 0.05\ntip_spacing = 0.01\nhorizon_ratio = 4"), ":10",
+         "discretization.tip_spacing",
+         "is used with formulation = galerkin only, and bonds are asked for by horizon_ratio");
+  expect(with_line(plain, 9, "spacing = 0.05\nhorizon_ratio = 4"), "--set analysis.preconditioner",
+         "analysis.preconditioner", "\"levels\" is of formulation = \"galerkin\"", {"analysis.preconditioner=levels"});
+  // a formulation that is no word is the one problem of its case
+  expect(with_line(plain, 9, "spacing = 0.05\nformulation = \"bonds\"\nsurface_correction = \"none\""), ":10",
+         "discretization.formulation", "must be one of \"ordinary\", \"galerkin\", \"auto\"");
+}
+
+TEST_CASE("auto: a run says which it was and why, and its resolved case gives the same numbers") {
+  const std::string text =
+      with_line(plain, 9, "spacing = 0.1") + "[srif]\n[output]\nfields = []\nprobes = { far = [0.9, 0.0] }\n";
+  for (const bool bonds : {false, true}) {
+    const small_run::TemporaryFolder folder;
+    std::vector<std::string> settings;
+    if (bonds) settings.push_back("discretization.surface_correction=position_aware");
+    const auto first = cases::run(read(text, settings), {folder / "first", true});
+    CHECK(first.formulation == (bonds ? "ordinary" : "galerkin"));
+    CHECK((first.points == 400) == bonds);  // one in each cell; or on all edges and faces too
+    const auto again = cases::run(cases::read_case(folder / "first/case.resolved.toml", {}), {folder / "again", true});
+    CHECK(again.formulation_reason == "as the case says");
+    CHECK(again.digest == first.digest);
+    for (const char* name : {"case.resolved.toml", "history.csv", "srif.csv", "probes.csv"}) {
+      INFO(name);
+      CHECK(small_run::text_of(folder / "again" / name) == small_run::text_of(folder / "first" / name));
+    }
+    const auto json = nlohmann::json::parse(small_run::text_of(folder / "first/summary.json"));
+    CHECK(json["formulation"] == (bonds ? "ordinary" : "galerkin"));
+    CHECK(json["formulation_reason"] ==
+          (bonds ? "auto: the case asks for surface_correction" : "auto: nothing asks for bonds"));
+  }
+}

@@ -1,0 +1,118 @@
+#include "cases/studies/extremes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+using small_run::TemporaryFolder;
+
+namespace {
+
+/// A table beside the case a.toml, a plate of 20 x 20 points with the probe "far".
+class Table {
+public:
+  explicit Table(const std::string& rows) {
+    std::ofstream(folder_ / "a.toml") << case_text::with_line(case_text::plain, 9,
+                                                              "spacing = 0.1\nformulation = \"ordinary\"") +
+                                             "method = \"cg\"\n[output]\nfields = []\nprobes = { far = [0.9, 0.0] }\n";
+    std::ofstream(folder_ / "t.toml") << rows;
+  }
+  cases::Extremes read() const { return cases::read_extremes(folder_ / "t.toml"); }
+  std::vector<cases::Verdict> run(const std::string& only = "", const std::vector<std::string>& set = {}) const {
+    return cases::run_extremes(read(), {folder_ / "out", set, only, true});
+  }
+  std::filesystem::path csv() const { return folder_ / "out" / "extremes.csv"; }
+
+private:
+  TemporaryFolder folder_;
+};
+
+std::string row(const std::string& title, const std::string& lines) {
+  return "[[row]]\ngroup = \"g\"\ntitle = \"" + title + "\"\ncase = \"a.toml\"\n" + lines + "\n";
+}
+
+const std::string w = "quantity = \"w\", probe = \"far\", ";
+
+}  // namespace
+
+TEST_CASE("oracles that hold, and oracles that do not") {
+  const Table table(
+      row("plain", "value = { " + w + "is = 20, tolerance = 0.5, source = \"about\" }") +
+      row("wrong value", "value = { " + w + "is = 1, tolerance = 0.5, source = \"no\" }") +
+      row("twice as soft",
+          "set = [\"section.young=500\"]\nequal = { " + w + "row = \"plain\", factor = 2, tolerance = 1e-9 }") +
+      row("not equal", "set = [\"section.young=500\"]\nequal = { " + w + "row = \"plain\", tolerance = 1e-9 }") +
+      row("cut off", "set = [\"geometry.cracks=[[[0, -1], [0, 1]]]\"]\nrefused = \"the piece of 200 points\"") +
+      row("not cut off", "refused = \"the piece\"") +
+      row("early", "set = [\"analysis.max_iterations=3\"]\nfailed = \"3 iterations\"") +
+      row("thin", "set = [\"section.thickness=0.001\"]\nwarned = \"thickness is 1/100 of the spacing\"") +
+      row("not thin", "warned = \"thickness is\"") +
+      row("not run", "set = [\"section.poisson=0.7\"]\nvalue = { " + w + "is = 1, tolerance = 0.5, source = \"no\" }"));
+  const auto verdicts = table.run();
+  REQUIRE(verdicts.size() == 10);
+  for (const auto& verdict : verdicts) {
+    CAPTURE(verdict.row, verdict.computed, verdict.expected, verdict.message);
+    CHECK(verdict.holds == !(verdict.row.starts_with("not") || verdict.row.starts_with("wrong")));
+  }
+  CHECK(verdicts[9].computed == "refused");
+  CHECK_THAT(verdicts[9].message, Catch::Contains("0.7 given"));
+  const auto csv = post::read_csv(table.csv());
+  REQUIRE(csv.rows.size() == 10);
+  CHECK(csv.rows[1][csv.column("holds")] == post::Cell("no"));
+  CHECK_THAT(cases::to_text(verdicts), Catch::Contains("MISSED") && Catch::Contains("3 iterations"));
+}
+
+TEST_CASE("only some rows, with overrides that a row's own prevail over") {
+  const Table table(row("plain", "set = [\"section.young=1000\"]\nvalue = { " + w +
+                                     "is = 20, tolerance = 0.5, source = \"about\" }") +
+                    row("softer", "equal = { " + w + "row = \"plain\", factor = 2, tolerance = 1e-9 }") +
+                    row("third", "refused = \"x\""));
+  const auto verdicts = table.run("softer", {"section.young=500"});
+  REQUIRE(verdicts.size() == 2);  // and the row that it names
+  CHECK(verdicts[0].row == "plain");
+  CHECK(verdicts[1].holds);
+  CHECK(table.run("fourth").empty());
+}
+
+TEST_CASE("the discrete energy is conserved up to the stable step, and a longer step refused") {
+  const std::string moving =
+      "\"analysis={kind=\\\"dynamic\\\", duration=1}\", \"section.density=1\", "
+      "\"load[0].history=[[0, 1], [0.1, 1], [0.101, 0]]\"";
+  const Table table(row("stable", "set = [" + moving +
+                                      "]\ntime_step_share = 0.99\n"
+                                      "conserved = { after = 0.102, tolerance = 1e-12 }") +
+                    row("loaded", "set = [" + moving +
+                                      "]\ntime_step_share = 0.99\n"
+                                      "conserved = { after = 0, tolerance = 1e-12 }") +
+                    row("above", "set = [" + moving + "]\ntime_step_share = 1.01\nrefused = \"stable limit\""));
+  const auto verdicts = table.run();
+  REQUIRE(verdicts.size() == 3);
+  CAPTURE(verdicts[0].computed, verdicts[0].message);
+  CHECK(verdicts[0].holds);  // measured: 2e-15
+  CHECK_FALSE(verdicts[1].holds);
+  CHECK(verdicts[2].holds);
+}
+
+TEST_CASE("all problems of a table are told together") {
+  const Table table(row("a", "") + row("a", "refused = \"x\"\nwarned = \"y\"") +
+                    row("b", "equal = { " + w + "row = \"c\", tolerance = 0 }"));
+  try {
+    table.read();
+    FAIL("no error");
+  } catch (const cases::CaseError& error) {
+    std::vector<std::string> found;
+    for (const auto& problem : error.problems()) found.push_back(problem.key + ": " + problem.what);
+    CAPTURE(found);
+    REQUIRE(found.size() == 5);
+    for (const char* part : {"row[0]: has no oracle", "row[1]: cannot be refused", "row[1].title: \"a\" is given twice",
+                             "row[2].equal.tolerance", "row[2].equal.row: no row \"c\" before"})
+      CHECK(std::ranges::any_of(found, [&](const auto& text) { return text.starts_with(part); }));
+  }
+}
+
+TEST_CASE("the table in the tree reads") {
+  const auto extremes =
+      cases::read_extremes(std::filesystem::path(PDPLATE_SOURCE_DIR) / "cases" / "extreme" / "extremes.toml");
+  CHECK(extremes.rows.size() > 80);
+}

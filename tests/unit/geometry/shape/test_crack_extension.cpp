@@ -1,0 +1,71 @@
+#include "geometry/shape/crack_extension.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace geometry;
+
+namespace {
+
+Tip tip(std::size_t crack, const Polyline& vertices, bool at_back) {
+  const Point end = at_back ? vertices.back() : vertices.front();
+  const Point before = at_back ? vertices[vertices.size() - 2] : vertices[1];
+  return {end, (end - before).normalized(), crack, at_back};
+}
+
+}  // namespace
+
+TEST_CASE("obstacle ahead: the first of edges, holes and cracks, its own crack too, within reach only") {
+  auto outline = rectangle(-1, -1, 1, 1);
+  outline.holes.push_back(Circle{{0.5, 0.1}, 0.2, "hole0"});
+  const std::vector<Polyline> cracks{{{-0.5, 0}, {-0.2, 0}}, {{-0.4, -0.6}, {-0.4, -0.2}}, {{-0.6, 0.2}, {-0.6, 0.5}, {-0.3, 0.5}}};
+  const Tip right = tip(0, cracks[0], true), left = tip(0, cracks[0], false);
+
+  const auto hole = obstacle_ahead(outline, cracks, right, right.direction, 2);
+  REQUIRE(hole);
+  CHECK(hole->name == "hole0");
+  CHECK(hole->distance == Approx(0.7 - std::sqrt(0.04 - 0.01)));
+  CHECK((hole->position - Point(0.5, 0.1)).norm() == Approx(0.2));
+  CHECK_FALSE(obstacle_ahead(outline, cracks, right, right.direction, 0.5));
+
+  const auto edge = obstacle_ahead(outline, cracks, left, left.direction, 2);
+  REQUIRE(edge);
+  CHECK(edge->name == "left");
+  CHECK(edge->distance == Approx(0.5));
+
+  const auto crack = obstacle_ahead(outline, cracks, tip(1, cracks[1], true), Point(0, 1), 2);
+  REQUIRE(crack);
+  CHECK(crack->crack == 0u);
+  CHECK(crack->name.empty());
+  CHECK(crack->distance == Approx(0.2));
+
+  const Tip turned = tip(2, cracks[2], true);  // back to its own beginning
+  const auto own = obstacle_ahead(outline, cracks, turned, Point(-0.3, -0.2).normalized(), 1);
+  REQUIRE(own);
+  CHECK(own->crack == 2u);
+  CHECK((own->position - Point(-0.6, 0.3)).norm() < 1e-12);
+}
+
+TEST_CASE("nearest obstacle: in any direction, other cracks only") {
+  auto outline = rectangle(-1, -1, 1, 1);
+  outline.holes.push_back(Circle{{0.5, 0.5}, 0.2, "hole0"});
+  const std::vector<Polyline> cracks{{{-0.5, 0}, {0.2, 0}}, {{0.3, -0.6}, {0.3, -0.05}}};
+  const auto crack = nearest_obstacle(outline, cracks, tip(0, cracks[0], true));
+  CHECK(crack.crack == 1u);
+  CHECK(crack.distance == Approx(std::hypot(0.1, 0.05)));
+  const auto hole = nearest_obstacle(outline, {{{0.4, 0.1}, {0.5, 0.2}}}, tip(0, {{0.4, 0.1}, {0.5, 0.2}}, true));
+  CHECK(hole.name == "hole0");
+  CHECK(hole.distance == Approx(0.1));
+}
+
+TEST_CASE("extend: straight on the last vertex moves, else it becomes a bend, at either end") {
+  Polyline crack{{0, 0}, {1, 0}};
+  extend(crack, true, {1.5, 0});
+  CHECK(crack == Polyline{{0, 0}, {1.5, 0}});
+  extend(crack, true, {2, 0.5});
+  CHECK(crack == Polyline{{0, 0}, {1.5, 0}, {2, 0.5}});
+  extend(crack, false, {-1, 0});
+  extend(crack, false, {-1, -1});
+  CHECK(crack == Polyline{{-1, -1}, {-1, 0}, {1.5, 0}, {2, 0.5}});
+  CHECK(length(crack) == Approx(3.5 + std::sqrt(0.5)));
+}

@@ -1,0 +1,86 @@
+// Cracks as sides of the lattice's cells, followed from tip to tip.
+#include "geometry/shape/crack_graph.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace geometry;
+
+namespace {
+
+/// A plate of 20 x 20 cells.
+bool inside(const CrackGraph::Corner& corner) { return corner[0] > 0 && corner[0] < 20 && corner[1] > 0 && corner[1] < 20; }
+
+/// Parts all neighbours that a straight crack severs.
+void cut(CrackGraph& graph, const Point& from, const Point& to, double time) {
+  const CrackPath path{{from, to}, End::tip, End::tip};
+  for (int x = 0; x < 20; ++x)
+    for (int y = 0; y < 20; ++y) {
+      const Point p(x + 0.5, y + 0.5);
+      for (const auto& q : {Point(p + Point(1, 0)), Point(p + Point(0, 1))})
+        if (q.x() < 20 && q.y() < 20 && severs(path, p, q)) graph.part(p, q, time);
+    }
+}
+
+std::size_t count(const std::vector<GraphLine>& lines, End kind) {
+  std::size_t sum = 0;
+  for (const auto& line : lines) sum += (line.front == kind) + (line.back == kind);
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("crack graph: a crack along the lattice is one line between its tips, with the times of its ends") {
+  CrackGraph graph;
+  cut(graph, {5.2, 10}, {9.2, 10}, 1);
+  cut(graph, {9.2, 10}, {12.2, 10}, 2);
+  const auto lines = graph.lines(inside);
+  REQUIRE(lines.size() == 1);
+  CHECK(lines[0].vertices == Polyline{{5, 10}, {12, 10}});
+  CHECK(lines[0].times == std::vector<double>{1, 2});
+  CHECK(lines[0].length == Approx(7));
+  CHECK(count(lines, End::tip) == 2);
+}
+
+TEST_CASE("crack graph: a straight crack under any angle stays straight, within two spacings of its length") {
+  for (const double degrees : {10.0, 15.0, 30.0, 45.0, 60.0, 80.0}) {
+    CrackGraph graph;
+    const Point along{std::cos(degrees * 3.14159265358979 / 180), std::sin(degrees * 3.14159265358979 / 180)};
+    cut(graph, Point(3.3, 2.2), Point(3.3, 2.2) + 15 * along, 0);
+    const auto lines = graph.lines(inside);
+    CAPTURE(degrees);
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].vertices.size() == 2);
+    CHECK(lines[0].length == Approx(15).margin(2));
+  }
+}
+
+TEST_CASE("crack graph: a branch is three lines that meet in a junction; a crack from an edge has a mouth") {
+  CrackGraph graph;
+  cut(graph, {-1, 10}, {10, 10}, 0);
+  cut(graph, {10, 10}, {16, 16}, 0);
+  cut(graph, {10, 10}, {16, 4}, 0);
+  const auto lines = graph.lines(inside);
+  CHECK(lines.size() == 3);
+  CHECK(count(lines, End::tip) == 2);
+  CHECK(count(lines, End::mouth) == 1);
+  CHECK(count(lines, End::junction) == 3);
+}
+
+TEST_CASE("crack graph: short spurs and single sides are no cracks; a closed crack has no tip") {
+  CrackGraph graph;
+  cut(graph, {5, 10}, {15, 10}, 0);
+  graph.part({9.5, 10.5}, {10.5, 10.5}, 1);  // one side up from (10, 10)
+  graph.part({3.5, 3.5}, {4.5, 3.5}, 1);
+  CHECK(graph.lines(inside).size() == 1);
+  CHECK(graph.lines(inside, 1).size() == 4);
+
+  CrackGraph closed;
+  for (const auto& [from, to] : {std::pair{Point(5.5, 4.5), Point(5.5, 5.5)}, {Point(5.5, 6.5), Point(5.5, 5.5)},
+                                 {Point(4.5, 5.5), Point(5.5, 5.5)}, {Point(6.5, 5.5), Point(5.5, 5.5)}})
+    closed.part(from, to, 0);
+  const auto lines = closed.lines(inside);
+  REQUIRE(lines.size() == 1);
+  CHECK(count(lines, End::tip) == 0);
+  CHECK(lines[0].vertices.size() == 4);
+  CHECK(lines[0].length >= 1 + std::sqrt(2));
+}

@@ -1,0 +1,72 @@
+#include <catch2/catch.hpp>
+
+#include "post/factors/errors.hpp"
+#include "post/factors/tip_integrals.hpp"
+
+using namespace post;
+
+namespace {
+
+const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 1};
+const ErrorShares shares{0.3, 0, 1, 1, 0.001, 0.04, 0.25, 0.05};
+
+Srif by_energy(const std::string& method, double K1, double K2, double K3, double factor = 1) {
+  Srif result;
+  result.method = method;
+  result.K1 = K1, result.K2 = K2, result.K3 = K3;
+  result.G = factor * unit_release(section).dot(Eigen::Vector3d(K1, K2, K3).cwiseAbs2());
+  return result;
+}
+
+/// With their estimates, and marked.
+std::vector<Srif> estimated(std::vector<Srif> found, const std::vector<FitSrif>& fits, std::vector<double> largest = {}) {
+  estimate_errors(found, fits, section, shares);
+  mark_lost(found, section.thickness, largest);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("where all methods agree the errors are the least ones") {
+  const std::vector<FitSrif> fits{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}};
+  const auto found = estimated({by_energy("domain_integral", 1, 0.2, 3), by_energy("virtual_crack_extension", 1, 0.2, 3)}, fits);
+  const double e3 = (0.001 + 0.04 / 64) / 0.1;
+  const Eigen::Vector3d unit = unit_release(section);
+  for (const auto& srif : found) {
+    const double taken = unit[2] / unit[0] * 3 * e3 / (1 + 0.04);  // of G by the error of K3
+    CHECK(*srif.errors[0] == Approx(0.001 + taken));
+    CHECK(*srif.errors[1] == Approx(0.001 + 0.2 * taken));
+    CHECK(*srif.errors[2] == Approx(e3));
+    CHECK(*srif.estimated_error == Approx(0.001 + 0.04 / 64));
+    CHECK(srif.resolved == std::array{true, true, true});
+  }
+}
+
+TEST_CASE("every sign of an error enters the factors that it concerns") {
+  const std::vector<FitSrif> same{{1, 4, 1, 0, 0}, {1, 3, 1, 0, 0}};
+  // a turn of 0.05 between fits is an error of K2, not of K1
+  const auto turned = estimated({by_energy("domain_integral", 1, 0, 0)}, {{1, 4, 1, 0, 0}, {1, 3, 1, 0.05, 0}}).front();
+  CHECK(*turned.errors[0] < 0.002);
+  CHECK(*turned.errors[1] == Approx(0.051).epsilon(0.02));
+  // integrals that differ by 2 % in the energy: twice 1 % of K1
+  const auto apart = estimated({by_energy("a", 1, 0, 0), by_energy("b", 1, 0, 0, 1.02)}, same).front();
+  CHECK(*apart.errors[0] == Approx(0.0208).epsilon(0.02));
+  CHECK(*apart.errors[1] < 0.002);
+  // fits whose K3 h differ by a fifth of K1: not resolved, K1 and K2 are
+  const auto lost = estimated({by_energy("a", 1, 0, 0)}, {{1, 4, 1, 0, 0}, {1, 3, 1, 0, 2}}).front();
+  CHECK(lost.resolved == std::array{true, true, false});
+}
+
+TEST_CASE("without a fit K2 and K3 are not resolved") {
+  const auto found = estimated({by_energy("a", 1, 0, 0), by_energy("b", 1, 0, 0)}, {}).front();
+  CHECK(found.resolved == std::array{true, false, false});
+}
+
+TEST_CASE("an energy release rate that is not positive gives no factors, unless others of its tip were far larger") {
+  Srif none = by_energy("virtual_crack_extension", 0, 0, 0);
+  none.G = -1e-4 * unit_release(section)[0];  // as K1 = 0.01
+  const std::vector<FitSrif> fits{{1, 4, 0.3, 0, 0}, {1, 3, 0.3, 0, 0}};
+  CHECK(estimated({none, by_energy("domain_integral", 0.3, 0, 0)}, fits).front().resolved == std::array{false, false, false});
+  CHECK(estimated({none}, {{1, 4, 0, 0, 0}, {1, 3, 0, 0, 0}}, {1.0}).front().resolved == std::array{true, true, true});
+  CHECK(estimated({none}, {{1, 4, 0, 0, 0}, {1, 3, 0, 0, 0}}, {0.05}).front().resolved == std::array{false, false, false});
+}

@@ -1,0 +1,42 @@
+#include <catch2/catch.hpp>
+
+#include "post/files/whole_file.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+using small_run::FullDisk, small_run::TemporaryFolder, small_run::text_of;
+
+TEST_CASE("a file is written whole and nothing else is left") {
+  const TemporaryFolder folder;
+  const std::string text("two\nlines, and a zero byte: \0.", 30);
+  post::write_whole(folder / "a.txt", text);
+  CHECK(text_of(folder / "a.txt") == text);
+  post::write_whole(folder / "a.txt", "again");
+  CHECK(text_of(folder / "a.txt") == "again");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a writer that fails leaves the old file and nothing beside it") {
+  const TemporaryFolder folder;
+  post::write_whole(folder / "a.txt", "old");
+  const auto fails = [](const std::filesystem::path& path) {
+    std::ofstream(path) << "half";
+    throw std::runtime_error("in mid-write");
+  };
+  CHECK_THROWS_WITH(post::write_whole(folder / "a.txt", fails), "in mid-write");
+  CHECK(text_of(folder / "a.txt") == "old");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a full disk is an error, for long and for short texts") {
+  const TemporaryFolder folder;
+  const FullDisk full(100);
+  for (const std::size_t length : {101U, 1000000U}) {
+    CHECK_THROWS_AS(post::write_whole(folder / "a.txt", std::string(length, 'x')), std::filesystem::filesystem_error);
+  }
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a folder that is not there is an error with the path") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH(post::write_whole(folder / "none/a.txt", "text"), Catch::Contains("none/a.txt"));
+}

@@ -1,0 +1,58 @@
+#include "post/studies/fatigue.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "plate/model/numerical_error.hpp"
+
+using namespace post;
+
+TEST_CASE("cycles: exact where K grows with a power of the length") {
+  // K = 5 sqrt a, exponent 3: N = 2 (1 / sqrt a0 - 1 / sqrt a) / (C 125); exponent 2: N = ln(a / a0) / (C 25)
+  const std::vector<double> lengths{0.1, 0.13, 0.2, 0.5};
+  std::vector<double> ranges;
+  for (const double a : lengths) ranges.push_back(5 * std::sqrt(a));
+  const auto cubic = cycles({1e-3, 3, 0}, lengths, ranges), square = cycles({1e-3, 2, 0}, lengths, ranges);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    CHECK(cubic[i] == Approx(2 * (1 / std::sqrt(0.1) - 1 / std::sqrt(lengths[i])) / (1e-3 * 125)));
+    CHECK(square[i] == Approx(std::log(lengths[i] / 0.1) / (1e-3 * 25)));
+  }
+}
+
+TEST_CASE("cycles: none grow below the threshold, and lengths must ascend") {
+  const auto found = cycles({1, 2, 1.5}, {1, 2, 3}, {2, 2, 1});
+  CHECK(found[1] == Approx(0.25));
+  CHECK(std::isinf(found[2]));
+  CHECK_THROWS_AS(cycles({1, 2, 0}, {1, 1}, {2, 2}), std::invalid_argument);
+  CHECK_THROWS_AS(cycles({1, 2, 0}, {1, 2}, {2}), std::invalid_argument);
+}
+
+TEST_CASE("cycles: rates that no number holds are an error, not a result") {
+  CHECK_THROWS_AS(cycles({1, 300, 0}, {1, 2}, {1e3, 2e3}), plate::NumericalError);   // infinite
+  CHECK_THROWS_AS(cycles({1, 300, 0}, {1, 2}, {1e-3, 2e-3}), plate::NumericalError);  // zero, though above the threshold
+  CHECK_THROWS_AS(cycles({1, 2, 0}, {1, 2}, {1, std::nan("")}), plate::NumericalError);
+}
+
+TEST_CASE("fatigue: K range of the case's loads from energy release rates at other loads, tip by tip") {
+  const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 0};
+  // K = 7 at factor 1, for every length: G = K^2 h / (3 E)
+  const double G = 49 * 0.1 / 3000;
+  // both tips of a crack move, then the first alone
+  Table growth{{"advance", "tip", "crack", "length", "load_factor", "G", "moves"}, {}};
+  const double lengths[] = {0.6, 0.8, 1.0};
+  for (const double advance : {0.0, 1.0, 2.0})
+    for (const double tip : {0.0, 1.0}) {
+      const double length = lengths[int(advance)], moves = advance == 0 || (advance == 1 && tip == 0);
+      growth.rows.push_back({advance, tip, 0.0, length, 2 * length, 4 * length * length * G, moves});
+    }
+  const auto found = fatigue(growth, section, {1e-4, 2, 0}, 0.5, 0.2);
+  REQUIRE(found.rows.size() == 5);
+  CHECK(std::get<double>(found.rows[0][1]) == Approx(0.3));
+  CHECK(std::get<double>(found.rows[2][1]) == Approx(0.6));
+  const double range = 0.8 * 0.5 * 7;
+  CHECK(std::get<double>(found.rows[2][2]) == Approx(range));
+  CHECK(std::get<double>(found.rows[2][3]) == Approx(0.3 / (1e-4 * range * range)));
+  CHECK(std::get<double>(found.rows[4][3]) == Approx(0.1 / (1e-4 * range * range)));
+  growth.rows.resize(2);
+  CHECK_THROWS_AS(fatigue(growth, section, {1e-4, 2, 0}, 1, 0), std::runtime_error);
+}
