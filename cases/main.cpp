@@ -10,11 +10,11 @@
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "post/files/table.hpp"
+#include "post/files/whole_file.hpp"
 #include "post/studies/compare.hpp"
 #include "post/studies/fatigue.hpp"
 #include "post/studies/orders.hpp"
-#include "post/files/table.hpp"
-#include "post/files/whole_file.hpp"
 
 namespace {
 
@@ -23,12 +23,14 @@ enum ExitCode { done = 0, wrong_case = 2, failed_numbers = 3, failed_machine = 4
 void print_growth(const post::GrowthSummary& growth) {
   constexpr std::size_t most = 8;
   std::vector<std::string> lengths;
-  for (std::size_t i = 0; i < std::min(most, growth.lengths.size()); ++i) lengths.push_back(fmt::format("{:.4g}", growth.lengths[i]));
+  for (std::size_t i = 0; i < std::min(most, growth.lengths.size()); ++i)
+    lengths.push_back(fmt::format("{:.4g}", growth.lengths[i]));
   if (growth.lengths.size() > most) lengths.push_back(fmt::format("... ({} in all)", growth.lengths.size()));
   if (lengths.empty()) lengths.push_back("none");
   fmt::print("growth: {}; lengths of the cracks: {}", growth.outcome, fmt::join(lengths, ", "));
   if (growth.first_load_factor && *growth.first_load_factor > 0)
-    fmt::print("; load factor {:.5g} at the first advance, {:.5g} at most", *growth.first_load_factor, *growth.largest_load_factor);
+    fmt::print("; load factor {:.5g} at the first advance, {:.5g} at most", *growth.first_load_factor,
+               *growth.largest_load_factor);
   if (growth.spent) fmt::print("; energy spent {:.3f} of the fracture energy", *growth.spent);
   if (growth.largest_speed) fmt::print("; largest speed {:.4g}", *growth.largest_speed);
   fmt::print("\n");
@@ -44,14 +46,15 @@ void print_factors(const std::vector<post::Srif>& srifs) {
     fmt::print("{:>4} {:>9.4g} {:>9.4g} {:<25}", s.tip, s.position.x(), s.position.y(), s.method);
     for (std::size_t i = 0; i < 3; ++i) fmt::print(" {:>13}", number(i, fmt::format("{:.6g}", K[i])));
     const std::optional<double> F[] = {s.F1, s.F2, s.F3};
-    for (std::size_t i = 0; i < 3 && normalized; ++i) fmt::print(" {:>9}", number(i, fmt::format("{:.5f}", F[i].value_or(0))));
+    for (std::size_t i = 0; i < 3 && normalized; ++i)
+      fmt::print(" {:>9}", number(i, fmt::format("{:.5f}", F[i].value_or(0))));
     fmt::print("  {:>8}\n", s.estimated_error ? fmt::format("{:.2g} %", 100 * *s.estimated_error) : "");
   }
 }
 
 void print_accuracy(const post::AccuracySummary& accuracy) {
-  fmt::print("accuracy {:.2g} % asked: {}\n{:>8} {:>10} {:>11} {:>9} {:>16}\n", 100 * accuracy.asked, accuracy.outcome, "points",
-             "spacing", "tip spacing", "seconds", "estimated error");
+  fmt::print("accuracy {:.2g} % asked: {}\n{:>8} {:>10} {:>11} {:>9} {:>16}\n", 100 * accuracy.asked, accuracy.outcome,
+             "points", "spacing", "tip spacing", "seconds", "estimated error");
   for (const auto& step : accuracy.path)
     fmt::print("{:>8} {:>10.4g} {:>11.4g} {:>9.2f} {:>16}\n", step.points, step.spacing, step.tip_spacing, step.seconds,
                step.error ? fmt::format("{:.2g} %", 100 * *step.error) : "-");
@@ -67,8 +70,9 @@ void print_result(const post::Summary& summary, const std::filesystem::path& fol
   if (!summary.srif.empty()) print_factors(summary.srif);
   for (const auto& s : summary.srif)
     if (s.second && (&s == &summary.srif.front() || (&s)[-1].tip != s.tip))
-      fmt::print("tip {}: {} by {} gives K1 {:.6g}, K2 {:.6g}, K3 {:.6g}: {:.2f} % apart\n", s.tip, s.second->formulation,
-                 s.second->method, s.second->K1, s.second->K2, s.second->K3, 100 * s.second->difference);
+      fmt::print("tip {}: {} by {} gives K1 {:.6g}, K2 {:.6g}, K3 {:.6g}: {:.2f} % apart\n", s.tip,
+                 s.second->formulation, s.second->method, s.second->K1, s.second->K2, s.second->K3,
+                 100 * s.second->difference);
   if (!summary.frequencies.empty()) fmt::print("{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");
   for (const auto& f : summary.frequencies)
     fmt::print("{:>4} {:>13.6f} {:>13.5f} {:>9.1e}\n", f.mode, f.frequency, f.omega, f.residual);
@@ -81,7 +85,8 @@ void print_keys(const std::string& wanted) {
   std::size_t shown = 0;
   for (const auto& key : cases::keys()) {
     if (!wanted.empty() && key.name.find(wanted) == std::string::npos) continue;
-    fmt::print("{:<36} {:<16} {}; {}\n{:36}   {}\n", key.name, "[" + key.unit + "]", key.allowed, key.standard, "", key.help);
+    fmt::print("{:<36} {:<16} {}; {}\n{:36}   {}\n", key.name, "[" + key.unit + "]", key.allowed, key.standard, "",
+               key.help);
     ++shown;
   }
   if (shown == 0) throw cases::CaseError({{"keys", wanted, "no key contains this; see pdplate keys"}});
@@ -117,7 +122,8 @@ void add_case(CLI::App& command, Arguments& a) {
 
 int run_study(const Arguments& a) {
   const auto study = cases::read_study(a.file);
-  const auto folder = a.folder.empty() ? "results" / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
+  const auto folder =
+      a.folder.empty() ? "results" / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
   const auto outcome = cases::run_study(study, {folder, a.quiet});
   if (!a.quiet) {
     fmt::print("{}\n{}", study.title, post::to_text(outcome.table));
@@ -130,7 +136,8 @@ int run_study(const Arguments& a) {
 
 int run_extremes(const Arguments& a) {
   const auto extremes = cases::read_extremes(a.file);
-  const auto folder = a.folder.empty() ? "results" / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
+  const auto folder =
+      a.folder.empty() ? "results" / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
   const auto verdicts = cases::run_extremes(extremes, {folder, a.settings, a.only, a.quiet});
   if (verdicts.empty()) throw cases::CaseError({{a.file, "--only", fmt::format("no row contains \"{}\"", a.only)}});
   const auto missed = std::ranges::count(verdicts, false, &cases::Verdict::holds);
@@ -156,8 +163,9 @@ int execute(const CLI::App& app, Arguments& a) {
   if (a.threads > 0) omp_set_num_threads(a.threads);
   if (app.got_subcommand("run")) {
     const auto file = cases::read_case(a.file, a.settings);
-    const std::filesystem::path folder =
-        a.folder.empty() ? std::filesystem::path("results") / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
+    const std::filesystem::path folder = a.folder.empty()
+                                             ? std::filesystem::path("results") / std::filesystem::path(a.file).stem()
+                                             : std::filesystem::path(a.folder);
     const auto summary = cases::run(file, {folder, a.quiet});
     if (!a.quiet) print_result(summary, folder);
   } else if (app.got_subcommand("check")) {
@@ -179,10 +187,12 @@ int execute(const CLI::App& app, Arguments& a) {
     const auto file = cases::read_case(folder / "case.resolved.toml", {});
     const auto& c = file.content;
     if (!c.growth || c.analysis.kind != cases::Analysis::Kind::static_ || c.growth->by_bonds())
-      throw cases::CaseError({{file.place("growth"), "growth",
-                               "cycles are counted along tips that grow at rest: a static case with [growth] and criterion = "
-                               "\"energy_release\""}});
-    print_table(post::fatigue(post::read_csv(folder / "growth.csv"), c.section, a.law, a.load, a.ratio));
+      throw cases::CaseError(
+          {{file.place("growth"), "growth",
+            "cycles are counted along tips that grow at rest: a static case with [growth] and criterion = "
+            "\"energy_release\""}});
+    print_table(post::fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section,
+                              a.law, a.load, a.ratio));
   } else if (app.got_subcommand("study")) {
     return run_study(a);
   } else if (app.got_subcommand("extremes")) {
@@ -217,6 +227,20 @@ void keep_memory() {
   mallopt(M_TRIM_THRESHOLD, 1 << 28);
 }
 
+void add_fatigue(CLI::App& app, Arguments& a) {
+  auto* fatigue = app.add_subcommand("fatigue", "cycles against length of the cracks of a growth, by Paris' law");
+  fatigue->add_option("folder", a.folder, "folder of the results of a case with [growth]")->required();
+  fatigue->add_option("--coefficient", a.law.coefficient, "C of da/dN = C (range of K)^m")
+      ->required()
+      ->check(CLI::PositiveNumber);
+  fatigue->add_option("--exponent", a.law.exponent, "m")->required()->check(CLI::PositiveNumber);
+  fatigue->add_option("--threshold", a.law.threshold, "range of K that must be exceeded (default 0)")
+      ->check(CLI::NonNegativeNumber);
+  fatigue->add_option("--load", a.load, "largest load, as a factor of those of the case (default 1)")
+      ->check(CLI::PositiveNumber);
+  fatigue->add_option("--ratio", a.ratio, "least over largest load (default 0)")->check(CLI::Range(-10.0, 0.999));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -235,18 +259,13 @@ int main(int argc, char** argv) {
   auto* srif = app.add_subcommand("srif", "extract intensity factors again from a finished run");
   srif->add_option("folder", a.folder, "folder of the results")->required();
   srif->add_option("--method", a.methods, "method (default: those of the case)");
-  srif->add_flag("--energy", a.energy, "instead K from the energies of a longer and a shorter crack: two static runs per tip");
+  srif->add_flag("--energy", a.energy,
+                 "instead K from the energies of a longer and a shorter crack: two static runs per tip");
   auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
   compare->add_option("--plot", a.plot, "file for a plot of the curves (SVG)");
-  auto* fatigue = app.add_subcommand("fatigue", "cycles against length of the cracks of a growth, by Paris' law");
-  fatigue->add_option("folder", a.folder, "folder of the results of a case with [growth]")->required();
-  fatigue->add_option("--coefficient", a.law.coefficient, "C of da/dN = C (range of K)^m")->required()->check(CLI::PositiveNumber);
-  fatigue->add_option("--exponent", a.law.exponent, "m")->required()->check(CLI::PositiveNumber);
-  fatigue->add_option("--threshold", a.law.threshold, "range of K that must be exceeded (default 0)")->check(CLI::NonNegativeNumber);
-  fatigue->add_option("--load", a.load, "largest load, as a factor of those of the case (default 1)")->check(CLI::PositiveNumber);
-  fatigue->add_option("--ratio", a.ratio, "least over largest load (default 0)")->check(CLI::Range(-10.0, 0.999));
+  add_fatigue(app, a);
   auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
   study->add_option("study", a.file, "study file (TOML)")->required();
   study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");

@@ -5,11 +5,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/driver/gate.hpp"
 #include "cases/driver/lanczos.hpp"
-#include "cases/driver/progress.hpp"
+#include "cases/driver/static_solution.hpp"
+#include "cases/input/accuracy_path.hpp"
+#include "cases/report/progress.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/free_memory.hpp"
 #include "post/factors/tip_integrals.hpp"
+#include "post/files/gate.hpp"
 
 namespace cases {
 namespace {
@@ -19,31 +22,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double doubles_the_points = std::numbers::sqrt2;  // of the size
 constexpr double least_size = 0.0715;                       // of spacing_growth 0.02, the least that a case may ask for
 
-/// From any tip to what disturbs its field; the side of the plate without tips.
-double exact_clear_distance(const Case& c, double side) {
-  Case fine = c;  // bends count, however slight
-  fine.discretization.tip_spacing = 1e-6 * side;
-  const auto paths = geometry::crack_paths(c.outline, c.cracks, 1e-9 * side);
-  return std::min(side, least_clear_distance(fine, paths, geometry::tips(paths)));
-}
-
-/// Of the smallest hole; none without holes.
-std::optional<double> least_radius(const geometry::Outline& outline) {
-  std::optional<double> result;
-  const auto take = [&](double radius) { result = std::min(result.value_or(radius), radius); };
-  for (const auto& hole : outline.holes) {
-    if (const auto* circle = std::get_if<geometry::Circle>(&hole)) {
-      take(circle->radius);
-      continue;
-    }
-    const auto [low, high] = geometry::bounding_box({std::get<geometry::Polygon>(hole), {}});
-    take((high - low).minCoeff() / 2);
-  }
-  return result;
-}
-
-/// Bytes that a run takes: measured 17 kB per point at 8,000 and 39,000 points, 18 at 85,000, most of them of the factor; in
-/// motion `vectors` of Lanczos beside, with their forces and the modes.
+/// Bytes that a run takes: measured 17 kB per point at 8,000 and 39,000 points, 18 at 85,000, most of them of the
+/// factor; in motion `vectors` of Lanczos beside, with their forces and the modes.
 double bytes_of(std::size_t points, std::size_t vectors) {
   return (18e3 + 3 * 3 * 8 * double(vectors)) * double(points);
 }
@@ -67,13 +47,15 @@ struct Found {
 
 Found at_rest(Prepared& plate) {
   const Case& c = plate.file.content;
-  plate.solution = solve_at_rest(c, plate.assembly, {c.analysis.tolerance, c.analysis.max_iterations, {}});
+  plate.solution = static_solution(c, *plate.plate, {c.analysis.tolerance, c.analysis.max_iterations, {}});
   const auto& solution = plate.solution->solution;
   if (!solution.converged)
-    throw plate::NumericalError(fmt::format("on the way to srif.accuracy, {} points: {}, residual {:.2e}", plate.assembly.plate().points(),
-                                            solution.stop_reason, solution.residual));
+    throw plate::NumericalError(fmt::format("on the way to srif.accuracy, {} points: {}, residual {:.2e}",
+                                            plate.plate->points(), solution.stop_reason, solution.residual));
   plate.stopwatch.lap("solve");
-  Found result{{srifs(c, plate.assembly, plate.tip_methods, solution.state)}, {}, plate.assembly.strain_energy(solution.state)};
+  Found result{{post::srifs(*plate.plate, *c.srif, plate.tip_methods, solution.state)},
+               {},
+               plate.plate->strain_energy(solution.state)};
   plate.stopwatch.lap("srif");
   return result;
 }
@@ -81,11 +63,11 @@ Found at_rest(Prepared& plate) {
 Found in_motion(Prepared& plate) {
   constexpr double of_truncation = 0.3;  // of the accuracy
   const Case& c = plate.file.content;
-  plate.motion.emplace(lanczos_motion(c, plate.assembly, plate.tip_methods, of_truncation * *c.srif->accuracy, {}));
+  plate.motion.emplace(lanczos_motion(c, *plate.plate, plate.tip_methods, of_truncation * *c.srif->accuracy, {}));
   Found result{{}, plate.motion->truncated(), 0};
   plate.motion->observe(plate.steps->grid.steps, [&](const plate::Instant& now) {
     plate.stopwatch.lap("solve");
-    result.rows.push_back(srifs(c, plate.assembly, plate.tip_methods, now.state, false));
+    result.rows.push_back(post::srifs(*plate.plate, *c.srif, plate.tip_methods, now.state, false));
     result.strain_energy = std::max(result.strain_energy, now.strain_energy);
     plate.stopwatch.lap("srif");
   });
@@ -95,18 +77,27 @@ Found in_motion(Prepared& plate) {
 Found solve(Prepared& plate) {
   const bool moves = plate.file.content.analysis.kind == Analysis::Kind::dynamic;
   Found result = moves ? in_motion(plate) : at_rest(plate);
-  for (const auto& row : result.rows) require_finite(row, "on the way to srif.accuracy");
+  for (const auto& row : result.rows) post::require_finite(row, "on the way to srif.accuracy");
   return result;
 }
 
 post::AccuracyStep step_of(double size, const Prepared& plate, Found found, double seconds) {
   const auto& d = plate.file.content.discretization;
   const Case& c = plate.file.content;
-  const double layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
-  const double clear = least_clear_distance(c, plate.assembly.paths, plate.assembly.tips);
+  const double layer = c.section.layer();
+  const double clear = post::least_clear_distance(c, plate.plate->paths(), plate.plate->tips());
   const double faces = std::min(d.spacing, *d.tip_spacing + d.spacing_growth * clear) / layer;
-  return {size,    plate.assembly.boundary.cloud.plate_points, d.spacing, *d.tip_spacing, d.hole_spacing, d.spacing_growth, faces,
-          seconds, std::move(found.rows), std::move(found.truncated), std::nullopt};
+  return {size,
+          plate.plate->cloud().plate_points,
+          d.spacing,
+          *d.tip_spacing,
+          d.hole_spacing,
+          d.spacing_growth,
+          faces,
+          seconds,
+          std::move(found.rows),
+          std::move(found.truncated),
+          std::nullopt};
 }
 
 /// K1 of a crack that releases the whole energy of the plate over its smaller side.
@@ -128,7 +119,7 @@ std::string end_before(double size, const std::vector<post::AccuracyStep>& path,
   if (size < least_size) return "the finest discretisation of this program";
   const auto& last = path.back();
   const double ratio = std::pow(last.size / size, 2);
-  const double free = free_memory();
+  const double free = plate::free_memory();
   if (free > 0 && bytes_of(std::size_t(ratio * double(last.points)), vectors) > free / 2) return "memory";
   constexpr double order = 1.3;  // of the time, in the number of points: measured 1.1 to 1.4
   if (seconds + last.seconds * std::pow(ratio, order) > options.accuracy_seconds) return "srif.accuracy_seconds";
@@ -141,7 +132,8 @@ void add_truncation(const std::vector<double>& truncated, const std::vector<std:
   std::vector<double> largest(truncated.size(), 0);
   for (const auto& row : rows)
     for (const auto& srif : row)
-      if (!post::of_opening(srif.method)) largest[srif.tip] = std::max(largest[srif.tip], post::largest_factor(srif, thickness));
+      if (!post::of_opening(srif.method))
+        largest[srif.tip] = std::max(largest[srif.tip], post::largest_factor(srif, thickness));
   for (auto& row : rows)
     for (auto& srif : row)
       if (refined.empty() || std::ranges::find(refined.front(), srif.tip, &post::Srif::tip) == refined.front().end())
@@ -149,7 +141,8 @@ void add_truncation(const std::vector<double>& truncated, const std::vector<std:
 }
 
 /// Puts the refined factors of every tip before those of the finest discretisation, whose errors they tell.
-void put_first(std::vector<post::Srif> refined, std::vector<post::Srif>& row, const post::SrifOptions& options, double thickness) {
+void put_first(std::vector<post::Srif> refined, std::vector<post::Srif>& row, const post::SrifOptions& options,
+               double thickness) {
   for (auto& best : refined) {
     post::normalize(best, options, thickness);
     for (auto& srif : row)
@@ -163,7 +156,9 @@ void warn_of_given_lengths(const CaseFile& file, std::vector<std::string>& warni
   for (const char* name : {"spacing", "tip_spacing", "hole_spacing", "spacing_growth"})
     for (const auto& [key, where] : file.places)
       if (key == fmt::format("discretization.{}", name)) given += (given.empty() ? "" : ", ") + std::string(name);
-  if (!given.empty()) warnings.push_back(fmt::format("srif.accuracy finds the lengths of the discretisation: {} of the case not used", given));
+  if (!given.empty())
+    warnings.push_back(
+        fmt::format("srif.accuracy finds the lengths of the discretisation: {} of the case not used", given));
 }
 
 /// What is said of the search, and its rows. `refined`: judged.
@@ -172,7 +167,7 @@ void conclude(const CaseFile& file, std::vector<std::vector<post::Srif>> refined
   const double h = file.content.section.thickness;
   auto& [plate, found, rows] = result;
   found.reached = found.path.back().error;
-  auto& warnings = plate->assembly.warnings;
+  auto& warnings = plate->warnings;
   if (found.outcome != "reached")
     warnings.push_back(fmt::format("srif.accuracy = {:g} not reached, estimated error {}: ended by {}", found.asked,
                                    found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.outcome));
@@ -184,19 +179,6 @@ void conclude(const CaseFile& file, std::vector<std::vector<post::Srif>> refined
 
 }  // namespace
 
-plate::Discretization discretization_of(const Case& c, double size) {
-  const auto [low, high] = geometry::bounding_box(c.outline);
-  const geometry::Point sides = high - low;
-  const double layer = c.section.thickness / std::sqrt(12 * c.section.shear_correction);
-  plate::Discretization result = c.discretization;
-  result.spacing = size * sides.minCoeff() / (c.analysis.kind == Analysis::Kind::dynamic ? 28 : 10);
-  result.tip_spacing = std::min(size * size * std::min(exact_clear_distance(c, sides.maxCoeff()) / 20, 0.63 * layer), result.spacing);
-  result.hole_spacing.reset();
-  if (const auto radius = least_radius(c.outline)) result.hole_spacing = std::min(size * *radius / 4, result.spacing);
-  result.spacing_growth = 0.28 * size;
-  return result;
-}
-
 Accurate to_accuracy(const CaseFile& file, bool quiet) {
   const auto& options = *file.content.srif;
   const double h = file.content.section.thickness;
@@ -206,7 +188,7 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
   auto& found = result.found;
   found.asked = *options.accuracy;
   Progress progress(quiet, "srif.accuracy");
-  Stopwatch before;
+  plate::Stopwatch before;
   std::optional<CaseError> refused;  // the coarsest points
   double nominal = 0;
   std::vector<std::vector<post::Srif>> refined;
@@ -235,9 +217,10 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
     if (plate) before.add(plate->stopwatch);
     plate = std::move(next);
     nominal = nominal_factor(plate->file.content, of_next.strain_energy);
-    found.path.push_back(step_of(size, *plate, std::move(of_next), std::chrono::duration<double>(Clock::now() - begin).count()));
+    found.path.push_back(
+        step_of(size, *plate, std::move(of_next), std::chrono::duration<double>(Clock::now() - begin).count()));
     refined = post::refined(found.path, h);
-    const auto error = found.path.back().error = post::largest_error(refined, plate->assembly.tips.size(), h, nominal);
+    const auto error = found.path.back().error = post::largest_error(refined, plate->plate->tips().size(), h, nominal);
     progress.update(std::min(0.99, error ? found.asked / *error : 0),
                     fmt::format("{} points, {}", found.path.back().points,
                                 error ? fmt::format("estimated error {:.2g} %", 100 * *error) : "no estimate yet"));

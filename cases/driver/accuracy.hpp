@@ -5,17 +5,14 @@ namespace cases {
 
 /// A plate whose discretisation was found, and how.
 struct Accurate {
-  std::unique_ptr<Prepared> plate;            // the finest, solved
+  std::unique_ptr<Prepared> plate;  // the finest, solved
   post::AccuracySummary found;
-  std::vector<std::vector<post::Srif>> rows;  // at all times: for each tip what all discretisations tend to, then those of the finest
+  std::vector<std::vector<post::Srif>>
+      rows;  // at all times: for each tip what all discretisations tend to, then those of the finest
 };
 
-/// The lengths of the discretisation of a path to srif.accuracy: those far from tips and holes and their growth `size` times
-/// those of the first, those at tips by its square (theory.md, "To a stated accuracy"). In motion waves have to cross the plate.
-plate::Discretization discretization_of(const Case& c, double size);
-
-/// Refines until every factor of the case, at rest or in motion, is known to srif.accuracy, or time, memory or sizes end it.
-/// Throws CaseError and plate::NumericalError.
+/// Refines until every factor of the case, at rest or in motion, is known to srif.accuracy, or time, memory or sizes
+/// end it. Throws CaseError and plate::NumericalError.
 Accurate to_accuracy(const CaseFile& file, bool quiet);
 
 }  // namespace cases

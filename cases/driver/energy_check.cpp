@@ -1,22 +1,24 @@
 #include "cases/driver/energy_check.hpp"
 
+#include "cases/driver/discretised.hpp"
+
+#include <fmt/format.h>
+#include <cmath>
 #include "cases/driver/static_solution.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "post/factors/tip_integrals.hpp"
-#include <cmath>
-#include <fmt/format.h>
 
 namespace cases {
 namespace {
 
 double strain_energy(const CaseFile& file) {
-  Stopwatch stopwatch;
-  const Assembly assembly = assemble(file, stopwatch);
+  const auto found = discretised(file);
+  const auto& plate = *found.plate;
   Case c = file.content;
   c.analysis.method = Analysis::Method::cg;
-  const auto solution = solve_at_rest(c, assembly, {1e-9, c.analysis.max_iterations, {}}).solution;
+  const auto solution = static_solution(c, plate, {1e-9, c.analysis.max_iterations, {}}).solution;
   if (!solution.converged) throw plate::NumericalError("energy check: conjugate gradients: " + solution.stop_reason);
-  return assembly.strain_energy(solution.state);
+  return plate.strain_energy(solution.state);
 }
 
 /// The case with the tip moved straight ahead by `step`.
@@ -34,8 +36,7 @@ post::Table energy_check(const CaseFile& file) {
   const Case& c = file.content;
   if (c.analysis.kind != Analysis::Kind::static_)
     throw CaseError({{file.place("analysis.kind"), "analysis.kind", "the energy check needs a static case"}});
-  const auto [low, high] = geometry::bounding_box(c.outline);
-  const auto paths = geometry::crack_paths(c.outline, c.cracks, 1e-9 * (high - low).norm());
+  const auto paths = plate::crack_paths(c);
   post::Table table{{"tip", "x", "y", "step", "G", "K"}, {}};
   const auto tips = geometry::tips(paths);
   for (std::size_t i = 0; i < tips.size(); ++i) {
@@ -45,9 +46,10 @@ post::Table energy_check(const CaseFile& file) {
     const auto& v = paths[tip.crack].vertices;
     const double last = tip.at_back ? (v.back() - v[v.size() - 2]).norm() : (v.front() - v[1]).norm();
     if (last <= 2 * step)
-      throw CaseError({{file.place("geometry.cracks"), "geometry.cracks",
-                        fmt::format("the energy check moves the tip at ({:g}, {:g}) by {:g}, the crack is {:g} long there",
-                                    tip.position.x(), tip.position.y(), step, last)}});
+      throw CaseError(
+          {{file.place("geometry.cracks"), "geometry.cracks",
+            fmt::format("the energy check moves the tip at ({:g}, {:g}) by {:g}, the crack is {:g} long there",
+                        tip.position.x(), tip.position.y(), step, last)}});
     const double G = (strain_energy(moved(file, tip, step)) - strain_energy(moved(file, tip, -step))) / (2 * step);
     table.rows.push_back({double(i), tip.position.x(), tip.position.y(), step, G,
                           std::sqrt(std::max(G, 0.0) / post::unit_release(c.section)[0])});

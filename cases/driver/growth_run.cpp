@@ -1,108 +1,183 @@
 #include "cases/driver/growth_run.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cmath>
-
-#include "cases/input/formulations.hpp"
-#include "cases/driver/gate.hpp"
-#include "cases/driver/growth_results.hpp"
-#include "cases/driver/progress.hpp"
-#include "cases/driver/scene.hpp"
+#include "cases/driver/discretised.hpp"
+#include "cases/driver/results.hpp"
 #include "cases/driver/static_solution.hpp"
+#include "cases/report/progress.hpp"
+#include "cases/report/scene.hpp"
+#include "cases/report/words.hpp"
+#include "fracture/growth/quasi_static/bonds.hpp"
+#include "fracture/growth/quasi_static/growing_plate.hpp"
 #include "plate/model/numerical_error.hpp"
 
 namespace cases {
 namespace {
 
-using Cracks = std::vector<geometry::Polyline>;
-
-/// Where the case asks for no intensity factors, the methods that give the energy release rate.
-CaseFile with_factors(CaseFile file) {
-  auto& c = file.content;
-  if (!c.srif) c.srif.emplace().methods = {"virtual_crack_extension", "domain_integral"};
-  return file;
-}
-
-/// Solves the plate anew with every length of its cracks, and keeps the last solution.
-class GrowingPlate {
+/// A growth at rest and what is recorded of it, with the number of the advance in the place of time.
+class GrowthRun {
 public:
-  GrowingPlate(const CaseFile& file, Stopwatch& stopwatch) : file_(with_factors(file)), stopwatch_(stopwatch) {}
+  GrowthRun(const CaseFile& file, const RunOptions& options);
 
-  fracture::LoadedPlate operator()(const Cracks& cracks) {
-    CaseFile file = file_;
-    file.content.cracks = cracks;
-    try {
-      auto assembly = assemble(file, stopwatch_);
-      return solved(std::move(file), std::move(assembly));
-    } catch (const CaseError& error) {
-      if (!last_) throw;  // as the case is written
-      std::string why;
-      for (const auto& problem : error.problems()) why += (why.empty() ? "" : "; ") + problem.what;
-      return {why, 0, {}};
-    }
-  }
+  post::Summary operator()(bool quiet);
 
-  const std::shared_ptr<const GrownPlate>& last() const { return last_; }
-  const plate::StaticSolution& solution() const { return solution_; }
-  const std::string& method() const { return method_; }
+  // of the end
+  const fracture::Grown& grown() const { return grown_; }
+  double load_factor() const { return factor_; }
+  std::vector<geometry::Polyline> cracks() const { return tips_ ? tips_->cracks() : case_.cracks; }
 
 private:
-  fracture::LoadedPlate solved(CaseFile file, Assembly assembly) {
-    const Case& c = file.content;
-    fracture::LoadedPlate result;
-    if (!last_) check_growing_tips(file, assembly);
-    for (const auto& tip : assembly.tips)
-      if (!ringed(c, assembly.paths, tip)) result.tips.push_back({tip, {}, std::nullopt});
-    if (!result.tips.empty()) return result;  // they break through
-    const auto methods = tip_methods(file, assembly);
-    for (std::size_t i = 0; i < methods.size(); ++i)
-      if (!methods[i].works()) throw CaseError({{file.place("srif"), "srif", left_out(assembly, methods).front()}});
-    const auto solve = solve_at_rest(c, assembly, {c.analysis.tolerance, c.analysis.max_iterations, {}});
-    stopwatch_.lap("solve");
-    solution_ = solve.solution;
-    method_ = solve.method;
-    solution_.state.resize(3, 0);
-    if (!solve.solution.converged)
-      throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", solve.method,
-                                              solve.solution.stop_reason, solve.solution.residual, c.analysis.tolerance));
-    require_finite(solve.solution.state, "at rest");
-    auto found = srifs(c, assembly, methods, solve.solution.state);
-    require_finite(found, "under the whole load");
-    stopwatch_.lap("srif");
-    const auto load = total_load(assembly);
-    result.displacement = load.cwiseProduct(solve.solution.state).sum();
-    require_finite({{"work", result.displacement}}, "under the whole load");
-    if (!moves(solve.solution.state, result.displacement))
-      require_motion(assembly, {load}, solve.solution.state, result.displacement, assembly.warnings);
-    for (std::size_t i = 0; i < assembly.tips.size(); ++i) {
-      const auto srif = std::ranges::find_if(found, [i](const auto& one) { return one.tip == i && one.G; });
-      if (srif == found.end()) throw plate::NumericalError(no_energy(assembly, methods, i));
-      result.tips.push_back({assembly.tips[i], {srif->K1, srif->K2, srif->K3}, srif->G});
-    }
-    last_ = std::make_shared<GrownPlate>(
-        GrownPlate{std::move(file), std::move(assembly), solve.solution.state, std::move(found)});
-    return result;
-  }
+  void observe(const fracture::Equilibrium& now);
+  void frame();
+  post::Summary finish();
 
-  /// Why a tip has no energy release rate although a ring fits about it.
-  static std::string no_energy(const Assembly& assembly, const std::vector<post::TipMethods>& methods,
-                               std::size_t tip) {
-    const auto& x = assembly.tips[tip].position;
-    return fmt::format("no energy release rate at the tip at ({:g}, {:g}): {}", x.x(), x.y(),
-                       fmt::join(methods[tip].left_out(), "; "));
-  }
-
-  CaseFile file_;
-  Stopwatch& stopwatch_;
-  std::shared_ptr<const GrownPlate> last_;
-  plate::StaticSolution solution_;  // without its state
-  std::string method_;
+  const Case& case_;
+  plate::Stopwatch stopwatch_;
+  std::vector<std::string> warnings_;
+  std::unique_ptr<plate::Formulation> start_;  // of bonds
+  std::unique_ptr<fracture::GrowingPlate> tips_;
+  std::unique_ptr<fracture::QuasiStaticBonds> bonds_;
+  fracture::QuasiStaticModel* model_ = nullptr;
+  std::optional<post::Recorder> recorder_;  // once nothing can be refused any more
+  post::Table srifs_{post::srif_columns(), {}};
+  std::vector<post::Srif> latest_;
+  plate::State state_;  // of the last advance
+  fracture::Grown grown_;
+  std::size_t advance_ = 0;  // its number
+  double factor_ = 0, largest_factor_ = 0;
+  std::optional<double> first_factor_;
+  bool framed_ = true;
 };
 
+/// Where the case asks for no intensity factors, the methods that give the energy release rate.
+post::SrifOptions options_of_factors(const Case& c) {
+  post::SrifOptions standard;
+  standard.methods = {"virtual_crack_extension", "domain_integral"};
+  return c.srif.value_or(standard);
+}
+
+GrowthRun::GrowthRun(const CaseFile& file, const RunOptions& options) : case_(file.content) {
+  const Case& c = case_;
+  CaseFile with_factors = file;
+  if (!c.growth->by_bonds()) with_factors.content.srif = options_of_factors(c);
+  auto found = discretised(with_factors);
+  stopwatch_ = found.stopwatch;
+  const plate::StaticOptions statics{c.analysis.tolerance, c.analysis.max_iterations, {}};
+  if (c.growth->by_bonds()) {
+    tip_methods(file, *found.plate);  // for what they refuse
+    start_ = std::move(found.plate);
+    bonds_ = std::make_unique<fracture::QuasiStaticBonds>(*c.growth, *start_, c.srif, statics);
+    model_ = bonds_.get();
+  } else {
+    check_growing_tips(file, *found.plate, found.warnings);
+    tip_methods(with_factors, *found.plate);  // for what they refuse
+    warnings_ = found.warnings;
+    const fracture::StaticSolver solver{c.analysis.static_method(), c.analysis.preconditioner, statics};
+    tips_ = std::make_unique<fracture::GrowingPlate>(*c.growth, c, std::move(found), options_of_factors(c), solver,
+                                                     stopwatch_);
+    model_ = tips_.get();
+  }
+  if (bonds_) warnings_ = found.warnings;
+  recorder_.emplace(recorder_of(c, options.folder));
+  recorder_->open();
+}
+
+post::Summary GrowthRun::operator()(bool quiet) {
+  const Case& c = case_;
+  Progress progress(quiet, "growth");
+  try {
+    grown_ = fracture::grow_quasi_statically(*c.growth, *model_, [&](const fracture::Equilibrium& now) {
+      stopwatch_.lap("solve");
+      observe(now);
+      stopwatch_.lap("output");
+      double length = 0;
+      for (const double one : model_->lengths()) length += one;
+      progress.update(
+          double(now.advance) / double(c.growth->max_advances),
+          fmt::format("advance {}, load factor {:.4g}, crack length {:.4g}", now.advance, now.factor, length));
+    });
+    progress.done();
+    return finish();
+  } catch (const plate::NumericalError& error) {
+    grown_.ended = {fracture::End::failed, error.what()};
+    finish();
+    throw;
+  }
+}
+
+void GrowthRun::observe(const fracture::Equilibrium& now) {
+  const auto& plate = model_->plate();
+  const auto time = double(now.advance);
+  advance_ = now.advance, factor_ = now.factor;
+  state_ = now.factor * model_->state();
+  post::Sample row{time, now.advance, state_, now.ledger.strain, 0, now.ledger.external_work, now.ledger.fracture};
+  row.released_energy = now.ledger.released(), row.load_factor = now.factor, row.displacement = now.displacement;
+  recorder_->row(row, probes_of(case_, plate), plate.cloud().plate_points);
+  if (auto factors = model_->factors(now.factor)) {
+    post::append(srifs_, time, *factors);
+    latest_ = std::move(*factors);
+  }
+  if (!now.ends && !first_factor_) first_factor_ = now.factor;
+  largest_factor_ = std::max(largest_factor_, now.factor);
+  grown_.ledger = now.ledger;
+  framed_ = false;
+  if (now.advance % case_.growth->frames_every == 0) frame();
+}
+
+void GrowthRun::frame() {
+  framed_ = true;
+  if (!recorder_->draws()) return;
+  auto frame = frame_of(model_->plate(), double(advance_), advance_, state_, false);
+  auto mesh = model_->draw(frame, state_);
+  recorder_->frame(std::move(frame), std::move(mesh), {});
+}
+
+post::Summary GrowthRun::finish() {
+  const Case& c = case_;
+  const bool solved = state_.cols() > 0;
+  if (solved && !framed_) frame();
+  if (solved)
+    recorder_->final_state(model_->plate().mesh(),
+                           frame_of(model_->plate(), double(advance_), advance_, state_, false));
+  if (tips_ || c.srif) recorder_->table("srif", srifs_);
+  const auto& record = model_->record();
+  recorder_->table("growth", record.growth);
+  recorder_->table("tips", record.tips);
+  recorder_->table("cracks", record.crack_table());
+  recorder_->cracks(record.cracks);
+  warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
+  post::Summary summary;
+  if (solved) summary = about(c, model_->plate(), warnings_);
+  summary.title = c.title;
+  summary.formulation = c.discretization.formulation->name;
+  summary.formulation_reason = c.formulation_reason;
+  summary.analysis.kind = "static";
+  describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), c.analysis.tolerance);
+  summary.outcome = "done";
+  const auto words = in_words(grown_.ended, c.growth->by_bonds());
+  if (grown_.ended.how == fracture::End::failed)
+    summary.outcome = words, summary.analysis.stop_reason = grown_.ended.detail;
+  summary.srif = latest_;
+  auto& growth = summary.growth.emplace();
+  growth.outcome = words;
+  growth.advances = model_->advances();
+  growth.first_load_factor = tips_ ? first_factor_.value_or(0) : first_factor_;
+  growth.largest_load_factor = largest_factor_;
+  growth.broken_bonds = model_->broken_bonds();
+  growth.lengths = model_->lengths();
+  const auto& books = grown_.ledger;
+  if (bonds_)
+    growth.spent = c.growth->spent(books.external_work - books.strain, c.section.thickness, bonds_->grown_length());
+  summary.energy = {{"strain", books.strain},
+                    {"external_work", books.external_work},
+                    {"fracture", books.fracture},
+                    {"released", books.released()}};
+  return recorder_->finish(std::move(summary), stopwatch_);
+}
+
 /// The plate at rest as it has grown, a hundredth above the load that is there, and what it does then.
-CaseFile in_motion(CaseFile file, const fracture::Grown& grown, double load_factor) {
+CaseFile in_motion(CaseFile file, const GrowthRun& run) {
   Case& c = file.content;
   c.analysis.kind = Analysis::Kind::dynamic;
   c.analysis.method = Analysis::Method::central_difference;
@@ -110,8 +185,8 @@ CaseFile in_motion(CaseFile file, const fracture::Grown& grown, double load_fact
   c.analysis.duration = c.growth->duration;
   c.growth->unstable = fracture::Growth::Unstable::jump;
   c.output.every = c.growth->duration / 10;
-  c.cracks = grown.cracks;
-  const double factor = 1.01 * load_factor;
+  c.cracks = run.cracks();
+  const double factor = 1.01 * run.load_factor();
   for (auto& load : c.loads) {
     load.value *= factor, load.twist *= factor;
     for (auto& component : load.tensor) component *= factor;
@@ -120,54 +195,15 @@ CaseFile in_motion(CaseFile file, const fracture::Grown& grown, double load_fact
   return file;
 }
 
-post::Summary summary_of(const CaseFile& file, const GrowingPlate& plate) {
-  post::Summary summary;
-  if (plate.last()) summary = about(file.content, plate.last()->assembly);
-  summary.title = file.content.title;
-  summary.formulation = formulation_name(file.content.discretization.formulation);
-  summary.formulation_reason = file.content.formulation_reason;
-  summary.analysis.kind = "static";
-  describe(summary.analysis, plate.method(), plate.solution(), file.content.analysis.tolerance);
-  summary.outcome = "done";
-  return summary;
-}
-
 }  // namespace
 
 post::Summary grow(const CaseFile& file, const RunOptions& options) {
-  Stopwatch stopwatch;
-  const Case& c = file.content;
-  GrowingPlate plate(file, stopwatch);
-  std::optional<GrowthResults> results;
-  const auto begin = [&] {
-    if (!results) results.emplace(file, options.folder);
-  };
-  Progress progress(options.quiet, "growth");
-  const auto observe = [&](const fracture::Event& event) {
-    begin();
-    results->event(event, plate.last());
-    stopwatch.lap("output");
-    double longest = 0;
-    for (const auto& crack : event.cracks) longest = std::max(longest, geometry::length(crack));
-    progress.update(double(event.advance) / double(c.growth->max_advances),
-                    fmt::format("advance {}, load factor {:.4g}, longest crack {:.4g}", event.advance, event.load_factor, longest));
-  };
-  const double spacing = c.discretization.tip_spacing.value_or(c.discretization.spacing);
-  try {
-    const auto grown = fracture::grow_at_rest(*c.growth, c.section, c.outline, c.cracks, spacing, std::ref(plate), observe);
-    progress.done();
-    auto summary = results->finish(summary_of(file, plate), grown, stopwatch);
-    if (grown.outcome == fracture::unstable_advance && c.growth->unstable == fracture::Growth::Unstable::move)
-      run(in_motion(file, grown, results->load_factor()), {options.folder / "motion", options.quiet});
-    return summary;
-  } catch (const plate::NumericalError& error) {
-    begin();
-    auto summary = summary_of(file, plate);
-    const auto outcome = summary.outcome = fmt::format("failed: {}", error.what());
-    summary.analysis.stop_reason = error.what();
-    results->finish(std::move(summary), {outcome, 0, {}, {}}, stopwatch);
-    throw;
-  }
+  GrowthRun growth(file, options);
+  auto summary = growth(options.quiet);
+  if (growth.grown().ended.how == fracture::End::unstable &&
+      file.content.growth->unstable == fracture::Growth::Unstable::move)
+    run(in_motion(file, growth), {options.folder / "motion", options.quiet});
+  return summary;
 }
 
 }  // namespace cases

@@ -1,8 +1,9 @@
 #pragma once
+#include "cases/driver/discretised.hpp"
 #include "cases/driver/run.hpp"
-#include "cases/driver/static_solution.hpp"
-#include "cases/driver/tip_factors.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
+#include "plate/solve/solution.hpp"
+#include "post/factors/plate_factors.hpp"
 
 namespace cases {
 
@@ -17,12 +18,13 @@ struct Prepared {
   Prepared(const Prepared&) = delete;
 
   CaseFile file;
-  Stopwatch stopwatch;
-  Assembly assembly;
+  plate::Stopwatch stopwatch;
+  std::unique_ptr<plate::Formulation> plate;
+  std::vector<std::string> warnings;
   std::vector<post::TipMethods> tip_methods;
-  std::optional<Steps> steps;            // of a motion; without a limit where it takes no steps but rows
+  std::optional<Steps> steps;  // of a motion; without a limit where it takes no steps but rows
   // of a plate that has been solved already:
-  std::optional<StaticResult> solution;
+  std::optional<plate::StaticResult> solution;
   std::optional<plate::LanczosMotion> motion;
 };
 

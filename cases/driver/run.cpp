@@ -4,40 +4,41 @@
 #include <algorithm>
 #include <cmath>
 #include "cases/driver/accuracy.hpp"
-#include "cases/driver/bond_growth_run.hpp"
-#include "cases/input/formulations.hpp"
-#include "cases/driver/gate.hpp"
+#include "cases/driver/discretised.hpp"
 #include "cases/driver/growth_run.hpp"
 #include "cases/driver/lanczos.hpp"
-#include "cases/driver/progress.hpp"
 #include "cases/driver/results.hpp"
-#include "cases/driver/scene.hpp"
 #include "cases/driver/second_formulation.hpp"
 #include "cases/driver/static_solution.hpp"
-#include "plate/solve/motion/frequencies.hpp"
+#include "cases/input/formulations.hpp"
+#include "cases/report/progress.hpp"
+#include "cases/report/scene.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/motion/frequencies.hpp"
+#include "post/files/gate.hpp"
 
 namespace cases {
 namespace {
 
 /// Work of loads that grow slowly from zero.
-double slow_work(const Assembly& assembly, const plate::State& state) {
+double slow_work(const plate::Formulation& plate, const plate::State& state) {
   double work = 0;
-  for (const auto& load : assembly.loads) work += load.forces.cwiseProduct(state).sum() / 2;
+  for (const auto& load : plate.loads()) work += load.forces.cwiseProduct(state).sum() / 2;
   return work;
 }
 
-std::vector<plate::Forces> forces_of(const Assembly& assembly) {
+std::vector<plate::Forces> forces_of(const plate::Formulation& plate) {
   std::vector<plate::Forces> result;
-  for (const auto& load : assembly.loads) result.push_back(load.forces);
+  for (const auto& load : plate.loads()) result.push_back(load.forces);
   return result;
 }
 
 /// At rest under the loads of time 0.
-plate::State start_of(const Case& c, const Assembly& assembly) {
-  const auto load = first_load(assembly);
+plate::State start_of(const Case& c, const plate::Formulation& plate) {
+  const auto load = plate.first_load();
   if (load.isZero(0)) return {};
-  const auto result = solve_at_rest(c, assembly, load, {plate::StaticOptions{}.tolerance, c.analysis.max_iterations, {}});
+  const auto result = plate::solve_static(plate, load, c.analysis.static_method(), c.analysis.preconditioner,
+                                          {plate::StaticOptions{}.tolerance, c.analysis.max_iterations, {}});
   if (!result.solution.converged)
     throw plate::NumericalError(fmt::format("the plate at the start: {}, residual {:.2e}", result.solution.stop_reason,
                                             result.solution.residual));
@@ -49,58 +50,63 @@ std::vector<post::Srif> coarser_srifs(const CaseFile& file, std::vector<std::str
   CaseFile coarse = file;
   Case& c = coarse.content;
   c.discretization.spacing *= 2;
-  Stopwatch stopwatch;
-  const Assembly assembly = assemble(coarse, stopwatch);
-  const auto methods = tip_methods(coarse, assembly);
-  const auto result = solve_at_rest(c, assembly, {c.analysis.tolerance, c.analysis.max_iterations, {}});
+  const auto found = discretised(coarse);
+  const auto methods = tip_methods(coarse, *found.plate);
+  const auto result = static_solution(c, *found.plate, {c.analysis.tolerance, c.analysis.max_iterations, {}});
   if (!result.solution.converged)
     throw plate::NumericalError(fmt::format("with twice the spacing: {}, residual {:.2e}", result.solution.stop_reason,
                                             result.solution.residual));
-  auto found = srifs(c, assembly, methods, result.solution.state);
-  require_finite(found, "with twice the spacing");
+  auto factors = post::srifs(*found.plate, *c.srif, methods, result.solution.state);
+  post::require_finite(factors, "with twice the spacing");
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
     if (!methods[tip].works())
-      warnings.push_back(fmt::format("tip {}: srif.richardson knows nothing of its errors: no method has room with twice the spacing", tip));
-  return found;
+      warnings.push_back(fmt::format(
+          "tip {}: srif.richardson knows nothing of its errors: no method has room with twice the spacing", tip));
+  return factors;
 }
 
-void solve_static(const Prepared& prepared, Results& results, post::Summary& summary, bool quiet, Stopwatch& stopwatch) {
+void solve_static(const Prepared& prepared, Results& results, post::Summary& summary, bool quiet,
+                  plate::Stopwatch& stopwatch) {
   const Case& c = prepared.file.content;
-  const Assembly& assembly = prepared.assembly;
+  const plate::Formulation& plate = *prepared.plate;
   using enum Analysis::Method;
   const auto method = c.analysis.method;
-  Progress progress(quiet, method == adr ? "adaptive dynamic relaxation" : method == direct ? "factorisation" : "conjugate gradients");
-  const plate::StaticOptions options{c.analysis.tolerance, c.analysis.max_iterations, [&](std::size_t i, double residual) {
+  Progress progress(quiet, method == adr      ? "adaptive dynamic relaxation"
+                           : method == direct ? "factorisation"
+                                              : "conjugate gradients");
+  const plate::StaticOptions options{c.analysis.tolerance, c.analysis.max_iterations,
+                                     [&](std::size_t i, double residual) {
                                        progress.update(std::log(residual) / std::log(c.analysis.tolerance),
                                                        fmt::format("iteration {}, residual {:.1e}", i, residual));
                                      }};
-  const auto result = prepared.solution ? *prepared.solution : solve_at_rest(c, assembly, options);
+  const auto result = prepared.solution ? *prepared.solution : static_solution(c, plate, options);
   const auto& solution = result.solution;
   progress.done();
   stopwatch.lap("solve");
 
   summary.analysis.preconditioner = result.preconditioner;
   if (result.factor_bytes > 0)
-    summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(assembly.boundary.cloud.plate_points), 0});
+    summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate.cloud().plate_points), 0});
   describe(summary.analysis, result.method, solution, c.analysis.tolerance);
-  require_finite(solution.state, "at rest");
-  const double work = slow_work(assembly, solution.state);
-  const double strain = assembly.strain_energy(solution.state);
+  post::require_finite(solution.state, "at rest");
+  const double work = slow_work(plate, solution.state);
+  const double strain = plate.strain_energy(solution.state);
   const plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, -2 * work};
   results.sample(end, true);
   stopwatch.lap("srif");
   results.frame(end);
   summary.energy = {{"strain", results.strain_energy()}, {"external_work", end.external_work}};
-  if (!moves(solution.state, work))
-    require_motion(assembly, {total_load(assembly)}, solution.state, work, summary.warnings);
+  if (!post::moves(solution.state, work))
+    post::require_motion(plate, {plate.total_load()}, solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
                                             solution.stop_reason, solution.residual, c.analysis.tolerance));
 }
 
 /// Takes the rows and frames of a motion, as far as the step `last`.
-std::function<void(const plate::Instant&)> observer(const Prepared& prepared, std::size_t last, Results& results, post::Summary& summary,
-                                                    Progress& progress, Stopwatch& stopwatch) {
+std::function<void(const plate::Instant&)> observer(const Prepared& prepared, std::size_t last, Results& results,
+                                                    post::Summary& summary, Progress& progress,
+                                                    plate::Stopwatch& stopwatch) {
   const Case& c = prepared.file.content;
   return [&, last, between = c.analysis.duration / double(last), next_frame = 0.0](const plate::Instant& now) mutable {
     stopwatch.lap("solve");
@@ -114,15 +120,15 @@ std::function<void(const plate::Instant&)> observer(const Prepared& prepared, st
     }
     stopwatch.lap("output");
     summary.analysis.steps = now.step;
-    summary.energy = {{"strain", results.strain_energy()},
-                      {"kinetic", now.kinetic_energy},
-                      {"external_work", now.external_work}};
-    if (is_last && !moves(now.state, now.external_work))
-      require_motion(prepared.assembly, forces_of(prepared.assembly), now.state, now.external_work, summary.warnings);
+    summary.energy = {
+        {"strain", results.strain_energy()}, {"kinetic", now.kinetic_energy}, {"external_work", now.external_work}};
+    if (is_last && !post::moves(now.state, now.external_work))
+      post::require_motion(*prepared.plate, forces_of(*prepared.plate), now.state, now.external_work, summary.warnings);
   };
 }
 
-void solve_by_lanczos(const Prepared& prepared, Results& results, post::Summary& summary, bool quiet, Stopwatch& stopwatch) {
+void solve_by_lanczos(const Prepared& prepared, Results& results, post::Summary& summary, bool quiet,
+                      plate::Stopwatch& stopwatch) {
   const Case& c = prepared.file.content;
   const auto rows = prepared.steps->grid.steps;
   summary.analysis.method = "lanczos";
@@ -134,8 +140,8 @@ void solve_by_lanczos(const Prepared& prepared, Results& results, post::Summary&
   };
   std::optional<plate::LanczosMotion> own;
   if (!prepared.motion) {
-    own = lanczos_motion(c, prepared.assembly, prepared.tip_methods, INFINITY, found);
-    results.truncated(own->truncated());
+    own = lanczos_motion(c, *prepared.plate, prepared.tip_methods, INFINITY, found);
+    results.factors().truncated(own->truncated());
   }
   const auto& motion = own ? *own : *prepared.motion;
   motion.observe(rows, observer(prepared, rows, results, summary, progress, stopwatch));
@@ -145,12 +151,12 @@ void solve_by_lanczos(const Prepared& prepared, Results& results, post::Summary&
   summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors());
 }
 
-void solve_dynamic(const Prepared& prepared, MovingGrowth* growth, Results& results, post::Summary& summary, bool quiet,
-                   Stopwatch& stopwatch) {
+void solve_dynamic(const Prepared& prepared, fracture::MovingGrowth* growth, Results& results, post::Summary& summary,
+                   bool quiet, plate::Stopwatch& stopwatch) {
   const Case& c = prepared.file.content;
-  const auto& assembly = prepared.assembly;
+  const plate::Formulation& plate = *prepared.plate;
   const auto& [limit, grid] = *prepared.steps;
-  const auto& constraints = assembly.boundary.constraints;
+  const auto& constraints = plate.constraints();
   summary.analysis.method = "central_difference";
   summary.analysis.time_step = grid.time_step;
   summary.analysis.time_step_limit = limit;
@@ -158,37 +164,37 @@ void solve_dynamic(const Prepared& prepared, MovingGrowth* growth, Results& resu
 
   Progress progress(quiet, "central differences");
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
-  if (c.analysis.start == Analysis::Start::equilibrium) options.start = start_of(c, assembly);
-  if (c.analysis.precision == Analysis::Precision::mixed)
-    options.single = [rows = assembly.ordinary()->single_rows()](const plate::Values<float>& state,
-                                                           plate::Values<float>& force) {
-      rows.internal_force(state, force);
-    };
+  if (c.analysis.start == Analysis::Start::equilibrium) options.start = start_of(c, plate);
+  if (c.analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
   if (growth) options.changes = &growth->changes();
-  plate::central_differences(growth ? growth->plate() : assembly.plate(), constraints, mass_of(c, assembly), assembly.loads, options,
+  plate::central_differences(growth ? growth->plate() : plate, constraints, plate.mass(c.analysis.rotary_inertia),
+                             plate.loads(), options,
                              observer(prepared, grid.steps, results, summary, progress, stopwatch));
   summary.analysis.stop_reason = "end of the duration";
 }
 
-void solve_frequencies(const Case& c, const Assembly& assembly, Results& results, post::Summary& summary, bool quiet,
-                       Stopwatch& stopwatch) {
+void solve_frequencies(const Case& c, const plate::Formulation& plate, Results& results, post::Summary& summary,
+                       bool quiet, plate::Stopwatch& stopwatch) {
   const auto [low, high] = geometry::bounding_box(c.outline);
   Progress progress(quiet, "Lanczos iteration");
   const double usual = 4 * double(c.analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
   std::unique_ptr<plate::Preconditioner> coarser;
-  const bool held = std::ranges::all_of(plate::pieces(assembly.boundary, assembly.families()),
-                                        [](const auto& piece) { return piece.free_modes == 0; });
-  if (assembly.galerkin() && held) coarser = galerkin_levels(c, assembly);
-  const plate::FrequencyOptions options{
-      c.analysis.modes, c.analysis.tolerance, c.analysis.max_iterations,
-      plate::shift_of(c.section, (high - low).maxCoeff()), coarser.get(), [&](std::size_t solution) {
-        progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
-      }};
+  if (plate.offers(plate::Feature::levels) && plate.held())
+    coarser = plate.preconditioner(plate::Preconditioning::levels).inverse;
+  const plate::FrequencyOptions options{c.analysis.modes,
+                                        c.analysis.tolerance,
+                                        c.analysis.max_iterations,
+                                        plate::shift_of(c.section, (high - low).maxCoeff()),
+                                        coarser.get(),
+                                        [&](std::size_t solution) {
+                                          progress.update(std::min(double(solution) / usual, 0.99),
+                                                          fmt::format("solution {}", solution + 1));
+                                        }};
   summary.analysis.method = "lanczos";
   summary.analysis.tolerance = c.analysis.tolerance;
-  const auto& constraints = assembly.boundary.constraints;
-  const auto mass = mass_of(c, assembly);
-  const auto solution = plate::frequencies(assembly.plate(), constraints, mass, options);
+  const auto& constraints = plate.constraints();
+  const auto mass = plate.mass(c.analysis.rotary_inertia);
+  const auto solution = plate::frequencies(plate, constraints, mass, options);
   progress.done();
   stopwatch.lap("solve");
 
@@ -202,24 +208,30 @@ void solve_frequencies(const Case& c, const Assembly& assembly, Results& results
   summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
 }
 
-void solve(const Prepared& prepared, MovingGrowth* growth, Results& results, post::Summary& summary, bool quiet,
-           Stopwatch& stopwatch) {
+void solve(const Prepared& prepared, fracture::MovingGrowth* growth, Results& results, post::Summary& summary,
+           bool quiet, plate::Stopwatch& stopwatch) {
   const Case& c = prepared.file.content;
   switch (c.analysis.kind) {
-    case Analysis::Kind::static_: return solve_static(prepared, results, summary, quiet, stopwatch);
+    case Analysis::Kind::static_:
+      return solve_static(prepared, results, summary, quiet, stopwatch);
     case Analysis::Kind::dynamic:
-      if (c.analysis.method == Analysis::Method::lanczos) return solve_by_lanczos(prepared, results, summary, quiet, stopwatch);
+      if (c.analysis.method == Analysis::Method::lanczos)
+        return solve_by_lanczos(prepared, results, summary, quiet, stopwatch);
       return solve_dynamic(prepared, growth, results, summary, quiet, stopwatch);
-    case Analysis::Kind::frequencies: return solve_frequencies(c, prepared.assembly, results, summary, quiet, stopwatch);
+    case Analysis::Kind::frequencies:
+      return solve_frequencies(c, *prepared.plate, results, summary, quiet, stopwatch);
   }
 }
 
 using SrifRows = std::vector<std::vector<post::Srif>>;
 
-post::Summary run(const Prepared& prepared, Results& results, const RunOptions& options, Stopwatch& stopwatch) {
-  post::Summary summary = about(prepared.file.content, prepared.assembly);
-  std::unique_ptr<MovingGrowth> growth;
-  if (prepared.file.content.growth) results.grows(*(growth = moving_growth(prepared.file, prepared.assembly)));
+post::Summary run(const Prepared& prepared, Results& results, const RunOptions& options, plate::Stopwatch& stopwatch) {
+  post::Summary summary = about(prepared.file.content, *prepared.plate, prepared.warnings);
+  std::unique_ptr<fracture::MovingGrowth> growth;
+  if (const Case& c = prepared.file.content; c.growth) {
+    growth = fracture::moving_growth(*c.growth, *prepared.plate, c.srif, c.analysis.rotary_inertia);
+    results.grows(*growth);
+  }
   try {
     solve(prepared, growth.get(), results, summary, options.quiet, stopwatch);
     summary.outcome = "done";
@@ -234,21 +246,18 @@ post::Summary run(const Prepared& prepared, Results& results, const RunOptions& 
 
 /// The whole run of a case in its other formulation.
 SrifRows run_second(const Prepared& prepared, const RunOptions& options) {
-  Stopwatch stopwatch = prepared.stopwatch;
-  Results results(prepared.file, prepared.assembly, prepared.tip_methods, options.folder);
+  plate::Stopwatch stopwatch = prepared.stopwatch;
+  Results results(prepared.file, *prepared.plate, prepared.tip_methods, options.folder);
   run(prepared, results, options, stopwatch);
-  return std::move(results).srif_rows();
+  return results.factors().rows();
 }
-
-}  // namespace
-
-namespace {
 
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
   auto [plate, found, rows] = to_accuracy(file, options.quiet);
-  Stopwatch stopwatch = plate->stopwatch;
-  Results results(plate->file, plate->assembly, plate->tip_methods, options.folder);
-  results.known(std::move(rows), std::move(found));
+  plate::Stopwatch stopwatch = plate->stopwatch;
+  Results results(plate->file, *plate->plate, plate->tip_methods, options.folder);
+  results.factors().known(std::move(rows));
+  results.found(std::move(found));
   stopwatch.lap("output");
   return run(*plate, results, options, stopwatch);
 }
@@ -257,22 +266,22 @@ post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
 
 post::Summary run(const CaseFile& file, const RunOptions& options) {
   const Case& c = file.content;
-  if (c.growth && c.analysis.kind == Analysis::Kind::static_)
-    return c.growth->by_bonds() ? break_bonds(file, options) : grow(file, options);
+  if (c.growth && c.analysis.kind == Analysis::Kind::static_) return grow(file, options);
   if (c.srif && c.srif->accuracy) return run_accurately(file, options);
   Prepared prepared(file);
-  Stopwatch stopwatch = prepared.stopwatch;
+  plate::Stopwatch stopwatch = prepared.stopwatch;
   std::optional<Prepared> second;
   if (c.srif && c.srif->second_formulation) {
     second.emplace(in_other_formulation(file));
     stopwatch.lap("second_formulation");
   }
-  Results results(prepared.file, prepared.assembly, prepared.tip_methods, options.folder);
+  Results results(prepared.file, *prepared.plate, prepared.tip_methods, options.folder);
   stopwatch.lap("output");
-  if (c.srif && c.srif->richardson) results.coarser(coarser_srifs(file, prepared.assembly.warnings)), stopwatch.lap("srif");
+  if (c.srif && c.srif->richardson)
+    results.factors().coarser(coarser_srifs(file, prepared.warnings)), stopwatch.lap("srif");
   if (second) {
-    const auto name = formulation_name(second->file.content.discretization.formulation);
-    results.second(name, run_second(*second, {options.folder / name, options.quiet}));
+    const auto name = second->file.content.discretization.formulation->name;
+    results.factors().second(name, run_second(*second, {options.folder / name, options.quiet}));
     second.reset();
     stopwatch.lap("second_formulation");
   }

@@ -1,19 +1,19 @@
 #include "cases/driver/second_formulation.hpp"
 
+#include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 
 namespace cases {
 
 CaseFile in_other_formulation(const CaseFile& file) {
-  using enum plate::Formulation;
   CaseFile result = file;
   Case& c = result.content;
   const auto given = c.discretization;
   c.discretization = {};
   c.discretization.spacing = given.spacing;
-  c.discretization.formulation = given.formulation == ordinary ? galerkin : ordinary;
+  c.discretization.formulation = &other_formulation(*given.formulation);
   c.formulation_reason = "the other one of srif.second_formulation";
-  c.analysis.preconditioner = Analysis::Preconditioner::automatic;
+  c.analysis.preconditioner = plate::Preconditioning::automatic;
   c.analysis.precision = Analysis::Precision::double_;
   if (c.analysis.method == Analysis::Method::lanczos) c.analysis.method = Analysis::Method::central_difference;
   c.output.vtk = c.output.hdf5 = false;

@@ -56,7 +56,8 @@ double row_of(const CaseFile& file) {
   const double duration = c.analysis.duration, row = c.output.history_every.value_or(duration / 400);
   if (!(duration / row <= most_rows))
     refuse(file, c.output.history_every ? "output.history_every" : "analysis.duration",
-           fmt::format("a duration of {:g} in rows of {:g} is {:g} rows: at most {:g} can be kept", duration, row, duration / row, most_rows));
+           fmt::format("a duration of {:g} in rows of {:g} is {:g} rows: at most {:g} can be kept", duration, row,
+                       duration / row, most_rows));
   return row;
 }
 

@@ -1,6 +1,7 @@
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "geometry/shape/crack_extension.hpp"
+#include "plate/formulation/formulation.hpp"
 
 #include <limits>
 
@@ -12,24 +13,9 @@ using geometry::Edge;
 using geometry::Point;
 using plate::SupportKind;
 
-/// A length that counts as nothing beside the plate.
-double tolerance(const geometry::Outline& outline) {
-  const auto [low, high] = geometry::bounding_box(outline);
-  return 1e-9 * (high - low).norm();
-}
-
-double distance_to_boundary(const geometry::Outline& outline, const Point& point) {
-  double nearest = INFINITY;
-  for (const Edge& edge : geometry::straight_edges(outline))
-    nearest = std::min(nearest, geometry::distance({edge.from, edge.to}, point));
-  for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
-      nearest = std::min(nearest, std::abs((point - circle->centre).norm() - circle->radius));
-  return nearest;
-}
-
 bool on_plate(const geometry::Outline& outline, const Point& point) {
-  return geometry::contains(outline, point) || distance_to_boundary(outline, point) <= tolerance(outline);
+  return geometry::contains(outline, point) ||
+         geometry::distance_to_boundary(outline, point) <= geometry::tolerance(outline);
 }
 
 /// Does the name stand for straight edges parallel to the axes only?
@@ -37,12 +23,12 @@ bool axis_parallel(const geometry::Outline& outline, const std::string& name) {
   for (const auto& hole : outline.holes)
     if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name) return false;
   for (const Edge& edge : geometry::straight_edges(outline))
-    if (edge.name == name && (edge.to - edge.from).cwiseAbs().minCoeff() > tolerance(outline)) return false;
+    if (edge.name == name && (edge.to - edge.from).cwiseAbs().minCoeff() > geometry::tolerance(outline)) return false;
   return true;
 }
 
 bool needs_axis_parallel(SupportKind kind) {
-  return kind == SupportKind::symmetry || kind == SupportKind::simply_supported_hard || is_layer(kind);
+  return kind == SupportKind::symmetry || kind == SupportKind::simply_supported_hard || plate::is_layer(kind);
 }
 
 /// Shape and cracks; true where edges and points can be checked against the shape.
@@ -54,7 +40,7 @@ bool check_geometry(const Case& content, Reading& reading) {
   for (const auto& fault : shape_faults) reading.complain("geometry." + fault.where, fault.what);
   if (!shape_faults.empty()) return false;
   if (!reading.sound("geometry.cracks")) return true;
-  for (const auto& fault : geometry::faults(content.outline, content.cracks, tolerance(content.outline)))
+  for (const auto& fault : geometry::faults(content.outline, content.cracks, geometry::tolerance(content.outline)))
     reading.complain("geometry." + fault.where, fault.what);
   return true;
 }
@@ -79,8 +65,9 @@ void check_supports(const Case& content, Reading& reading) {
       if (!fresh && first->second != i)
         reading.complain(entry + ".edges",
                          fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second));
-      const bool galerkin = content.discretization.formulation == plate::Formulation::galerkin;
-      if (!galerkin && needs_axis_parallel(support.kind) && reading.sound(entry + ".kind") && !axis_parallel(content.outline, edge))
+      const bool any_direction = content.discretization.formulation->offers(plate::Feature::any_direction);
+      if (!any_direction && needs_axis_parallel(support.kind) && reading.sound(entry + ".kind") &&
+          !axis_parallel(content.outline, edge))
         reading.complain(entry + ".edges",
                          fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
                                      "of support needs because it mirrors or extends the lattice there",
@@ -123,12 +110,14 @@ void check_precision(const Case& content, Reading& reading) {
     return;
   const auto [low, high] = geometry::bounding_box(content.outline);
   const double side = (high - low).maxCoeff(), slender = side / content.section.thickness;
-  const double rounding = std::numeric_limits<float>::epsilon() / 2 * side / content.discretization.spacing * slender * slender;
+  const double rounding =
+      std::numeric_limits<float>::epsilon() / 2 * side / content.discretization.spacing * slender * slender;
   if (rounding > largest)
-    reading.complain("analysis.precision",
-                     fmt::format("\"mixed\" given: so thin a plate loses its shear strains in the rounding of its deflection, "
-                                 "2^-24 (side/spacing) (side/thickness)^2 = {:.2g}, above {:g}; choose \"double\"",
-                                 rounding, largest));
+    reading.complain(
+        "analysis.precision",
+        fmt::format("\"mixed\" given: so thin a plate loses its shear strains in the rounding of its deflection, "
+                    "2^-24 (side/spacing) (side/thickness)^2 = {:.2g}, above {:g}; choose \"double\"",
+                    rounding, largest));
 }
 
 void check_probes(const Case& content, Reading& reading) {
@@ -139,7 +128,7 @@ void check_probes(const Case& content, Reading& reading) {
 
 void check_tips(const Case& content, Reading& reading) {
   if (!content.srif || !reading.sound("geometry") || (content.growth && content.growth->by_bonds())) return;
-  const auto paths = geometry::crack_paths(content.outline, content.cracks, tolerance(content.outline));
+  const auto paths = plate::crack_paths(content);
   if (geometry::tips(paths).empty())
     reading.complain("srif",
                      "there is no crack tip to find intensity factors at: remove [srif] or give geometry.cracks");
@@ -157,10 +146,12 @@ void check_criterion(const fracture::Growth& growth, Reading& reading) {
   if (!growth.by_bonds() && reading.given("growth.apparent_toughness"))
     reading.complain("growth.apparent_toughness", "is of criteria for bonds: remove it");
   if (limits && !reading.given("growth.fracture_energy") && reading.given("growth.apparent_toughness"))
-    reading.complain("growth.apparent_toughness", "divides what follows from growth.fracture_energy, which is not given: remove it");
+    reading.complain("growth.apparent_toughness",
+                     "divides what follows from growth.fracture_energy, which is not given: remove it");
   if (growth.by_bonds())
     for (const char* key : {"growth.direction", "growth.increment"})
-      if (reading.given(key)) reading.complain(key, "is of criterion = \"energy_release\": bonds break where they fail; remove it");
+      if (reading.given(key))
+        reading.complain(key, "is of criterion = \"energy_release\": bonds break where they fail; remove it");
 }
 
 /// From rest to motion.
@@ -172,11 +163,15 @@ void check_switch(const Case& content, Reading& reading) {
     return;
   }
   if (!reading.given("growth.duration")) reading.complain("growth.duration", "is missing, must be a number > 0");
-  if (!reading.given("section.density")) reading.complain("section.density", "is missing, must be a number > 0: the plate may begin to move");
+  if (!reading.given("section.density"))
+    reading.complain("section.density", "is missing, must be a number > 0: the plate may begin to move");
   if (growth.by_bonds())
-    reading.complain("growth.unstable", "\"move\" given: cracks of broken bonds cannot be handed over to a motion; choose \"stop\" or \"jump\"");
+    reading.complain(
+        "growth.unstable",
+        "\"move\" given: cracks of broken bonds cannot be handed over to a motion; choose \"stop\" or \"jump\"");
   if (growth.control != fracture::Growth::Control::load)
-    reading.complain("growth.control", "must be \"load\" with unstable = \"move\": the loads stay while the plate moves");
+    reading.complain("growth.control",
+                     "must be \"load\" with unstable = \"move\": the loads stay while the plate moves");
 }
 
 /// How the states between which bonds break one by one, or tips run, may be found.
@@ -187,8 +182,9 @@ void check_analysis_of_growth(const Case& content, Reading& reading) {
     reading.complain("analysis.precision", "growth is in double precision only; choose \"double\"");
   if (moves) return;
   if (content.analysis.method != Analysis::Method::cg)
-    reading.complain("analysis.method", "breaking bonds takes a solution for each, by conjugate gradients with one factor; choose \"cg\"");
-  if (content.analysis.preconditioner != Analysis::Preconditioner::automatic)
+    reading.complain("analysis.method",
+                     "breaking bonds takes a solution for each, by conjugate gradients with one factor; choose \"cg\"");
+  if (content.analysis.preconditioner != plate::Preconditioning::automatic)
     reading.complain("analysis.preconditioner", "bonds that break at rest have one of their own; choose \"auto\"");
 }
 
@@ -197,21 +193,27 @@ void check_growth(const Case& content, Reading& reading) {
   check_criterion(*content.growth, reading);
   check_analysis_of_growth(content, reading);
   if (content.analysis.kind == Analysis::Kind::static_) check_switch(content, reading);
-  const auto paths = geometry::crack_paths(content.outline, content.cracks, tolerance(content.outline));
+  const auto paths = plate::crack_paths(content);
   if (!content.growth->by_bonds() && geometry::tips(paths).empty())
-    reading.complain("growth", "there is no crack tip that could grow: give geometry.cracks, criterion = \"bond_energy\", or "
-                               "remove [growth]");
+    reading.complain("growth",
+                     "there is no crack tip that could grow: give geometry.cracks, criterion = \"bond_energy\", or "
+                     "remove [growth]");
   double longest = 0, all = 0;
-  for (const auto& crack : content.cracks) longest = std::max(longest, geometry::length(crack)), all += geometry::length(crack);
+  for (const auto& crack : content.cracks)
+    longest = std::max(longest, geometry::length(crack)), all += geometry::length(crack);
   const double there = content.growth->by_bonds() ? all : longest;
   if (content.growth->max_length && there >= *content.growth->max_length)
     reading.complain("growth.max_length", fmt::format("{} given, must be larger than the {:.6g} of geometry.cracks",
                                                       number_text(*content.growth->max_length), there));
-  const auto has = [&](const char* method) { return std::ranges::find(content.srif->methods, method) != content.srif->methods.end(); };
+  const auto has = [&](const char* method) {
+    return std::ranges::find(content.srif->methods, method) != content.srif->methods.end();
+  };
   if (content.srif && !content.growth->by_bonds() && !has("virtual_crack_extension") && !has("domain_integral"))
-    reading.complain("srif.methods", "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");
+    reading.complain("srif.methods",
+                     "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");
   if (content.srif && content.srif->second_formulation)
-    reading.complain("srif.second_formulation", "is not available with [growth]: run both cases and compare their growth.csv");
+    reading.complain("srif.second_formulation",
+                     "is not available with [growth]: run both cases and compare their growth.csv");
   if (content.srif && content.srif->richardson)
     reading.complain("srif.richardson", "is not available with [growth]: run the case with twice the spacing");
 }
@@ -231,17 +233,20 @@ void check_motion(const Case& content, Reading& reading) {
   if (reading.given("analysis.safety")) complain("analysis.safety");
   if (content.analysis.precision == Analysis::Precision::mixed)
     reading.complain("analysis.precision", "\"mixed\" is of method = \"central_difference\"; choose \"double\"");
-  if (content.discretization.formulation == plate::Formulation::ordinary && !content.growth)
-    reading.complain("analysis.method", "\"lanczos\" is of formulation = \"galerkin\", whose points all have mass; choose \"central_difference\"");
-  if (content.growth) reading.complain("analysis.method", "\"lanczos\" given: growth in motion takes steps; choose \"central_difference\"");
+  if (const auto& kind = *content.discretization.formulation; !kind.offers(plate::Feature::lanczos) && !content.growth)
+    reading.complain("analysis.method", kind.lacks.at(plate::Feature::lanczos) + "; choose \"central_difference\"");
+  if (content.growth)
+    reading.complain("analysis.method",
+                     "\"lanczos\" given: growth in motion takes steps; choose \"central_difference\"");
 }
 
 /// What stands in the way of finding the discretisation.
 void check_accuracy(const Case& content, Reading& reading) {
   if (!content.srif || !content.srif->accuracy) return;
   const auto complain = [&](const std::string& what) { reading.complain("srif.accuracy", what); };
-  if (content.discretization.formulation == plate::Formulation::ordinary)
-    complain("needs the Galerkin plate, whose points can be graded (formulation " + content.formulation_reason + "): remove it or that");
+  if (const auto& kind = *content.discretization.formulation; !kind.offers(plate::Feature::graded_points))
+    complain(kind.lacks.at(plate::Feature::graded_points) + " (formulation " + content.formulation_reason +
+             "): remove it or that");
   else if (content.analysis.kind == Analysis::Kind::dynamic && content.analysis.method != Analysis::Method::lanczos)
     complain("moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety)");
   if (content.growth) complain("is not available with [growth]");

@@ -1,9 +1,10 @@
 #include "cases/input/case_file.hpp"
 #include <fstream>
 #include <sstream>
-#include "cases/driver/accuracy.hpp"
+#include "cases/input/accuracy_path.hpp"
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
 
 namespace cases {
 
@@ -74,7 +75,7 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<std::str
 
   Case content;
   content.title = path.stem().string();
-  content.discretization.formulation = plate::Formulation::galerkin;  // unless the file states another
+  content.discretization.formulation = &plate::galerkin;  // unless the file states another
   read_fields(case_fields(), Value(root, "", reading), content);
   settle_formulation(states_formulation(root), content, reading);
   settle_method(content, reading);

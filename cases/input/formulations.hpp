@@ -1,37 +1,38 @@
 #pragma once
 #include "cases/input/toml_reader.hpp"
+#include "plate/model/formulation_kind.hpp"
 
-/// Which formulation of the plate a case is for, and what only one of them has.
+/// Which formulation of the plate a case is for, and what not every one of them can do.
 namespace cases {
 
-/// As in case files.
-std::string formulation_name(plate::Formulation formulation);
-
-/// Of the kinds that hold points outside the plate.
-bool is_layer(plate::SupportKind kind);
-
-/// One thing that a case asks for and that only bonds over a horizon have.
-struct OfBonds {
-  std::string asked;    // in words: horizon_ratio, precision = "mixed"
-  std::string key;      // whose value the Galerkin plate refuses
-  std::string refusal;  // what is said then; empty where it takes it, without effect
+/// One thing that a case asks for and that not every formulation can do.
+struct Asked {
+  std::string words;  // horizon_ratio, precision = "mixed"
+  std::string key;    // whose value a formulation refuses that cannot do it ...
+  plate::Feature feature;
+  bool refused;        // ... or takes without effect
+  std::string remedy;  // what to do then
 };
 
-/// All that a case asks for and that only bonds have, in the order of its tables: by this "auto" chooses, and this the
-/// Galerkin plate refuses. A key of the horizon counts where it is given, and is refused away from its default.
-std::vector<OfBonds> of_bonds(const Case& content, const Reading& reading);
+/// All of them, in the order of the tables of the case. A key of the horizon counts where it is given, and is refused
+/// away from its default.
+std::vector<Asked> asked(const Case& content, const Reading& reading);
 
 /// Does the file choose a formulation itself? "auto" is the same as none.
 bool states_formulation(const toml::table& root);
 
-/// Puts the formulation that "auto" stands for in the place of the Galerkin plate, which a case is read for unless it
-/// states another, and the reason beside it. Complains about keys of graded points in a case for bonds.
+/// Puts the formulation that "auto" stands for, and the reason, in the place of the one that a case is read for unless
+/// it states another. Complains about keys of graded points in a case that needs a formulation without.
 void settle_formulation(bool stated, Case& content, Reading& reading);
 
-/// Graded points move by Lanczos vectors unless the case states a method or asks for steps: stable steps follow the least spacing.
+/// Graded points move by Lanczos vectors unless the case states a method or asks for steps: stable steps follow the
+/// least spacing.
 void settle_method(Case& content, const Reading& reading);
 
-/// What one formulation has and the other has not.
+/// The other formulation that a case may be run in beside its own.
+const plate::FormulationKind& other_formulation(const plate::FormulationKind& one);
+
+/// What its formulation cannot do.
 void check_formulation(const Case& content, Reading& reading);
 
 }  // namespace cases

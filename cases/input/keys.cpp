@@ -1,5 +1,8 @@
 #include "cases/input/keys.hpp"
 
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+
 namespace cases {
 
 namespace {
@@ -21,18 +24,18 @@ Fields<plate::Section> section_fields() {
 Fields<plate::Discretization> discretization_fields() {
   using namespace plate;
   using D = Discretization;
-  const Condition<D> galerkin{"formulation", "formulation = galerkin",
-                              [](const D& d) { return d.formulation == Formulation::galerkin; }};
+  const Condition<D> graded{"formulation", "formulation = galerkin",
+                            [](const D& d) { return d.formulation->offers(Feature::graded_points); }};
   return {
       number<D>("spacing", "length", &D::spacing, positive, "distance of the points; at least 4 across the plate")
           .required()
           .unless_found(),
       number<D>("horizon_ratio", "-", &D::horizon_ratio, {1.5, 20}, "horizon / spacing"),
-      choice<D, Formulation>(
+      choice<D, const FormulationKind*>(
           "formulation", &D::formulation,
-          {{{"ordinary", Formulation::ordinary},
-            {"galerkin", Formulation::galerkin},
-            {"auto", Formulation::galerkin}}},  // until all is read: settle_formulation
+          {{{"ordinary", &ordinary},
+            {"galerkin", &plate::galerkin},
+            {"auto", &plate::galerkin}}},  // until all is read: settle_formulation
           "bonds of the ordinary state-based plate, the Galerkin plate, or the latter unless the case asks "
           "for what only bonds have; see \"Formulations\"")
           .standard("\"auto\""),
@@ -56,12 +59,12 @@ Fields<plate::Discretization> discretization_fields() {
                              "constants of a full family: integrals over the disc, or sums over the lattice"),
       choice<D, TwistMatch>("twist_match", &D::twist_match,
                             {{{"frame_invariant", TwistMatch::frame_invariant}, {"paper", TwistMatch::paper}}},
-                            "calibration of the twist constant: independent of the axes, or as in Dai et al., Eq. 35"),
+                            "calibration of the twist constant: independent of the axes, or as in Dai 35"),
       number<D>("tip_spacing", "length", &D::tip_spacing, positive, "distance of the points at crack tips")
-          .with(galerkin),
-      number<D>("hole_spacing", "length", &D::hole_spacing, positive, "distance of the points at holes").with(galerkin),
+          .with(graded),
+      number<D>("hole_spacing", "length", &D::hole_spacing, positive, "distance of the points at holes").with(graded),
       number<D>("spacing_growth", "-", &D::spacing_growth, {0.02, 1}, "growth of that distance per length from there")
-          .with(galerkin),
+          .with(graded),
   };
 }
 

@@ -15,16 +15,17 @@ const Words<Analysis::Method> methods{{{"adr", Analysis::Method::adr},
                                        {"direct", Analysis::Method::direct},
                                        {"lanczos", Analysis::Method::lanczos}}};
 
-const Words<Analysis::Preconditioner> preconditioners{{{"auto", Analysis::Preconditioner::automatic},
-                                                       {"diagonal", Analysis::Preconditioner::diagonal},
-                                                       {"local", Analysis::Preconditioner::local},
-                                                       {"two_level", Analysis::Preconditioner::two_level},
-                                                       {"levels", Analysis::Preconditioner::levels}}};
+const Words<plate::Preconditioning> preconditioners{{{"auto", plate::Preconditioning::automatic},
+                                                     {"diagonal", plate::Preconditioning::diagonal},
+                                                     {"local", plate::Preconditioning::local},
+                                                     {"two_level", plate::Preconditioning::two_level},
+                                                     {"levels", plate::Preconditioning::levels}}};
 
-const Words<Analysis::Precision> precisions{{{"double", Analysis::Precision::double_},
-                                             {"mixed", Analysis::Precision::mixed}}};
+const Words<Analysis::Precision> precisions{
+    {{"double", Analysis::Precision::double_}, {"mixed", Analysis::Precision::mixed}}};
 
-const Words<Analysis::Start> starts{{{"undeformed", Analysis::Start::undeformed}, {"equilibrium", Analysis::Start::equilibrium}}};
+const Words<Analysis::Start> starts{
+    {{"undeformed", Analysis::Start::undeformed}, {"equilibrium", Analysis::Start::equilibrium}}};
 
 Field<Analysis> time_step() {
   return value<Analysis>(
@@ -150,17 +151,22 @@ Fields<Analysis> analysis_fields() {
     return field;
   };
   return {
-      choice<A, A::Kind>("kind", &A::kind, analysis_kinds(), "what is sought: rest, motion, eigenfrequencies").required(),
+      choice<A, A::Kind>("kind", &A::kind, analysis_kinds(), "what is sought: rest, motion, eigenfrequencies")
+          .required(),
       choice<A, A::Method>("method", &A::method, methods,
-                           "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; dynamic: steps, or Lanczos vectors "
+                           "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; dynamic: "
+                           "steps, or Lanczos vectors "
                            "that move exactly")
-          .standard("static: \"cg\"; dynamic: \"central_difference\", \"lanczos\" with graded points; frequencies: \"lanczos\""),
-      choice<A, A::Preconditioner>("preconditioner", &A::preconditioner, preconditioners,
-                                   "of cg: the diagonal; the factor of a plate with a horizon of 1.5 spacings; the same on every "
-                                   "second point each way; or what is likely to be fastest of first and last (theory.md, \"Statics\")")
+          .standard("static: \"cg\"; dynamic: \"central_difference\", \"lanczos\" with graded points; frequencies: "
+                    "\"lanczos\""),
+      choice<A, plate::Preconditioning>(
+          "preconditioner", &A::preconditioner, preconditioners,
+          "of cg: the diagonal; the factor of a plate with a horizon of 1.5 spacings; the same on every "
+          "second point each way; or what is likely to be fastest of first and last (theory.md, \"Statics\")")
           .in({A::Kind::static_}),
       unless(number<A>("tolerance", "-", &A::tolerance, {1e-14, 0.1},
-                       "static: residual / load at which a solution is accepted; frequencies: of the eigenpairs; dynamic, with lanczos: of "
+                       "static: residual / load at which a solution is accepted; frequencies: of the eigenpairs; "
+                       "dynamic, with lanczos: of "
                        "the motion, rms over the mass, relative to the largest")
                  .standard("static: 1e-06; frequencies: 0.0001; dynamic: 0.0003"),
              A::Method::central_difference),
@@ -169,18 +175,21 @@ Fields<Analysis> analysis_fields() {
       number<A>("modes", "-", &A::modes, {1, 1000}, "number of frequencies, from the lowest")
           .in({A::Kind::frequencies}),
       number<A>("duration", "time", &A::duration, positive, "simulated time").required().in_dynamics(),
-      choice<A, A::Start>("start", &A::start, starts,
-                          "dynamic: the plate at time 0: without deformation, or at rest in equilibrium with the loads of that time")
+      choice<A, A::Start>(
+          "start", &A::start, starts,
+          "dynamic: the plate at time 0: without deformation, or at rest in equilibrium with the loads of that time")
           .in({A::Kind::dynamic}),
       unless(time_step().in_dynamics(), A::Method::lanczos),
       number<A>("rotary_inertia", "-", &A::rotary_inertia, {1, 1e6},
                 "factor of the rotary inertia: above 1 thin plates take longer steps, and short waves run slower")
           .in_dynamics(),
-      choice<A, A::Precision>("precision", &A::precision, precisions,
-                              "dynamic: mixed has internal forces in single precision, displacements in double; refused "
-                              "where rounding would show")
+      choice<A, A::Precision>(
+          "precision", &A::precision, precisions,
+          "dynamic: mixed has internal forces in single precision, displacements in double; refused "
+          "where rounding would show")
           .in({A::Kind::dynamic}),
-      unless(number<A>("safety", "-", &A::safety, {0, 1, true}, "share of the stable step that is used").in_dynamics(), A::Method::lanczos),
+      unless(number<A>("safety", "-", &A::safety, {0, 1, true}, "share of the stable step that is used").in_dynamics(),
+             A::Method::lanczos),
   };
 }
 
@@ -219,22 +228,25 @@ Fields<SrifOptions> srif_fields() {
       number<S>("skip", "-", &S::skip, {0, 1000000}, "samples next to the tip left out"),
       number<S>("rows", "-", &S::rows, {1, 2},
                 "rows of points on each side: 1 nearest row, 2 extrapolated to the crack"),
-      value<S>({"richardson", "-", "true or false", "false",
-                "statics: also solve with twice the spacing; the difference counts in the estimated error"},
-               [](const Value& given, S& options) {
-                 if (const auto wanted = given.boolean()) options.richardson = *wanted;
-               },
-               [](const S& options) { return std::string(options.richardson ? "true" : "false"); })
+      value<S>(
+          {"richardson", "-", "true or false", "false",
+           "statics: also solve with twice the spacing; the difference counts in the estimated error"},
+          [](const Value& given, S& options) {
+            if (const auto wanted = given.boolean()) options.richardson = *wanted;
+          },
+          [](const S& options) { return std::string(options.richardson ? "true" : "false"); })
           .in({Analysis::Kind::static_}),
-      value<S>({"second_formulation", "-", "true or false", "false",
-                "also run the case in the other formulation, into a folder of its name within the results; the difference "
-                "counts in the estimated error"},
-               [](const Value& given, S& options) {
-                 if (const auto wanted = given.boolean()) options.second_formulation = *wanted;
-               },
-               [](const S& options) { return std::string(options.second_formulation ? "true" : "false"); }),
+      value<S>(
+          {"second_formulation", "-", "true or false", "false",
+           "also run the case in the other formulation, into a folder of its name within the results; the difference "
+           "counts in the estimated error"},
+          [](const Value& given, S& options) {
+            if (const auto wanted = given.boolean()) options.second_formulation = *wanted;
+          },
+          [](const S& options) { return std::string(options.second_formulation ? "true" : "false"); }),
       number<S>("accuracy", "-", &S::accuracy, {1e-5, 0.2},
-                "find the discretisation by which every factor is known to this share of the largest of K1, K2, K3 thickness; "
+                "find the discretisation by which every factor is known to this share of the largest of K1, K2, K3 "
+                "thickness; "
                 "spacings and their growth need not be given, and are not used; formulation = galerkin")
           .in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       number<S>("accuracy_seconds", "s", &S::accuracy_seconds, positive,

@@ -1,9 +1,10 @@
 #include <set>
 
-#include "cases/driver/assembly.hpp"
+#include "cases/driver/discretised.hpp"
 #include "cases/studies/extremes.hpp"
 #include "plate/model/numerical_error.hpp"
-#include "post/studies/aligned.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "post/figures/aligned.hpp"
 
 namespace cases {
 namespace {
@@ -24,11 +25,10 @@ bool contains(const std::string& text, const std::string& part) {
 
 /// The time step that is a share of the limit which the program finds for this plate.
 void set_time_step(CaseFile& file, double share) {
-  Stopwatch stopwatch;
-  const auto assembly = assemble(file, stopwatch);
-  const auto& constraints = assembly.boundary.constraints;
-  const auto mass = mass_of(file.content, assembly);
-  file.content.analysis.time_step = share * plate::stable_time_step(assembly.plate(), constraints, mass);
+  const auto found = discretised(file);
+  const auto& plate = *found.plate;
+  file.content.analysis.time_step =
+      share * plate::stable_time_step(plate, plate.constraints(), plate.mass(file.content.analysis.rotary_inertia));
 }
 
 Run run_row(const Extremes& extremes, const ExtremeRow& row, const ExtremeOptions& options, const fs::path& folder) {
@@ -38,7 +38,7 @@ Run run_row(const Extremes& extremes, const ExtremeRow& row, const ExtremeOption
   for (const auto& setting : row.set) overrides.push_back(setting.text);
   Run result;
   result.folder = folder;
-  Stopwatch stopwatch;
+  plate::Stopwatch stopwatch;
   try {
     auto file = read_case(*row.case_file, overrides);
     if (row.time_step_share) set_time_step(file, *row.time_step_share);

@@ -1,5 +1,7 @@
 #include <set>
 
+#include "plate/formulation/formulation.hpp"
+
 #include "cases/studies/keys.hpp"
 #include "post/studies/orders.hpp"
 
@@ -75,8 +77,7 @@ std::string lacking(const Case& c, const post::Quantity& quantity) {
   if (!quantity.tip) return "";
   if (!c.srif) return "the case has no [srif]";
   if (quantity.name.starts_with('F') && !c.srif->normalize) return "the case has no srif.normalize";
-  const auto [low, high] = geometry::bounding_box(c.outline);
-  const auto tips = geometry::tips(geometry::crack_paths(c.outline, c.cracks, 1e-9 * (high - low).norm())).size();
+  const auto tips = geometry::tips(plate::crack_paths(c)).size();
   return *quantity.tip < tips ? "" : fmt::format("the case has {} crack tips, counted from 0", tips);
 }
 

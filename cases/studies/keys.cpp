@@ -89,8 +89,10 @@ void check_reference(const Value& given, Reference& reference) {
     reading.complain(given.below("value"),
                      "is missing, must be a number; or give finest = true, or curve = \"FILE.csv\" and column");
   if (found.size() > 1) given.complain(fmt::format("{} given, must be one of them", fmt::join(found, " and ")));
-  if (found == std::vector<std::string>{"value"} && !reference.scale && reading.sound(given.below("value")) && std::get<double>(reference.known) == 0)
-    reading.complain(given.below("value"), "0 given, must be a number other than 0, because errors are relative to it; or give scale");
+  if (found == std::vector<std::string>{"value"} && !reference.scale && reading.sound(given.below("value")) &&
+      std::get<double>(reference.known) == 0)
+    reading.complain(given.below("value"),
+                     "0 given, must be a number other than 0, because errors are relative to it; or give scale");
   const bool is_sound = found.size() == 1 && reading.sound(given.key());
   if (is_sound && has_curve(reference)) load(given, std::get<post::KnownCurve>(reference.known));
 }
@@ -121,18 +123,18 @@ Fields<Reference> reference_fields() {
                                     [](const Reference& r) { return post::kind_of_place(r.quantity.name) == "tip"; }};
   Fields<Reference> fields = quantity_fields<Reference>();
   const Fields<Reference> others{
-          word<Reference>(
-              "method", [](auto& r) -> auto& { return r.quantity.method; })
-              .with(of_tip),
-          entry<Reference>("where", "", read_where),
-          entry<Reference>("value", "a number", read_value),
-          entry<Reference>("scale", "a number above 0", read_scale).with({"value", "value", has_value}),
-          entry<Reference>("finest", "true", read_finest),
-          entry<Reference>("curve", "a file", read_curve),
-          entry<Reference>("column", "the name of a column of the file", read_column)
-              .required()
-              .with({"curve", "curve", has_curve}),
-          word<Reference>("source", &Reference::source)};
+      word<Reference>(
+          "method", [](auto& r) -> auto& { return r.quantity.method; })
+          .with(of_tip),
+      entry<Reference>("where", "", read_where),
+      entry<Reference>("value", "a number", read_value),
+      entry<Reference>("scale", "a number above 0", read_scale).with({"value", "value", has_value}),
+      entry<Reference>("finest", "true", read_finest),
+      entry<Reference>("curve", "a file", read_curve),
+      entry<Reference>("column", "the name of a column of the file", read_column)
+          .required()
+          .with({"curve", "curve", has_curve}),
+      word<Reference>("source", &Reference::source)};
   fields.insert(fields.end(), others.begin(), others.end());
   return fields;
 }

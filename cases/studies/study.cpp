@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "plate/model/numerical_error.hpp"
+#include "post/files/whole_file.hpp"
 #include "post/studies/orders.hpp"
 #include "post/studies/plots.hpp"
-#include "post/files/whole_file.hpp"
 
 namespace cases {
 namespace {

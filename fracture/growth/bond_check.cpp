@@ -9,12 +9,19 @@ namespace {
 constexpr double share_of_one = 0.1;
 constexpr double suspect = 0.25;  // with 0.15 the same bonds broke in three plates that branch
 
-plate::Kinematics<> kinematics(const plate::State& state, std::uint32_t k) { return {state(0, k), state(1, k), state(2, k)}; }
+plate::Kinematics<> kinematics(const plate::State& state, std::uint32_t k) {
+  return {state(0, k), state(1, k), state(2, k)};
+}
 
 }  // namespace
 
-BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const SeveredPlate& plate, const plate::Boundary& boundary)
-    : growth_(growth), limits_(limits), plate_(plate), boundary_(boundary), dilatation_(plate.points()),
+BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const SeveredPlate& plate,
+                     const plate::Boundary& boundary)
+    : growth_(growth),
+      limits_(limits),
+      plate_(plate),
+      boundary_(boundary),
+      dilatation_(plate.points()),
       marked_(plate.points(), 0) {
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) all_.push_back(k);
   const auto& families = plate.base().families();
@@ -23,7 +30,8 @@ BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const Sever
     if (pattern >= nearest_.size()) nearest_.resize(pattern + 1);
     if (!nearest_[pattern].empty()) continue;
     for (std::uint32_t i = 0; i < families[k].size(); ++i)  // of each two, the one to the point behind
-      if (families[k][i].neighbour > k && plate.base().shapes()[families[k][i].vector_id].length < 1.01 * boundary.cloud.units.spacing)
+      if (families[k][i].neighbour > k &&
+          plate.base().shapes()[families[k][i].vector_id].length < 1.01 * boundary.cloud.units.spacing)
         nearest_[pattern].push_back(i);
   }
 }
@@ -46,7 +54,8 @@ void BondCheck::find_dilatations(const plate::State& state, const std::vector<st
 /// Is the bond one of the plate's that may break?
 bool BondCheck::may_break(std::uint32_t k, std::size_t i, std::uint32_t j) const {
   const auto& x = boundary_.cloud.positions;
-  return boundary_.is_plate(j) && !plate_.broken().broken(k, i) && (growth_.no_fail.empty() || !growth_.held((x[k] + x[j]) / 2));
+  return boundary_.is_plate(j) && !plate_.broken().broken(k, i) &&
+         (growth_.no_fail.empty() || !growth_.held((x[k] + x[j]) / 2));
 }
 
 /// The dilatations of both ends must be known.
@@ -59,15 +68,20 @@ double BondCheck::demand(std::uint32_t k, std::size_t i, const plate::State& sta
   const double curvature = curvature_difference(shape, own, other), shear = shear_difference(shape, own, other);
   const auto& here = plate_.weights(k, i);
   const auto& there = plate_.weights(j, base.families()[j].find(k));
-  const double energy = areas[k] * (dilatation_[k] * here.D * curvature + plate::bond_energy(here.B, here.S, curvature, shear)) +
-                        areas[j] * (dilatation_[j] * there.D * curvature + plate::bond_energy(there.B, there.S, curvature, shear));
+  const double energy =
+      areas[k] * (dilatation_[k] * here.D * curvature + plate::bond_energy(here.B, here.S, curvature, shear)) +
+      areas[j] * (dilatation_[j] * there.D * curvature + plate::bond_energy(there.B, there.S, curvature, shear));
   return limits_.demand(energy, curvature, shear, shape.length, shape.weight * areas[k] * areas[j]);
 }
 
-std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& state) { return at_least(least, state, all_); }
+std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& state) {
+  return at_least(least, state, all_);
+}
 
-std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& state, const std::vector<std::uint32_t>& points) {
-  // first by curvature and shear alone: the longest bond, the dilatation and weights beside damage make a factor of 7 at most
+std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& state,
+                                            const std::vector<std::uint32_t>& points) {
+  // first by curvature and shear alone: the longest bond, the dilatation and weights beside damage make a factor of 7
+  // at most
   const double bend = least * share_of_one * limits_.curvature() * limits_.curvature();
   const double twist = least * share_of_one * limits_.shear() * limits_.shear();
   const auto& base = plate_.base();
@@ -107,7 +121,9 @@ std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& st
     const auto j = base.families()[k][i].neighbour;
     if (const double now = demand(k, i, state); now >= least) result.push_back({{std::min(k, j), std::max(k, j)}, now});
   }
-  std::ranges::sort(result, [](const auto& p, const auto& q) { return p.demand != q.demand ? p.demand > q.demand : p.bond < q.bond; });
+  std::ranges::sort(result, [](const auto& p, const auto& q) {
+    return p.demand != q.demand ? p.demand > q.demand : p.bond < q.bond;
+  });
   return result;
 }
 
@@ -119,14 +135,16 @@ double BondCheck::largest(const plate::State& state) {
     const auto k = all_[n];
     const auto family = plate_.base().families()[k];
     for (std::size_t i = 0; i < family.size(); ++i)
-      if (const auto j = family[i].neighbour; j > k && may_break(k, i, j)) result = std::max(result, demand(k, i, state));
+      if (const auto j = family[i].neighbour; j > k && may_break(k, i, j))
+        result = std::max(result, demand(k, i, state));
   }
   return result;
 }
 
 std::vector<std::uint32_t> BondCheck::suspects(const plate::State& state) const {
   const auto& base = plate_.base();
-  const double bend = suspect * limits_.curvature() * limits_.curvature(), shear = suspect * limits_.shear() * limits_.shear();
+  const double bend = suspect * limits_.curvature() * limits_.curvature(),
+               shear = suspect * limits_.shear() * limits_.shear();
   std::vector<char> hot(all_.size(), 0);
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < hot.size(); ++k) {
@@ -138,7 +156,8 @@ std::vector<std::uint32_t> BondCheck::suspects(const plate::State& state) const 
       const auto& shape = base.shapes()[id];
       const auto other = kinematics(state, j);
       // all rotations count: bonds across this one see the curvatures in every direction
-      const double x = other.theta_x - own.theta_x, y = other.theta_y - own.theta_y, g = shear_difference(shape, own, other);
+      const double x = other.theta_x - own.theta_x, y = other.theta_y - own.theta_y,
+                   g = shear_difference(shape, own, other);
       const double square = shape.length * shape.length;
       if (x * x + y * y >= bend * square || g * g >= shear * square) hot[k] = 1;
     };

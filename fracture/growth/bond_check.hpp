@@ -10,21 +10,23 @@ struct LoadedBond {
   double demand;
 };
 
-/// Looks for the bonds that fail. Only bonds between points of the plate break: supports hold what they hold. One call at a time.
+/// Looks for the bonds that fail. Only bonds between points of the plate break: supports hold what they hold. One call
+/// at a time.
 class BondCheck {
 public:
   /// All must outlive this.
   BondCheck(const Growth& growth, const BondLimits& limits, const SeveredPlate& plate, const plate::Boundary& boundary);
 
-  /// Intact bonds of the plate, or of these points (ascending), with a demand of at least `least`: largest first, equal ones by
-  /// their points.
+  /// Intact bonds of the plate, or of these points (ascending), with a demand of at least `least`: largest first, equal
+  /// ones by their points.
   std::vector<LoadedBond> at_least(double least, const plate::State& state);
   std::vector<LoadedBond> at_least(double least, const plate::State& state, const std::vector<std::uint32_t>& points);
   /// The largest demand of the plate.
   double largest(const plate::State& state);
 
-  /// Points within a horizon of bonds whose curvature or shear is a share of 0.25 of the limit at least, squared, among those
-  /// between nearest neighbours and all of points with broken bonds. Bonds elsewhere bear a multiple of what they have.
+  /// Points within a horizon of bonds whose curvature or shear is a share of 0.25 of the limit at least, squared, among
+  /// those between nearest neighbours and all of points with broken bonds. Bonds elsewhere bear a multiple of what they
+  /// have.
   std::vector<std::uint32_t> suspects(const plate::State& state) const;
 
 private:

@@ -74,7 +74,8 @@ BondLimits::BondLimits(const Growth& growth, const plate::Section& section, cons
 
 double BondLimits::demand(double energy, double curvature_difference, double shear_difference, double length,
                           double weight) const {
-  if (tension_only_ && curvature_difference >= 0) return 0;  // u = -z psi: opens on the z > 0 face where psi decreases along it
+  if (tension_only_ && curvature_difference >= 0)
+    return 0;  // u = -z psi: opens on the z > 0 face where psi decreases along it
   if (by_energy_) return energy / (energy_ * weight);
   const double s = curvature_difference / length / curvature_, g = shear_difference / length / shear_;
   return std::max(s * s, g * g);

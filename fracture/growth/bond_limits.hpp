@@ -5,7 +5,7 @@
 namespace fracture {
 
 /// Largest energy release rate that a crack needs for steady growth under a criterion for bonds, over the fracture
-/// energy that the criterion was made for: measured, theory.md "Apparent toughness".
+/// energy that the criterion was made for: measured, theory.md, "Apparent toughness".
 double apparent_toughness(Growth::Criterion criterion, double thickness, const plate::Discretization& discretization);
 
 /// What the bonds of a plate bear (theory.md, "Bonds that break").
@@ -15,7 +15,8 @@ public:
 
   /// Of a bond with this energy, curvature and shear angle (both times its length): below 1 it holds. Quadratic in the
   /// state. `weight`: omega beta h A_j of either end, times A_k [length^5].
-  double demand(double energy, double curvature_difference, double shear_difference, double length, double weight) const;
+  double demand(double energy, double curvature_difference, double shear_difference, double length,
+                double weight) const;
   /// Curvature [1/length] and shear angle that no bond bears if all its neighbours have it too: of full families.
   double curvature() const { return curvature_; }
   double shear() const { return shear_; }

@@ -33,7 +33,8 @@ double kink_angle(const Factors& f, Growth::Direction direction, const plate::Se
   // a tip that closes on one face opens on the other: the sign of the moments does not matter
   const Factors opening = f.K1 < 0 ? Factors{-f.K1, -f.K2, -f.K3} : f;
   switch (direction) {
-    case Growth::Direction::straight: return 0;
+    case Growth::Direction::straight:
+      return 0;
     case Growth::Direction::tangential_moment:
       return opening.K2 == 0 ? 0 : largest([&](double angle) { return kinked(opening, angle).K1; });
     case Growth::Direction::energy_release: {

@@ -16,9 +16,12 @@ bool turns(double angle) {
   return std::abs(angle) > least_turn;
 }
 
-TipAdvance advance(const Growth& growth, const geometry::Outline& outline, const std::vector<geometry::Polyline>& cracks,
-                   double spacing, const geometry::Tip& tip, double angle, bool long_leg) {
-  const geometry::Point direction = std::abs(angle) > (long_leg ? least_turn / 5 : least_turn) ? geometry::Point(Eigen::Rotation2Dd(angle) * tip.direction) : tip.direction;
+TipAdvance advance(const Growth& growth, const geometry::Outline& outline,
+                   const std::vector<geometry::Polyline>& cracks, double spacing, const geometry::Tip& tip,
+                   double angle, bool long_leg) {
+  const geometry::Point direction = std::abs(angle) > (long_leg ? least_turn / 5 : least_turn)
+                                        ? geometry::Point(Eigen::Rotation2Dd(angle) * tip.direction)
+                                        : tip.direction;
   const double step = (long_leg ? std::max(growth.increment, least_leg) : growth.increment) * spacing;
   if (const auto ahead = geometry::obstacle_ahead(outline, cracks, tip, direction, step + least_leg * spacing))
     return {ahead->position, ahead->distance, ahead};

@@ -12,12 +12,13 @@ struct TipAdvance {
   std::optional<geometry::Obstacle> reached;  // an edge, a hole or a crack: the tip is no more
 };
 
-/// Straight on by the increment, or with a turn by `angle` [rad]. Turns below a degree are not made; a piece after a turn is at least five
-/// spacings long, so that a ring about its tip fits beside the bend. So is one that goes with such a piece of another tip (`long_leg`),
-/// and then turns from a fifth of a degree on are made: alike tips stay alike. A tip that would come closer than that to
-/// something ahead breaks through to it.
-TipAdvance advance(const Growth& growth, const geometry::Outline& outline, const std::vector<geometry::Polyline>& cracks,
-                   double spacing, const geometry::Tip& tip, double angle, bool long_leg);
+/// Straight on by the increment, or with a turn by `angle` [rad]. Turns below a degree are not made; a piece after a
+/// turn is at least five spacings long, so that a ring about its tip fits beside the bend. So is one that goes with
+/// such a piece of another tip (`long_leg`), and then turns from a fifth of a degree on are made: alike tips stay
+/// alike. A tip that would come closer than that to something ahead breaks through to it.
+TipAdvance advance(const Growth& growth, const geometry::Outline& outline,
+                   const std::vector<geometry::Polyline>& cracks, double spacing, const geometry::Tip& tip,
+                   double angle, bool long_leg);
 
 /// Is a turn made?
 bool turns(double angle);

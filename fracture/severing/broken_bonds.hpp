@@ -7,8 +7,8 @@
 
 namespace fracture {
 
-/// Bonds that have broken, one bit for each directed bond of the points that lost any. Points that did are numbered in the
-/// order of their first loss.
+/// Bonds that have broken, one bit for each directed bond of the points that lost any. Points that did are numbered in
+/// the order of their first loss.
 class BrokenBonds {
 public:
   /// `longest`: bonds of the largest family.
@@ -19,9 +19,7 @@ public:
   std::size_t points() const { return words_per_point_ == 0 ? 0 : words_.size() / words_per_point_; }
 
   /// The i-th bond of point k.
-  bool broken(std::size_t k, std::size_t i) const {
-    return number_[k] >= 0 && (words_[word(k, i)] >> (i % 64) & 1);
-  }
+  bool broken(std::size_t k, std::size_t i) const { return number_[k] >= 0 && (words_[word(k, i)] >> (i % 64) & 1); }
   void set(std::size_t k, std::size_t i) {
     if (number_[k] < 0) {
       number_[k] = std::int32_t(points());

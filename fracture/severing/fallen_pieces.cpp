@@ -2,16 +2,17 @@
 
 #include <algorithm>
 
-#include "plate/solve/pieces.hpp"
+#include "plate/formulation/parts/pieces.hpp"
 
 namespace fracture {
 
 constexpr std::size_t look_every = 50;  // steps: looking takes as long as ten of them
 
-FallenPieces::FallenPieces(plate::Changes& growth, const SeveredPlate& plate, const plate::Boundary& boundary, plate::Forces mass)
+FallenPieces::FallenPieces(plate::Changes& growth, const SeveredPlate& plate, const plate::Boundary& boundary,
+                           plate::Forces mass)
     : growth_(growth), plate_(plate), boundary_(boundary), mass_(std::move(mass)) {}
 
-void FallenPieces::look(const plate::Moment& now) {
+void FallenPieces::look(const plate::Step& now) {
   broken_ = plate_.broken().count();
   for (const auto k : plate::fallen(boundary_, plate_.families()))
     if (!std::ranges::binary_search(frozen_.points, k)) fresh_.points.push_back(k);
@@ -24,9 +25,10 @@ void FallenPieces::look(const plate::Moment& now) {
 }
 
 /// From the step before on; the energy that central differences count there is of the velocities before and after it.
-void FallenPieces::freeze(const plate::Moment& now) {
+void FallenPieces::freeze(const plate::Step& now) {
   std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> all;
-  for (std::size_t i = 0; i < frozen_.points.size(); ++i) all.emplace_back(frozen_.points[i], frozen_.state.col(Eigen::Index(i)));
+  for (std::size_t i = 0; i < frozen_.points.size(); ++i)
+    all.emplace_back(frozen_.points[i], frozen_.state.col(Eigen::Index(i)));
   for (std::size_t i = 0; i < fresh_.points.size(); ++i) {
     const auto k = fresh_.points[i];
     energy_ += mass_.col(k).cwiseProduct(fresh_.velocity.col(Eigen::Index(i))).dot(now.velocity.col(k)) / 2;
@@ -41,7 +43,7 @@ void FallenPieces::freeze(const plate::Moment& now) {
   }
 }
 
-void FallenPieces::before_force(const plate::Moment& now) {
+void FallenPieces::before_force(const plate::Step& now) {
   if (!fresh_.points.empty()) freeze(now);
   for (std::size_t i = 0; i < frozen_.points.size(); ++i) {
     now.state.col(frozen_.points[i]) = frozen_.state.col(Eigen::Index(i));
@@ -51,6 +53,8 @@ void FallenPieces::before_force(const plate::Moment& now) {
   growth_.before_force(now);
 }
 
-void FallenPieces::after_force(const plate::Moment& now, const plate::Forces& force) { growth_.after_force(now, force); }
+void FallenPieces::after_force(const plate::Step& now, const plate::Forces& force) {
+  growth_.after_force(now, force);
+}
 
 }  // namespace fracture

@@ -4,15 +4,15 @@
 
 namespace fracture {
 
-/// Keeps pieces of a moving plate where they are when they are seen to have fallen off (plate::fallen), at most 50 steps after it.
-/// Stands before what severs bonds.
+/// Keeps pieces of a moving plate where they are when they are seen to have fallen off (plate::fallen), at most 50
+/// steps after it. Stands before what severs bonds.
 class FallenPieces : public plate::Changes {
 public:
   /// All must outlive this. `mass` per degree of freedom [3 x points].
   FallenPieces(plate::Changes& growth, const SeveredPlate& plate, const plate::Boundary& boundary, plate::Forces mass);
 
-  void before_force(const plate::Moment& now) override;
-  void after_force(const plate::Moment& now, const plate::Forces& force) override;
+  void before_force(const plate::Step& now) override;
+  void after_force(const plate::Step& now, const plate::Forces& force) override;
 
   /// Kinetic energy that they had.
   double energy() const { return energy_; }
@@ -23,8 +23,8 @@ private:
     std::vector<std::uint32_t> points;
     plate::State state, velocity;
   };
-  void look(const plate::Moment& now);
-  void freeze(const plate::Moment& now);
+  void look(const plate::Step& now);
+  void freeze(const plate::Step& now);
 
   plate::Changes& growth_;
   const SeveredPlate& plate_;

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <span>
 
+#include "plate/bonds/tip_view.hpp"
+
 namespace fracture {
 namespace {
 
-// Families beside clean cracks at 0 to 45 degrees to the lattice: measured 1.17 of the stiffness of a full family, single
-// bonds 2.26, second moments 0.6 (0.5 where a crack leaves an edge).
+// Families beside clean cracks at 0 to 45 degrees to the lattice: measured 1.17 of the stiffness of a full family,
+// single bonds 2.26, second moments 0.6 (0.5 where a crack leaves an edge).
 constexpr double stiffest = 1.2, stiffest_bond = 2.4, gives_way = 0.4;
 
 /// What a family's bonds do against rotations and deflections of its point alone, over its area.
@@ -37,7 +39,7 @@ std::size_t longest_family(const geometry::Families& families) {
   return longest;
 }
 
-/// The energy that central differences see in a step (theory.md 48).
+/// The energy that central differences see in a step (theory (58)).
 double energy_of_step(const plate::OwnFamily& family, const Motion& motion) {
   const double now = plate::energy(family, motion.state, motion.state);
   return motion.time_step == 0 ? now : now - motion.time_step * plate::energy(family, motion.state, motion.velocity);
@@ -45,8 +47,12 @@ double energy_of_step(const plate::OwnFamily& family, const Motion& motion) {
 
 }  // namespace
 
-SeveredPlate::SeveredPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary, const plate::FamilyRule& rule)
-    : base_(base), boundary_(boundary), rule_(rule), families_(base.families()),
+SeveredPlate::SeveredPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary,
+                           const plate::FamilyRule& rule)
+    : base_(base),
+      boundary_(boundary),
+      rule_(rule),
+      families_(base.families()),
       broken_(base.points(), longest_family(families_)) {
   for (const auto& shape : base.shapes()) reach_ = std::max(reach_, shape.length / boundary.cloud.units.spacing);
   const auto& weights = base.weights();
@@ -58,7 +64,8 @@ SeveredPlate::SeveredPlate(const plate::FamilyOperator& base, const plate::Bound
   shear_ = stiffest * shear_stiffness(bonds);
   stiffest_bonds_.assign(base.shapes().size(), plate::BondWeights{INFINITY, INFINITY, INFINITY});
   for (std::size_t i = 0; i < bonds.size(); ++i)
-    stiffest_bonds_[families_[full][i].vector_id] = plate::BondWeights{0, stiffest_bond * bonds[i].B, stiffest_bond * bonds[i].S};
+    stiffest_bonds_[families_[full][i].vector_id] =
+        plate::BondWeights{0, stiffest_bond * bonds[i].B, stiffest_bond * bonds[i].S};
 }
 
 /// `left`: share of the family's second moment that is left; `ids`: of its bond vectors.
@@ -169,7 +176,8 @@ std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, 
       if (!broken_.broken(k, i) && boundary_.any_image(std::min(k, j), std::max(k, j), cut)) bonds.emplace_back(k, i);
     }
     if (bonds.size() == known) continue;
-    if (const auto number = broken_.number(k); number >= 0 && changed_[std::size_t(number)].severed) return std::nullopt;
+    if (const auto number = broken_.number(k); number >= 0 && changed_[std::size_t(number)].severed)
+      return std::nullopt;
     result.points.push_back(k);
   }
   ++severings_;
@@ -256,10 +264,17 @@ void SeveredPlate::internal_force(const plate::State& state, plate::Forces& forc
   }
 }
 
+std::shared_ptr<const plate::TipView> SeveredPlate::tip_view() const {
+  return std::make_shared<plate::BondView>(boundary_.cloud, families_, base_.shapes(), rule_.section(),
+                                           rule_.discretization());
+}
+
 void SeveredPlate::absolute_product(const plate::State& state, plate::Forces& forces) const {
   base_.absolute_product(state, forces);
 }
 
-plate::Forces SeveredPlate::diagonal() const { return base_.diagonal(); }
+plate::Forces SeveredPlate::diagonal() const {
+  return base_.diagonal();
+}
 
 }  // namespace fracture

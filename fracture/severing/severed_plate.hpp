@@ -1,13 +1,20 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "fracture/severing/broken_bonds.hpp"
 #include "geometry/shape/crack_path.hpp"
-#include "plate/model/boundary.hpp"
 #include "plate/bonds/family_operator.hpp"
 #include "plate/bonds/parameters/family_rule.hpp"
-#include "plate/bonds/own_family.hpp"
+#include "plate/bonds/parameters/own_family.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/tip_view.hpp"
+#include "post/files/frame.hpp"
+
+namespace plate {
+class Formulation;
+}
 
 namespace fracture {
 
@@ -21,10 +28,10 @@ struct Motion {
   double time_step;              // 0: at rest
 };
 
-/// A plate of bonds over a horizon whose bonds break while it is loaded: the plate as it was, and what has changed since in
-/// the families that lost bonds. Each goes over to the weights that its surface correction gives to the bonds left, at
-/// once or step by step. A family with few bonds left would ask for shorter time steps: none gets stiffer than beside a clean
-/// crack, and what has less than two fifths of its bonds gives way in proportion. One call at a time.
+/// A plate of bonds over a horizon whose bonds break while it is loaded: the plate as it was, and what has changed
+/// since in the families that lost bonds. Each goes over to the weights that its surface correction gives to the bonds
+/// left, at once or step by step. A family with few bonds left would ask for shorter time steps: none gets stiffer than
+/// beside a clean crack, and what has less than two fifths of its bonds gives way in proportion. One call at a time.
 class SeveredPlate : public plate::Operator {
 public:
   /// All but the rule must outlive this.
@@ -39,8 +46,8 @@ public:
   /// Begins to sever the bonds that cross the crack's last piece, which is `piece` long at the end `at_back`. Returns a
   /// number; none, and nothing is done, where a severing that goes on has families of the same points.
   std::optional<std::size_t> sever(const geometry::CrackPath& path, bool at_back, double piece);
-  /// Carries a severing on to a share from 0 to 1; returns the energy that it takes, as central differences count it: mixed
-  /// from the state and the one a step before (theory.md, "Growth").
+  /// Carries a severing on to a share from 0 to 1; returns the energy that it takes, as central differences count it:
+  /// mixed from the state and the one a step before (theory.md, "Growth").
   double carry_on(std::size_t number, double share, const Motion& motion);
 
   /// Breaks bonds; the families of their ends need `steps` calls of carry_on_all to go over.
@@ -48,6 +55,11 @@ public:
   /// Carries the families that lose single bonds on by a step; returns the energy that this takes.
   double carry_on_all(const Motion& motion);
 
+  /// As the tips of its cracks see it now. This must outlive it.
+  std::shared_ptr<const plate::TipView> tip_view() const;
+  /// The cells between points that still see each other; sets the frame's resultants and damage. `start`: the plate
+  /// before.
+  plate::Mesh draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start) const;
   /// Families as they are after all severings.
   const geometry::Families& families() const { return families_; }
   const plate::FamilyOperator& base() const { return base_; }
@@ -73,9 +85,9 @@ private:
   /// What a change does to the forces: one bond of its family.
   struct Difference {
     std::uint32_t neighbour;
-    double mx, my, length;      // as in BondShape
+    double mx, my, length;  // as in BondShape
     double D_base, D_now;
-    double curvature, shear;    // 2 A times what B and S have gained
+    double curvature, shear;  // 2 A times what B and S have gained
   };
   Change& change(std::uint32_t k);
   /// The families without their broken bonds, and where they go.
@@ -87,19 +99,19 @@ private:
   const plate::Boundary& boundary_;
   plate::FamilyRule rule_;
   geometry::Families families_;
-  double reach_ = 0;                            // of the longest bond [spacings]
-  double bending_ = 0, shear_ = 0;              // stiffness that no family with broken bonds exceeds
+  double reach_ = 0;                                // of the longest bond [spacings]
+  double bending_ = 0, shear_ = 0;                  // stiffness that no family with broken bonds exceeds
   std::vector<plate::BondWeights> stiffest_bonds_;  // and none of its bonds, by bond vector
   BrokenBonds broken_;
-  std::vector<Change> changed_;                 // by number
-  std::vector<Difference> differences_;         // of every change, as many as its base has bonds
+  std::vector<Change> changed_;          // by number
+  std::vector<Difference> differences_;  // of every change, as many as its base has bonds
   std::vector<std::size_t> first_difference_{0};
   /// What a change gives to its point, and every difference to its neighbour: force and couple along m.
   mutable std::vector<Eigen::Vector3d> own_force_;
   mutable std::vector<std::array<double, 2>> given_;
   std::vector<Severing> going_;
-  std::vector<std::uint32_t> easing_;           // points that lose single bonds
-  std::size_t severings_ = 0;                   // so far
+  std::vector<std::uint32_t> easing_;  // points that lose single bonds
+  std::size_t severings_ = 0;          // so far
 };
 
 }  // namespace fracture

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "geometry/cells/untied_cells.hpp"
 #include "geometry/cells/graded_points.hpp"
+#include "geometry/cells/untied_cells.hpp"
 
 namespace geometry {
 namespace {

@@ -3,8 +3,8 @@
 #include <map>
 #include <set>
 
-#include "geometry/cells/untied_cells.hpp"
 #include "geometry/cells/delaunay.hpp"
+#include "geometry/cells/untied_cells.hpp"
 #include "geometry/shape/predicates.hpp"
 
 namespace geometry {

@@ -22,8 +22,8 @@ struct Tessellation {
   std::vector<Triangle> triangles;
   std::vector<Border> borders;
   std::vector<std::string> names;  // of the edges
-  /// Positions from `units.origin` on [length]: differences of these are as exact as numbers allow, those of `positions`
-  /// are not where the plate is far from the origin.
+  /// Positions from `units.origin` on [length]: differences of these are as exact as numbers allow, those of
+  /// `positions` are not where the plate is far from the origin.
   std::vector<Point> local;
 };
 

@@ -34,7 +34,8 @@ Outline placed(const Outline& outline, const std::function<Point(const Point&)>&
 }
 
 Outline to_lattice(const Outline& outline, const LatticeUnits& units) {
-  auto result = placed(outline, [&](const Point& x) { return units.to_lattice(x); }, 1 / units.spacing);
+  auto result = placed(
+      outline, [&](const Point& x) { return units.to_lattice(x); }, 1 / units.spacing);
   for (Hole& hole : result.holes)
     if (auto* circle = std::get_if<Circle>(&hole)) circle->radius = rounded(circle->radius);
   return result;

@@ -4,8 +4,8 @@
 namespace geometry {
 
 /// Families in the form that a vector unit likes: neighbouring points whose families look alike (same kind, neighbours
-/// of the same kinds at the same distances in the numbering) share one pattern, and follow each other in runs. On a lattice
-/// numbered by rows, a run is a piece of a row; any cloud has runs, if only of one point.
+/// of the same kinds at the same distances in the numbering) share one pattern, and follow each other in runs. On a
+/// lattice numbered by rows, a run is a piece of a row; any cloud has runs, if only of one point.
 struct FamilyRuns {
   struct Run {
     std::uint32_t first_point, length, pattern;
@@ -15,8 +15,8 @@ struct FamilyRuns {
   std::vector<std::uint32_t> example;  // a point of every pattern
 };
 
-/// Runs of at most `longest` points, so that they can be shared out among threads. `kind`: a number for every point, the
-/// same only for points with equal bond vectors.
+/// Runs of at most `longest` points, so that they can be shared out among threads. `kind`: a number for every point,
+/// the same only for points with equal bond vectors.
 FamilyRuns family_runs(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t longest);
 
 }  // namespace geometry

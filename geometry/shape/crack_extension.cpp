@@ -6,7 +6,9 @@
 namespace geometry {
 namespace {
 
-double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Point& a, const Point& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 /// Distance along the ray from x to the segment ab.
 std::optional<double> hit(const Point& x, const Point& direction, const Point& a, const Point& b) {
@@ -47,7 +49,8 @@ std::optional<Obstacle> obstacle_ahead(const Outline& outline, const std::vector
     if (found && *found <= reach && (!first || *found < first->distance))
       first = {*found, tip.position + *found * direction, name, crack};
   };
-  for (const auto& edge : straight_edges(outline)) take(hit(tip.position, direction, edge.from, edge.to), edge.name, {});
+  for (const auto& edge : straight_edges(outline))
+    take(hit(tip.position, direction, edge.from, edge.to), edge.name, {});
   for (const auto& hole : outline.holes)
     if (const auto* circle = std::get_if<Circle>(&hole)) take(hit(tip.position, direction, *circle), circle->name, {});
   for_each_segment(cracks, tip, [&](std::size_t c, const Point& a, const Point& b) {

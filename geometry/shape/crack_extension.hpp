@@ -6,7 +6,7 @@ namespace geometry {
 
 /// What a tip that runs straight on meets first.
 struct Obstacle {
-  double distance;                   // [length]
+  double distance;  // [length]
   Point position;
   std::string name;                  // of the edge or hole; empty: a crack
   std::optional<std::size_t> crack;  // its number

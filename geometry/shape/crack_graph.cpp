@@ -44,7 +44,9 @@ std::vector<std::vector<Corner>> chains(const Meeting& meeting) {
   return result;
 }
 
-Point point(const Corner& corner) { return {corner[0], corner[1]}; }
+Point point(const Corner& corner) {
+  return {corner[0], corner[1]};
+}
 
 /// Keeps of a staircase the corners that stand out from the line between those kept (Douglas and Peucker 1973).
 void keep(const std::vector<Corner>& corners, std::size_t first, std::size_t last, std::vector<char>& kept) {
@@ -70,7 +72,8 @@ void CrackGraph::part(const Point& p, const Point& q, double time) {
 
 std::vector<GraphLine> CrackGraph::lines(const std::function<bool(const Corner&)>& inside, std::size_t least) const {
   Meeting meeting;
-  for (const auto& [side, time] : times_) meeting[side.first].insert(side.second), meeting[side.second].insert(side.first);
+  for (const auto& [side, time] : times_)
+    meeting[side.first].insert(side.second), meeting[side.second].insert(side.first);
   const auto is_tip = [&](const Corner& corner) { return meeting.at(corner).size() <= 1 && inside(corner); };
 
   auto found = chains(meeting);
@@ -92,7 +95,8 @@ std::vector<GraphLine> CrackGraph::lines(const std::function<bool(const Corner&)
     const std::size_t last = corners.size() - 1;
     std::vector<std::size_t> fixed{0, last};
     if (corners.front() == corners.back()) fixed = {0, last / 3, 2 * last / 3, last};  // closed: three corners at least
-    for (std::size_t i = 1; i < fixed.size(); ++i) kept[fixed[i - 1]] = kept[fixed[i]] = 1, keep(corners, fixed[i - 1], fixed[i], kept);
+    for (std::size_t i = 1; i < fixed.size(); ++i)
+      kept[fixed[i - 1]] = kept[fixed[i]] = 1, keep(corners, fixed[i - 1], fixed[i], kept);
     const auto end = [&](const Corner& corner) {
       return !inside(corner) ? End::mouth : meeting.at(corner).size() == 1 ? End::tip : End::junction;
     };

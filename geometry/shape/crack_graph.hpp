@@ -12,7 +12,7 @@ struct GraphLine {
   Polyline vertices;          // lattice units
   std::vector<double> times;  // per vertex: when the crack got there
   End front, back;
-  double length = 0;          // of the straightened line
+  double length = 0;  // of the straightened line
 };
 
 /// Cracks as the lattice has them: the sides between cells of neighbouring points that are parted. A corner of cells
@@ -25,8 +25,8 @@ public:
   void part(const Point& p, const Point& q, double time);
   std::size_t sides() const { return times_.size(); }
 
-  /// Lines between tips, mouths and junctions. Spurs and lone pieces of fewer than `least` sides are left out. A corner is
-  /// a mouth where `inside` is false: not all four cells about it are of the plate.
+  /// Lines between tips, mouths and junctions. Spurs and lone pieces of fewer than `least` sides are left out. A corner
+  /// is a mouth where `inside` is false: not all four cells about it are of the plate.
   std::vector<GraphLine> lines(const std::function<bool(const Corner&)>& inside, std::size_t least = 3) const;
 
 private:

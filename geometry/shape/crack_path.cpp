@@ -50,15 +50,6 @@ bool crosses(const CrackPath& crack, std::size_t i, const Point& p, const Point&
   return side_of_bond(p, q, from, front_tip) * side_of_bond(p, q, to, back_tip) < 0;
 }
 
-double distance_to_boundary(const Outline& outline, const Point& x) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Edge& edge : straight_edges(outline)) least = std::min(least, distance_to_segment(edge.from, edge.to, x));
-  for (const Hole& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole))
-      least = std::min(least, std::abs((x - circle->centre).norm() - circle->radius));
-  return least;
-}
-
 /// Is the end of a crack within tolerance of another crack, or of a part of its own beyond its first segment?
 bool joins(const std::vector<Polyline>& polylines, std::size_t crack, bool at_back, double tolerance) {
   const Polyline& own = polylines[crack];
@@ -168,6 +159,15 @@ std::vector<std::string> faults_in_plate(const Outline& outline, const Polyline&
 }
 
 }  // namespace
+
+double distance_to_boundary(const Outline& outline, const Point& x) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : straight_edges(outline)) least = std::min(least, distance_to_segment(edge.from, edge.to, x));
+  for (const Hole& hole : outline.holes)
+    if (const auto* circle = std::get_if<Circle>(&hole))
+      least = std::min(least, std::abs((x - circle->centre).norm() - circle->radius));
+  return least;
+}
 
 std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance) {
   std::vector<CrackPath> paths;

@@ -23,6 +23,9 @@ struct Tip {
   bool at_back;
 };
 
+/// From a place to the nearest edge or hole [length].
+double distance_to_boundary(const Outline& outline, const Point& x);
+
 /// The polylines with their ends classified. An end within `tolerance` of the boundary is a mouth, one within
 /// `tolerance` of another crack (or of another part of its own) a junction, any other a tip.
 std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance);

@@ -236,4 +236,9 @@ std::pair<Point, Point> bounding_box(const Outline& outline) {
   return {low, high};
 }
 
+double tolerance(const Outline& outline) {
+  const auto [low, high] = bounding_box(outline);
+  return 1e-9 * (high - low).norm();
+}
+
 }  // namespace geometry

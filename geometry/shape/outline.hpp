@@ -78,4 +78,7 @@ std::vector<Fault> faults(const Outline& outline);
 /// Lower left and upper right corner of the bounding box.
 std::pair<Point, Point> bounding_box(const Outline& outline);
 
+/// A length that counts as nothing beside the outline: the noise of decimals.
+double tolerance(const Outline& outline);
+
 }  // namespace geometry

@@ -7,9 +7,11 @@ namespace {
 
 constexpr std::uint32_t longest_run = 256;
 
-Kinematics<> kinematics(const State& state, Eigen::Index k) { return {state(0, k), state(1, k), state(2, k)}; }
+Kinematics<> kinematics(const State& state, Eigen::Index k) {
+  return {state(0, k), state(1, k), state(2, k)};
+}
 
-/// Eq. 2; for the matrix of absolute values, |m| is given and differences become sums.
+/// theory (2); for the matrix of absolute values, |m| is given and differences become sums.
 template <bool absolute>
 double curvature(const PatternBond& bond, const Kinematics<>& k, const Kinematics<>& j) {
   if constexpr (absolute)
@@ -30,8 +32,10 @@ double shear(const PatternBond& bond, const Kinematics<>& k, const Kinematics<>&
 
 FamilyOperator::FamilyOperator(geometry::Families families, std::vector<BondShape> shapes,
                                const std::vector<double>& areas, HorizonWeights weights)
-    : families_(std::move(families)), runs_(geometry::family_runs(families_, weights.kind, longest_run)),
-      shapes_(std::move(shapes)), weights_(std::move(weights)) {
+    : families_(std::move(families)),
+      runs_(geometry::family_runs(families_, weights.kind, longest_run)),
+      shapes_(std::move(shapes)),
+      weights_(std::move(weights)) {
   const auto count = static_cast<Eigen::Index>(areas.size());
   area_.resize(count), dilatation_stiffness_.resize(count);
 #pragma omp parallel for schedule(static)
@@ -53,8 +57,14 @@ PatternBond FamilyOperator::bond(std::size_t k, std::size_t i) const {
   const BondWeights &own = weights_.of(k, i), &other = weights_.of(j, families_[j].find(static_cast<std::uint32_t>(k)));
   const double area = area_[Eigen::Index(k)], area_j = area_[Eigen::Index(j)];
   const BondShape& shape = shapes_[id];
-  return {shape.mx, shape.my, shape.length, own.D, other.D, 2 * (area * own.B + area_j * other.B),
-          2 * (area * own.S + area_j * other.S), static_cast<std::int32_t>(std::ptrdiff_t(j) - std::ptrdiff_t(k))};
+  return {shape.mx,
+          shape.my,
+          shape.length,
+          own.D,
+          other.D,
+          2 * (area * own.B + area_j * other.B),
+          2 * (area * own.S + area_j * other.S),
+          static_cast<std::int32_t>(std::ptrdiff_t(j) - std::ptrdiff_t(k))};
 }
 
 template <bool absolute>
@@ -68,7 +78,8 @@ void FamilyOperator::product(const State& state, const Patterns& patterns, const
       const auto& run = runs_.runs[r];
       const PatternBond* const bonds = patterns.bonds.data();
       for (std::uint32_t i = 0; i < run.length; ++i)
-        visit(Eigen::Index(run.first_point + i), bonds + patterns.first[run.pattern], bonds + patterns.first[run.pattern + 1]);
+        visit(Eigen::Index(run.first_point + i), bonds + patterns.first[run.pattern],
+              bonds + patterns.first[run.pattern + 1]);
     }
   };
 #pragma omp parallel
@@ -120,8 +131,9 @@ Forces FamilyOperator::diagonal() const {
         const auto j = static_cast<Eigen::Index>(k) + bond.step;
         const Eigen::Array2d m(bond.mx, bond.my);
         force += bond.shear;
-        couple += m * m * (bond.curvature + bond.shear * bond.length * bond.length / 4 +
-                           dilatation_stiffness_[j] * bond.D_jk * bond.D_jk);
+        couple += m * m *
+                  (bond.curvature + bond.shear * bond.length * bond.length / 4 +
+                   dilatation_stiffness_[j] * bond.D_jk * bond.D_jk);
         gradient += m * bond.D_kj;
       }
       couple += gradient * gradient * dilatation_stiffness_[Eigen::Index(k)];

@@ -1,16 +1,16 @@
 #pragma once
 #include "geometry/lattice/family_runs.hpp"
 #include "plate/bonds/parameters/weights.hpp"
-#include "plate/model/operator.hpp"
+#include "plate/formulation/operator.hpp"
 
 namespace plate {
 
 /// A bond of a pattern, with what both ends give to it.
 struct PatternBond {
-  double mx, my, length;     // as in BondShape
-  double D_kj, D_jk;         // weights in the dilatation of either end
-  double curvature, shear;   // 2 (A_k B_kj + A_j B_jk), 2 (A_k S_kj + A_j S_jk)
-  std::int32_t step;         // neighbour = point + step
+  double mx, my, length;    // as in BondShape
+  double D_kj, D_jk;        // weights in the dilatation of either end
+  double curvature, shear;  // 2 (A_k B_kj + A_j B_jk), 2 (A_k S_kj + A_j S_jk)
+  std::int32_t step;        // neighbour = point + step
 };
 
 /// Bonds of all patterns, one pattern after the other.
@@ -20,9 +20,9 @@ struct Patterns {
   std::vector<double> stiffness;  // 2 A a of the points, per pattern
 };
 
-/// The ordinary state-based plate on the families of any cloud, point by point and bond by bond: state -> internal force, and
-/// the bounds that the solvers need, which come from the same bonds. Bonds are kept by patterns that runs of points share.
-/// Forces are gathered: any number of threads gives the same bits. One call at a time.
+/// The ordinary state-based plate on the families of any cloud, point by point and bond by bond: state -> internal
+/// force, and the bounds that the solvers need, which come from the same bonds. Bonds are kept by patterns that runs of
+/// points share. Forces are gathered: any number of threads gives the same bits. One call at a time.
 class FamilyOperator : public Operator {
 public:
   FamilyOperator(geometry::Families families, std::vector<BondShape> shapes, const std::vector<double>& areas,
@@ -30,12 +30,12 @@ public:
 
   std::size_t points() const override { return families_.points(); }
 
-  /// forces = -dU/d(state): Eqs. 11-13 summed over the family [3 x points].
+  /// forces = -dU/d(state): Dai 11-13 summed over the family [3 x points].
   void internal_force(const State& state, Forces& forces) const override;
   void absolute_product(const State& state, Forces& forces) const override;
   Forces diagonal() const override;
 
-  /// Strain energy of every point, W_k A_k [points] (Eqs. 1 and 2).
+  /// Strain energy of every point, W_k A_k [points] (Dai 1 and 2).
   Eigen::VectorXd energies(const State& state) const;
 
   const geometry::Families& families() const { return families_; }

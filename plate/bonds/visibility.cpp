@@ -1,4 +1,4 @@
-#include "plate/model/boundary.hpp"
+#include "plate/bonds/supports.hpp"
 
 #include <algorithm>
 
@@ -93,7 +93,8 @@ bool Boundary::any_image(std::uint32_t k, std::uint32_t j,
 geometry::Pairwise sees(const Boundary& boundary, const geometry::Outline& outline, double horizon_ratio) {
   auto near = near_openings(boundary, outline, horizon_ratio);
   return [&boundary, &outline, near = std::move(near)](std::uint32_t k, std::uint32_t j) {
-    if (boundary.is_plate(j)) return !(near[k] && near[j]) || !geometry::leaves(outline, boundary.lattice[k], boundary.lattice[j]);
+    if (boundary.is_plate(j))
+      return !(near[k] && near[j]) || !geometry::leaves(outline, boundary.lattice[k], boundary.lattice[j]);
     const bool layer = boundary.fictitious[j - boundary.cloud.plate_points].layer;
     if (boundary.is_plate(k)) return layer ? sees_layer(boundary, k, j) : sees_image(boundary, k, j);
     return layer && boundary.fictitious[k - boundary.cloud.plate_points].layer && sees_layer(boundary, k, j);

@@ -3,7 +3,7 @@
 
 namespace plate {
 
-/// What the family of point k takes from its member i (theory.md 40-42).
+/// What the family of point k takes from its member i (theory (62-64)).
 struct GalerkinBond {
   geometry::Point gradient;  // G^k_i, the mean over the cells about k of the gradient of i's hat function [1 / length]
   double share;              // c_ki: how much of k's area the residuals of the bond stand for [length^2]
@@ -30,7 +30,7 @@ GalerkinFamilies galerkin_families(const geometry::Tessellation& cells);
 /// The same for cells whose points have been moved: no two points share anything, squares need not be squares.
 GalerkinFamilies moved_galerkin_families(const geometry::Tessellation& cells);
 
-/// Largest residuals, in spacings, of the two conditions of variational consistency (Bode's thesis, Eqs. 5.16
+/// Largest residuals, in spacings, of the two conditions of variational consistency (Bode 5.16
 /// and 5.24): sum_k V_k G^k_i = A_i, the normals of the border at i, and sum_k V_k X_k (x) G^k_i = integral of x phi_i
 /// n - V_i I.
 struct ConsistencyResiduals {

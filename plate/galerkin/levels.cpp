@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/cells/locator.hpp"
+#include "plate/galerkin/stiffness.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 
 namespace plate {
@@ -62,7 +63,8 @@ GalerkinLevels::GalerkinLevels(const GalerkinOperator& plate, const Constraints&
     s.to_coarser = transposed(s.from_coarser, coarser_[level].plate.points());
     sweeps_.push_back(std::move(s));
   }
-  last_ = std::make_unique<AssembledPlate>(coarser_.back().plate, coarser_.back().boundary.constraints);
+  last_ = std::make_unique<AssembledPlate>(coarser_.back().plate, coarser_.back().boundary.constraints,
+                                           stiffness_matrix(coarser_.back().plate));
 }
 
 void GalerkinLevels::cycle(std::size_t level, const Forces& residual, State& result) const {

@@ -1,6 +1,7 @@
 #pragma once
-#include "plate/galerkin/boundary.hpp"
-#include "plate/bonds/levels/local_plate.hpp"
+#include "plate/galerkin/operator.hpp"
+#include "plate/galerkin/supports.hpp"
+#include "plate/solve/assembled_plate.hpp"
 
 namespace plate {
 

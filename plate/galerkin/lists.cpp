@@ -4,7 +4,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "plate/bonds/rows/lanes.hpp"
+#include "plate/solve/lanes.hpp"
 
 namespace plate {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plate/galerkin/stiffness.hpp"
+#include "plate/galerkin/family_stiffness.hpp"
 
 namespace plate {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
+#include "plate/formulation/operator.hpp"
 #include "plate/galerkin/lists.hpp"
 #include "plate/galerkin/rows.hpp"
-#include "plate/model/operator.hpp"
 
 namespace plate {
 

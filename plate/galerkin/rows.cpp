@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "plate/galerkin/stiffness.hpp"
-#include "plate/bonds/rows/lanes.hpp"
+#include "plate/galerkin/family_stiffness.hpp"
+#include "plate/solve/lanes.hpp"
 
 namespace plate {
 namespace {

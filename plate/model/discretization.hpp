@@ -4,8 +4,7 @@
 
 namespace plate {
 
-/// Bonds over a horizon (Dai et al. 2021), or families of cells (theory.md, "The Galerkin plate").
-enum class Formulation { ordinary, galerkin };
+struct FormulationKind;
 
 /// omega(xi)
 enum class Influence { inverse /* horizon / length */, constant /* 1 */ };
@@ -20,10 +19,10 @@ enum class VolumeCorrection {
 /// How the parameters follow the family that a point really has.
 enum class SurfaceCorrection { none, volume, arbitrary_horizon, position_aware };
 
-/// Constants of a full horizon: integrals over the disc (Dai Eqs. 7-8), or sums over the lattice's full family.
+/// Constants of a full horizon: integrals over the disc (Dai 7-8), or sums over the lattice's full family.
 enum class FullHorizon { continuum, lattice };
 
-/// Calibration of b_b in the arbitrary horizon domain: independent of the axes, or Dai's Eq. 35.
+/// Calibration of b_b in the arbitrary horizon domain: independent of the axes, or Dai 35.
 enum class TwistMatch { frame_invariant, paper };
 
 /// How the plate is turned into points and bonds.
@@ -36,11 +35,13 @@ struct Discretization {
   FullHorizon full_horizon = FullHorizon::continuum;
   TwistMatch twist_match = TwistMatch::frame_invariant;
 
-  Formulation formulation = Formulation::ordinary;
-  std::optional<double> tip_spacing, hole_spacing;  // galerkin [length]
-  double spacing_growth = 0.2;                      // galerkin: of the spacing, per distance from tips and holes
+  const FormulationKind* formulation = nullptr;     // which one discretises
+  std::optional<double> tip_spacing, hole_spacing;  // of graded points [length]
+  double spacing_growth = 0.2;                      // of the spacing of graded points, per distance from tips and holes
 
   double horizon() const { return horizon_ratio * spacing; }
+  /// About the tips of cracks [length].
+  double spacing_at_tips() const { return tip_spacing.value_or(spacing); }
 };
 
 }  // namespace plate

@@ -14,8 +14,8 @@ double navier_deflection(const Section& section, double a, double b, double pres
 /// rotary inertia (Mindlin 1951; Liew et al. 1998).
 double natural_frequency(const Section& section, double a, double b, int m, int n);
 
-/// M_ss / M at the ends of the diameter across the bending, on a circular hole in an infinite plate under M_xx = M (Reissner
-/// 1945): from (5 + 3 nu) / (3 + nu) in thin plates to 3 in thick ones.
+/// M_ss / M at the ends of the diameter across the bending, on a circular hole in an infinite plate under M_xx = M
+/// (Reissner 1945): from (5 + 3 nu) / (3 + nu) in thin plates to 3 in thick ones.
 double hole_moment_concentration(const Section& section, double radius);
 
 }  // namespace plate::exact

@@ -8,8 +8,8 @@ namespace plate {
 namespace {
 
 double interpolate(const std::vector<std::pair<double, double>>& table, double time) {
-  const auto after = std::upper_bound(table.begin(), table.end(), time,
-                                      [](double t, const auto& entry) { return t < entry.first; });
+  const auto after =
+      std::upper_bound(table.begin(), table.end(), time, [](double t, const auto& entry) { return t < entry.first; });
   if (after == table.begin()) return table.front().second;
   if (after == table.end()) return table.back().second;
   const auto before = after - 1;
@@ -21,10 +21,14 @@ double interpolate(const std::vector<std::pair<double, double>>& table, double t
 
 double factor(const History& history, double time) {
   switch (history.kind) {
-    case History::Kind::step: return 1;
-    case History::Kind::ramp: return std::min(1.0, time / history.rise_time);
-    case History::Kind::sine: return std::sin(2 * std::numbers::pi * history.frequency * time);
-    case History::Kind::table: return interpolate(history.table, time);
+    case History::Kind::step:
+      return 1;
+    case History::Kind::ramp:
+      return std::min(1.0, time / history.rise_time);
+    case History::Kind::sine:
+      return std::sin(2 * std::numbers::pi * history.frequency * time);
+    case History::Kind::table:
+      return interpolate(history.table, time);
   }
   return 1;
 }

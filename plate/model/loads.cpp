@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include "geometry/cells/tessellation.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -44,8 +45,7 @@ struct Border {
   std::vector<std::uint32_t> near;
 };
 
-std::vector<Border> borders(const std::string& name, const geometry::Cloud& cloud,
-                            const geometry::Outline& outline) {
+std::vector<Border> borders(const std::string& name, const geometry::Cloud& cloud, const geometry::Outline& outline) {
   const double spacing = cloud.units.spacing, reach = 2 * spacing;
   std::vector<Border> result;
   const auto near = [&](const auto& away) {
@@ -61,9 +61,8 @@ std::vector<Border> borders(const std::string& name, const geometry::Cloud& clou
                         })});
   for (const auto& hole : outline.holes)
     if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name)
-      result.push_back({pieces_of(*circle, spacing), near([&](const Point& x) {
-                          return std::abs((x - circle->centre).norm() - circle->radius);
-                        })});
+      result.push_back({pieces_of(*circle, spacing),
+                        near([&](const Point& x) { return std::abs((x - circle->centre).norm() - circle->radius); })});
   return result;
 }
 
@@ -112,7 +111,8 @@ void add_edge_load(const Load& load, const geometry::Tessellation& cells, Forces
     const Point along = cells.positions[border.to] - cells.positions[border.from];
     for (const int end : {1, -1}) {
       const auto k = end > 0 ? border.from : border.to;
-      // a force q on a piece from 0 to l, deflections by the third-order line through both ends: q l^2 / 12 on the slopes
+      // a force q on a piece from 0 to l, deflections by the third-order line through both ends: q l^2 / 12 on the
+      // slopes
       forces.col(k) += load.kind == Load::Kind::edge_moment
                            ? edge_couple(load, Point(along.y(), -along.x()) / 2)
                            : moved_force(load.value * along.norm() / 2, Point(along * (end / 6.0)));
@@ -131,13 +131,16 @@ Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const
     case Load::Kind::point_force: {
       std::size_t nearest = 0;
       for (std::size_t k = 0; k < areas.size(); ++k)
-        if ((cells.positions[k] - load.position).squaredNorm() < (cells.positions[nearest] - load.position).squaredNorm())
+        if ((cells.positions[k] - load.position).squaredNorm() <
+            (cells.positions[nearest] - load.position).squaredNorm())
           nearest = k;
       forces.col(Eigen::Index(nearest)) = moved_force(load.value, load.position - cells.positions[nearest]);
       break;
     }
     case Load::Kind::edge_moment:
-    case Load::Kind::edge_shear: add_edge_load(load, cells, forces); break;
+    case Load::Kind::edge_shear:
+      add_edge_load(load, cells, forces);
+      break;
   }
   return forces;
 }
@@ -154,7 +157,9 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
       break;
     }
     case Load::Kind::edge_moment:
-    case Load::Kind::edge_shear: add_edge_load(load, cloud, outline, forces); break;
+    case Load::Kind::edge_shear:
+      add_edge_load(load, cloud, outline, forces);
+      break;
   }
   return forces;
 }

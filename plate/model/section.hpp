@@ -15,6 +15,9 @@ struct Section {
   double bending_stiffness() const;
   /// k_s G h with G = E / (2 (1 + nu)) [force/length]
   double shear_stiffness() const;
+  /// h / sqrt(12 k_s): width of the layer beside free edges and faces of cracks in which twist and shear change
+  /// [length]
+  double layer() const;
   /// sqrt(k_s G / rho): no crack runs faster [length/time]
   double shear_wave_speed() const;
 };

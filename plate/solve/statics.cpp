@@ -1,10 +1,10 @@
 #include "plate/solve/statics.hpp"
 
-#include "plate/solve/motion/dynamics.hpp"
-#include "plate/bonds/levels/local_plate.hpp"
-#include "plate/model/numerical_error.hpp"
-#include "plate/solve/reduction.hpp"
 #include <cmath>
+#include "plate/model/numerical_error.hpp"
+#include "plate/solve/assembled_plate.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -16,7 +16,7 @@ Forces inverse(const Forces& diagonal) {
   return diagonal.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
 }
 
-/// 1 / lambda of Eq. 14: the diagonal, scaled so that no frequency exceeds 2 with time step 1.
+/// 1 / lambda of Dai 14: the diagonal, scaled so that no frequency exceeds 2 with time step 1.
 Forces inverse_fictitious_mass(const Operator& plate, const Constraints& constraints, const Forces& diagonal) {
   const double step = stable_time_step(plate, constraints, diagonal);
   return inverse(diagonal) * (step * step);
@@ -36,8 +36,8 @@ void require_finite(double value, const char* method, std::size_t iteration) {
 }
 
 std::string reason(bool converged, const StaticOptions& options) {
-  return converged ? "residual below tolerance" : "not converged in " + std::to_string(options.max_iterations) +
-                                                      " iterations";
+  return converged ? "residual below tolerance"
+                   : "not converged in " + std::to_string(options.max_iterations) + " iterations";
 }
 
 /// Conjugate gradients for a stiffness that is given by product(direction, forces): forces = -K direction, folded.
@@ -88,7 +88,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
     });
     if (!(curvature > 0))
       throw NotPositive("conjugate gradients: the stiffness is not positive at iteration " +
-                           std::to_string(result.iterations));
+                        std::to_string(result.iterations));
     const double alpha = rho / curvature;
     const auto [square] = ordered_sum<1>(size, [&](std::size_t i) {
       const double moved = d[i] > 0 ? alpha : 0;
@@ -105,8 +105,8 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
 
 }  // namespace
 
-StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constraints& constraints,
-                                           const Forces& load, const StaticOptions& options) {
+StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constraints& constraints, const Forces& load,
+                                           const StaticOptions& options) {
   const auto size = static_cast<std::size_t>(load.size());
   const Forces diagonal = folded_diagonal(plate, constraints), weight = inverse(diagonal);
   const Forces inverse_mass = inverse_fictitious_mass(plate, constraints, diagonal);
@@ -127,12 +127,12 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
     plate.internal_force(result.state, force);
     constraints.fold(force);
     const double* f = force.data();
-    // squared residual; u K u and u u of Eq. 19 with the fictitious mass, so that w and rotations may be added
+    // squared residual; u K u and u u of Dai 19 with the fictitious mass, so that w and rotations may be added
     const auto [residual, stiffness, mass] = ordered_sum<3>(size, [&](std::size_t i) {
       const double total = f[i] + external.data()[i];
       const double inverse = inverse_mass.data()[i];
       if (inverse == 0) return std::array<double, 3>{0, 0, 0};
-      const double local = v[i] == 0 ? 0 : -(total * inverse - a_before[i]) / v[i];  // Eq. 20
+      const double local = v[i] == 0 ? 0 : -(total * inverse - a_before[i]) / v[i];  // Dai 20
       const double square = u[i] * u[i] / inverse;
       return std::array<double, 3>{total * total * weight.data()[i], square * local, square};
     });
@@ -143,12 +143,12 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
     if (result.converged || result.iterations == options.max_iterations) break;
 
     const bool first = result.iterations == 0;
-    const double c = stiffness > 0 && mass > 0 ? std::min(2 * std::sqrt(stiffness / mass), 1.9) : 0;  // Eq. 19
+    const double c = stiffness > 0 && mass > 0 ? std::min(2 * std::sqrt(stiffness / mass), 1.9) : 0;  // Dai 19
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < size; ++i) {
       const double a = (f[i] + external.data()[i]) * inverse_mass.data()[i];
-      v[i] = first ? a / 2 : ((2 - c) * v[i] + 2 * a) / (2 + c);  // Eqs. 18, 16
-      u[i] += v[i];                                               // Eq. 17
+      v[i] = first ? a / 2 : ((2 - c) * v[i] + 2 * a) / (2 + c);  // Dai 18, 16
+      u[i] += v[i];                                               // Dai 17
       a_before[i] = a;
     }
     constraints.impose(result.state);

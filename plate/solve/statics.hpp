@@ -1,14 +1,15 @@
 #pragma once
-#include "plate/model/constraints.hpp"
-#include "plate/model/operator.hpp"
-#include "plate/solve/preconditioner.hpp"
 #include <functional>
 #include <string>
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/formulation/preconditioner.hpp"
 
 namespace plate {
 
 /// When a static solution is good enough. The residual is |r| / |load| with |r|^2 = sum r_i^2 / K_ii over the free
-/// degrees of freedom (K_ii of P^T diag(K) P): forces and couples count by the displacement that they cause, whatever the units.
+/// degrees of freedom (K_ii of P^T diag(K) P): forces and couples count by the displacement that they cause, whatever
+/// the units.
 struct StaticOptions {
   double tolerance = 1e-6;
   std::size_t max_iterations = 200000;
@@ -23,11 +24,11 @@ struct StaticSolution {
   std::string stop_reason;
 };
 
-/// Adaptive dynamic relaxation (Dai et al., Eqs. 14-20; Underwood 1983): time step 1, fictitious mass from a bound on
+/// Adaptive dynamic relaxation (Dai 14-20; Underwood 1983): time step 1, fictitious mass from a bound on
 /// the row sums, damping from the lowest frequency that the motion shows.
 /// Throws NumericalError where a number is not finite.
-StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constraints& constraints,
-                                           const Forces& load, const StaticOptions& options);
+StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constraints& constraints, const Forces& load,
+                                           const StaticOptions& options);
 
 /// Conjugate gradients on the same operator, preconditioned by its diagonal or by what is given.
 /// Throws NumericalError where a number is not finite or the stiffness turns out not to be positive.

@@ -14,7 +14,7 @@ constexpr std::array of_integrals{0.1, 0.05, 0.05};  // of the difference of bot
 constexpr std::array of_change{0.3, 0.3, 0.5};       // of the last change of the result
 constexpr std::array of_size{0.0, 0.01, 0.02};       // of K2 and K3 h together, with size^2: the layer beside the faces
 constexpr double of_others_change = 0.3, of_step = 0.2;
-constexpr double rounding = 5e-5;                    // of the largest factor
+constexpr double rounding = 5e-5;  // of the largest factor
 
 /// Both integrals of a tip, which share their mode mix.
 struct Pair {
@@ -23,11 +23,13 @@ struct Pair {
 };
 
 const Srif* find(const std::vector<Srif>& srifs, std::size_t tip, const char* method) {
-  const auto found = std::ranges::find_if(srifs, [&](const Srif& srif) { return srif.tip == tip && srif.method == method; });
+  const auto found =
+      std::ranges::find_if(srifs, [&](const Srif& srif) { return srif.tip == tip && srif.method == method; });
   return found == srifs.end() ? nullptr : &*found;
 }
 
-/// At one time: of the last discretisations in a row that have both, with a fit. Where no energy is released the fit tells the factors.
+/// At one time: of the last discretisations in a row that have both, with a fit. Where no energy is released the fit
+/// tells the factors.
 std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, std::size_t row, std::size_t tip, double h) {
   std::vector<Pair> result;
   for (const auto& one : path) {
@@ -69,16 +71,18 @@ Factors products(const Course& course, const First& first, const Second& second)
   return result;
 }
 
-/// The changes of each factor from discretisation n - 1 to n over those before, as a share of what they are where errors go with
-/// size^2; over all times by least squares. `value`: of a Pair.
+/// The changes of each factor from discretisation n - 1 to n over those before, as a share of what they are where
+/// errors go with size^2; over all times by least squares. `value`: of a Pair.
 template <typename Value>
 Factors pace(const Course& course, std::size_t n, const Value& value) {
   const auto last = [&](const std::vector<Pair>& found) -> Factors { return value(found[n]) - value(found[n - 1]); };
-  const auto before = [&](const std::vector<Pair>& found) -> Factors { return value(found[n - 1]) - value(found[n - 2]); };
+  const auto before = [&](const std::vector<Pair>& found) -> Factors {
+    return value(found[n - 1]) - value(found[n - 2]);
+  };
   const auto& sizes = course.front();
   const auto square = [&](std::size_t i) { return sizes[i].size * sizes[i].size; };
-  return products(course, last, before).cwiseQuotient(products(course, before, before)) * (square(n - 2) - square(n - 1)) /
-         (square(n - 1) - square(n));
+  return products(course, last, before).cwiseQuotient(products(course, before, before)) *
+         (square(n - 2) - square(n - 1)) / (square(n - 1) - square(n));
 }
 
 /// Errors of K3 are of one order only where its changes say so.
@@ -116,33 +120,41 @@ std::vector<Refined> refined(const Course& course) {
     const Pair &last = found[n], &before = found[n - 1];
     const Factors result = result_of(found, n, shear_too[2]), result_before = result_of(found, n - 1, shear_too[1]);
     const double shrinks = std::pow(last.size / before.size, 2);
-    const Factors change =
-        (result - result_before).cwiseAbs().cwiseMax(shrinks * (result_before - result_of(found, n - 2, shear_too[0])).cwiseAbs());
+    const Factors change = (result - result_before)
+                               .cwiseAbs()
+                               .cwiseMax(shrinks * (result_before - result_of(found, n - 2, shear_too[0])).cwiseAbs());
     const Factors step = mean(last) - mean(before);
-    const Factors apart = extrapolated<Factors>(before.domain - before.extension, last.domain - last.extension, before.size, last.size);
-    const double others = of_others_change * change.maxCoeff(), integrals = (last.domain - last.extension).cwiseAbs().maxCoeff();
-    const double unresolved = last.size * last.size * std::clamp(last.faces / 1.5, 1.0, 4.0) * last.domain.tail<2>().norm();
-    Factors errors = apart.cwiseAbs() / 2 + of_step * step.cwiseAbs() + Factors::Constant(rounding * result.cwiseAbs().maxCoeff());
+    const Factors apart =
+        extrapolated<Factors>(before.domain - before.extension, last.domain - last.extension, before.size, last.size);
+    const double others = of_others_change * change.maxCoeff(),
+                 integrals = (last.domain - last.extension).cwiseAbs().maxCoeff();
+    const double unresolved =
+        last.size * last.size * std::clamp(last.faces / 1.5, 1.0, 4.0) * last.domain.tail<2>().norm();
+    Factors errors =
+        apart.cwiseAbs() / 2 + of_step * step.cwiseAbs() + Factors::Constant(rounding * result.cwiseAbs().maxCoeff());
     for (std::size_t i = 0; i < 3; ++i) {
       const auto j = Eigen::Index(i);
-      errors[j] += slowness(paces[j]) * of_change[i] * std::max(change[j], others) + of_integrals[i] * integrals + of_size[i] * unresolved;
+      errors[j] += slowness(paces[j]) * of_change[i] * std::max(change[j], others) + of_integrals[i] * integrals +
+                   of_size[i] * unresolved;
     }
     all.push_back({result, errors});
   }
   return all;
 }
 
-/// Where the courses of two discretisations cross, nothing tells their error: it is no less than that of all times, root of the mean
-/// square. `truncated`: of the largest factor at any time.
+/// Where the courses of two discretisations cross, nothing tells their error: it is no less than that of all times,
+/// root of the mean square. `truncated`: of the largest factor at any time.
 void level(std::vector<Refined>& course, double truncated) {
   Factors squares = Factors::Zero();
   double largest = 0;
-  for (const auto& one : course) squares += one.errors.cwiseAbs2(), largest = std::max(largest, one.K.cwiseAbs().maxCoeff());
+  for (const auto& one : course)
+    squares += one.errors.cwiseAbs2(), largest = std::max(largest, one.K.cwiseAbs().maxCoeff());
   const Factors mean = (squares / double(course.size())).cwiseSqrt();
   for (auto& one : course) one.errors = one.errors.cwiseMax(mean).array() + truncated * largest;
 }
 
-/// Of the result: about as many vectors leave out about the same of each discretisation, which extrapolation does not enlarge.
+/// Of the result: about as many vectors leave out about the same of each discretisation, which extrapolation does not
+/// enlarge.
 double truncation(const std::vector<AccuracyStep>& path, std::size_t tip) {
   const auto of = [&](const AccuracyStep& one) { return tip < one.truncated.size() ? one.truncated[tip] : 0; };
   return std::max(of(path.back()), of(path[path.size() - 2]));
@@ -183,7 +195,8 @@ std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, do
       srif.samples = course.front().size();
       srif.K1 = K[0], srif.K2 = K[1], srif.K3 = K[2] / thickness;
       srif.errors = {errors[0], errors[1], errors[2] / thickness};
-      if (const double largest = largest_factor(srif, thickness); largest > 0) srif.estimated_error = errors.maxCoeff() / largest;
+      if (const double largest = largest_factor(srif, thickness); largest > 0)
+        srif.estimated_error = errors.maxCoeff() / largest;
       result[row].push_back(std::move(srif));
     }
   }
@@ -228,13 +241,15 @@ double worst_error(const Srif& srif, double thickness) {
 
 }  // namespace
 
-std::optional<double> largest_error(const std::vector<std::vector<Srif>>& refined, std::size_t tips, double thickness, double nominal) {
+std::optional<double> largest_error(const std::vector<std::vector<Srif>>& refined, std::size_t tips, double thickness,
+                                    double nominal) {
   if ((refined.empty() ? 0 : refined.front().size()) < tips) return std::nullopt;
   const Scales scales(refined, thickness, nominal);
   double result = 0;
   for (const auto& row : refined)
     for (const auto& srif : row)
-      if (const double scale = scales(srif.tip); scale > 0) result = std::max(result, worst_error(srif, thickness) / scale);
+      if (const double scale = scales(srif.tip); scale > 0)
+        result = std::max(result, worst_error(srif, thickness) / scale);
   return result;
 }
 

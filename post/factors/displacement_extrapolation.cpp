@@ -1,5 +1,5 @@
 #include "post/factors/displacement_extrapolation.hpp"
-#include "post/factors/tip_frame.hpp"
+#include "plate/formulation/tip_frame.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<Beside> beside_crack(const std::vector<Point>& positions, const geom
     const Point x = positions[k] - tip.position;
     const double r = -x.dot(tip.direction), y = x.dot(normal);
     if (r > -2 * spacing && r < window + 2 * spacing && std::abs(y) < height)
-      found.push_back({k, r, y, face_of(y, normal, spacing)});
+      found.push_back({k, r, y, plate::face_of(y, normal, spacing)});
   }
   return found;
 }
@@ -37,7 +37,7 @@ std::vector<Share> face_value(const std::vector<Beside>& beside, int face, doubl
   for (const auto& b : beside)
     if (b.face == face && std::hypot(b.r - r, b.y - y) < 1.6 * spacing)
       near.emplace_back(b.point, Point(b.r, b.y) / spacing);
-  return interpolation(near, Point(r, y) / spacing);
+  return plate::interpolation(near, Point(r, y) / spacing);
 }
 
 /// The heights of the first rows of points on one face; on a lattice along the crack these are rows of points.
@@ -66,7 +66,8 @@ std::vector<double> distances(const std::vector<Beside>& beside, double row, dou
 std::vector<double> face_distances(const std::vector<Beside>& beside, double window, double spacing) {
   std::vector<double> r;
   for (const auto& b : beside)
-    if (b.face > 0 && std::abs(b.y) < 1e-4 * spacing && b.r > 2.5 * spacing && b.r <= window * (1 + 1e-9)) r.push_back(b.r);
+    if (b.face > 0 && std::abs(b.y) < 1e-4 * spacing && b.r > 2.5 * spacing && b.r <= window * (1 + 1e-9))
+      r.push_back(b.r);
   std::sort(r.begin(), r.end());
   return r;
 }
@@ -87,8 +88,13 @@ Line fit(const std::vector<double>& r, const Eigen::VectorXd& value, int degree)
 }  // namespace
 
 OpeningFit paper_fit(const PlateScale& scale, const SrifOptions& options) {
-  return {"displacement_extrapolation", options.window.value_or(options.window_horizons * scale.horizon), options.skip,
-          options.rows,    1, false, scale.points_on_faces};
+  return {"displacement_extrapolation",
+          options.window.value_or(options.window_horizons * scale.horizon),
+          options.skip,
+          options.rows,
+          1,
+          false,
+          scale.points_on_faces};
 }
 
 OpeningFit series_fit(const PlateScale& scale) {
@@ -145,8 +151,8 @@ DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& p
 
 Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
   const plate::Section& s = scale_.section;
-  const double bending = s.young * std::pow(s.thickness, 3) / (48 * std::sqrt(2.0));                          // Eq. 41
-  const double shear = s.shear_correction * s.young * s.thickness * std::sqrt(2.0) / (8 * (1 + s.poisson));  // Eq. 41
+  const double bending = s.young * std::pow(s.thickness, 3) / (48 * std::sqrt(2.0));                         // Dai 41
+  const double shear = s.shear_correction * s.young * s.thickness * std::sqrt(2.0) / (8 * (1 + s.poisson));  // Dai 41
   const Point ahead = tip_.direction, left(-ahead.y(), ahead.x());
 
   Eigen::MatrixX3d K(static_cast<Eigen::Index>(samples_.size()), 3);
@@ -174,7 +180,8 @@ Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
     const Line line = fit(r, K.col(mode), how_.degree);
     *value[mode] = line.at_zero;
     misfit[mode] = line.residual;
-    spread[mode] = samples_.size() > 2 ? std::abs(fit(r, K.col(mode), how_.degree == 1 ? 2 : 1).at_zero - line.at_zero) : 0;
+    spread[mode] =
+        samples_.size() > 2 ? std::abs(fit(r, K.col(mode), how_.degree == 1 ? 2 : 1).at_zero - line.at_zero) : 0;
   }
   // K3 counts against moments by the thickness
   const double h = s.thickness, largest = largest_factor(result, h);

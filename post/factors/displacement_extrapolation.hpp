@@ -5,11 +5,11 @@ namespace post {
 
 /// Which samples a fit of the opening takes, and what it fits.
 struct OpeningFit {
-  std::string name;              // of the method
-  double window;                 // samples up to this distance from the tip [length]
-  int skip = 0;                  // samples next to the tip left out
-  int rows = 1;                  // rows of points on each side: 1 nearest row, 2 extrapolated to the crack
-  int degree = 1;                // of the polynomial K(r)
+  std::string name;                  // of the method
+  double window;                     // samples up to this distance from the tip [length]
+  int skip = 0;                      // samples next to the tip left out
+  int rows = 1;                      // rows of points on each side: 1 nearest row, 2 extrapolated to the crack
+  int degree = 1;                    // of the polynomial K(r)
   bool tip_between_columns = false;  // a tip between two columns of points counts as half way
   bool points_on_faces = false;      // samples there, from 2.5 spacings behind the tip on
 };
@@ -17,17 +17,18 @@ struct OpeningFit {
 /// The recipe of Dai et al. 2021, section 3.2: a straight line over two horizons, or what the options say.
 OpeningFit paper_fit(const PlateScale& scale, const SrifOptions& options);
 
-/// The opening extrapolated to the crack from two rows, a parabola K(r) over half a thickness, at least 8 spacings, from the second
-/// sample on: the terms r^(1/2), r^(3/2), r^(5/2) of the opening.
+/// The opening extrapolated to the crack from two rows, a parabola K(r) over half a thickness, at least 8 spacings,
+/// from the second sample on: the terms r^(1/2), r^(3/2), r^(5/2) of the opening.
 OpeningFit series_fit(const PlateScale& scale);
 
 /// The first samples behind the tip, for the proportions of the three modes.
 OpeningFit narrow_fit(const PlateScale& scale);
 
-/// Crack-surface displacement extrapolation (Dai et al. 2021, section 3.2, Eqs. 39-41): the jump of w and the
+/// Crack-surface displacement extrapolation (Dai 39-41, section 3.2): the jump of w and the
 /// rotations across the crack at distances r behind the tip gives K(r); the straight line through K(r) by least squares
 /// gives K at r = 0. The deflection is carried from the rows of points to the crack line by the rotation there,
-/// w - y' theta_x': without it a mere inclination of the plate would pass for K3. Built once per tip, evaluated at any number of times.
+/// w - y' theta_x': without it a mere inclination of the plate would pass for K3. Built once per tip, evaluated at any
+/// number of times.
 class DisplacementExtrapolation {
 public:
   /// `positions`: points of the plate. `path`: the tip's crack. Throws std::invalid_argument where the window holds
@@ -40,9 +41,9 @@ public:
 
 private:
   struct Sample {
-    double r;                            // distance behind the tip [length]
-    std::vector<Share> jump;             // upper face minus lower face
-    std::vector<Share> lever;            // the same shares times their distance y' from the crack [length]
+    double r;                  // distance behind the tip [length]
+    std::vector<Share> jump;   // upper face minus lower face
+    std::vector<Share> lever;  // the same shares times their distance y' from the crack [length]
   };
 
   geometry::Tip tip_;

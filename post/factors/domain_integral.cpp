@@ -1,7 +1,3 @@
-
-#include <Eigen/Dense>
-#include <optional>
-
 #include "post/factors/tip_integrals.hpp"
 
 namespace post {
@@ -16,70 +12,17 @@ struct PointStrains {
   double w_slope = 0;
 };
 
-/// Gradients at a point, by least squares over neighbours.
-struct GradientShares {
-  std::vector<geometry::Bond> bonds;
-  Eigen::Matrix2Xd share;  // per bond: of a difference along the bond, in the gradient
-};
-
-/// By the bonds no longer than `reach` spacings; nothing where they do not determine linear and quadratic terms.
-std::optional<GradientShares> quadratic_shares(const BondedPlate& plate, std::uint32_t k, double reach) {
-  const auto& families = plate.families;
-  GradientShares result;
-  for (const auto& bond : families[k])
-    if (plate.shapes[bond.vector_id].length < reach * plate.spacing)
-      result.bonds.push_back(bond);
-  const auto count = static_cast<Eigen::Index>(result.bonds.size());
-  if (count < 5) return std::nullopt;
-  Eigen::MatrixXd basis(count, 5);
-  Eigen::VectorXd weight(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Point x = families.vectors()[result.bonds[std::size_t(i)].vector_id] / plate.spacing;
-    basis.row(i) << x.x(), x.y(), x.x() * x.x(), x.x() * x.y(), x.y() * x.y();
-    weight[i] = 1 / x.squaredNorm();
-  }
-  const auto solver = (weight.asDiagonal() * basis).completeOrthogonalDecomposition();
-  if (solver.rank() < 5) return std::nullopt;
-  result.share = solver.pseudoInverse().topRows(2) * weight.asDiagonal() / plate.spacing;
-  return result;
-}
-
-/// From the nearest neighbours that suffice: the layer beside a face is as thin as a few spacings.
-GradientShares gradient_shares(const BondedPlate& plate, std::uint32_t k) {
-  if (plate.galerkin) {
-    const auto family = plate.families[k];
-    GradientShares own{{}, Eigen::Matrix2Xd(2, Eigen::Index(family.size()))};
-    for (std::size_t i = 0; i < family.size(); ++i) {
-      own.bonds.push_back(family[i]);
-      own.share.col(Eigen::Index(i)) = plate.galerkin->of(k)[i].gradient;
-    }
-    return own;
-  }
-  for (const double reach : {1.5, 2.1, 3.0, 100.0})
-    if (auto found = quadratic_shares(plate, k, reach)) return *found;
-  GradientShares linear;
-  const auto& families = plate.families;
-  Eigen::MatrixXd basis(Eigen::Index(families[k].size()), 2);
-  for (const auto& bond : families[k]) {
-    basis.row(Eigen::Index(linear.bonds.size())) = families.vectors()[bond.vector_id].transpose();
-    linear.bonds.push_back(bond);
-  }
-  linear.share = basis.completeOrthogonalDecomposition().pseudoInverse();
-  return linear;
-}
-
-/// The points of a ring and the classical integral over them (theory.md, Eq. 35b).
+/// The points of a ring and the classical integral over them (theory (48)).
 class DomainIntegral : public EnergyRelease {
 public:
-  DomainIntegral(const BondedPlate& plate, const TipFrame& frame, const Ring& ring)
+  DomainIntegral(const TipView& plate, const TipFrame& frame, const Ring& ring)
       : shapes_(plate.shapes), section_(plate.section), ahead_(frame.ahead) {
     for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
       const Point x = plate.positions[k] - frame.origin;
       if (x.norm() > 2 * ring.outer) continue;
-      const Point slope = slope_at(plate, frame, ring, k);
-      const double S = plate.galerkin ? plate::GalerkinStiffness(plate.section, plate.galerkin->square(k)).shear
-                                      : plate.section.shear_stiffness();
-      if (slope != Point(0, 0)) points_.push_back({k, plate.areas[k] * slope, S, gradient_shares(plate, k)});
+      const Point slope = plate.extension_slope(k, frame, ring);
+      const double S = plate.shear_stiffness(k);
+      if (slope != Point(0, 0)) points_.push_back({k, plate.areas[k] * slope, S, plate.gradient_shares(k)});
     }
   }
 
@@ -94,20 +37,8 @@ private:
     std::uint32_t k;
     Point slope;             // area times grad q
     double shear_stiffness;  // [force / length]
-    GradientShares shares;
+    plate::GradientShares shares;
   };
-
-  /// grad q: in the Galerkin plate by its families, for which Gauss's theorem holds.
-  static Point slope_at(const BondedPlate& plate, const TipFrame& frame, const Ring& ring, std::uint32_t k) {
-    const Point x = plate.positions[k] - frame.origin;
-    if (!plate.galerkin) return x.norm() > 0 ? Point(ring.slope(x.norm()) / x.norm() * x) : Point(0, 0);
-    const auto extension = [&](std::uint32_t j) { return ring.extension((plate.positions[j] - frame.origin).norm()); };
-    Point slope(0, 0);
-    const auto family = plate.families[k];
-    for (std::size_t i = 0; i < family.size(); ++i)
-      slope += plate.galerkin->of(k)[i].gradient * (extension(family[i].neighbour) - extension(k));
-    return slope;
-  }
 
   PointStrains strains(const RingPoint& point, const NearField& field) const {
     PointStrains result;
@@ -141,7 +72,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<EnergyRelease> domain_integral(const BondedPlate& plate, const TipFrame& frame, const Ring& ring) {
+std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFrame& frame, const Ring& ring) {
   return std::make_unique<DomainIntegral>(plate, frame, ring);
 }
 

@@ -50,18 +50,22 @@ public:
       // the split is that of the first samples of the opening: nothing vouches for it
       const Eigen::Vector3d energy = unit_release(section_).cwiseProduct(K.cwiseAbs2());
       const double other_modes = energy.sum() > 0 ? 1 - energy[0] / energy.sum() : 0;
-      return result + Eigen::Vector3d((2 * energies + other_modes / 2) * std::abs(K[0]), largest, largest).cwiseQuotient(scale_);
+      return result +
+             Eigen::Vector3d((2 * energies + other_modes / 2) * std::abs(K[0]), largest, largest).cwiseQuotient(scale_);
     }
     // a fit that is far from the energy tells neither the size nor the mode mix
-    const double apart = disagreement(*srif.G), far = std::max(0.0, apart - shares_.doubt), size = shares_.energy * apart + far;
+    const double apart = disagreement(*srif.G), far = std::max(0.0, apart - shares_.doubt),
+                 size = shares_.energy * apart + far;
     const double bending = std::hypot(K[0], K[1]);
     result[2] += shares_.fits_shear * spread(largest)[2] + size * std::abs(K[2]) +
                  shares_.shear * apart * largest / section_.thickness;
     // what K3 takes wrongly of G is missing in K1 and K2, in proportion
     const Eigen::Vector3d unit = unit_release(section_);
-    const double square = 2 * ((2 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2]) / unit[0];  // error of K1^2 + K2^2
+    const double square =
+        2 * ((2 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2]) / unit[0];  // error of K1^2 + K2^2
     if (bending > 0) result.head<2>() += (std::sqrt(bending * bending + square) / bending - 1) * K.head<2>().cwiseAbs();
-    if (bending < 0.1 * largest) return result + shares_.fits * Eigen::Vector3d(spread(largest)[0], spread(largest)[1], 0);
+    if (bending < 0.1 * largest)
+      return result + shares_.fits * Eigen::Vector3d(spread(largest)[0], spread(largest)[1], 0);
     const double turn = shares_.fits * largest_turn(largest / bending) + far;
     return result + turn * Eigen::Vector3d(std::abs(K[1]), std::abs(K[0]), 0);
   }
@@ -77,7 +81,8 @@ public:
 private:
   double layer() const { return shares_.layer * std::pow(std::min(shares_.width, 1.5), 3); }
 
-  /// Largest difference between the first fit and the others, of each factor; where there is no other, a share of the largest.
+  /// Largest difference between the first fit and the others, of each factor; where there is no other, a share of the
+  /// largest.
   Eigen::Vector3d spread(double largest) const {
     constexpr double alone = 0.03;
     if (fits_.size() < 2) return Eigen::Vector3d::Constant(alone * largest).cwiseQuotient(scale_);
@@ -151,7 +156,8 @@ void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& 
   }
   for (auto& srif : srifs) {
     if (of_opening(srif.method) || srif.accuracy_reached) continue;  // openings are not judged, and those have been
-    // an energy that is not positive is no better than another method's factors; beside those of earlier rows it may be none
+    // an energy that is not positive is no better than another method's factors; beside those of earlier rows it may be
+    // none
     const bool none = srif.G && *srif.G <= 0;
     const double scale = !none ? largest[srif.tip] : srif.tip < before.size() ? before[srif.tip] : 0;
     for (std::size_t i = 0; i < 3; ++i)

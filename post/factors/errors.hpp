@@ -5,24 +5,26 @@ namespace post {
 
 /// What the estimates of the errors count of each sign of an error (theory.md, "What the estimated errors mean").
 struct ErrorShares {
-  double energy;  // of the difference between the energy release rates of the fit and of the integrals, in K1 and K2 ...
-  double shear;   // ... and in K3, of the largest factor
-  double fits;    // of the largest difference between fits: their turn, in K1 and K2 ...
+  double
+      energy;    // of the difference between the energy release rates of the fit and of the integrals, in K1 and K2 ...
+  double shear;  // ... and in K3, of the largest factor
+  double fits;   // of the largest difference between fits: their turn, in K1 and K2 ...
   double fits_shear;  // ... and in K3
-  double least;   // of the largest factor
-  double layer;   // of the largest factor: for K3, where a spacing (or half a horizon) is as wide as the layer beside the faces
-  double width;   // of that spacing [layers]
-  double doubt;   // beyond this the difference between those energies counts in full, and as a turn of K1 and K2
+  double least;       // of the largest factor
+  double layer;  // of the largest factor: for K3, where a spacing (or half a horizon) is as wide as the layer beside
+                 // the faces
+  double width;  // of that spacing [layers]
+  double doubt;  // beyond this the difference between those energies counts in full, and as a turn of K1 and K2
 };
 
-/// Estimates the errors of what all methods found at one tip; methods whose energy release rate is not positive are marked
-/// as not resolved. `fits`: from several ranges about the tip, the one that gave the mode mix first; empty where the mix
-/// comes from the opening.
+/// Estimates the errors of what all methods found at one tip; methods whose energy release rate is not positive are
+/// marked as not resolved. `fits`: from several ranges about the tip, the one that gave the mode mix first; empty where
+/// the mix comes from the opening.
 void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits, const plate::Section& section,
                      const ErrorShares& shares);
 
-/// Marks factors by energy and by the fit whose error is above a tenth of the largest factor that their tip has had as not
-/// resolved. `largest`: of every tip, as |K1|, of the rows before; brought up to date.
+/// Marks factors by energy and by the fit whose error is above a tenth of the largest factor that their tip has had as
+/// not resolved. `largest`: of every tip, as |K1|, of the rows before; brought up to date.
 void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& largest);
 
 }  // namespace post

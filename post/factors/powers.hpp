@@ -5,7 +5,8 @@
 
 namespace post {
 
-/// sum c_a z^(a/2) conj(z)^(b/2) with a + b = `degree`, of an odd field i times that; a, b >= -3. Terms that are 0 are none.
+/// sum c_a z^(a/2) conj(z)^(b/2) with a + b = `degree`, of an odd field i times that; a, b >= -3. Terms that are 0 are
+/// none.
 class Powers {
 public:
   explicit Powers(int degree) : degree_(degree), factors_(std::size_t(degree + 2 * beyond + 1)) {}

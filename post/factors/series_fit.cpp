@@ -8,21 +8,16 @@ namespace {
 
 using geometry::Point;
 
-/// Points nearer to the line of the crack are left out [spacings]: with bonds the lattice, not the line, tells which side
-/// they are on; in the Galerkin plate they lie on the faces, where rounding would tell, and are the least accurate.
-constexpr double doubtful_of_bonds = 0.3, doubtful_of_faces = 0.05;
-
 /// Points; 16 spacings about a tip hold 800.
 constexpr std::size_t enough = 1200;
 
-std::vector<std::uint32_t> points_within(const BondedPlate& plate, const TipFrame& frame, const FitRange& range) {
-  const double doubtful = (plate.galerkin ? doubtful_of_faces : doubtful_of_bonds) * plate.spacing;
+std::vector<std::uint32_t> points_within(const TipView& plate, const TipFrame& frame, const FitRange& range) {
   std::vector<std::uint32_t> result;
   for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
     const Point x = frame.local(plate.positions[k]);
     const double r = x.norm();
     if (r < range.inner || r > range.outer) continue;
-    if (x.x() < 0 && std::abs(x.y()) < doubtful) continue;
+    if (x.x() < 0 && std::abs(x.y()) < plate.doubtful) continue;
     result.push_back(k);
   }
   // more points than the fields need cost time only
@@ -39,14 +34,15 @@ Eigen::MatrixXd rows_of(Eigen::MatrixXd fields, const Eigen::Matrix3Xd& factors)
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(fields);
   const Eigen::MatrixXd wanted = (factors * scale.asDiagonal()).transpose();
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(fields.rows(), 3);
-  rows.topRows(fields.cols()) = qr.matrixQR().topRows(fields.cols()).triangularView<Eigen::Upper>().transpose().solve(wanted);
+  rows.topRows(fields.cols()) =
+      qr.matrixQR().topRows(fields.cols()).triangularView<Eigen::Upper>().transpose().solve(wanted);
   rows.applyOnTheLeft(qr.householderQ());
   return rows;
 }
 
 }  // namespace
 
-std::vector<SeriesFit> series_fits(const BondedPlate& plate, const geometry::Tip& tip, const FitRange& range,
+std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& tip, const FitRange& range,
                                    const std::vector<double>& shares) {
   const TipFrame frame(tip);
   const auto points = points_within(plate, frame, range);
@@ -61,7 +57,8 @@ std::vector<SeriesFit> series_fits(const BondedPlate& plate, const geometry::Tip
 
   std::vector<SeriesFit> result;
   for (const double share : shares) {
-    FitRange narrower{range.inner, share * range.outer, share == 1 ? range.order : fit_order(plate.section, share * range.outer)};
+    FitRange narrower{range.inner, share * range.outer,
+                      share == 1 ? range.order : fit_order(plate.section, share * range.outer)};
     std::vector<Eigen::Index> within, columns;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (places[i].r <= narrower.outer) within.push_back(Eigen::Index(i));
@@ -76,11 +73,13 @@ std::vector<SeriesFit> series_fits(const BondedPlate& plate, const geometry::Tip
       fit.points.push_back(points[std::size_t(within[i])]);
       weight.push_back(std::sqrt(plate.areas[fit.points.back()]));
       const Eigen::Vector3d each = weight.back() * Eigen::Vector3d(1 / range.outer, 1, 1);
-      own.middleRows(3 * Eigen::Index(i), 3) = each.asDiagonal() * fields.middleRows(3 * within[i], 3)(Eigen::all, columns);
+      own.middleRows(3 * Eigen::Index(i), 3) =
+          each.asDiagonal() * fields.middleRows(3 * within[i], 3)(Eigen::all, columns);
     }
     const Eigen::MatrixXd rows = rows_of(std::move(own), series.factors()(Eigen::all, columns));
     for (std::size_t i = 0; i < within.size(); ++i)
-      fit.row.middleCols(3 * Eigen::Index(i), 3) = weight[i] * rows.middleRows(3 * Eigen::Index(i), 3).transpose() * turn;
+      fit.row.middleCols(3 * Eigen::Index(i), 3) =
+          weight[i] * rows.middleRows(3 * Eigen::Index(i), 3).transpose() * turn;
     result.push_back(std::move(fit));
   }
   return result;
@@ -100,9 +99,10 @@ int fit_order(const plate::Section& section, double outer) {
 }
 
 std::optional<FitRange> fit_range(const plate::Section& section, double clear, double spacing, bool graded) {
-  constexpr double least = 4, usual = 16;       // spacings
-  constexpr double resolved = 5, possible = 7;  // widths of the layer beside the faces; beyond, the series has too many fields
-  const double layer = section.thickness / std::sqrt(12 * section.shear_correction);
+  constexpr double least = 4, usual = 16;  // spacings
+  constexpr double resolved = 5,
+                   possible = 7;  // widths of the layer beside the faces; beyond, the series has too many fields
+  const double layer = section.layer();
   double outer = std::min(0.6 * clear, resolved * layer);
   // graded points resolve the layer beside the faces only near the tip
   outer = std::min(outer, graded ? std::max(usual * spacing, 2.5 * layer) : usual * spacing);

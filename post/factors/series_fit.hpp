@@ -11,8 +11,9 @@ struct FitRange {
   int order;            // of TipSeries
 };
 
-/// K1, K2, K3 by least squares of the displacements of all points about a tip to the fields that the plate can have there
-/// (theory.md, "Fields about a tip"; for plane problems Ayatollahi and Nejati 2011). A linear functional of the state.
+/// K1, K2, K3 by least squares of the displacements of all points about a tip to the fields that the plate can have
+/// there (theory.md, "Fields about a tip"; for plane problems Ayatollahi and Nejati 2011). A linear functional of the
+/// state.
 struct SeriesFit {
   FitRange range;
   std::vector<std::uint32_t> points;
@@ -22,7 +23,7 @@ struct SeriesFit {
 };
 
 /// Fits over `range` and over the given shares of it, as far as these hold enough points: 1 is the first.
-std::vector<SeriesFit> series_fits(const BondedPlate& plate, const geometry::Tip& tip, const FitRange& range,
+std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& tip, const FitRange& range,
                                    const std::vector<double>& shares);
 
 /// The range that serves a tip best, `clear` [length] being free about it: as large as the series allows.

@@ -13,7 +13,8 @@ double difference(const Srif& a, const Srif& b, double thickness) {
 /// The errors are at least the differences from another result.
 void at_least(Srif& srif, const std::array<double, 3>& other) {
   const std::array own{srif.K1, srif.K2, srif.K3};
-  for (std::size_t i = 0; i < 3; ++i) srif.errors[i] = std::max(srif.errors[i].value_or(0), std::abs(own[i] - other[i]));
+  for (std::size_t i = 0; i < 3; ++i)
+    srif.errors[i] = std::max(srif.errors[i].value_or(0), std::abs(own[i] - other[i]));
 }
 
 }  // namespace

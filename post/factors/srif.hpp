@@ -1,13 +1,15 @@
 #pragma once
-#include "geometry/lattice/cloud.hpp"
-#include "plate/model/section.hpp"
-#include "plate/model/state.hpp"
-#include "post/factors/interpolation.hpp"
 #include <array>
 #include <optional>
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/interpolation.hpp"
+#include "plate/model/section.hpp"
+#include "plate/model/state.hpp"
 
 /// What leaves the program: intensity factors, tables, files for ParaView and HDF5.
 namespace post {
+
+using plate::Share;
 
 /// The forces or moments that F = K / (...) refers to: pressure and width: F = K / (p (W/2)^2 sqrt a);
 /// moment: F = K / (M sqrt a). F3 has K3 times the thickness, to be without dimension.
@@ -16,18 +18,19 @@ struct Normalization {
 };
 
 struct SrifOptions {
-  std::vector<std::string> methods{"virtual_crack_extension", "domain_integral", "series_fit", "displacement_extrapolation"};
-  double window_horizons = 2;           // displacement extrapolation: fit over 0 < r <= this many horizons (Dai: 2) ...
-  std::optional<double> window;         // ... or over this length
-  int skip = 0;                         // samples next to the tip left out
-  int rows = 1;                         // rows of points on each side: 1 nearest row, 2 extrapolated to the crack
-  bool richardson = false;              // estimate the error from a second run with twice the spacing
-  bool first_ring_only = false;         // of every integral; then no errors are estimated from rings
-  bool second_formulation = false;      // ... and from a run in the other formulation of the plate
-  std::optional<double> accuracy;       // find the discretisation that gives every factor to this share of the largest
-  double accuracy_seconds = 600;        // ... as far as it is expected to be found in this time
+  std::vector<std::string> methods{"virtual_crack_extension", "domain_integral", "series_fit",
+                                   "displacement_extrapolation"};
+  double window_horizons = 2;       // displacement extrapolation: fit over 0 < r <= this many horizons (Dai: 2) ...
+  std::optional<double> window;     // ... or over this length
+  int skip = 0;                     // samples next to the tip left out
+  int rows = 1;                     // rows of points on each side: 1 nearest row, 2 extrapolated to the crack
+  bool richardson = false;          // estimate the error from a second run with twice the spacing
+  bool first_ring_only = false;     // of every integral; then no errors are estimated from rings
+  bool second_formulation = false;  // ... and from a run in the other formulation of the plate
+  std::optional<double> accuracy;   // find the discretisation that gives every factor to this share of the largest
+  double accuracy_seconds = 600;    // ... as far as it is expected to be found in this time
   std::optional<Normalization> normalize;
-  std::optional<double> half_length;    // the a of the normalisation
+  std::optional<double> half_length;  // the a of the normalisation
 };
 
 /// The intensity factors from one ring about the tip.
@@ -55,17 +58,17 @@ struct Srif {
   std::size_t tip = 0;
   geometry::Point position{0, 0};
   std::string method;
-  double K1 = 0, K2 = 0, K3 = 0;                // [force length^(1/2)] moments, [force / length^(1/2)] shear
-  std::optional<double> F1, F2, F3;             // where a normalisation is given
-  std::optional<double> estimated_error;        // relative to the largest of |K1|, |K2|, |K3| h
-  std::array<std::optional<double>, 3> errors;  // estimated, of K1, K2, K3, in their units
-  std::optional<double> accuracy_reached;       // where it was asked for: the largest estimated error of this tip
+  double K1 = 0, K2 = 0, K3 = 0;                   // [force length^(1/2)] moments, [force / length^(1/2)] shear
+  std::optional<double> F1, F2, F3;                // where a normalisation is given
+  std::optional<double> estimated_error;           // relative to the largest of |K1|, |K2|, |K3| h
+  std::array<std::optional<double>, 3> errors;     // estimated, of K1, K2, K3, in their units
+  std::optional<double> accuracy_reached;          // where it was asked for: the largest estimated error of this tip
   std::array<bool, 3> resolved{true, true, true};  // false: this discretisation does not give that factor
-  std::optional<SecondSrif> second;             // of a case that is run in both formulations
-  std::optional<double> G;                      // energy release rate [force], of methods that find it
-  std::vector<RingSrif> rings;                  // of methods that use rings; the first gave the result
-  std::vector<FitSrif> fits;                    // of the fit of the fields about the tip; the first gave the result
-  double fit_residual = 0;                      // rms misfit of the straight line / largest |K| of the fit
+  std::optional<SecondSrif> second;                // of a case that is run in both formulations
+  std::optional<double> G;                         // energy release rate [force], of methods that find it
+  std::vector<RingSrif> rings;                     // of methods that use rings; the first gave the result
+  std::vector<FitSrif> fits;                       // of the fit of the fields about the tip; the first gave the result
+  double fit_residual = 0;                         // rms misfit of the straight line / largest |K| of the fit
   std::size_t samples = 0;
 };
 

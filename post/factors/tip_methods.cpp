@@ -22,14 +22,21 @@ Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const plate::Sec
   return {scale * split[0], scale * split[1], split[2]};
 }
 
-/// Calibrated: theory.md, "What the estimated errors mean".
-ErrorShares shares_of(const BondedPlate& plate, double horizon, const TipPlace& place) {
-  const double layer = plate.section.thickness / std::sqrt(12 * plate.section.shear_correction);
-  // an error of the first order, the larger the fewer points lie between a tip and what is next to it; of other tips half as much
+ErrorShares shares_of(const TipView& plate, const TipPlace& place) {
+  const auto& trust = plate.trust;
+  // an error of the first order, the larger the fewer points lie between a tip and what is next to it; of other tips
+  // half as much
   const double least = plate.spacing / 2;
-  const double near = plate.spacing * std::max(1 / std::max(place.clear, least), 0.5 / std::max(place.narrowest, least));
-  if (plate.galerkin) return {0.3, 0, 1, 1, std::max(1e-3, 0.04 * near) + place.known_error, 0.04, plate.spacing / layer, 0.05};
-  return {0.4, 0.4, 1.6, 2, std::max(1e-3, 0.1 * near) + place.known_error, 0.2, horizon / 2 / layer, 0.1};
+  const double near =
+      plate.spacing * std::max(1 / std::max(place.clear, least), 0.5 / std::max(place.narrowest, least));
+  return {trust.energy,
+          trust.shear,
+          trust.fits,
+          trust.fits_shear,
+          std::max(1e-3, trust.near * near) + place.known_error,
+          trust.layer,
+          trust.width / plate.section.layer(),
+          trust.doubt};
 }
 
 /// Of the rings that fit [length].
@@ -41,14 +48,16 @@ double largest_radius(double clear, double spacing, bool graded) {
 
 }  // namespace
 
-TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double horizon, const SrifOptions& options)
-    : tip_(place.tip), section_(plate.section), galerkin_(plate.galerkin != nullptr),
-      shares_(shares_of(plate, horizon, place)),
-      positions_(plate.positions), methods_(options.methods),
-      surroundings_(plate, centred(place.tip, plate), largest_radius(place.clear, plate.spacing, plate.graded())) {
+TipMethods::TipMethods(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options)
+    : view_(std::move(view)),
+      tip_(place.tip),
+      shares_(shares_of(*view_, place)),
+      methods_(options.methods),
+      surroundings_(*view_, centred(place.tip, *view_), largest_radius(place.clear, view_->spacing, view_->graded)) {
+  const TipView& plate = *view_;
   const geometry::Tip tip = centred(place.tip, plate);
-  const PlateScale scale{plate.section, plate.spacing, horizon, plate.galerkin != nullptr};
-  if (!std::ranges::all_of(methods_, of_opening)) fit(plate, tip, place.clear, options.first_ring_only);
+  const PlateScale scale{plate.section, plate.spacing, plate.horizon, plate.points_on_faces};
+  if (!std::ranges::all_of(methods_, of_opening)) fit(tip, place.clear, options.first_ring_only);
   const std::vector<geometry::Point> positions(plate.positions.begin(),
                                                plate.positions.begin() + std::ptrdiff_t(plate.plate_points));
   for (const auto& method : methods_) {
@@ -59,7 +68,7 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
       } else if (method == "series_fit") {
         if (fits_.empty()) throw std::invalid_argument(no_fit_);
       } else {
-        integrals_.push_back(integral_of(method, plate, tip, place.clear, options.first_ring_only));
+        integrals_.push_back(integral_of(method, tip, place.clear, options.first_ring_only));
       }
     } catch (const std::invalid_argument& reason) {
       left_out_.push_back(reason.what());
@@ -69,32 +78,37 @@ TipMethods::TipMethods(const BondedPlate& plate, const TipPlace& place, double h
   try {
     mix_.emplace_back(positions, place.path, place.tip, scale, narrow_fit(scale));
   } catch (const std::invalid_argument& reason) {
-    for (const auto& integral : integrals_) left_out_.push_back(fmt::format("{}: no mode mix: {}", integral.method, reason.what()));
+    for (const auto& integral : integrals_)
+      left_out_.push_back(fmt::format("{}: no mode mix: {}", integral.method, reason.what()));
     integrals_.clear();
   }
 }
 
-TipMethods::Integral TipMethods::integral_of(const std::string& method, const BondedPlate& plate,
-                                             const geometry::Tip& tip, double clear, bool first_ring_only) const {
-  Integral result{method, rings(clear, plate.spacing, plate.graded()), {}};
+TipMethods::Integral TipMethods::integral_of(const std::string& method, const geometry::Tip& tip, double clear,
+                                             bool first_ring_only) const {
+  const TipView& plate = *view_;
+  Integral result{method, rings(clear, plate.spacing, plate.graded), {}};
   if (first_ring_only && !result.rings.empty()) result.rings.erase(result.rings.begin() + 1, result.rings.end());
   if (result.rings.empty())
-    throw std::invalid_argument(fmt::format("{}: no ring of 4 spacings fits: the next edge, crack, bend or load is {:.1f} "
-                                            "spacings away; refine",
-                                            method, clear / plate.spacing));
+    throw std::invalid_argument(
+        fmt::format("{}: no ring of 4 spacings fits: the next edge, crack, bend or load is {:.1f} "
+                    "spacings away; refine",
+                    method, clear / plate.spacing));
   for (const auto& ring : result.rings)
     result.integrals.emplace_back(surroundings_, ring,
-                                  method != "virtual_crack_extension" ? domain_integral(plate, TipFrame(tip), ring)
-                                  : plate.galerkin                    ? moved_points(plate, TipFrame(tip), ring)
-                                                                      : moved_bonds(plate, TipFrame(tip), ring));
+                                  method == "virtual_crack_extension" ? plate.virtual_extension(TipFrame(tip), ring)
+                                                                      : domain_integral(plate, TipFrame(tip), ring));
   return result;
 }
 
 /// Fits over the widest range that serves, and over parts of it for the estimate of the error.
-void TipMethods::fit(const BondedPlate& plate, const geometry::Tip& tip, double clear, bool first_only) {
-  const auto range = fit_range(plate.section, clear, plate.spacing, plate.graded());
+void TipMethods::fit(const geometry::Tip& tip, double clear, bool first_only) {
+  const TipView& plate = *view_;
+  const auto range = fit_range(plate.section, clear, plate.spacing, plate.graded);
   if (!range) {
-    no_fit_ = "series_fit: no range of 4 spacings within 2 thicknesses and 0.9 of the way to the next edge, crack, bend or load; refine";
+    no_fit_ =
+        "series_fit: no range of 4 spacings within 2 thicknesses and 0.9 of the way to the next edge, crack, bend or "
+        "load; refine";
     return;
   }
   fits_ = series_fits(plate, tip, *range, first_only ? std::vector{1.0} : std::vector{1.0, 0.65, 0.5});
@@ -113,10 +127,10 @@ std::vector<FitSrif> TipMethods::fitted(const NearField& field) const {
 Eigen::MatrixXd TipMethods::functionals() const {
   if (fits_.empty()) return {};
   const SeriesFit& fit = fits_.front();
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 3 * Eigen::Index(positions_.size()));
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 3 * Eigen::Index(view_->positions.size()));
   for (std::size_t i = 0; i < fit.points.size(); ++i)
     result.middleCols(3 * Eigen::Index(fit.points[i]), 3) = fit.row.middleCols(3 * Eigen::Index(i), 3);
-  result.row(2) *= section_.thickness;
+  result.row(2) *= view_->section.thickness;
   return result;
 }
 
@@ -142,7 +156,7 @@ Srif TipMethods::of(const Integral& integral, std::size_t rings, const Eigen::Ve
   result.samples = rings;
   for (std::size_t i = 0; i < rings; ++i) {
     const double G = integral.integrals[i](field, forward_work);
-    const auto K = factors(G, mix, section_);
+    const auto K = factors(G, mix, view_->section);
     result.rings.push_back({integral.rings[i].inner, integral.rings[i].outer, G, K[0], K[1], K[2]});
   }
   const RingSrif& first = result.rings.front();
@@ -161,13 +175,14 @@ Srif TipMethods::by_fit(const std::vector<FitSrif>& fits) const {
 }
 
 std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate::Forces& force, bool all_rings) const {
-  const NearField field(state, positions_, surroundings_.centre());
+  const NearField field(state, view_->positions, surroundings_.centre());
   const std::vector<FitSrif> fits = fitted(field);
   const Eigen::Vector3d mix = split(fits, state);
   double radius = 0;
   for (const auto& integral : integrals_)
     for (std::size_t i = 0; i < rings_of(integral, all_rings); ++i) radius = std::max(radius, integral.rings[i].outer);
-  const Eigen::VectorXd work = integrals_.empty() ? Eigen::VectorXd() : surroundings_.forward_work(state, force, radius);
+  const Eigen::VectorXd work =
+      integrals_.empty() ? Eigen::VectorXd() : surroundings_.forward_work(state, force, radius);
   std::vector<Srif> found;
   for (const auto& method : methods_) {
     for (const auto& integral : integrals_)
@@ -179,17 +194,20 @@ std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate:
         break;
       }
   }
-  estimate_errors(found, fits, section_, shares_);
-  // openings were asked for beside methods that vouch for them, and these have no room: errors of 20 % were found where 7 % were estimated
+  estimate_errors(found, fits, view_->section, shares_);
+  // openings were asked for beside methods that vouch for them, and these have no room: errors of 20 % were found where
+  // 7 % were estimated
   if (integrals_.empty() && fits_.empty() && !std::ranges::all_of(methods_, of_opening))
     for (auto& srif : found) srif.resolved.fill(false);
   // the faces are loaded in the second and third mode: there the domain integral is better, where the field within a
   // thickness is resolved
-  const Eigen::Vector3d energy = unit_release(section_).cwiseProduct(mix.cwiseAbs2());
+  const Eigen::Vector3d energy = unit_release(view_->section).cwiseProduct(mix.cwiseAbs2());
   const bool sheared = energy[1] + energy[2] > mixed_mode * energy.sum();
-  const std::string first = (sheared && !fits_.empty()) || galerkin_ ? "domain_integral" : "virtual_crack_extension";
+  const std::string first =
+      (sheared && !fits_.empty()) || view_->trust.domain_integral ? "domain_integral" : "virtual_crack_extension";
   std::ranges::stable_partition(found, [&](const Srif& srif) { return srif.method == first; });
-  std::ranges::stable_partition(found, [](const Srif& srif) { return srif.resolved[0] || srif.resolved[1] || srif.resolved[2]; });
+  std::ranges::stable_partition(
+      found, [](const Srif& srif) { return srif.resolved[0] || srif.resolved[1] || srif.resolved[2]; });
   return found;
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 using geometry::Point;
 
-/// How far the crack runs straight back from its tip; another end of it counts at 0.7 of its distance, because the field there
-/// is singular too (an integral over a ring up to the other tip of a crack 25 spacings long was 1.5 % off).
+/// How far the crack runs straight back from its tip; another end of it counts at 0.7 of its distance, because the
+/// field there is singular too (an integral over a ring up to the other tip of a crack 25 spacings long was 1.5 % off).
 double straight_length(const geometry::CrackPath& path, const geometry::Tip& tip, double spacing) {
   auto vertices = path.vertices;
   if (tip.at_back) std::reverse(vertices.begin(), vertices.end());
@@ -37,14 +37,14 @@ double clear_distance(const geometry::Outline& outline, const std::vector<geomet
   return clear;
 }
 
-geometry::Tip centred(const geometry::Tip& tip, const BondedPlate& plate) {
+geometry::Tip centred(const geometry::Tip& tip, const TipView& plate) {
   const TipFrame frame(tip);
   const double behind = 16 * plate.spacing;  // two steps of the staircase that a crack at 7 degrees is
   double above = behind, below = -behind;
   for (std::size_t k = 0; k < plate.plate_points; ++k) {
     const Point x = frame.local(plate.positions[k]);
     if (x.x() > -1e-3 * plate.spacing || x.x() < -behind || std::abs(x.y()) > behind) continue;
-    if (face_of(x.y(), frame.left(), plate.spacing) > 0)
+    if (plate::face_of(x.y(), frame.left(), plate.spacing) > 0)
       above = std::min(above, x.y());
     else
       below = std::max(below, x.y());

@@ -145,7 +145,8 @@ private:
     } else if (a == 0) {
       X = first / (own * (a + 1) * (b + 1));
     } else {
-      const double sum = first / (b + 1), partner = second / a;  // own (a+1) X + crossed (b+2) Y, and the other way round
+      const double sum = first / (b + 1),
+                   partner = second / a;  // own (a+1) X + crossed (b+2) Y, and the other way round
       const double determinant = own * own - crossed * crossed;
       X = (own * sum - crossed * partner) / determinant / (a + 1);
       Y = (own * partner - crossed * sum) / determinant / (b + 2);
@@ -194,7 +195,8 @@ TipSeries::TipSeries(const plate::Section& section, double radius, int order) : 
   const double root = std::sqrt(2 * radius);
   for (const auto& field : fields) {
     // M = -D kappa with tension at z > 0, Q = S gamma
-    factors_.col(size()) = Eigen::Vector3d(-D / radius * root, -D / radius * root, S * root).cwiseProduct(maker.ahead(field));
+    factors_.col(size()) =
+        Eigen::Vector3d(-D / radius * root, -D / radius * root, S * root).cwiseProduct(maker.ahead(field));
     orders_.push_back(field.order);
   }
   even_ = half(fields, true), odd_ = half(fields, false);
@@ -256,7 +258,8 @@ Eigen::MatrixXd TipSeries::operator()(const std::vector<Polar>& places) const {
     const Eigen::MatrixXd first = (even ? x : y) * half.psi * (even ? 1 : -1), second = (even ? y : x) * half.psi;
     for (std::size_t i = 0; i < half.fields.size(); ++i)
       for (Eigen::Index k = 0; k < count; ++k)
-        result.col(half.fields[i]).segment<3>(3 * k) << w(k, Eigen::Index(i)), first(k, Eigen::Index(i)), second(k, Eigen::Index(i));
+        result.col(half.fields[i]).segment<3>(3 * k) << w(k, Eigen::Index(i)), first(k, Eigen::Index(i)),
+            second(k, Eigen::Index(i));
   }
   return result;
 }

@@ -1,24 +1,26 @@
 #pragma once
 #include <vector>
+#include "plate/formulation/tip_frame.hpp"
 #include "plate/model/section.hpp"
-#include "post/factors/tip_frame.hpp"
 
 namespace post {
 
-/// The fields that a Mindlin plate can have about the tip of a straight crack with free faces: exact solutions, each a power
-/// series that begins with one of the eigenfunctions of its leading order, plane stress for the rotations or a harmonic
-/// deflection (Williams 1957 for both), or with an even load (theory.md, "Fields about a tip").
+using plate::Polar, plate::TipFrame;
+
+/// The fields that a Mindlin plate can have about the tip of a straight crack with free faces: exact solutions, each a
+/// power series that begins with one of the eigenfunctions of its leading order, plane stress for the rotations or a
+/// harmonic deflection (Williams 1957 for both), or with an even load (theory.md, "Fields about a tip").
 class TipSeries {
 public:
-  /// All fields that begin with a power r^(n/2) of psi or r^(n/2+1) of w, n <= order, and are bounded. They are made for
-  /// distances up to `radius` [length].
+  /// All fields that begin with a power r^(n/2) of psi or r^(n/2+1) of w, n <= order, and are bounded. They are made
+  /// for distances up to `radius` [length].
   TipSeries(const plate::Section& section, double radius, int order);
 
   Eigen::Index size() const { return Eigen::Index(orders_.size()); }
   /// The n with which every field begins.
   const std::vector<int>& orders() const { return orders_; }
-  /// w, psi_x', psi_y' of every field (columns) at all places (three rows each), of the size of w / radius and psi in them
-  /// [length, 1, 1].
+  /// w, psi_x', psi_y' of every field (columns) at all places (three rows each), of the size of w / radius and psi in
+  /// them [length, 1, 1].
   Eigen::MatrixXd operator()(const std::vector<Polar>& places) const;
   /// K1, K2, K3 (rows) of every field (columns).
   const Eigen::Matrix3Xd& factors() const { return factors_; }
@@ -39,7 +41,7 @@ private:
   struct Half {
     std::vector<std::pair<int, int>> terms;  // twice p and q
     std::vector<Eigen::Index> fields;
-    Eigen::MatrixXd w, psi;                  // terms x fields
+    Eigen::MatrixXd w, psi;  // terms x fields
   };
   class Maker;
 

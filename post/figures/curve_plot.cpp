@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "post/studies/aligned.hpp"
+#include "post/figures/aligned.hpp"
 
 namespace post {
 namespace {

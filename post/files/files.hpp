@@ -1,16 +1,16 @@
 #pragma once
-#include "post/files/hdf5.hpp"
+#include "post/files/hdf5/state_file.hpp"
 #include "post/files/vtk.hpp"
 
 namespace post {
 
-/// What needs VTK or HDF5. It is a library of its own, loaded where the first of its files is written or read: the system
-/// maps the fifty libraries behind it in 20 ms, as long as a small plate takes to be solved.
+/// What needs VTK or HDF5. It is a library of its own, loaded where the first of its files is written or read: the
+/// system maps the fifty libraries behind it in 20 ms, as long as a small plate takes to be solved.
 struct Files {
   std::string (*vtu)(const Mesh& mesh, const Frame& frame);  // the text of a file for ParaView
   std::string (*vtp)(const std::vector<CrackLine>& cracks);
-  std::unique_ptr<StateFile::Open> (*open)(std::filesystem::path path, const Mesh& mesh, const std::string& resolved_case,
-                                           const std::string& version);
+  std::unique_ptr<StateFile::Open> (*open)(std::filesystem::path path, const Mesh& mesh,
+                                           const std::string& resolved_case, const std::string& version);
   StoredRun (*read_run)(const std::filesystem::path& path);
 };
 

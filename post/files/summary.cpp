@@ -46,8 +46,12 @@ Json json_of(const Srif& srif) {
   add(json, "accuracy_reached", srif.accuracy_reached);
   add(json, "G", srif.G);
   if (const auto& second = srif.second)
-    json["second_formulation"] = {{"formulation", second->formulation}, {"method", second->method}, {"K1", second->K1},
-                                  {"K2", second->K2},                   {"K3", second->K3},         {"difference", second->difference}};
+    json["second_formulation"] = {{"formulation", second->formulation},
+                                  {"method", second->method},
+                                  {"K1", second->K1},
+                                  {"K2", second->K2},
+                                  {"K3", second->K3},
+                                  {"difference", second->difference}};
   for (const auto& f : srif.fits)
     json["fits"].push_back({{"inner", f.inner}, {"outer", f.outer}, {"K1", f.K1}, {"K2", f.K2}, {"K3", f.K3}});
   if (srif.rings.empty()) {
@@ -56,7 +60,8 @@ Json json_of(const Srif& srif) {
     return json;
   }
   for (const auto& r : srif.rings)
-    json["rings"].push_back({{"inner", r.inner}, {"outer", r.outer}, {"G", r.G}, {"K1", r.K1}, {"K2", r.K2}, {"K3", r.K3}});
+    json["rings"].push_back(
+        {{"inner", r.inner}, {"outer", r.outer}, {"G", r.G}, {"K1", r.K1}, {"K2", r.K2}, {"K3", r.K3}});
   return json;
 }
 
@@ -112,10 +117,6 @@ Json json_of(const AccuracySummary& accuracy) {
   return json;
 }
 
-Cell cell(const std::optional<double>& value) {
-  return value ? Cell(*value) : Cell();
-}
-
 }  // namespace
 
 std::string to_json(const Summary& summary) {
@@ -148,26 +149,6 @@ std::string to_json(const Summary& summary) {
   constexpr int indent = 2;
   // a title that is not UTF-8 is no reason to lose the results: its odd bytes are replaced
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
-std::vector<std::string> srif_columns() {
-  return {"time", "tip", "x",  "y",  "method",          "K1",           "K2",
-          "K3",   "F1",  "F2", "F3", "estimated_error", "fit_residual", "samples",
-          "estimated_error_K1", "estimated_error_K2", "estimated_error_K3"};
-}
-
-void append(Table& table, double time, const std::vector<Srif>& srifs) {
-  if (table.columns.empty()) table.columns = srif_columns();
-  for (const Srif& srif : srifs) {
-    const auto factor = [&](std::size_t i, const std::optional<double>& value) {
-      return srif.resolved[i] ? cell(value) : Cell();
-    };
-    table.rows.push_back({time, static_cast<double>(srif.tip), srif.position.x(), srif.position.y(), srif.method,
-                          factor(0, srif.K1), factor(1, srif.K2), factor(2, srif.K3), factor(0, srif.F1),
-                          factor(1, srif.F2), factor(2, srif.F3), cell(srif.estimated_error), srif.fit_residual,
-                          static_cast<double>(srif.samples), cell(srif.errors[0]), cell(srif.errors[1]),
-                          cell(srif.errors[2])});
-  }
 }
 
 std::size_t peak_memory_bytes() {

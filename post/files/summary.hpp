@@ -1,18 +1,18 @@
 #pragma once
-#include "post/factors/accuracy.hpp"
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
+#include "post/factors/accuracy.hpp"
 
 namespace post {
 
 /// A part of the program that a scene uses, and what it costs.
 struct ScenePart {
   std::string name;
-  std::string stage;           // the entry of `seconds` that its time is in; not written
+  std::string stage;  // the entry of `seconds` that its time is in; not written
   double bytes_per_point = 0;
-  double time_share = 0;       // of the total run time
+  double time_share = 0;  // of the total run time
 };
 
 /// An eigenfrequency; modes count from 1.
@@ -31,7 +31,7 @@ struct GrowthSummary {
   std::optional<double> spent;                // energy taken over fracture energy and area of the new crack
   std::optional<double> largest_speed;        // in motion, of a piece of crack [length/time]
   std::optional<std::size_t> broken_bonds;    // where bonds break one by one
-  std::vector<double> lengths;           // of every crack at the end [length]
+  std::vector<double> lengths;                // of every crack at the end [length]
 };
 
 /// How the discretisation was found.
@@ -42,41 +42,35 @@ struct AccuracySummary {
   std::vector<AccuracyStep> path;
 };
 
-/// What summary.json holds; cases/README.md documents every field.
+/// What summary.json holds; cases/files.md documents every field.
 struct Summary {
   std::string title, outcome, version, digest;
-  std::string formulation, formulation_reason;              // "ordinary" or "galerkin", and why
-  std::size_t points = 0, bonds = 0;                        // of the plate; bonds counted from both ends, intact at the end
+  std::string formulation, formulation_reason;  // "ordinary" or "galerkin", and why
+  std::size_t points = 0, bonds = 0;            // of the plate; bonds counted from both ends, intact at the end
   std::size_t fictitious_points = 0, fictitious_bonds = 0;  // outside the plate, for supports
   double spacing = 0, horizon = 0;
   struct Matched {
     std::size_t exact, blended, arbitrary_horizon;
   };
-  std::optional<Matched> position_aware;                    // points by how their weights could be matched
+  std::optional<Matched> position_aware;  // points by how their weights could be matched
   struct Analysis {
     std::string kind, method, stop_reason;
     std::optional<std::string> preconditioner;
     std::optional<std::size_t> iterations, steps;
     std::optional<double> residual, tolerance, time_step, time_step_limit, duration;
   } analysis;
-  std::vector<std::pair<std::string, double>> seconds;      // geometry, families, parameters, solve, srif, output, total
+  std::vector<std::pair<std::string, double>> seconds;  // geometry, families, parameters, solve, srif, output, total
   std::size_t peak_memory_bytes = 0;
   std::vector<Srif> srif;
-  std::optional<AccuracySummary> accuracy;                  // of a case that asks for it
-  std::vector<Frequency> frequencies;                       // of a frequency analysis
-  std::optional<GrowthSummary> growth;                      // of a case with growth
-  std::vector<std::pair<std::string, double>> energy;       // strain, kinetic, external_work, fracture
+  std::optional<AccuracySummary> accuracy;             // of a case that asks for it
+  std::vector<Frequency> frequencies;                  // of a frequency analysis
+  std::optional<GrowthSummary> growth;                 // of a case with growth
+  std::vector<std::pair<std::string, double>> energy;  // strain, kinetic, external_work, fracture
   std::vector<ScenePart> scene;
   std::vector<std::string> warnings;
 };
 
 std::string to_json(const Summary& summary);
-
-/// The rows of srif.csv: time,tip,x,y,method,K1,K2,K3,F1,F2,F3,estimated_error,fit_residual,samples,
-/// estimated_error_K1,estimated_error_K2,estimated_error_K3; a factor that is not resolved is empty
-struct Table;
-void append(Table& table, double time, const std::vector<Srif>& srifs);
-std::vector<std::string> srif_columns();
 
 /// Peak resident memory of this process [bytes].
 std::size_t peak_memory_bytes();

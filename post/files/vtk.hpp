@@ -1,6 +1,6 @@
 #pragma once
-#include "post/files/frame.hpp"
 #include <filesystem>
+#include "post/files/frame.hpp"
 
 namespace post {
 

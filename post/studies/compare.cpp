@@ -12,8 +12,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "post/studies/quantity.hpp"
 #include "post/files/table.hpp"
+#include "post/studies/quantity.hpp"
 
 namespace post {
 namespace {

@@ -43,20 +43,27 @@ std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengt
   return result;
 }
 
-Table fatigue(const Table& growth, const plate::Section& section, const ParisLaw& law, double load, double ratio) {
-  const auto value = [&](const std::vector<Cell>& row, const char* name) { return std::get<double>(row.at(growth.column(name))); };
+Table fatigue(const Table& growth, const Table& tip_table, const plate::Section& section, const ParisLaw& law,
+              double load, double ratio) {
+  const auto value = [&](const std::vector<Cell>& row, const char* name) {
+    return std::get<double>(row.at(tip_table.column(name)));
+  };
+  std::map<double, double> load_factors;  // by advance
+  for (const auto& row : growth.rows)
+    load_factors[std::get<double>(row.at(growth.column("advance")))] =
+        std::get<double>(row.at(growth.column("load_factor")));
   struct Way {
     std::vector<double> lengths, ranges;
-    double crack = 0;       // length of the whole crack at the last row
-    double own_share = 0;   // of what the crack grows to the next row
+    double crack = 0;      // length of the whole crack at the last row
+    double own_share = 0;  // of what the crack grows to the next row
   };
   const auto tips = [&](double advance, double crack, const char* only) {
-    return std::ranges::count_if(growth.rows, [&](const auto& row) {
+    return std::ranges::count_if(tip_table.rows, [&](const auto& row) {
       return value(row, "advance") == advance && value(row, "crack") == crack && (!only || value(row, only) > 0);
     });
   };
   std::map<double, Way> ways;  // by tip
-  for (const auto& row : growth.rows) {
+  for (const auto& row : tip_table.rows) {
     auto& way = ways[value(row, "tip")];
     const double crack = value(row, "crack"), length = value(row, "length"), advance = value(row, "advance");
     const double own = way.lengths.empty() ? length / double(tips(advance, crack, nullptr))
@@ -64,16 +71,18 @@ Table fatigue(const Table& growth, const plate::Section& section, const ParisLaw
     way.crack = length;
     way.own_share = value(row, "moves") > 0 ? 1 / double(tips(advance, crack, "moves")) : 0;
     if (!way.lengths.empty() && own <= way.lengths.back()) continue;  // this tip has not moved
-    const double full = std::sqrt(3 * section.young * value(row, "G") / section.thickness) / value(row, "load_factor");
+    const double full = std::sqrt(3 * section.young * value(row, "G") / section.thickness) / load_factors.at(advance);
     way.lengths.push_back(own);
     way.ranges.push_back((1 - ratio) * load * full);
   }
   Table result{{"tip", "length", "K_range", "cycles"}, {}};
   for (const auto& [tip, way] : ways) {
     const auto found = cycles(law, way.lengths, way.ranges);
-    for (std::size_t i = 0; i < found.size(); ++i) result.rows.push_back({tip, way.lengths[i], way.ranges[i], found[i]});
+    for (std::size_t i = 0; i < found.size(); ++i)
+      result.rows.push_back({tip, way.lengths[i], way.ranges[i], found[i]});
   }
-  if (result.rows.size() <= ways.size()) throw std::runtime_error("growth.csv has no tip that moved: there is no way to count cycles on");
+  if (result.rows.size() <= ways.size())
+    throw std::runtime_error("tips.csv has no tip that moved: there is no way to count cycles on");
   return result;
 }
 

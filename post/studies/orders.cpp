@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "post/studies/aligned.hpp"
+#include "post/figures/aligned.hpp"
 
 namespace post {
 namespace {

@@ -8,8 +8,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "post/figures/aligned.hpp"
 #include "post/studies/compare.hpp"
-#include "post/studies/aligned.hpp"
 
 namespace post {
 namespace {

@@ -5,8 +5,9 @@
 #include <experimental/simd>
 #include <map>
 
-#include "cases/driver/assembly.hpp"
+#include "cases/driver/discretised.hpp"
 #include "plate/bonds/levels/two_level_plate.hpp"
+#include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/solve/statics.hpp"
 
 namespace {
@@ -16,11 +17,13 @@ using plate::State;
 /// The plate of Dai et al. 4.1, W/2h = 10, 2a/W = 0.1, with `cells` along a side.
 struct Plate {
   cases::CaseFile file;
-  cases::Assembly assembly;
+  std::unique_ptr<plate::Formulation> formulation;
   State state, forces;
   plate::Forces load;
 
-  double bonds() const { return double(assembly.ordinary()->families().bonds()); }
+  const plate::LatticeOperator& op() const { return *formulation->breaking(); }
+  const plate::Boundary& boundary() const { return formulation->boundary(); }
+  double bonds() const { return double(op().families().bonds()); }
 };
 
 Plate& plate_of(std::int64_t cells) {
@@ -30,12 +33,11 @@ Plate& plate_of(std::int64_t cells) {
     const auto file = cases::read_case(std::string(PDPLATE_SOURCE_DIR) + "/cases/static/central_crack_pressure.toml",
                                        {"geometry.cracks=[[[-0.1, 0.0], [0.1, 0.0]]]",
                                         "discretization.spacing=" + std::to_string(2.0 / double(cells))});
-    cases::Stopwatch stopwatch;
-    auto assembly = cases::assemble(file, stopwatch);
-    const auto points = Eigen::Index(assembly.ordinary()->points());
-    auto load = assembly.loads.front().forces;
+    auto formulation = cases::discretised(file).plate;
+    const auto points = Eigen::Index(formulation->points());
+    auto load = formulation->loads().front().forces;
     entry.reset(
-        new Plate{file, std::move(assembly), State::Random(3, points), State::Zero(3, points), std::move(load)});
+        new Plate{file, std::move(formulation), State::Random(3, points), State::Zero(3, points), std::move(load)});
   }
   return *entry;
 }
@@ -48,9 +50,9 @@ void rate(benchmark::State& run, const char* name, double each) {
 void list_with_geometry_on_the_fly(benchmark::State& run) {
   omp_set_num_threads(1);
   Plate& p = plate_of(run.range(0));
-  const auto& families = p.assembly.ordinary()->families();
-  const auto& x = p.assembly.boundary.cloud.positions;
-  const double delta = p.file.content.discretization.horizon(), area = p.assembly.boundary.cloud.areas.front();
+  const auto& families = p.op().families();
+  const auto& x = p.boundary().cloud.positions;
+  const double delta = p.file.content.discretization.horizon(), area = p.boundary().cloud.areas.front();
   const auto points = families.points();
   std::vector<std::uint32_t> neighbour;
   std::vector<std::size_t> first{0};
@@ -92,7 +94,7 @@ void list_with_geometry_on_the_fly(benchmark::State& run) {
 void family_list(benchmark::State& run) {
   omp_set_num_threads(int(run.range(1)));
   Plate& p = plate_of(run.range(0));
-  const plate::FamilyOperator list = *p.assembly.ordinary();
+  const plate::FamilyOperator list = p.op();
   for (auto _ : run) list.internal_force(p.state, p.forces);
   rate(run, "bonds", p.bonds());
 }
@@ -100,9 +102,9 @@ void family_list(benchmark::State& run) {
 void lattice_operator(benchmark::State& run) {
   omp_set_num_threads(int(run.range(1)));
   Plate& p = plate_of(run.range(0));
-  for (auto _ : run) p.assembly.ordinary()->internal_force(p.state, p.forces);
+  for (auto _ : run) p.op().internal_force(p.state, p.forces);
   rate(run, "bonds", p.bonds());
-  rate(run, "points", double(p.assembly.ordinary()->points()));
+  rate(run, "points", double(p.op().points()));
   // per point of a folded row with 28 bonds: 34 and 150 operations of a vector unit on as many points as it has lanes
   rate(run, "vector_operations", p.bonds() * 184 / 28 / double(std::experimental::native_simd<double>::size()));
 }
@@ -110,7 +112,7 @@ void lattice_operator(benchmark::State& run) {
 void single_precision(benchmark::State& run) {
   omp_set_num_threads(int(run.range(1)));
   Plate& p = plate_of(run.range(0));
-  const auto rows = p.assembly.ordinary()->single_rows();
+  const auto rows = p.op().single_rows();
   const plate::Values<float> state = p.state.cast<float>();
   plate::Values<float> forces;
   for (auto _ : run) rows.internal_force(state, forces);
@@ -150,24 +152,24 @@ template <Way way>
 void statics(benchmark::State& run) {
   omp_set_num_threads(2);
   Plate& p = plate_of(run.range(0));
-  const auto& a = p.assembly;
   const auto& c = p.file.content;
+  const auto& constraints = p.boundary().constraints;
   const plate::StaticOptions options{1e-8, 1'000'000, {}};
   std::size_t iterations = 0;
   for (auto _ : run) {
     if constexpr (way == Way::adr)
-      iterations = plate::adaptive_dynamic_relaxation(*a.ordinary(), a.boundary.constraints, p.load, options).iterations;
+      iterations = plate::adaptive_dynamic_relaxation(p.op(), constraints, p.load, options).iterations;
     else if constexpr (way == Way::diagonal)
-      iterations = plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, p.load, options).iterations;
+      iterations = plate::conjugate_gradients(p.op(), constraints, p.load, options).iterations;
     else if constexpr (way == Way::local) {
-      const plate::LocalPlate local(*a.ordinary(), a.boundary, c.section, c.discretization);
-      iterations = plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, p.load, options, &local).iterations;
+      const plate::LocalPlate local(p.op(), p.boundary(), c.section, c.discretization);
+      iterations = plate::conjugate_gradients(p.op(), constraints, p.load, options, &local).iterations;
     } else if constexpr (way == Way::two_level) {
-      const plate::TwoLevelPlate coarse(*a.ordinary(), a.boundary, c.section, c.discretization);
-      iterations = plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, p.load, options, &coarse).iterations;
+      const plate::TwoLevelPlate coarse(p.op(), p.boundary(), c.section, c.discretization);
+      iterations = plate::conjugate_gradients(p.op(), constraints, p.load, options, &coarse).iterations;
     } else {
-      const plate::AssembledPlate factor(*a.ordinary(), a.boundary.constraints);
-      iterations = plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, p.load, options, &factor).iterations;
+      const plate::AssembledPlate factor(p.op(), constraints, plate::stiffness_matrix(p.op(), true));
+      iterations = plate::conjugate_gradients(p.op(), constraints, p.load, options, &factor).iterations;
     }
   }
   run.counters["iterations"] = double(iterations);
@@ -178,9 +180,8 @@ template <typename Factorised>
 void next_load(benchmark::State& run) {
   omp_set_num_threads(2);
   Plate& p = plate_of(run.range(0));
-  const auto& a = p.assembly;
-  const Factorised factor(*a.ordinary(), a.boundary, p.file.content.section, p.file.content.discretization);
-  for (auto _ : run) plate::conjugate_gradients(*a.ordinary(), a.boundary.constraints, p.load, {1e-8, 1000, {}}, &factor);
+  const Factorised factor(p.op(), p.boundary(), p.file.content.section, p.file.content.discretization);
+  for (auto _ : run) plate::conjugate_gradients(p.op(), p.boundary().constraints, p.load, {1e-8, 1000, {}}, &factor);
 }
 
 /// `range(1)` loads on one factorisation of the plate.
@@ -189,7 +190,7 @@ void loads_on_one_factor(benchmark::State& run) {
   Plate& p = plate_of(run.range(0));
   const std::vector<plate::Forces> loads(std::size_t(run.range(1)), p.load);
   for (auto _ : run) {
-    const plate::AssembledPlate factor(*p.assembly.ordinary(), p.assembly.boundary.constraints);
+    const plate::AssembledPlate factor(p.op(), p.boundary().constraints, plate::stiffness_matrix(p.op(), true));
     benchmark::DoNotOptimize(factor.solve(loads));
   }
 }

@@ -12,8 +12,8 @@ namespace vp = verified_plate;
 
 namespace {
 
-/// A strip along the lattice, 32 spacings wide, clamped along both sides under pressure, with a crack along its middle: the
-/// energy release rate does not depend on the length of the crack.
+/// A strip along the lattice, 32 spacings wide, clamped along both sides under pressure, with a crack along its middle:
+/// the energy release rate does not depend on the length of the crack.
 cases::Case strip(double thickness_in_spacings) {
   constexpr double spacing = 1.0 / 32;
   auto c = vp::free_plate(geometry::rectangle(0, -0.5, 2.4, 0.5), spacing);
@@ -127,7 +127,8 @@ Motion moved(const cases::Case& c) {
   double work = 0;
   for (const auto& row : result.history.rows) {
     work = std::max(work, std::get<double>(row.at(result.history.column("external_work"))));
-    result.residual = std::max(result.residual, std::abs(std::get<double>(row.at(result.history.column("energy_residual")))));
+    result.residual =
+        std::max(result.residual, std::abs(std::get<double>(row.at(result.history.column("energy_residual")))));
   }
   result.residual /= work;
   return result;

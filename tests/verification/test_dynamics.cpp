@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 
+#include "plate/solve/motion/dynamics.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
@@ -29,18 +30,18 @@ struct Balance {
 Balance balance(const History& history, std::size_t steps = 1000, double share = 0.95, double from = -1) {
   const auto c = cracked_plate();
   const auto a = vp::assembled(c);
-  const auto& constraints = a.boundary.constraints;
-  const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints);
-  const double dt = share * stable_time_step(a.plate(), constraints, mass);
-  Forces load = a.loads.front().forces;
+  const auto& constraints = a->constraints();
+  const Forces mass = a->mass();
+  const double dt = share * stable_time_step(*a, constraints, mass);
+  Forces load = a->loads().front().forces;
   constraints.fold(load);
   Balance result;
   std::vector<std::array<double, 3>> sums;
   central_differences(
-      a.plate(), constraints, mass, {{a.loads.front().forces, history}}, {dt, steps, 1}, [&](const Instant& now) {
-        const double strain = a.ordinary()->energies(now.state).sum();
+      *a, constraints, mass, {{a->loads().front().forces, history}}, {dt, steps, 1}, [&](const Instant& now) {
+        const double strain = a->energies(now.state).sum();
         const double sum = now.kinetic_energy + strain - now.external_work;
-        const Forces f = vp::folded_force(a, now.state) + factor(history, now.time) * load;
+        const Forces f = vp::folded_force(*a, now.state) + factor(history, now.time) * load;
         const double accelerated =
             f.array().square().sum() == 0
                 ? 0
@@ -61,9 +62,8 @@ Balance balance(const History& history, std::size_t steps = 1000, double share =
 double stable_step() {
   const auto c = cracked_plate();
   const auto a = vp::assembled(c);
-  const auto& constraints = a.boundary.constraints;
-  return stable_time_step(a.plate(), constraints,
-                          plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints));
+  const auto& constraints = a->constraints();
+  return stable_time_step(*a, constraints, a->mass());
 }
 
 /// The state after 200 steps, or after relaxation, with a number of threads.
@@ -119,11 +119,10 @@ TEST_CASE("one thread and two give the same bits: dynamics") {
   const auto run = [] {
     const auto c = cracked_plate();
     const auto a = vp::assembled(c);
-    const auto& constraints = a.boundary.constraints;
-    const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints);
+    const auto& constraints = a->constraints();
+    const Forces mass = a->mass();
     State last;
-    central_differences(a.plate(), constraints, mass, a.loads,
-                        {0.9 * stable_time_step(a.plate(), constraints, mass), 200, 200},
+    central_differences(*a, constraints, mass, a->loads(), {0.9 * stable_time_step(*a, constraints, mass), 200, 200},
                         [&](const Instant& now) { last = now.state; });
     return last;
   };
@@ -139,9 +138,9 @@ TEST_CASE("one thread and two give the same bits: relaxation and conjugate gradi
     const auto run = [&] {
       const auto a = vp::assembled(c);
       const StaticOptions options{1e-6, 300, {}};
-      const auto& constraints = a.boundary.constraints;
-      return adr ? adaptive_dynamic_relaxation(a.plate(), constraints, vp::loads(a), options).state
-                 : conjugate_gradients(a.plate(), constraints, vp::loads(a), options).state;
+      const auto& constraints = a->constraints();
+      return adr ? adaptive_dynamic_relaxation(*a, constraints, a->total_load(), options).state
+                 : conjugate_gradients(*a, constraints, a->total_load(), options).state;
     };
     const State one = with_threads(1, run), two = with_threads(2, run);
     CHECK(one.cwiseAbs().maxCoeff() > 0);

@@ -9,8 +9,8 @@ namespace vp = verified_plate;
 namespace {
 
 /// Largest |P^T f + dU/dq| over the free degrees of freedom, relative to the largest |P^T f|.
-double force_error(const cases::Assembly& a) {
-  const auto& constraints = a.boundary.constraints;
+double force_error(const Formulation& a) {
+  const auto& constraints = a.constraints();
   const State u = vp::random_state(a, 31);
   const Forces force = vp::folded_force(a, u);
   double worst = 0;
@@ -22,7 +22,7 @@ double force_error(const cases::Assembly& a) {
       State moved = u;
       plate::at_dof(moved, std::size_t(n)) += step;
       constraints.impose(moved);
-      difference += step * a.ordinary()->energies(moved).sum() / 2;
+      difference += step * a.energies(moved).sum() / 2;
     }
     worst = std::max(worst, std::abs(plate::at_dof(force, std::size_t(n)) + difference));
     ++compared;
@@ -33,7 +33,7 @@ double force_error(const cases::Assembly& a) {
 }
 
 /// |x.Ky - y.Kx| / |x.Kx|^(1/2) |y.Ky|^(1/2), K the stiffness of the free degrees of freedom.
-double asymmetry(const cases::Assembly& a) {
+double asymmetry(const Formulation& a) {
   const State x = vp::random_state(a, 32), y = vp::random_state(a, 33);
   const Forces Kx = vp::folded_force(a, x), Ky = vp::folded_force(a, y);
   const double xx = std::abs(x.cwiseProduct(Kx).sum()), yy = std::abs(y.cwiseProduct(Ky).sum());
@@ -43,8 +43,8 @@ double asymmetry(const cases::Assembly& a) {
 
 void check(const cases::Case& c) {
   const auto a = vp::assembled(c);
-  CHECK(force_error(a) < 1e-11);  // measured: at most 3.5e-15; wider: the rounding of a sum of energies
-  CHECK(asymmetry(a) < 1e-12);    // measured: at most 8e-17
+  CHECK(force_error(*a) < 1e-11);  // measured: at most 3.5e-15; wider: the rounding of a sum of energies
+  CHECK(asymmetry(*a) < 1e-12);    // measured: at most 8e-17
 }
 
 }  // namespace

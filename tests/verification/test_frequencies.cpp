@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/model/exact.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 #include "tests/verification/verified_plate.hpp"
@@ -15,23 +16,23 @@ namespace vp = verified_plate;
 
 namespace {
 
-FrequencySolution solved(const cases::Case& c, const cases::Assembly& a, std::size_t modes) {
+FrequencySolution solved(const cases::Case& c, const Formulation& a, std::size_t modes) {
   FrequencyOptions options;
   options.modes = modes;
   options.tolerance = 1e-6;
   options.shift = shift_of(c.section, 2);
-  return frequencies(*a.ordinary(), a.boundary.constraints, mass_of(c, a), options);
+  return frequencies(a, a.constraints(), a.mass(), options);
 }
 
 /// Frequencies of the dense eigenproblem P^T K P q = omega^2 P^T M P q.
-Eigen::VectorXd dense(const cases::Case& c, const cases::Assembly& a) {
-  const auto& constraints = a.boundary.constraints;
-  const Eigen::MatrixXd K = small_plate::stiffness(*a.ordinary()), P = small_plate::prolongation(constraints, K.rows());
+Eigen::VectorXd dense(const cases::Case& c, const Formulation& a) {
+  const auto& constraints = a.constraints();
+  const Eigen::MatrixXd K = small_plate::stiffness(*a.breaking()), P = small_plate::prolongation(constraints, K.rows());
   Forces all = Forces::Zero(3, vp::size(a));
   const double h = c.section.thickness, rho = c.section.density;
   for (Eigen::Index k = 0; k < all.cols(); ++k)
-    if (a.boundary.active[std::size_t(k)])
-      all.col(k) = rho * h * a.boundary.cloud.areas[std::size_t(k)] * Eigen::Vector3d(1, h * h / 12, h * h / 12);
+    if (a.boundary().active[std::size_t(k)])
+      all.col(k) = rho * h * a.cloud().areas[std::size_t(k)] * Eigen::Vector3d(1, h * h / 12, h * h / 12);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
       P.transpose() * K * P, P.transpose() * all.reshaped().asDiagonal() * P);
   return eigen.eigenvalues().cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
@@ -44,7 +45,7 @@ TEST_CASE("frequencies of a rectangle with hard supports") {
   c.section.thickness = 0.2;
   c.supports = {vp::held_all_round(SupportKind::simply_supported_hard)};
   const auto a = vp::assembled(c);
-  const auto found = solved(c, a, 6);
+  const auto found = solved(c, *a, 6);
   std::vector<double> exact;
   for (int m = 1; m <= 5; ++m)
     for (int n = 1; n <= 5; ++n) exact.push_back(exact::natural_frequency(c.section, 2, 1.5, m, n));
@@ -53,7 +54,7 @@ TEST_CASE("frequencies of a rectangle with hard supports") {
   for (std::size_t i = 0; i < 6; ++i) {
     CAPTURE(i, found.modes[i].frequency, exact[i], found.modes[i].residual);
     CHECK(found.modes[i].frequency == Approx(exact[i]).epsilon(0.01));  // measured: +0.31 % to +0.62 %
-    CHECK(found.modes[i].residual < 1e-4);                              // measured: 1e-7; a tenth of it is the linear solver's
+    CHECK(found.modes[i].residual < 1e-4);  // measured: 1e-7; a tenth of it is the linear solver's
     CHECK(found.modes[i].shape.row(0).maxCoeff() == Approx(1));
     CHECK(found.modes[i].shape.row(0).minCoeff() >= -1 - 1e-9);
   }
@@ -62,15 +63,16 @@ TEST_CASE("frequencies of a rectangle with hard supports") {
 TEST_CASE("a free plate has three rigid motions and no more, a square one its double frequencies") {
   const auto c = vp::square(0.125);
   const auto a = vp::assembled(c);
-  const auto found = solved(c, a, 10);
-  const Eigen::VectorXd all = dense(c, a);
+  const auto found = solved(c, *a, 10);
+  const Eigen::VectorXd all = dense(c, *a);
   CHECK(all[6] == Approx(all[7]).epsilon(1e-9));
   for (std::size_t i = 0; i < 10; ++i) {
     CAPTURE(i, found.modes[i].frequency, all[Eigen::Index(i)], found.modes[i].residual);
     if (i < 3)
       CHECK(found.modes[i].frequency < 1e-5 * all[3]);  // measured: 8e-8; rounding
     else
-      CHECK(found.modes[i].frequency == Approx(all[Eigen::Index(i)]).epsilon(1e-9));  // measured: all ten digits printed
+      CHECK(found.modes[i].frequency ==
+            Approx(all[Eigen::Index(i)]).epsilon(1e-9));  // measured: all ten digits printed
   }
 }
 
@@ -78,8 +80,8 @@ TEST_CASE("a plate cut in two has six rigid motions") {
   auto c = vp::square(0.125);
   c.cracks = {{{-1, 0.125}, {1, 0.125}}};
   const auto a = vp::assembled(c);
-  const auto found = solved(c, a, 8);
-  const Eigen::VectorXd all = dense(c, a);
+  const auto found = solved(c, *a, 8);
+  const Eigen::VectorXd all = dense(c, *a);
   CHECK(found.modes[5].frequency < 1e-5 * all[6]);
   CHECK(found.modes[6].frequency == Approx(all[6]).epsilon(1e-9));
   CHECK(found.modes[7].frequency == Approx(all[7]).epsilon(1e-9));

@@ -2,7 +2,7 @@
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 
-#include "tests/verification/galerkin_plane.hpp"
+#include "tests/verification/galerkin/plane.hpp"
 
 namespace gs = galerkin_systems;
 
@@ -22,13 +22,13 @@ gs::Body block(gs::Reach reach = gs::Reach::cells) {
   return gs::body({20, 10, 20, 10, 0, reach});
 }
 
-/// (7.1)
+/// Bode 7.1
 gs::Field linear_field() {
   const Eigen::Matrix2d H{{0.1, 0.3}, {0.2, 0.4}};
   return {[H](const Eigen::Vector2d& x) { return Eigen::Vector2d(H * x); }, [H](const Eigen::Vector2d&) { return H; }};
 }
 
-/// (7.4)
+/// Bode 7.4
 gs::Field quadratic_field() {
   const auto value = [](const Eigen::Vector2d& moved) {
     const double x = moved.x() - 1, y = moved.y() - 1;
@@ -43,7 +43,7 @@ gs::Field quadratic_field() {
   return {value, gradient};
 }
 
-/// (7.6)
+/// Bode 7.6
 Eigen::Vector2d quadratic_body_force() {
   const double l = patch_solid.lambda(), m = patch_solid.mu();
   return {-(0.42 * l + 1.14 * m), -(0.6 * l + 1.32 * m)};
@@ -78,7 +78,7 @@ double linear_inconsistency(const gs::Body& b, const gs::System& system) {
   return worst;
 }
 
-/// (5.12): the weights of the difference along the sample's bond, n.G_i xi, must be those of u_j - u_k.
+/// Bode 5.12: the weights of the difference along the sample's bond, n.G_i xi, must be those of u_j - u_k.
 double bond_map_error(const gs::Body& b, const gs::Family& f, const gs::Sample& s) {
   const Eigen::Vector2d X = b.points.col(f.nodes[std::size_t(s.at)]) - b.points.col(f.nodes[0]);
   Eigen::RowVectorXd difference = X.transpose() * s.gradient;
@@ -141,7 +141,7 @@ TEST_CASE("Galerkin correction V5 as printed, alpha_d Phi_d e_d, breaks the bond
   CHECK(kept < rounding);  // measured: 4e-16
 }
 
-TEST_CASE("Galerkin linear patch (7.1), (7.2): Petrov-Galerkin fails, each correction V1 to V3 passes") {
+TEST_CASE("Galerkin linear patch (Bode 7.1, 7.2): Petrov-Galerkin fails, each correction V1 to V3 passes") {
   const gs::Body b = patch_body(gs::Reach::two_cells);
   const auto u1 = gs::linear_static(b);
   const auto raw = linear_patch(b, petrov(b, u1), b.normals);
@@ -161,7 +161,7 @@ TEST_CASE("Galerkin linear patch (7.1), (7.2): Petrov-Galerkin fails, each corre
   }
 }
 
-TEST_CASE("Galerkin linear patch (7.1), (7.2): Bubnov-Galerkin fails, U1 and Unl with V3, V5 pass, PG-CA as it is") {
+TEST_CASE("Galerkin linear patch (Bode 7.1, 7.2): Bubnov-Galerkin fails, U1 and Unl with V3, V5 pass, PG-CA as it is") {
   for (const auto reach : {gs::Reach::cells, gs::Reach::two_cells}) {
     const gs::Body b = patch_body(reach);
     const auto solve = [&](const gs::System& s) {
@@ -192,7 +192,7 @@ TEST_CASE("Galerkin corrections that keep quadratics cannot give the normals of 
   }
 }
 
-TEST_CASE("Galerkin quadratic patch (7.4) to (7.6): only the second-order correction of PPG2 U2 passes") {
+TEST_CASE("Galerkin quadratic patch (Bode 7.4-7.6): only the second-order correction of PPG2 U2 passes") {
   const gs::Body b = patch_body(gs::Reach::two_cells);
   const auto u1 = gs::linear_static(b);
   const auto raw = quadratic_patch(b, petrov(b, u1));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cases/driver/run.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
 #include "post/files/table.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/verification/verified_plate.hpp"
@@ -12,7 +13,8 @@ namespace vp = verified_plate;
 
 namespace {
 
-/// A free square with a crack of half length 0.2 at an angle, which grows straight on at both tips by 0.4, in four steps.
+/// A free square with a crack of half length 0.2 at an angle, which grows straight on at both tips by 0.4, in four
+/// steps.
 cases::Case straight(double spacing, double degrees, std::array<double, 3> tensor) {
   auto c = vp::square(spacing);
   c.analysis.kind = cases::Analysis::Kind::static_;
@@ -55,13 +57,13 @@ Energies energies(const cases::Case& c) {
 }  // namespace
 
 TEST_CASE("growth at rest spends the fracture energy, bending, at any angle and spacing") {
-  for (const auto formulation : {plate::Formulation::ordinary, plate::Formulation::galerkin}) {
+  for (const auto* formulation : {&plate::ordinary, &plate::galerkin}) {
     std::vector<double> first;
     for (const double degrees : {0.0, 15.0, 30.0, 45.0}) {
       auto c = straight(0.02, degrees, {1, 1, 0});
       c.discretization.formulation = formulation;
       const auto found = energies(c);
-      CAPTURE(int(formulation), degrees, found.spent, found.first_load_factor);
+      CAPTURE(formulation->name, degrees, found.spent, found.first_load_factor);
       CHECK(std::abs(found.spent - 1) < 0.03);  // measured: 0.3 to 1.4 %
       first.push_back(found.first_load_factor);
     }
@@ -78,7 +80,7 @@ TEST_CASE("growth at rest spends the fracture energy in twist, in the Galerkin p
   for (const double degrees : {0.0, 15.0, 30.0, 45.0}) {
     const double turn = 2 * degrees / 180 * std::numbers::pi;
     auto c = straight(0.02, degrees, {-std::sin(turn), std::sin(turn), std::cos(turn)});
-    c.discretization.formulation = plate::Formulation::galerkin;
+    c.discretization.formulation = &plate::galerkin;
     const auto found = energies(c);
     CAPTURE(degrees, found.spent);
     CHECK(std::abs(found.spent - 1) < 0.03);  // measured: 0.1 to 0.5 %
@@ -90,8 +92,9 @@ TEST_CASE("growth at rest starts where K1 of the references is that of the fract
     return s.thickness * s.thickness * std::sqrt(s.young * fracture_energy / (12 * std::numbers::pi));
   };
   for (const char* formulation : {"ordinary", "galerkin"}) {
-    const std::vector<std::string> set{"discretization.formulation=" + std::string(formulation), "growth.max_advances=1",
-                                       "growth.control=equilibrium", "growth.fracture_energy=500", "output.fields=[]"};
+    const std::vector<std::string> set{"discretization.formulation=" + std::string(formulation),
+                                       "growth.max_advances=1", "growth.control=equilibrium",
+                                       "growth.fracture_energy=500", "output.fields=[]"};
     const auto start = [&](const std::string& file, std::vector<std::string> more) {
       more.insert(more.end(), set.begin(), set.end());
       const auto read = cases::read_case(PDPLATE_SOURCE_DIR "/cases/" + file, more);
@@ -103,7 +106,7 @@ TEST_CASE("growth at rest starts where K1 of the references is that of the fract
     const double central = start("static/central_crack_bending.toml", {"discretization.spacing=0.016666666666666667"});
     // cases/references/dynamic_4.3.csv: its static solution
     const double edge = start("dynamic/edge_crack.toml", {"discretization.spacing=0.02", "analysis={kind=\"static\"}",
-                                                            "load=[{kind=\"pressure\", value=1e6}]"});
+                                                          "load=[{kind=\"pressure\", value=1e6}]"});
     CAPTURE(formulation, central * 0.384418, edge * 72672.523);
     CHECK(central == Approx(1 / 0.384418).epsilon(0.01));
     CHECK(edge == Approx(1 / 72672.523).epsilon(0.01));
@@ -122,20 +125,23 @@ TEST_CASE("double torsion: compliance, energy release rate and load of growth ag
                                         "output.fields=[]", std::string("discretization.formulation=") + formulation});
     const small_run::TemporaryFolder folder;
     const auto summary = cases::run(file, {folder.path(), true});
-    const auto growth = post::read_csv(folder / "growth.csv");
+    const auto growth = post::read_csv(folder / "growth.csv"), tips = post::read_csv(folder / "tips.csv");
     REQUIRE(growth.rows.size() == 4);  // a = 1, 1.5, 2, 2.5
-    const auto at = [&](std::size_t row, const char* name) {
-      return std::get<double>(growth.rows.at(row).at(growth.column(name)));
+    REQUIRE(tips.rows.size() == 4);
+    const auto number = [](const post::Table& table, std::size_t row, const char* name) {
+      return std::get<double>(table.rows.at(row).at(table.column(name)));
     };
+    const auto at = [&](std::size_t row, const char* name) { return number(growth, row, name); };
+    const auto at_tip = [&](std::size_t row, const char* name) { return number(tips, row, name); };
     const double expected = std::sqrt(2 * file.content.growth->fracture_energy * t / (load * load * slope));
     for (std::size_t i = 0; i < 4; ++i) {
-      const double a = at(i, "length"), factor = at(i, "load_factor");
+      const double a = at_tip(i, "length"), factor = at(i, "load_factor");
       CAPTURE(formulation, a, factor / expected);
       CHECK(factor == Approx(expected).epsilon(0.005));  // measured: within 0.28 % with bonds
-      CHECK(std::abs(at(i, "K2")) < 1e-6 * std::abs(at(i, "K1")));
+      CHECK(std::abs(at_tip(i, "K2")) < 1e-6 * std::abs(at_tip(i, "K1")));
       if (i == 0) continue;
       const double C = at(i, "displacement") / factor, before = at(i - 1, "displacement") / at(i - 1, "load_factor");
-      CHECK((C - before) / (a - at(i - 1, "length")) == Approx(load * load * slope).epsilon(0.01));
+      CHECK((C - before) / (a - at_tip(i - 1, "length")) == Approx(load * load * slope).epsilon(0.01));
     }
   }
 }
@@ -225,7 +231,8 @@ TEST_CASE("growth in motion: the crack takes the fracture energy in twist, and u
 
 TEST_CASE("growth in motion: a crack along the middle of a strip, whose energy release rate is constant") {
   for (const char* pressure : {"load[0].value=3.5", "load[0].value=8"}) {
-    const auto found = moved(cases::read_case(PDPLATE_SOURCE_DIR "/cases/growth/running_crack.toml", {pressure, "output.fields=[]"}));
+    const auto found =
+        moved(cases::read_case(PDPLATE_SOURCE_DIR "/cases/growth/running_crack.toml", {pressure, "output.fields=[]"}));
     CAPTURE(pressure, *found.summary.growth->spent, found.residual);
     CHECK(found.summary.growth->lengths[0] == Approx(3.5).margin(0.026));
     CHECK(*found.summary.growth->spent == Approx(1).margin(0.03));  // measured: 1.007, 1.006
@@ -247,14 +254,17 @@ TEST_CASE("growth in motion: nothing breaks at time 0, and a crack that cannot g
     const auto without = moved({plain, {}});
     REQUIRE(without.history.rows.size() == tough.history.rows.size());
     for (std::size_t i = 0; i < without.history.rows.size(); ++i)
-      for (std::size_t j = 0; j < without.history.columns.size(); ++j) CHECK(without.history.rows[i][j] == tough.history.rows[i][j]);
+      for (std::size_t j = 0; j < without.history.columns.size(); ++j)
+        if (without.history.columns[j] != "energy_residual")
+          CHECK(without.history.rows[i][j] == tough.history.rows[i][j]);
   }
 }
 
 TEST_CASE("growth in motion: with every surface correction the crack takes the fracture energy") {
   using plate::SurfaceCorrection;
   // without a correction the crack's faces are soft, and the families at the tip with them
-  for (const auto& [correction, band] : {std::pair{SurfaceCorrection::none, 0.08}, {SurfaceCorrection::volume, 0.03},
+  for (const auto& [correction, band] : {std::pair{SurfaceCorrection::none, 0.08},
+                                         {SurfaceCorrection::volume, 0.03},
                                          {SurfaceCorrection::arbitrary_horizon, 0.03}}) {
     auto c = pressed(0);
     c.discretization.surface_correction = correction;
@@ -275,7 +285,9 @@ TEST_CASE("growth at rest goes over into motion where an advance is unstable") {
   const auto rest = cases::run({c, {}}, {folder.path(), true});
   CHECK(rest.growth->outcome == "the next advance is unstable");
   const auto history = post::read_csv(folder / "motion/history.csv");
-  const auto at = [&](std::size_t row, const char* name) { return std::get<double>(history.rows.at(row).at(history.column(name))); };
+  const auto at = [&](std::size_t row, const char* name) {
+    return std::get<double>(history.rows.at(row).at(history.column(name)));
+  };
   const std::size_t last = history.rows.size() - 1;
   CHECK(at(0, "kinetic_energy") == 0);
   CHECK(at(0, "external_work") == Approx(at(0, "strain_energy")));

@@ -16,8 +16,10 @@ std::vector<TipRow> grown(const std::vector<std::string>& more) {
   settings.insert(settings.end(), more.begin(), more.end());
   const small_run::TemporaryFolder folder;
   cases::run(cases::read_case(PDPLATE_SOURCE_DIR "/cases/growth/inclined_crack.toml", settings), {folder.path(), true});
-  const auto table = post::read_csv(folder / "growth.csv");
-  const auto at = [&](const char* name) { return std::size_t(std::ranges::find(table.columns, name) - table.columns.begin()); };
+  const auto table = post::read_csv(folder / "tips.csv");
+  const auto at = [&](const char* name) {
+    return std::size_t(std::ranges::find(table.columns, name) - table.columns.begin());
+  };
   std::vector<TipRow> result;
   for (const auto& row : table.rows) {
     const auto number = [&](const char* name) { return std::get<double>(row[at(name)]); };
@@ -40,5 +42,6 @@ TEST_CASE("growth at rest: after its first turn a crack under bending goes on sm
   }
   REQUIRE(directions.size() >= 5);
   CHECK(directions.front() < 26);  // from 45 degrees; measured 21.2
-  for (std::size_t i = 1; i < directions.size(); ++i) CHECK(std::abs(directions[i] - directions[i - 1]) < 2);  // measured 1.6
+  for (std::size_t i = 1; i < directions.size(); ++i)
+    CHECK(std::abs(directions[i] - directions[i - 1]) < 2);  // measured 1.6
 }

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "cases/driver/results.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
@@ -46,12 +45,12 @@ cases::Case section_4_1(double spacing, SurfaceCorrection correction) {
 std::array<post::Srif, 2> factors(const cases::Case& c, bool adr, double tolerance) {
   const auto a = vp::assembled(c);
   const StaticOptions options{tolerance, 100000, {}};
-  const auto solution = adr ? adaptive_dynamic_relaxation(a.plate(), a.boundary.constraints, vp::loads(a), options)
-                            : conjugate_gradients(a.plate(), a.boundary.constraints, vp::loads(a), options);
+  const auto solution = adr ? adaptive_dynamic_relaxation(*a, a->constraints(), a->total_load(), options)
+                            : conjugate_gradients(*a, a->constraints(), a->total_load(), options);
   REQUIRE(solution.converged);
-  const auto methods = cases::tip_methods({c, {}}, a);
+  const auto methods = cases::tip_methods({c, {}}, *a);
   REQUIRE(methods.size() == 2);
-  const auto found = cases::srifs(c, a, methods, solution.state);
+  const auto found = post::srifs(*a, *c.srif, methods, solution.state);
   return {found.front(), found.back()};
 }
 
@@ -89,9 +88,9 @@ TEST_CASE("virtual crack extension and domain integral: F1 at spacing 1/125, ins
   auto c = section_4_1(0.008, SurfaceCorrection::position_aware);
   c.srif->methods = {"virtual_crack_extension", "domain_integral"};
   const auto a = vp::assembled(c);
-  const auto solution = conjugate_gradients(a.plate(), a.boundary.constraints, vp::loads(a), {1e-8, 100000, {}});
+  const auto solution = conjugate_gradients(*a, a->constraints(), a->total_load(), {1e-8, 100000, {}});
   REQUIRE(solution.converged);
-  const auto found = cases::srifs(c, a, cases::tip_methods({c, {}}, a), solution.state);
+  const auto found = post::srifs(*a, *c.srif, cases::tip_methods({c, {}}, *a), solution.state);
   REQUIRE(found.size() == 4);
   for (const auto& srif : found) {
     CAPTURE(srif.method, srif.tip, *srif.F1 / exact.F1 - 1);

@@ -2,7 +2,6 @@
 // polyline.
 #include <catch2/catch.hpp>
 
-#include "cases/driver/results.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
@@ -47,14 +46,14 @@ void move_points(cases::Case& c, const Map& map) {
 
 /// A vector and its image: the point of `b` at map(point of `a`), plate points only.
 template <typename Map>
-std::vector<Eigen::Index> pairing(const cases::Assembly& a, const cases::Assembly& b, const Map& map) {
-  REQUIRE(a.boundary.cloud.plate_points == b.boundary.cloud.plate_points);
-  REQUIRE(a.boundary.cloud.size() == b.boundary.cloud.size());
+std::vector<Eigen::Index> pairing(const Formulation& a, const Formulation& b, const Map& map) {
+  REQUIRE(a.cloud().plate_points == b.cloud().plate_points);
+  REQUIRE(a.cloud().size() == b.cloud().size());
   std::vector<Eigen::Index> partner;
-  for (std::size_t k = 0; k < a.boundary.cloud.plate_points; ++k) {
-    const Point x = map(a.boundary.cloud.positions[k]);
-    const auto j = geometry::nearest_plate_point(b.boundary.cloud, x);
-    REQUIRE((b.boundary.cloud.positions[j] - x).norm() < 1e-6);
+  for (std::size_t k = 0; k < a.cloud().plate_points; ++k) {
+    const Point x = map(a.cloud().positions[k]);
+    const auto j = geometry::nearest_plate_point(b.cloud(), x);
+    REQUIRE((b.cloud().positions[j] - x).norm() < 1e-6);
     partner.push_back(Eigen::Index(j));
   }
   return partner;
@@ -66,9 +65,9 @@ template <typename Map>
 std::pair<double, double> differences(const cases::Case& first, const cases::Case& second, const Map& map,
                                       const Eigen::Matrix3d& turn) {
   const auto a = vp::assembled(first), b = vp::assembled(second);
-  const auto partner = pairing(a, b, map);
+  const auto partner = pairing(*a, *b, map);
   const auto turned = [&](const State& u) {
-    State result = State::Zero(3, vp::size(b));
+    State result = State::Zero(3, vp::size(*b));
     for (std::size_t k = 0; k < partner.size(); ++k) result.col(partner[k]) = turn * u.col(Eigen::Index(k));
     return result;
   };
@@ -77,19 +76,19 @@ std::pair<double, double> differences(const cases::Case& first, const cases::Cas
     return (turned(u) - v).leftCols(plate_points).cwiseAbs().maxCoeff() /
            v.leftCols(plate_points).cwiseAbs().maxCoeff();
   };
-  const State u = vp::random_state(a, 41);
+  const State u = vp::random_state(*a, 41);
   State v = turned(u);
-  b.boundary.constraints.impose(v);
-  const auto of_a = vp::solved(a, 1e-11), of_b = vp::solved(b, 1e-11);
+  b->constraints().impose(v);
+  const auto of_a = vp::solved(*a, 1e-11), of_b = vp::solved(*b, 1e-11);
   REQUIRE(of_a.converged);
   REQUIRE(of_b.converged);
-  return {difference(vp::folded_force(a, u), vp::folded_force(b, v)), difference(of_a.state, of_b.state)};
+  return {difference(vp::folded_force(*a, u), vp::folded_force(*b, v)), difference(of_a.state, of_b.state)};
 }
 
 /// Intensity factors of every tip from the state.
-std::vector<post::Srif> intensity_factors(const cases::Case& c, const cases::Assembly& a, const State& state) {
+std::vector<post::Srif> intensity_factors(const cases::Case& c, const Formulation& a, const State& state) {
   const auto methods = cases::tip_methods({c, {}}, a);
-  return cases::srifs(c, a, methods, state);
+  return post::srifs(a, *c.srif, methods, state);
 }
 
 }  // namespace
@@ -144,11 +143,11 @@ TEST_CASE("millimetres instead of metres: the same factors F in as many iteratio
     for (const auto& c : {first, second}) {
       const auto a = vp::assembled(c);
       const StaticOptions options{1e-8, 100000, {}};
-      const auto solution = adr ? adaptive_dynamic_relaxation(*a.ordinary(), a.boundary.constraints, vp::loads(a), options)
-                                : conjugate_gradients(*a.ordinary(), a.boundary.constraints, vp::loads(a), options);
+      const auto solution = adr ? adaptive_dynamic_relaxation(*a, a->constraints(), a->total_load(), options)
+                                : conjugate_gradients(*a, a->constraints(), a->total_load(), options);
       REQUIRE(solution.converged);
       iterations.push_back(solution.iterations);
-      found.push_back(intensity_factors(c, a, solution.state));
+      found.push_back(intensity_factors(c, *a, solution.state));
     }
     CAPTURE(adr, iterations);
     CHECK(std::abs(double(iterations[0]) - double(iterations[1])) <= 1);  // measured: 0; wider: rounding at the end
@@ -166,9 +165,9 @@ TEST_CASE("a crack given from its other end is the same crack") {
   auto second = first;
   for (auto& crack : second.cracks) std::reverse(crack.begin(), crack.end());
   const auto a = vp::assembled(first), b = vp::assembled(second);
-  const auto of_a = vp::solved(a), of_b = vp::solved(b);
+  const auto of_a = vp::solved(*a), of_b = vp::solved(*b);
   CHECK(of_a.state == of_b.state);
-  const auto one = intensity_factors(first, a, of_a.state), two = intensity_factors(second, b, of_b.state);
+  const auto one = intensity_factors(first, *a, of_a.state), two = intensity_factors(second, *b, of_b.state);
   REQUIRE(one.size() == 3);
   REQUIRE(two.size() == 3);
   std::size_t matched = 0;

@@ -1,6 +1,7 @@
-// The parameters of a finer and finer lattice approach those of the continuum (Dai et al., Eqs. 7-8 corrected).
+// The parameters of a finer and finer lattice approach those of the continuum (Dai 7-8 corrected).
 #include <catch2/catch.hpp>
 
+#include "plate/bonds/parameters/horizon_parameters.hpp"
 #include "plate/bonds/parameters/influence.hpp"
 #include "tests/verification/verified_plate.hpp"
 
@@ -32,7 +33,7 @@ double worst_error(const PointParameters& p, const PointParameters& q, const Sec
 
 }  // namespace
 
-TEST_CASE("disc: Eqs. 7 and 8 with d_b and b_b the right way round") {
+TEST_CASE("disc: Dai 7 and 8 with d_b and b_b the right way round") {
   const Section s{1000, 0.2, 0.1, 5.0 / 6, 0};
   const double pi = std::numbers::pi, delta = 0.37, h = s.thickness, E = s.young, nu = s.poisson;
   const auto p = disc_parameters(s, Influence::inverse, delta);

@@ -16,7 +16,7 @@ struct Patch {
 };
 
 /// w = -(kx x^2 + ky y^2) / 2 - kxy x y with the rotations of the normal, and w = gx x + gy y without.
-State field(const cases::Assembly& a, const Patch& p) {
+State field(const Formulation& a, const Patch& p) {
   return vp::field(a, [&](const geometry::Point& x) {
     const double slope_x = p.kx * x.x() + p.kxy * x.y(), slope_y = p.ky * x.y() + p.kxy * x.x();
     const double w = (slope_x * x.x() + slope_y * x.y()) / 2;
@@ -32,20 +32,20 @@ double classical(const Patch& p, const Section& s, double d11 = 1, double d12 = 
 }
 
 /// Points with all neighbours, whose neighbours have all of theirs.
-std::vector<std::size_t> inner_points(const cases::Assembly& a, double horizon) {
+std::vector<std::size_t> inner_points(const Formulation& a, double horizon) {
   std::vector<std::size_t> inner;
-  for (std::size_t k = 0; k < a.boundary.cloud.size(); ++k)
-    if (a.boundary.cloud.positions[k].cwiseAbs().maxCoeff() < 1 - 2 * horizon) inner.push_back(k);
+  for (std::size_t k = 0; k < a.cloud().size(); ++k)
+    if (a.cloud().positions[k].cwiseAbs().maxCoeff() < 1 - 2 * horizon) inner.push_back(k);
   REQUIRE(inner.size() >= 9);
   return inner;
 }
 
 /// Largest relative deviation of the energy per area from `expected` over the inner points.
-double energy_error(const cases::Assembly& a, const Discretization& d, const Patch& p, double expected) {
-  const Eigen::VectorXd energies = a.ordinary()->energies(field(a, p));
+double energy_error(const Formulation& a, const Discretization& d, const Patch& p, double expected) {
+  const Eigen::VectorXd energies = a.energies(field(a, p));
   double worst = 0;
   for (const auto k : inner_points(a, d.horizon()))
-    worst = std::max(worst, std::abs(energies[Eigen::Index(k)] / a.boundary.cloud.areas[k] / expected - 1));
+    worst = std::max(worst, std::abs(energies[Eigen::Index(k)] / a.cloud().areas[k] / expected - 1));
   return worst;
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("lattice-fitted volumes: constant curvatures and shears store the clas
       CAPTURE(m, nu);
       for (const auto& list : {curvatures, shears, isotropic, mixed})
         for (const Patch& p : list)
-          CHECK(energy_error(a, c.discretization, p, classical(p, c.section)) < 1e-11);  // measured: 9e-15
+          CHECK(energy_error(*a, c.discretization, p, classical(p, c.section)) < 1e-11);  // measured: 9e-15
     }
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("lattice sums for the constants of a full family give the same inside 
     const auto a = vp::assembled(c);
     for (const auto& list : {curvatures, shears})
       for (const Patch& p : list)
-        CHECK(energy_error(a, c.discretization, p, classical(p, c.section)) < 1e-11);  // measured: 8e-16
+        CHECK(energy_error(*a, c.discretization, p, classical(p, c.section)) < 1e-11);  // measured: 8e-16
   }
 }
 
@@ -118,10 +118,10 @@ TEST_CASE("linear volumes: shear and bending in all directions exact, the rest b
       CAPTURE(m, int(match), A, excess);
       for (const auto& list : {shears, isotropic})
         for (const Patch& p : list)
-          CHECK(energy_error(a, c.discretization, p, classical(p, c.section)) < 1e-11);  // measured: 8e-16
+          CHECK(energy_error(*a, c.discretization, p, classical(p, c.section)) < 1e-11);  // measured: 8e-16
       for (const Patch& p : curvatures) {
         const double expected = classical(p, c.section, 1 + excess, 1 - excess / nu, scale);
-        CHECK(energy_error(a, c.discretization, p, expected) < 1e-11);  // measured: 8e-16
+        CHECK(energy_error(*a, c.discretization, p, expected) < 1e-11);  // measured: 8e-16
       }
     }
 }
@@ -132,17 +132,17 @@ TEST_CASE("constant curvature: no force inside the plate; constant shear: the co
     const auto a = vp::assembled(c);
     Forces force;
     for (const Patch& p : curvatures) {
-      a.ordinary()->internal_force(field(a, p), force);
+      a->internal_force(field(*a, p), force);
       const double outside = force.cwiseAbs().maxCoeff();
-      for (const auto k : inner_points(a, c.discretization.horizon()))
+      for (const auto k : inner_points(*a, c.discretization.horizon()))
         REQUIRE(force.col(Eigen::Index(k)).cwiseAbs().maxCoeff() < 1e-10 * outside);  // measured: 2e-16
     }
     for (const Patch& p : shears) {
-      a.ordinary()->internal_force(field(a, p), force);
-      for (const auto k : inner_points(a, c.discretization.horizon())) {
+      a->internal_force(field(*a, p), force);
+      for (const auto k : inner_points(*a, c.discretization.horizon())) {
         // dU/d(theta_y) = Qx A, dU/d(theta_x) = -Qy A
         const Eigen::Vector3d couple =
-            Eigen::Vector3d(0, p.gy, -p.gx) * c.section.shear_stiffness() * a.boundary.cloud.areas[k];
+            Eigen::Vector3d(0, p.gy, -p.gx) * c.section.shear_stiffness() * a->cloud().areas[k];
         REQUIRE((force.col(Eigen::Index(k)) - couple).norm() < 1e-11 * couple.norm());  // measured: 1e-15
       }
     }

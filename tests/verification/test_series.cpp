@@ -14,16 +14,16 @@ namespace {
 /// First natural frequency [1/time] by inverse iteration: K x_next = M x.
 double first_frequency(const cases::Case& c) {
   const auto a = vp::assembled(c);
-  const auto& constraints = a.boundary.constraints;
-  const Forces mass = plate::mass(c.section, a.boundary.cloud.areas, a.boundary.active, constraints);
-  State x = vp::field(a, [](const geometry::Point&) { return Eigen::Vector3d(1, 0, 0); });
+  const auto& constraints = a->constraints();
+  const Forces mass = a->mass();
+  State x = vp::field(*a, [](const geometry::Point&) { return Eigen::Vector3d(1, 0, 0); });
   double eigenvalue = 0, before = 1;
   for (int i = 0; i < 30 && std::abs(eigenvalue / before - 1) > 1e-7; ++i) {
     before = eigenvalue;
-    const auto next = conjugate_gradients(*a.ordinary(), constraints, mass.cwiseProduct(x), {1e-9, 20000, {}});
+    const auto next = conjugate_gradients(*a, constraints, mass.cwiseProduct(x), {1e-9, 20000, {}});
     REQUIRE(next.converged);
     x = next.state / next.state.cwiseAbs().maxCoeff();
-    eigenvalue = 2 * a.ordinary()->energies(x).sum() / x.cwiseProduct(mass.cwiseProduct(x)).sum();
+    eigenvalue = 2 * a->energies(x).sum() / x.cwiseProduct(mass.cwiseProduct(x)).sum();
   }
   return std::sqrt(eigenvalue) / (2 * std::numbers::pi);
 }
@@ -31,12 +31,12 @@ double first_frequency(const cases::Case& c) {
 /// Deflection of a plate under unit pressure at its points next to (0, 0) and (0.3, -0.5) [exact, computed].
 std::vector<std::pair<geometry::Point, double>> deflections(const cases::Case& c) {
   const auto a = vp::assembled(c);
-  const auto solution = vp::solved(a);
+  const auto solution = vp::solved(*a);
   REQUIRE(solution.converged);
   std::vector<std::pair<geometry::Point, double>> result;
   for (const geometry::Point& x : {geometry::Point(0.01, 0.01), geometry::Point(0.3, -0.5)}) {
-    const auto k = geometry::nearest_plate_point(a.boundary.cloud, x);
-    result.emplace_back(a.boundary.cloud.positions[k], solution.state(0, Eigen::Index(k)));
+    const auto k = geometry::nearest_plate_point(a->cloud(), x);
+    result.emplace_back(a->cloud().positions[k], solution.state(0, Eigen::Index(k)));
   }
   return result;
 }
@@ -103,10 +103,10 @@ TEST_CASE("clamped square: deflection at the centre") {
     c.discretization.volume_correction = VolumeCorrection::lattice_fitted;
     c.supports = {vp::held_all_round(SupportKind::clamped)};
     const auto a = vp::assembled(c);
-    const auto solution = vp::solved(a);
+    const auto solution = vp::solved(*a);
     REQUIRE(solution.converged);
-    const auto centre = geometry::nearest_plate_point(a.boundary.cloud, {0, 0});
-    REQUIRE(a.boundary.cloud.positions[centre].norm() < 1e-9);
+    const auto centre = geometry::nearest_plate_point(a->cloud(), {0, 0});
+    REQUIRE(a->cloud().positions[centre].norm() < 1e-9);
     error.push_back(solution.state(0, Eigen::Index(centre)) * c.section.bending_stiffness() / 16 / reference - 1);
   }
   CAPTURE(error);

@@ -23,9 +23,10 @@ double at(const post::Curve& curve, double time) {
 
 TEST_CASE("stated accuracy: F1 of a plate in motion is inside its estimate at every time") {
   // Dai et al. 4.2, half a period of the simply supported plate
-  const auto file = cases::read_case(cases_folder() / "dynamic/simply_supported_central_crack.toml",
-                                     {"discretization.formulation=galerkin", "analysis.duration=0.008", "srif.accuracy=0.03", "output.fields=[]",
-                                      "srif.methods=[\"virtual_crack_extension\", \"domain_integral\", \"series_fit\"]"});
+  const auto file = cases::read_case(
+      cases_folder() / "dynamic/simply_supported_central_crack.toml",
+      {"discretization.formulation=galerkin", "analysis.duration=0.008", "srif.accuracy=0.03", "output.fields=[]",
+       "srif.methods=[\"virtual_crack_extension\", \"domain_integral\", \"series_fit\"]"});
   const small_run::TemporaryFolder folder;
   const auto summary = cases::run(file, {folder.path(), true});
   CHECK(summary.analysis.method == "lanczos");
@@ -34,11 +35,14 @@ TEST_CASE("stated accuracy: F1 of a plate in motion is inside its estimate at ev
   CHECK(*summary.accuracy->reached <= 0.03);
   CHECK(summary.warnings.size() == 1);  // the case's own spacing is not used
 
-  const auto reference = post::curve(post::read_csv(cases_folder() / "references/dynamic_4.2_ss_soft.csv"), "t", "F1_J");
+  const auto reference =
+      post::curve(post::read_csv(cases_folder() / "references/dynamic_4.2_ss_soft.csv"), "t", "F1_J");
   double peak = 0;
   for (const double y : reference.y) peak = std::max(peak, std::abs(y));
   const auto srif = post::read_csv(folder / "srif.csv");
-  const auto number = [&](std::size_t row, const char* column) { return std::get<double>(srif.rows[row][srif.column(column)]); };
+  const auto number = [&](std::size_t row, const char* column) {
+    return std::get<double>(srif.rows[row][srif.column(column)]);
+  };
   std::size_t seen = 0;
   double worst = 0, estimated = 0;
   for (std::size_t row = 0; row < srif.rows.size(); ++row) {

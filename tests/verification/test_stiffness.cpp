@@ -10,17 +10,17 @@ namespace vp = verified_plate;
 namespace {
 
 /// Eigenvalues of diag(K)^(-1/2) K diag(K)^(-1/2), ascending: pure numbers in the order of 1.
-Eigen::VectorXd scaled_eigenvalues(const cases::Assembly& a) {
+Eigen::VectorXd scaled_eigenvalues(const Formulation& a) {
   const Eigen::Index size = 3 * vp::size(a);
   std::vector<Eigen::Index> free;
   for (Eigen::Index n = 0; n < size; ++n)
-    if (!a.boundary.constraints.held(std::uint32_t(n))) free.push_back(n);
+    if (!a.constraints().held(std::uint32_t(n))) free.push_back(n);
   Eigen::MatrixXd K(free.size(), free.size());
   State unit = State::Zero(3, vp::size(a));
   for (std::size_t i = 0; i < free.size(); ++i) {
     unit.setZero();
     plate::at_dof(unit, std::size_t(free[i])) = 1;
-    a.boundary.constraints.impose(unit);
+    a.constraints().impose(unit);
     K.col(Eigen::Index(i)) = -vp::folded_force(a, unit).reshaped()(free);
   }
   const Eigen::VectorXd scale = K.diagonal().cwiseSqrt().cwiseInverse();
@@ -30,7 +30,7 @@ Eigen::VectorXd scaled_eigenvalues(const cases::Assembly& a) {
 
 /// `modes` eigenvalues are zero, all others above `least`.
 void check_modes(const cases::Case& c, Eigen::Index modes, double least) {
-  const Eigen::VectorXd lambda = scaled_eigenvalues(vp::assembled(c));
+  const Eigen::VectorXd lambda = scaled_eigenvalues(*vp::assembled(c));
   for (Eigen::Index i = 0; i < modes; ++i) CHECK(std::abs(lambda[i]) < 1e-12);  // measured: at most 1.9e-15
   CHECK(lambda[modes] > least);  // measured: at least 4e-4, by the size of the plate in spacings
 }
@@ -82,15 +82,15 @@ TEST_CASE("rigid motions need no force") {
     c.discretization.surface_correction = correction;
     const auto a = vp::assembled(c);
     Forces force;
-    a.ordinary()->internal_force(vp::random_state(a, 34), force);
+    a->internal_force(vp::random_state(*a, 34), force);
     const double scale = force.cwiseAbs().maxCoeff();
     for (const Eigen::Vector3d& motion : {Eigen::Vector3d(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {7, -2, 5}}) {
-      const State u = vp::field(a, [&](const geometry::Point& x) {
+      const State u = vp::field(*a, [&](const geometry::Point& x) {
         return Eigen::Vector3d(motion[0] + motion[1] * x.x() + motion[2] * x.y(), motion[2], -motion[1]);
       });
-      a.ordinary()->internal_force(u, force);
-      CHECK(force.cwiseAbs().maxCoeff() < 1e-13 * u.cwiseAbs().maxCoeff() * scale);   // measured: 2e-16 of it
-      CHECK(a.ordinary()->energies(u).cwiseAbs().sum() < 1e-26 * u.squaredNorm() * scale);  // measured: below 1e-18 in all
+      a->internal_force(u, force);
+      CHECK(force.cwiseAbs().maxCoeff() < 1e-13 * u.cwiseAbs().maxCoeff() * scale);  // measured: 2e-16 of it
+      CHECK(a->energies(u).cwiseAbs().sum() < 1e-26 * u.squaredNorm() * scale);      // measured: below 1e-18 in all
     }
   }
 }

@@ -2,7 +2,8 @@
 #include <numbers>
 #include <random>
 
-#include "cases/driver/assembly.hpp"
+#include "cases/driver/discretised.hpp"
+#include "plate/bonds/ordinary_plate.hpp"
 #include "plate/solve/statics.hpp"
 
 /// Plates for verification, turned into points and bonds by the very function that the program uses.
@@ -10,11 +11,12 @@ namespace verified_plate {
 
 inline const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 2};
 
-/// A free plate; the kind "dynamic" lets it be assembled without supports.
+/// A free plate of bonds; the kind "dynamic" lets it be assembled without supports.
 inline cases::Case free_plate(const geometry::Outline& outline, double spacing) {
   cases::Case c;
   c.section = section;
   c.outline = outline;
+  c.discretization.formulation = &plate::ordinary;
   c.discretization.spacing = spacing;
   c.analysis.kind = cases::Analysis::Kind::dynamic;
   plate::Load pressure;
@@ -46,47 +48,40 @@ inline plate::Support held_all_round(plate::SupportKind kind) {
   return held(kind, {"left", "right", "bottom", "top"});
 }
 
-inline cases::Assembly assembled(const cases::Case& c) {
-  cases::Stopwatch stopwatch;
-  return cases::assemble({c, {}}, stopwatch);
+inline std::unique_ptr<plate::Formulation> assembled(const cases::Case& c) {
+  return cases::discretised({c, {}}).plate;
 }
 
-inline plate::Forces loads(const cases::Assembly& a) {
-  plate::Forces sum = a.loads.front().forces;
-  for (std::size_t i = 1; i < a.loads.size(); ++i) sum += a.loads[i].forces;
-  return sum;
+inline plate::StaticSolution solved(const plate::Formulation& a, double tolerance = 1e-10) {
+  return plate::conjugate_gradients(a, a.constraints(), a.total_load(), {tolerance, 100000, {}});
 }
 
-inline plate::StaticSolution solved(const cases::Assembly& a, double tolerance = 1e-10) {
-  return plate::conjugate_gradients(a.plate(), a.boundary.constraints, loads(a), {tolerance, 100000, {}});
-}
-
-inline Eigen::Index size(const cases::Assembly& a) {
-  return static_cast<Eigen::Index>(a.plate().points());
+inline Eigen::Index size(const plate::Formulation& a) {
+  return static_cast<Eigen::Index>(a.points());
 }
 
 /// Random at free degrees of freedom, what the constraints say at all others.
-inline plate::State random_state(const cases::Assembly& a, unsigned seed) {
+inline plate::State random_state(const plate::Formulation& a, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   plate::State u = plate::State::NullaryExpr(3, size(a), [&] { return uniform(random); });
-  a.boundary.constraints.impose(u);
+  a.constraints().impose(u);
   return u;
 }
 
 /// P^T f of a state u = P q.
-inline plate::Forces folded_force(const cases::Assembly& a, const plate::State& u) {
+inline plate::Forces folded_force(const plate::Formulation& a, const plate::State& u) {
   plate::Forces force;
-  a.plate().internal_force(u, force);
-  a.boundary.constraints.fold(force);
+  a.internal_force(u, force);
+  a.constraints().fold(force);
   return force;
 }
 
 /// A field (w, theta_x, theta_y) at every point, fictitious ones too.
 template <typename Field>
-plate::State field(const cases::Assembly& a, const Field& at) {
+plate::State field(const plate::Formulation& a, const Field& at) {
   plate::State u(3, size(a));
-  for (Eigen::Index k = 0; k < u.cols(); ++k) u.col(k) = at(a.boundary.cloud.positions[std::size_t(k)]);
+  for (Eigen::Index k = 0; k < u.cols(); ++k) u.col(k) = at(a.cloud().positions[std::size_t(k)]);
   return u;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "plate/model/boundary.hpp"
 #include "plate/bonds/family_operator.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plate/bonds/lattice_operator.hpp"
+#include "plate/bonds/rows/lattice_operator.hpp"
 
 namespace plate {
 namespace {
@@ -59,7 +59,8 @@ PointMatrix zeros(const std::vector<Transfer::Cell>& cells, const Cells& index) 
 
 Forces diagonal_of(const PointMatrix& matrix) {
   Forces result(3, Eigen::Index(matrix.points()));
-  for (std::size_t k = 0; k < matrix.points(); ++k) result.col(Eigen::Index(k)) = matrix.block[matrix.first[k]].diagonal();
+  for (std::size_t k = 0; k < matrix.points(); ++k)
+    result.col(Eigen::Index(k)) = matrix.block[matrix.first[k]].diagonal();
   return result;
 }
 

@@ -14,22 +14,30 @@ FamilySums full_sums(const Section& section, const Discretization& d) {
   return sums;
 }
 
-PointParameters scaled(const PointParameters& p, double factor) { return {p.a, p.b * factor, p.d * factor, p.C * factor}; }
+PointParameters scaled(const PointParameters& p, double factor) {
+  return {p.a, p.b * factor, p.d * factor, p.C * factor};
+}
 
 }  // namespace
 
 ParameterRule::ParameterRule(const Section& section, const Discretization& d)
-    : section_(section), correction_(d.surface_correction), match_(d.twist_match), full_(full_sums(section, d)),
+    : section_(section),
+      correction_(d.surface_correction),
+      match_(d.twist_match),
+      full_(full_sums(section, d)),
       constant_(d.full_horizon == FullHorizon::lattice ? arbitrary_horizon(section, d.twist_match, full_, full_.twist)
                                                        : disc_parameters(section, d.influence, d.horizon())) {}
 
 PointParameters ParameterRule::operator()(const FamilySums& sums) const {
   if (sums.second <= 0) return {};
   switch (correction_) {
-    case SurfaceCorrection::none: return constant_;
-    case SurfaceCorrection::volume: return scaled(constant_, full_.volume / sums.volume);
+    case SurfaceCorrection::none:
+      return constant_;
+    case SurfaceCorrection::volume:
+      return scaled(constant_, full_.volume / sums.volume);
     case SurfaceCorrection::arbitrary_horizon:
-    case SurfaceCorrection::position_aware: break;
+    case SurfaceCorrection::position_aware:
+      break;
   }
   return arbitrary_horizon(section_, match_, sums, full_.twist);
 }

@@ -24,6 +24,9 @@ public:
   FamilyRule(const Section& section, const Discretization& discretization);
   FamilyWeights operator()(std::span<const FamilyBond> bonds) const;
 
+  const Section& section() const { return section_; }
+  const Discretization& discretization() const { return discretization_; }
+
 private:
   Section section_;
   Discretization discretization_;

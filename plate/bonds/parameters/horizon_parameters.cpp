@@ -1,10 +1,10 @@
 #include "plate/bonds/parameters/horizon_parameters.hpp"
 
-#include "plate/bonds/parameters/family_rule.hpp"
-#include "plate/bonds/parameters/influence.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include "plate/bonds/parameters/family_rule.hpp"
+#include "plate/bonds/parameters/influence.hpp"
 
 namespace plate {
 void add(FamilySums& sums, const BondShape& bond, double share, double thickness, double area) {
@@ -26,17 +26,15 @@ PointParameters disc_parameters(const Section& section, Influence kind, double h
                            h * second / 8);
 }
 
-PointParameters arbitrary_horizon(const Section& section, TwistMatch match, const FamilySums& sums,
-                                  double full_twist) {
+PointParameters arbitrary_horizon(const Section& section, TwistMatch match, const FamilySums& sums, double full_twist) {
   if (sums.second <= 0) return {};
   const double bending = section.young * std::pow(section.thickness, 3) / 48;
-  const double twist =
-      match == TwistMatch::frame_invariant ? sums.second / 8 : std::max(sums.twist, full_twist / 8);
+  const double twist = match == TwistMatch::frame_invariant ? sums.second / 8 : std::max(sums.twist, full_twist / 8);
   PointParameters p;
-  p.d = 2 / sums.first;                                               // Eq. 29
-  p.b = bending / (1 + section.poisson) / twist;                      // Eq. 35
-  p.a = bending / (1 - section.poisson) - p.b / 4 * sums.second;      // Eq. 32
-  p.C = 4 * section.shear_stiffness() / sums.second;                  // Eq. 38
+  p.d = 2 / sums.first;                                           // Dai 29
+  p.b = bending / (1 + section.poisson) / twist;                  // Dai 35
+  p.a = bending / (1 - section.poisson) - p.b / 4 * sums.second;  // Dai 32
+  p.C = 4 * section.shear_stiffness() / sums.second;              // Dai 38
   return p;
 }
 
@@ -53,9 +51,9 @@ std::vector<BondShape> bond_shapes(const std::vector<geometry::Point>& vectors, 
 }
 
 std::vector<PointParameters> horizon_parameters(const geometry::Families& families,
-                                                const std::vector<BondShape>& shapes,
-                                                const std::vector<double>& areas, const std::vector<char>& active,
-                                                const Section& section, const Discretization& d) {
+                                                const std::vector<BondShape>& shapes, const std::vector<double>& areas,
+                                                const std::vector<char>& active, const Section& section,
+                                                const Discretization& d) {
   const ParameterRule rule(section, d);
   std::vector<double> shares;
   for (const auto& xi : families.vectors()) shares.push_back(volume_share(d, xi));

@@ -1,7 +1,7 @@
 #pragma once
-#include "plate/model/discretization.hpp"
 #include <Eigen/Core>
 #include <vector>
+#include "plate/model/discretization.hpp"
 
 namespace plate {
 

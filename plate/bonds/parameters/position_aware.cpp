@@ -20,14 +20,16 @@ Harmonics harmonics(const geometry::Point& vector) {
   return {1, cos2, sin2, cos2 * cos2 - sin2 * sin2, 2 * cos2 * sin2};
 }
 
-/// The polynomial of `Count` harmonics with sum weight p(n) t(n) = (target, 0, 0, ...), of least norm where the directions
-/// cannot tell its coefficients apart (8 directions of a square lattice: sin 4 phi = 0); nothing where there is none.
+/// The polynomial of `Count` harmonics with sum weight p(n) t(n) = (target, 0, 0, ...), of least norm where the
+/// directions cannot tell its coefficients apart (8 directions of a square lattice: sin 4 phi = 0); nothing where there
+/// is none.
 template <int Count>
 std::optional<Eigen::Matrix<double, Count, 1>> polynomial(const std::vector<Harmonics>& t,
                                                           const std::vector<double>& weight, double target) {
   using Square = Eigen::Matrix<double, Count, Count>;
   Square gram = Square::Zero();
-  for (std::size_t j = 0; j < t.size(); ++j) gram += weight[j] * t[j].template head<Count>() * t[j].template head<Count>().transpose();
+  for (std::size_t j = 0; j < t.size(); ++j)
+    gram += weight[j] * t[j].template head<Count>() * t[j].template head<Count>().transpose();
   const double scale = gram(0, 0);
   const Eigen::SelfAdjointEigenSolver<Square> eigen(gram / scale);
   using Vector = Eigen::Matrix<double, Count, 1>;
@@ -119,8 +121,8 @@ FamilyWeights position_aware(const Section& section, std::span<const FamilyBond>
 }
 
 PositionAware position_aware(const geometry::Families& families, const std::vector<BondShape>& shapes,
-                             const std::vector<double>& areas, const std::vector<char>& active, const FamilyKinds& kinds,
-                             const Section& section) {
+                             const std::vector<double>& areas, const std::vector<char>& active,
+                             const FamilyKinds& kinds, const Section& section) {
   PositionAware result;
   result.weights = {kinds.kind, {}, {0}, {}};
   std::vector<Match> match;
@@ -137,9 +139,15 @@ PositionAware position_aware(const geometry::Families& families, const std::vect
   for (std::size_t k = 0; k < kinds.kind.size(); ++k) {
     if (!active[k]) continue;
     switch (match[kinds.kind[k]]) {
-      case Match::exact: ++result.counts.exact; break;
-      case Match::blended: ++result.counts.blended; break;
-      case Match::arbitrary_horizon: ++result.counts.arbitrary_horizon; break;
+      case Match::exact:
+        ++result.counts.exact;
+        break;
+      case Match::blended:
+        ++result.counts.blended;
+        break;
+      case Match::arbitrary_horizon:
+        ++result.counts.arbitrary_horizon;
+        break;
     }
   }
   return result;

@@ -1,6 +1,7 @@
 #pragma once
-#include "plate/bonds/parameters/weights.hpp"
 #include <span>
+#include "plate/bonds/parameters/weights.hpp"
+#include "plate/formulation/formulation.hpp"
 
 /// Position-aware surface correction: the plate's counterpart of the position-aware linear solid (Mitchell, Silling,
 /// Littlewood 2015, "A position-aware linear solid constitutive model for peridynamics").
@@ -27,13 +28,8 @@ struct FamilyWeights {
 
 /// Weights omega A_j times a polynomial of the direction, changed as little as possible (least squares, weighted with
 /// omega A_j xi^2) from those of a full family, so that constant curvature and constant shear have the plate's energy
-/// with the bonds at hand (theory.md 12a, 12b).
+/// with the bonds at hand (theory (12, 13)).
 FamilyWeights position_aware(const Section& section, std::span<const FamilyBond> bonds);
-
-/// How many points have which match.
-struct MatchCounts {
-  std::size_t exact = 0, blended = 0, arbitrary_horizon = 0;
-};
 
 struct PositionAware {
   HorizonWeights weights;
@@ -41,7 +37,7 @@ struct PositionAware {
 };
 
 PositionAware position_aware(const geometry::Families& families, const std::vector<BondShape>& shapes,
-                             const std::vector<double>& areas, const std::vector<char>& active, const FamilyKinds& kinds,
-                             const Section& section);
+                             const std::vector<double>& areas, const std::vector<char>& active,
+                             const FamilyKinds& kinds, const Section& section);
 
 }  // namespace plate

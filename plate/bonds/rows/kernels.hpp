@@ -1,8 +1,8 @@
 #pragma once
-#include "plate/bonds/rows/lanes.hpp"
 #include "plate/bonds/rows/pattern.hpp"
+#include "plate/solve/lanes.hpp"
 
-/// What a row of points with one pattern of bonds does: Eqs. 11-13 of Dai et al. 2021 for a vector of points at once.
+/// What a row of points with one pattern of bonds does: Dai 11-13 for a vector of points at once.
 namespace plate {
 
 /// Deflection, rotations and q = 2 A a theta, point by point.

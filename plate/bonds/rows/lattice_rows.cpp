@@ -7,8 +7,8 @@
 #include <map>
 #include <memory>
 
-#include "plate/solve/matrices/folded_row.hpp"
-#include "plate/solve/matrices/point_columns.hpp"
+#include "plate/bonds/rows/folded_row.hpp"
+#include "plate/bonds/rows/point_columns.hpp"
 
 namespace plate {
 namespace {

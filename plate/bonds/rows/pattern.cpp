@@ -1,4 +1,4 @@
-#include "plate/solve/matrices/folded_row.hpp"
+#include "plate/bonds/rows/folded_row.hpp"
 
 #include <algorithm>
 #include <cmath>

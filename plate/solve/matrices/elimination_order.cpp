@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "plate/model/numerical_error.hpp"
 #include "plate/solve/matrices/cholmod.hpp"
 #include "plate/solve/matrices/factor.hpp"
-#include "plate/model/numerical_error.hpp"
 
 namespace plate {
 namespace {

@@ -4,15 +4,15 @@
 
 #include <stdexcept>
 
-#include "plate/solve/matrices/cholmod.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/matrices/cholmod.hpp"
 
 namespace plate {
 namespace {
 
 /// The products of a sparse factorisation are too small to share out, and CHOLMOD starts four threads for its loops
-/// whatever it is told: measured 1.3 to 1.8 times as long as with none (3,000 to 10,000 points, one thread allowed), and
-/// thirty times as long with two on busy processors. Holds for OpenBLAS built with OpenMP.
+/// whatever it is told: measured 1.3 to 1.8 times as long as with none (3,000 to 10,000 points, one thread allowed),
+/// and thirty times as long with two on busy processors. Holds for OpenBLAS built with OpenMP.
 class OneThread {
 public:
   OneThread() : threads_(omp_get_max_threads()), levels_(omp_get_max_active_levels()) {

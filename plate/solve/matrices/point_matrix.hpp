@@ -2,12 +2,12 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "plate/model/constraints.hpp"
+#include "plate/formulation/constraints.hpp"
 
 namespace plate {
 
-/// A symmetric matrix in blocks of 3 x 3, one for every pair of points that it couples: those on and below the diagonal,
-/// column by column.
+/// A symmetric matrix in blocks of 3 x 3, one for every pair of points that it couples: those on and below the
+/// diagonal, column by column.
 struct PointMatrix {
   std::vector<std::size_t> first{0};   // where the blocks of a column begin [points + 1]
   std::vector<std::uint32_t> row;      // ascending in every column, from the diagonal on

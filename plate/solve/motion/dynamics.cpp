@@ -109,7 +109,8 @@ public:
       });
       const double now = factor(histories_[l], time);
       auto& [share_before, factor_before] = last_[l];
-      work_[l] = histories_[l].constant() ? share + before_[l] : work_[l] + (now + factor_before) / 2 * (share - share_before);
+      work_[l] =
+          histories_[l].constant() ? share + before_[l] : work_[l] + (now + factor_before) / 2 * (share - share_before);
       last_[l] = {share, now};
       all += work_[l];
     }
@@ -158,7 +159,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   Values<Real> force;
   for (std::size_t step = 0;; ++step) {
     const double time = static_cast<double>(step) * dt;
-    const Moment now{step, time, dt, state, velocity};
+    const Step now{step, time, dt, state, velocity};
     if (options.changes) options.changes->before_force(now);
     internal_force(state, force);
     if constexpr (std::is_same_v<Real, double>)

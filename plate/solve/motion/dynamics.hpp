@@ -1,26 +1,13 @@
 #pragma once
-#include "plate/model/constraints.hpp"
-#include "plate/model/operator.hpp"
-#include "plate/model/history.hpp"
-#include "plate/model/section.hpp"
 #include <functional>
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/model/loads.hpp"
 
 namespace plate {
 
-/// A load case: generalised nodal forces times a factor of time.
-struct TimedLoad {
-  Forces forces;
-  History history;
-};
-
-/// Mass per degree of freedom, diag(rho h, rho h^3 / 12, rho h^3 / 12) times the area (Eq. 9), carried over to the
-/// free ones; zero at held degrees of freedom and at points that are not active (images that store no energy).
-/// `rotary`: factor of the rotary inertia; above 1 thin plates take longer steps (theory.md, "Dynamics").
-Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
-            const Constraints& constraints, double rotary = 1);
-
-/// 2 / omega with omega^2 not below the largest eigenvalue of M^-1 K: the largest value of a Lanczos iteration, which comes
-/// from below, plus 1 %, or the bound of Collatz for |K|, whichever is smaller.
+/// 2 / omega with omega^2 not below the largest eigenvalue of M^-1 K: the largest value of a Lanczos iteration, which
+/// comes from below, plus 1 %, or the bound of Collatz for |K|, whichever is smaller.
 double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass);
 
 /// What the observer of a dynamic run sees.
@@ -37,7 +24,7 @@ struct Instant {
 };
 
 /// A step of a motion, as those who change the plate see it. Before the force they may change state and velocity too.
-struct Moment {
+struct Step {
   std::size_t step;
   double time, time_step;
   State& state;
@@ -48,9 +35,9 @@ struct Moment {
 class Changes {
 public:
   virtual ~Changes() = default;
-  virtual void before_force(const Moment& now) = 0;
+  virtual void before_force(const Step& now) = 0;
   /// `force`: the internal force, carried over to the free degrees of freedom.
-  virtual void after_force(const Moment& now, const Forces& force) = 0;
+  virtual void after_force(const Step& now, const Forces& force) = 0;
 };
 
 struct DynamicOptions {
@@ -65,9 +52,9 @@ struct DynamicOptions {
   State start = {};
 };
 
-/// Central differences (Eqs. 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a dt^2 / 2.
-/// Calls `observe` at step 0, every `observe_every` steps and at the end.
-/// Throws NumericalError where the deflection is not finite, with step, time and point.
+/// Central differences (Dai 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a
+/// dt^2 / 2. Calls `observe` at step 0, every `observe_every` steps and at the end. Throws NumericalError where the
+/// deflection is not finite, with step, time and point.
 void central_differences(const Operator& plate, const Constraints& constraints, Forces mass,
                          const std::vector<TimedLoad>& loads, const DynamicOptions& options,
                          const std::function<void(const Instant&)>& observe);

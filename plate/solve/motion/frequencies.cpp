@@ -27,8 +27,7 @@ class Inverse {
 public:
   using Scalar = double;
 
-  Inverse(const Operator& plate, const Constraints& constraints, const Forces& mass,
-          const FrequencyOptions& options)
+  Inverse(const Operator& plate, const Constraints& constraints, const Forces& mass, const FrequencyOptions& options)
       : plate_(plate),
         constraints_(constraints),
         options_(options),
@@ -49,7 +48,8 @@ public:
     if (!solution.converged)
       throw NumericalError("frequencies: conjugate gradients " + solution.stop_reason + " in solution " +
                            std::to_string(solutions_));
-    Eigen::Map<VectorXd>(y, rows()) = without_found(root_mass_.cwiseProduct(solution.state).reshaped<Eigen::RowMajor>());
+    Eigen::Map<VectorXd>(y, rows()) =
+        without_found(root_mass_.cwiseProduct(solution.state).reshaped<Eigen::RowMajor>());
   }
 
   void solve_to(double tolerance) { solve_.tolerance = tolerance; }

@@ -1,17 +1,17 @@
 #pragma once
 #include <functional>
-#include "plate/model/constraints.hpp"
-#include "plate/model/operator.hpp"
-#include "plate/solve/preconditioner.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/formulation/preconditioner.hpp"
 #include "plate/model/section.hpp"
 
 namespace plate {
 
 struct FrequencyOptions {
   std::size_t modes = 6;
-  double tolerance = 1e-4;              // of the eigenvectors; errors of omega^2 are of its second order
-  std::size_t max_iterations = 200000;  // of conjugate gradients in each solution
-  double shift = 0;                     // sigma [1/time^2] > 0; shift_of() gives one that suits the plate
+  double tolerance = 1e-4;                         // of the eigenvectors; errors of omega^2 are of its second order
+  std::size_t max_iterations = 200000;             // of conjugate gradients in each solution
+  double shift = 0;                                // sigma [1/time^2] > 0; shift_of() gives one that suits the plate
   const Preconditioner* preconditioner = nullptr;  // of K; absent: the diagonal of K + sigma M
   std::function<void(std::size_t solution)> progress;  // before each solution of (K + sigma M) q = f
 };

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "plate/solve/motion/lanczos_space.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/motion/lanczos_space.hpp"
 
 namespace plate {
 namespace {
@@ -32,18 +32,21 @@ Solved solved(const LanczosSpace& space, const std::vector<TimedLoad>& loads, bo
   if (space.size() == 0) return {{}, MovingModes({}, MatrixXd(0, Index(loads.size())), loads), 0};
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(space.stiffness());
   const VectorXd& squares = eigen.eigenvalues();
-  if (eigen.info() != Eigen::Success || !(squares[0] > 0)) throw NumericalError("Lanczos vectors: the stiffness is not positive");
+  if (eigen.info() != Eigen::Success || !(squares[0] > 0))
+    throw NumericalError("Lanczos vectors: the stiffness is not positive");
   MatrixXd shares(space.size(), Index(loads.size()));
-  for (std::size_t l = 0; l < loads.size(); ++l) shares.col(Index(l)) = space.vectors().transpose() * flat(loads[l].forces);
-  Solved result{eigen.eigenvectors(), MovingModes(squares, eigen.eigenvectors().transpose() * shares, loads), squares.tail<1>()[0]};
+  for (std::size_t l = 0; l < loads.size(); ++l)
+    shares.col(Index(l)) = space.vectors().transpose() * flat(loads[l].forces);
+  Solved result{eigen.eigenvectors(), MovingModes(squares, eigen.eigenvectors().transpose() * shares, loads),
+                squares.tail<1>()[0]};
   if (from_equilibrium) result.modes.rest();
   return result;
 }
 
 /// How much more vectors change what is wanted.
 struct Change {
-  double motion;               // in the norm of the mass, relative to the largest
-  std::vector<double> watched; // LanczosMotion::truncated()
+  double motion;                // in the norm of the mass, relative to the largest
+  std::vector<double> watched;  // LanczosMotion::truncated()
 };
 
 /// The motion in growing spaces, at some times.
@@ -62,7 +65,8 @@ public:
     }
     MatrixXd difference = found;
     difference.topRows(before_.rows()) -= before_;
-    Change result{before_.size() == 0 ? 1 : share(difference.colwise().norm().maxCoeff(), found.colwise().norm().maxCoeff()), {}};
+    Change result{
+        before_.size() == 0 ? 1 : share(difference.colwise().norm().maxCoeff(), found.colwise().norm().maxCoeff()), {}};
     before_ = std::move(found);
     result.watched = truncated(space);
     return result;
@@ -74,11 +78,15 @@ private:
   std::vector<double> truncated(const LanczosSpace& space) {
     constexpr double fewer = 0.7, safety = 4;
     Look now{space.size(), {}};
-    for (const auto& group : options_.watched) now.values.push_back(group.rows() > 0 ? MatrixXd(group * space.vectors() * before_) : MatrixXd::Zero(1, 1));
-    const auto other = std::find_if(looks_.rbegin(), looks_.rend(), [&](const Look& look) { return double(look.vectors) <= fewer * double(now.vectors); });
+    for (const auto& group : options_.watched)
+      now.values.push_back(group.rows() > 0 ? MatrixXd(group * space.vectors() * before_) : MatrixXd::Zero(1, 1));
+    const auto other = std::find_if(looks_.rbegin(), looks_.rend(), [&](const Look& look) {
+      return double(look.vectors) <= fewer * double(now.vectors);
+    });
     std::vector<double> result(options_.watched.size(), std::numeric_limits<double>::infinity());
     for (std::size_t g = 0; g < result.size() && other != looks_.rend(); ++g)
-      result[g] = safety * share((now.values[g] - other->values[g]).cwiseAbs().maxCoeff(), now.values[g].cwiseAbs().maxCoeff());
+      result[g] =
+          safety * share((now.values[g] - other->values[g]).cwiseAbs().maxCoeff(), now.values[g].cwiseAbs().maxCoeff());
     looks_.push_back(std::move(now));
     return result;
   }
@@ -113,7 +121,8 @@ Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const Lanc
         if (std::isfinite(worst) && (worst <= options.watched_tolerance || space.size() >= most)) return change;
       }
       if (std::size_t(space.size()) >= options.max_vectors)
-        throw NumericalError(std::to_string(space.size()) + " Lanczos vectors change the motion by " + std::to_string(change.motion) +
+        throw NumericalError(std::to_string(space.size()) + " Lanczos vectors change the motion by " +
+                             std::to_string(change.motion) +
                              " still, more than the tolerance: take a larger one, or steps");
     }
     space.add_after(next);
@@ -123,7 +132,8 @@ Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const Lanc
 }  // namespace
 
 LanczosMotion::LanczosMotion(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
-                             const std::vector<TimedLoad>& loads, const Preconditioner& inverse, const LanczosOptions& options)
+                             const std::vector<TimedLoad>& loads, const Preconditioner& inverse,
+                             const LanczosOptions& options)
     : duration_(options.duration), points_(Index(plate.points())), start_({}, {}, loads) {
   LanczosSpace space(plate, constraints, inertia, inverse);
   auto change = fill(space, loads, options);

@@ -9,9 +9,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-LanczosSpace::LanczosSpace(const Operator& plate, const Constraints& constraints, const Inertia& inertia, const Preconditioner& inverse)
-    : plate_(plate), constraints_(constraints), inertia_(inertia), inverse_(inverse), points_(Index(plate.points())),
-      vectors_(3 * points_, 0), forces_(3 * points_, 0) {}
+LanczosSpace::LanczosSpace(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
+                           const Preconditioner& inverse)
+    : plate_(plate),
+      constraints_(constraints),
+      inertia_(inertia),
+      inverse_(inverse),
+      points_(Index(plate.points())),
+      vectors_(3 * points_, 0),
+      forces_(3 * points_, 0) {}
 
 bool LanczosSpace::add(const Forces& load) {
   const StaticOptions options{1e-8, 10000, {}};

@@ -1,16 +1,17 @@
 #pragma once
 #include <Eigen/Dense>
 
-#include "plate/solve/motion/inertia.hpp"
-#include "plate/model/operator.hpp"
-#include "plate/solve/preconditioner.hpp"
+#include "plate/formulation/inertia.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/formulation/preconditioner.hpp"
 
 namespace plate {
 
 /// States u = P q of a held plate whose q are orthonormal with the mass. What it is made of must outlive it.
 class LanczosSpace {
 public:
-  LanczosSpace(const Operator& plate, const Constraints& constraints, const Inertia& inertia, const Preconditioner& inverse);
+  LanczosSpace(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
+               const Preconditioner& inverse);
 
   /// The answer to nodal forces at rest, as a new vector; false where it is in the space already.
   /// Throws NumericalError where conjugate gradients do not find it.

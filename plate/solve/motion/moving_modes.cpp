@@ -10,8 +10,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 MovingModes::MovingModes(VectorXd squares, MatrixXd shares, const std::vector<TimedLoad>& loads)
-    : squares_(std::move(squares)), omega_(squares_.cwiseSqrt()), shares_(std::move(shares)), loads_(&loads),
-      y_(VectorXd::Zero(squares_.size())), v_(y_) {}
+    : squares_(std::move(squares)),
+      omega_(squares_.cwiseSqrt()),
+      shares_(std::move(shares)),
+      loads_(&loads),
+      y_(VectorXd::Zero(squares_.size())),
+      v_(y_) {}
 
 void MovingModes::rest() {
   y_ = (shares_ * factors(0)).cwiseQuotient(squares_);
@@ -61,7 +65,8 @@ void MovingModes::step(double from, double to) {
     y_[i] = (load[i] + slope[i] * dt) / square + a * c + b * s;
     v_[i] = slope[i] / square + w * (b * c - a * s);
   }
-  work_ += then.dot(shares_.transpose() * y_) - now.dot(shares_.transpose() * before) - slopes.dot(shares_.transpose() * swept);
+  work_ += then.dot(shares_.transpose() * y_) - now.dot(shares_.transpose() * before) -
+           slopes.dot(shares_.transpose() * swept);
 }
 
 }  // namespace plate

@@ -8,8 +8,8 @@ namespace plate {
 /// Modes that move under loads that are straight lines in time between the points of their histories: exact.
 class MovingModes {
 public:
-  /// At rest, undeformed. `squares`: omega^2 of every mode [1/time^2]. `shares`: of the loads (columns) in the modes (rows).
-  /// `loads` must outlive this.
+  /// At rest, undeformed. `squares`: omega^2 of every mode [1/time^2]. `shares`: of the loads (columns) in the modes
+  /// (rows). `loads` must outlive this.
   MovingModes(Eigen::VectorXd squares, Eigen::MatrixXd shares, const std::vector<TimedLoad>& loads);
 
   /// At rest under the loads of time 0, which have grown slowly.

@@ -85,18 +85,6 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
 
 }  // namespace
 
-Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
-            const Constraints& constraints, double rotary) {
-  Forces result = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
-  const double translation = section.density * section.thickness;
-  const double rotation = rotary * translation * section.thickness * section.thickness / 12;
-  for (std::size_t k = 0; k < areas.size(); ++k)
-    if (active[k])
-      result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
-  constraints.fold_diagonal(result);
-  return result;
-}
-
 double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass) {
   const double bound = collatz_bound(plate, constraints, mass);
   return 2 / std::sqrt(std::min(bound, lanczos_bound(plate, constraints, mass).value_or(bound)));

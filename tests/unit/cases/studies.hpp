@@ -12,8 +12,9 @@ namespace studies {
 inline const std::string fast =
     "set = [\"analysis.method=cg\", \"output.fields=[]\", \"discretization.spacing=0.1\", "
     "\"discretization.formulation=ordinary\"]\n";
-inline const std::string cracked =
-    case_text::plain + "[srif]\nmethods = [\"displacement_extrapolation\"]\nwindow = 0.5\nnormalize = { moment = 1.0 }\nhalf_length = 0.3\n[output.probes]\n";
+inline const std::string cracked = case_text::plain +
+                                   "[srif]\nmethods = [\"displacement_extrapolation\"]\nwindow = 0.5\nnormalize = { "
+                                   "moment = 1.0 }\nhalf_length = 0.3\n[output.probes]\n";
 
 /// A study and two cases beside it: a.toml with a crack and without probes, b.toml with the probe "far" too.
 class Studies {

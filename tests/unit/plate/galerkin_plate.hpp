@@ -1,9 +1,9 @@
 #pragma once
 #include <random>
 
-#include "plate/galerkin/boundary.hpp"
+#include "plate/galerkin/family_stiffness.hpp"
 #include "plate/galerkin/operator.hpp"
-#include "plate/galerkin/stiffness.hpp"
+#include "plate/galerkin/supports.hpp"
 #include "plate/model/loads.hpp"
 
 /// Galerkin plates small enough for dense matrices.

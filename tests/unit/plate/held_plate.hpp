@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "plate/model/boundary.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 /// Plates whose sides are held, for the tests of boundaries and of what their bonds see.

@@ -3,9 +3,10 @@
 #include <random>
 
 #include "geometry/lattice/seeding.hpp"
-#include "plate/model/boundary.hpp"
 #include "plate/bonds/family_operator.hpp"
+#include "plate/bonds/parameters/horizon_parameters.hpp"
 #include "plate/bonds/parameters/position_aware.hpp"
+#include "plate/bonds/supports.hpp"
 
 /// Plates small enough for dense matrices.
 namespace small_plate {
@@ -23,8 +24,8 @@ struct Model {
 };
 
 inline plate::HorizonWeights horizon_weights(const geometry::Families& families,
-                                             const std::vector<plate::BondShape>& shapes, const plate::Boundary& boundary,
-                                             const plate::Discretization& d) {
+                                             const std::vector<plate::BondShape>& shapes,
+                                             const plate::Boundary& boundary, const plate::Discretization& d) {
   const auto& areas = boundary.cloud.areas;
   const auto kinds = plate::family_kinds(families, areas, boundary.active);
   if (d.surface_correction == plate::SurfaceCorrection::position_aware)

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 
+#include "post/files/factor_rows.hpp"
 #include "post/studies/quantity.hpp"
 #include "tests/unit/post/small_run.hpp"
 

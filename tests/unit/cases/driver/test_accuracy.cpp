@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/driver/accuracy.hpp"
+#include "cases/input/accuracy_path.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 
@@ -40,7 +41,7 @@ TEST_CASE("accuracy: the program finds the discretisation, and its factors are a
     if (!first) continue;
     CHECK(*srif.accuracy_reached == *srif.estimated_error);
     CHECK(std::abs(srif.K1 / exact - 1) < 0.001);  // measured 3e-5
-    CHECK(std::abs(srif.K2) < *srif.errors[1]);  // zero by symmetry
+    CHECK(std::abs(srif.K2) < *srif.errors[1]);    // zero by symmetry
     CHECK(std::abs(srif.K3) < *srif.errors[2]);
   }
   CHECK(summary.warnings.empty());
@@ -53,16 +54,19 @@ TEST_CASE("accuracy: the program finds the discretisation, and its factors are a
   const auto again = cases::run(cases::read_case(folder / "first/case.resolved.toml", {}), {folder / "again", true});
   CHECK(small_run::text_of(folder / "again/srif.csv") == small_run::text_of(folder / "first/srif.csv"));
   REQUIRE(again.warnings.size() == 1);  // its lengths are found, not taken
-  CHECK_THAT(again.warnings[0], Catch::Contains("srif.accuracy finds the lengths of the discretisation: spacing, tip_spacing"));
+  CHECK_THAT(again.warnings[0],
+             Catch::Contains("srif.accuracy finds the lengths of the discretisation: spacing, tip_spacing"));
 }
 
 TEST_CASE("accuracy: what ends the search before is said, and the error that was reached") {
   const small_run::TemporaryFolder folder;
-  const auto summary = cases::run(case_text::read(unmeshed(), {"srif.accuracy=1e-5", "srif.accuracy_seconds=1e-9"}), {folder.path(), true});
+  const auto summary = cases::run(case_text::read(unmeshed(), {"srif.accuracy=1e-5", "srif.accuracy_seconds=1e-9"}),
+                                  {folder.path(), true});
   CHECK(summary.accuracy->outcome == "srif.accuracy_seconds");
   CHECK_FALSE(summary.accuracy->reached);
-  CHECK_THAT(summary.warnings, Catch::VectorContains(std::string("srif.accuracy = 1e-05 not reached, estimated error unknown: ended "
-                                                                  "by srif.accuracy_seconds")));
+  CHECK_THAT(summary.warnings,
+             Catch::VectorContains(std::string("srif.accuracy = 1e-05 not reached, estimated error unknown: ended "
+                                               "by srif.accuracy_seconds")));
 }
 
 TEST_CASE("accuracy: lengths follow the sizes of the plate, its tips and holes, whatever the units") {

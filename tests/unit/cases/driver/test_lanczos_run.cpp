@@ -33,8 +33,9 @@ TEST_CASE("Lanczos vectors: the motion of small steps, row by row") {
   CHECK(*summary.analysis.iterations < 200);  // measured 72
   CHECK_FALSE(summary.analysis.time_step);
   // steps have the mass of the points, vectors that of the cells: measured 1.2e-3, 1.2e-3, 7e-4
-  for (const auto& [table, column, tolerance] :
-       {std::tuple{"history.csv", "max_abs_w", 3e-3}, {"history.csv", "strain_energy", 3e-3}, {"probes.csv", "w", 3e-3}}) {
+  for (const auto& [table, column, tolerance] : {std::tuple{"history.csv", "max_abs_w", 3e-3},
+                                                 {"history.csv", "strain_energy", 3e-3},
+                                                 {"probes.csv", "w", 3e-3}}) {
     const auto one = post::read_csv(folder / "steps" / table), other = post::read_csv(folder / "vectors" / table);
     REQUIRE(one.rows.size() == other.rows.size());
     const auto at = std::size_t(std::ranges::find(one.columns, column) - one.columns.begin());
@@ -50,7 +51,9 @@ TEST_CASE("Lanczos vectors: the motion of small steps, row by row") {
 
 TEST_CASE("Lanczos vectors: for graded points unless steps are asked for; what only one of both has is refused") {
   using enum cases::Analysis::Method;
-  const auto method = [](const std::vector<std::string>& settings) { return case_text::read(moving(), settings).content.analysis.method; };
+  const auto method = [](const std::vector<std::string>& settings) {
+    return case_text::read(moving(), settings).content.analysis.method;
+  };
   CHECK(method({}) == central_difference);
   CHECK(method({"discretization.tip_spacing=0.01"}) == lanczos);
   CHECK(method({"discretization.tip_spacing=0.01", "analysis.time_step=1e-5"}) == central_difference);
@@ -73,16 +76,19 @@ TEST_CASE("Lanczos vectors: a plate that nothing holds is refused") {
   std::string text = moving("method = \"lanczos\"\n");
   text.replace(text.find("kind = \"clamped\""), 16, "kind = \"free\"");
   const small_run::TemporaryFolder folder;
-  CHECK_THROWS_WITH(cases::run(case_text::read(text), {folder.path(), true}), Catch::Contains("needs a plate that supports hold"));
+  CHECK_THROWS_WITH(cases::run(case_text::read(text), {folder.path(), true}),
+                    Catch::Contains("needs a plate that supports hold"));
   CHECK(std::filesystem::is_empty(folder.path()));
   // graded points take steps then, where the case states nothing
   text.erase(text.find("method = \"lanczos\"\n"), 19);
-  const auto summary = cases::run(case_text::read(text, {"discretization.tip_spacing=0.04", "analysis.duration=0.01"}), {folder.path(), true});
+  const auto summary = cases::run(case_text::read(text, {"discretization.tip_spacing=0.04", "analysis.duration=0.01"}),
+                                  {folder.path(), true});
   CHECK(summary.analysis.method == "central_difference");
 }
 
 TEST_CASE("Lanczos vectors: what they leave out of the factors counts in the errors") {
-  const std::vector<std::string> settings{"analysis.method=lanczos", "output.history_every=0.02", "discretization.spacing=0.025"};
+  const std::vector<std::string> settings{"analysis.method=lanczos", "output.history_every=0.02",
+                                          "discretization.spacing=0.025"};
   const auto largest_error = [&](const std::string& tolerance) {
     const small_run::TemporaryFolder folder;
     auto all = settings;
@@ -91,7 +97,8 @@ TEST_CASE("Lanczos vectors: what they leave out of the factors counts in the err
     const auto table = post::read_csv(folder / "srif.csv");
     double result = 0;
     for (const auto& row : table.rows)
-      if (const auto* error = std::get_if<double>(&row[table.column("estimated_error_K1")])) result = std::max(result, *error);
+      if (const auto* error = std::get_if<double>(&row[table.column("estimated_error_K1")]))
+        result = std::max(result, *error);
     return result;
   };
   CHECK(largest_error("1e-2") > 1.1 * largest_error("1e-5"));
@@ -106,6 +113,7 @@ TEST_CASE("accuracy in motion: a plate that nothing holds and one that is to tak
   std::string free = moving();
   free.replace(free.find("kind = \"clamped\""), 16, "kind = \"free\"");
   const small_run::TemporaryFolder folder;
-  CHECK_THROWS_WITH(cases::run(case_text::read(free, {"srif.accuracy=0.05"}), {folder / "free", true}), Catch::Contains("supports hold"));
+  CHECK_THROWS_WITH(cases::run(case_text::read(free, {"srif.accuracy=0.05"}), {folder / "free", true}),
+                    Catch::Contains("supports hold"));
   CHECK_FALSE(std::filesystem::exists(folder / "free"));
 }

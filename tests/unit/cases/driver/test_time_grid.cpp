@@ -1,5 +1,5 @@
-#include "tests/unit/cases/case_text.hpp"
 #include "cases/driver/run.hpp"
+#include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;
 

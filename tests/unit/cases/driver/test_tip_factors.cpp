@@ -22,31 +22,44 @@ std::set<std::size_t> tips_with_factors(const post::Summary& summary) {
 
 TEST_CASE("factors: a tip without room has none and a warning, the others have theirs") {
   const small_run::TemporaryFolder folder;
-  const auto summary = cases::run(case_text::read(cracked, {"geometry.cracks=[[[-0.3, 0.0], [0.3, 0.0]], [[0.6, 0.5], [0.95, 0.5]]]", by_energy}),
-                                  {folder.path(), true});
+  const auto summary = cases::run(
+      case_text::read(cracked, {"geometry.cracks=[[[-0.3, 0.0], [0.3, 0.0]], [[0.6, 0.5], [0.95, 0.5]]]", by_energy}),
+      {folder.path(), true});
   CHECK(tips_with_factors(summary) == std::set<std::size_t>{0, 1, 2});
-  CHECK(std::ranges::count_if(summary.warnings, [](const auto& text) { return text.starts_with("tip at (0.95, 0.5): no intensity factors: "); }) == 1);
+  CHECK(std::ranges::count_if(summary.warnings, [](const auto& text) {
+          return text.starts_with("tip at (0.95, 0.5): no intensity factors: ");
+        }) == 1);
 
-  const auto of_ligament = [](const auto& text) { return text.find("what lies between is not resolved") != std::string::npos; };
+  const auto of_ligament = [](const auto& text) {
+    return text.find("what lies between is not resolved") != std::string::npos;
+  };
   CHECK(std::ranges::count_if(summary.warnings, of_ligament) == 1);
-  const auto wider = cases::run(case_text::read(cracked, {"geometry.cracks=[[[-0.3, 0.0], [0.3, 0.0]], [[0.6, 0.5], [0.85, 0.5]]]", by_energy}),
-                                {folder.path(), true});
+  const auto wider = cases::run(
+      case_text::read(cracked, {"geometry.cracks=[[[-0.3, 0.0], [0.3, 0.0]], [[0.6, 0.5], [0.85, 0.5]]]", by_energy}),
+      {folder.path(), true});
   CHECK(std::ranges::none_of(wider.warnings, of_ligament));
 
   const auto all_near = case_text::read(cracked, {"geometry.cracks=[[[-0.96, 0.5], [0.95, 0.5]]]", by_energy});
-  CHECK_THROWS_WITH(cases::run(all_near, {folder / "refused", true}), Catch::Contains("tip at (-0.96, 0.5)") && Catch::Contains("tip at (0.95, 0.5)"));
+  CHECK_THROWS_WITH(cases::run(all_near, {folder / "refused", true}),
+                    Catch::Contains("tip at (-0.96, 0.5)") && Catch::Contains("tip at (0.95, 0.5)"));
   CHECK_FALSE(std::filesystem::exists(folder / "refused"));
 }
 
 TEST_CASE("factors: bonds say that edges oblique to the lattice are stairs for them, and their errors hold it") {
   const auto run = [](const std::string& outline, const std::string& formulation) {
     const small_run::TemporaryFolder folder;
-    return cases::run(case_text::read(cracked, {"geometry.outline=" + outline, "discretization.formulation=" + formulation, "discretization.spacing=0.025"}), {folder.path(), true});
+    return cases::run(
+        case_text::read(cracked, {"geometry.outline=" + outline, "discretization.formulation=" + formulation,
+                                  "discretization.spacing=0.025"}),
+        {folder.path(), true});
   };
   const std::string square = "{ rectangle = [-1.0, -1.0, 1.0, 1.0] }";
-  const std::string skew = "{ polygon = [[-1.0, -1.0], [1.0, -0.9], [1.0, 1.0], [-1.0, 1.0]], edges = [\"bottom\", \"right\", \"top\", \"left\"] }";
+  const std::string skew =
+      "{ polygon = [[-1.0, -1.0], [1.0, -0.9], [1.0, 1.0], [-1.0, 1.0]], edges = [\"bottom\", \"right\", \"top\", "
+      "\"left\"] }";
   const auto stairs = [](const post::Summary& summary) {
-    return std::ranges::any_of(summary.warnings, [](const auto& text) { return text.find("stairs") != std::string::npos; });
+    return std::ranges::any_of(summary.warnings,
+                               [](const auto& text) { return text.find("stairs") != std::string::npos; });
   };
   const auto of_square = run(square, "ordinary"), of_skew = run(skew, "ordinary");
   CHECK_FALSE(stairs(of_square));

@@ -1,6 +1,7 @@
-#include "tests/unit/cases/case_text.hpp"
-
 #include <sstream>
+
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;
 
@@ -27,7 +28,7 @@ TEST_CASE("a plain case is read with its defaults") {
   REQUIRE(c.cracks.size() == 1);
   CHECK(c.cracks[0][1] == geometry::Point(0.3, 0));
   CHECK(c.discretization.horizon_ratio == 3.015);
-  CHECK(c.discretization.formulation == plate::Formulation::galerkin);
+  CHECK(c.discretization.formulation == &plate::galerkin);
   CHECK(c.discretization.surface_correction == plate::SurfaceCorrection::position_aware);
   REQUIRE(c.supports.size() == 1);
   CHECK(c.supports[0].kind == plate::SupportKind::clamped);
@@ -149,7 +150,7 @@ TEST_CASE("what is resolved keeps every digit, quote and form") {
 }
 
 TEST_CASE("the table of keys in the guide is the program's") {
-  const auto guide = contents(std::filesystem::path(PDPLATE_SOURCE_DIR) / "cases" / "README.md");
+  const auto guide = contents(std::filesystem::path(PDPLATE_SOURCE_DIR) / "cases" / "keys.md");
   CHECK_THAT(guide, Catch::Contains(cases::key_table_markdown()));
 }
 

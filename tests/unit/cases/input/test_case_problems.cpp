@@ -1,3 +1,4 @@
+#include "plate/galerkin/galerkin_plate.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;
@@ -55,27 +56,32 @@ TEST_CASE("growth: what it needs, and what it cannot do") {
          "growth needs an energy release rate");
   expect(growth + "fracture_energy = 1\n[srif]\nsecond_formulation = true\n", ":21", "srif.second_formulation",
          "is not available with [growth]");
-  const auto motion = with_line(growth + "fracture_energy = 1\n", 17, "kind = \"dynamic\"\nduration = 1");  // growth at 19
-  expect(motion, "--set discretization.formulation", "discretization.formulation", "growth in motion severs bonds over a horizon",
-         {"section.density=1", "discretization.formulation=galerkin"});
+  const auto motion =
+      with_line(growth + "fracture_energy = 1\n", 17, "kind = \"dynamic\"\nduration = 1");  // growth at 19
+  expect(motion, "--set discretization.formulation", "discretization.formulation",
+         "growth in motion severs bonds over a horizon", {"section.density=1", "discretization.formulation=galerkin"});
   expect(motion + "control = \"load\"\n", ":21", "growth.control", "is used in statics only", {"section.density=1"});
 }
 
 TEST_CASE("growth by single bonds: what it needs, and what it cannot do") {
   const std::string bonds = plain + "[growth]\ncriterion = \"bond_energy\"\n";  // line 18
   expect(bonds, ":18", "growth.fracture_energy", "is missing");
-  expect(bonds + "fracture_energy = 1\ndirection = \"straight\"\n", ":21", "growth.direction", "bonds break where they fail");
-  expect(bonds + "fracture_energy = 1\ncritical_shear = 1\n", ":21", "growth.critical_shear", "of criterion = \"curvature_shear\"");
-  expect(bonds + "fracture_energy = 1\n", "--set analysis.method", "analysis.method", "breaking bonds takes a solution for each",
-         {"analysis.method=direct"});
-  expect(bonds + "fracture_energy = 1\n", "--set analysis.preconditioner", "analysis.preconditioner", "one of their own",
-         {"analysis.preconditioner=local"});
-  expect(bonds + "fracture_energy = 1\nmax_length = 0.6\n", ":21", "growth.max_length", "must be larger than the 0.6 of geometry.cracks");
+  expect(bonds + "fracture_energy = 1\ndirection = \"straight\"\n", ":21", "growth.direction",
+         "bonds break where they fail");
+  expect(bonds + "fracture_energy = 1\ncritical_shear = 1\n", ":21", "growth.critical_shear",
+         "of criterion = \"curvature_shear\"");
+  expect(bonds + "fracture_energy = 1\n", "--set analysis.method", "analysis.method",
+         "breaking bonds takes a solution for each", {"analysis.method=direct"});
+  expect(bonds + "fracture_energy = 1\n", "--set analysis.preconditioner", "analysis.preconditioner",
+         "one of their own", {"analysis.preconditioner=local"});
+  expect(bonds + "fracture_energy = 1\nmax_length = 0.6\n", ":21", "growth.max_length",
+         "must be larger than the 0.6 of geometry.cracks");
   expect(bonds + "fracture_energy = 1\n", "--set discretization.formulation", "discretization.formulation",
          "bonds that break one by one are bonds over a horizon", {"discretization.formulation=galerkin"});
-  expect(bonds + "fracture_energy = 1\nunstable = \"move\"\nduration = 1\n", ":21", "growth.unstable", "cannot be handed over",
-         {"section.density=1"});
-  expect(plain + "[growth]\nfracture_energy = 1\napparent_toughness = 1.1\n", ":20", "growth.apparent_toughness", "of criteria for bonds");
+  expect(bonds + "fracture_energy = 1\nunstable = \"move\"\nduration = 1\n", ":21", "growth.unstable",
+         "cannot be handed over", {"section.density=1"});
+  expect(plain + "[growth]\nfracture_energy = 1\napparent_toughness = 1.1\n", ":20", "growth.apparent_toughness",
+         "of criteria for bonds");
   // limits in place of the fracture energy; no crack is needed where bonds break one by one
   CHECK(read(with_line(plain, 7, "") + "[growth]\ncriterion = \"curvature_shear\"\ncritical_curvature = 2\n")
             .content.growth->critical_curvature == 2);
@@ -85,22 +91,26 @@ TEST_CASE("growth that goes over into motion needs what motion needs") {
   const std::string moves = plain + "[growth]\nfracture_energy = 1\nunstable = \"move\"\n";  // line 18
   expect(moves, ":18", "growth.duration", "is missing", {"section.density=1"});
   expect(moves + "duration = 1\n", ":1", "section.density", "the plate may begin to move");
-  expect(moves + "duration = 1\ncontrol = \"displacement\"\n", ":22", "growth.control", "must be \"load\"", {"section.density=1"});
-  expect(plain + "[growth]\nfracture_energy = 1\nduration = 1\n", ":20", "growth.duration", "is of unstable = \"move\"");
+  expect(moves + "duration = 1\ncontrol = \"displacement\"\n", ":22", "growth.control", "must be \"load\"",
+         {"section.density=1"});
+  expect(plain + "[growth]\nfracture_energy = 1\nduration = 1\n", ":20", "growth.duration",
+         "is of unstable = \"move\"");
 }
 
 TEST_CASE("what the Galerkin plate has not is refused with the reason, and what it needs not may stay") {
   const auto galerkin = [](const std::string& line) {
     return with_line(plain, 9, "spacing = 0.05\nformulation = \"galerkin\"\n" + line);
   };
-  CHECK(read(galerkin("surface_correction = \"position_aware\"\nhorizon_ratio = 3.015")).content.discretization.formulation ==
-        plate::Formulation::galerkin);
-  expect(galerkin("surface_correction = \"none\""), ":11", "discretization.surface_correction", "nothing is to be corrected");
+  CHECK(read(galerkin("surface_correction = \"position_aware\"\nhorizon_ratio = 3.015"))
+            .content.discretization.formulation == &plate::galerkin);
+  expect(galerkin("surface_correction = \"none\""), ":11", "discretization.surface_correction",
+         "nothing is to be corrected");
   expect(galerkin("influence = \"constant\""), ":11", "discretization.influence", "points of the cells");
   expect(galerkin("twist_match = \"paper\""), ":11", "discretization.twist_match", "need no calibration");
   expect(with_line(plain, 9, "spacing = 0.05\nformulation = \"ordinary\"\ntip_spacing = 0.01"), ":11",
          "discretization.tip_spacing", "with formulation = galerkin only");
-  expect(with_line(galerkin(""), 13, "kind = \"clamped_layer\""), ":13", "support[0].kind", "whose points lie on the edges");
+  expect(with_line(galerkin(""), 13, "kind = \"clamped_layer\""), ":13", "support[0].kind",
+         "whose points lie on the edges");
   expect(galerkin("") + "\n", "--set analysis.preconditioner", "analysis.preconditioner", "formulation = \"ordinary\"",
          {"analysis.preconditioner=\"two_level\""});
   expect(plain, "--set analysis.preconditioner", "analysis.preconditioner", "formulation = \"galerkin\"",
@@ -167,113 +177,6 @@ TEST_CASE("keys of the other kind of analysis are refused") {
   expect(dynamic, "--set load[0].history", "load[0].history", "did you mean 'step'?", {"load[0].history=stop"});
   expect(dynamic, "--set analysis.time_step", "analysis.time_step", "\"auto\" or a number > 0",
          {"analysis.time_step=0"});
-}
-
-TEST_CASE("supports are checked against the plate") {
-  const auto support = [](const std::string& lines) { return plain + "[[support]]\n" + lines + "\n"; };
-  expect(with_line(plain, 12, "edges = [\"lefd\"]"), ":12", "support[0].edges", "did you mean 'left'?");
-  expect(with_line(plain, 12, "edges = [\"lefd\"]"), ":12", "support[0].edges", "its edges:");
-  expect(with_line(plain, 11, "kind = \"clampd\""), ":11", "support[0].kind", "did you mean 'clamped'?");
-  expect(with_line(plain, 12, "edges = []"), ":12", "support[0].edges", "at least one");
-  expect(with_line(plain, 12, "edges = [\"left\", \"left\"]"), ":12", "support[0].edges", "named twice");
-  expect(support("kind = \"free\"\nedges = [\"top\", \"left\"]"), ":20", "support[1].edges",
-         "already held by support[0]");
-  expect(support("kind = \"pinned\"\nedges = [\"top\"]\npoints = [[0, 0.5]]"), ":20", "support[1].edges",
-         "other than pinned only");
-  expect(support("kind = \"free\"\nedges = [\"top\"]\npoints = [[0, 0.5]]"), ":21", "support[1].points",
-         "kind = pinned only");
-  expect(support("kind = \"pinned\"\npoints = [[1, 1], [2, 0]]"), ":20", "support[1].points", "[2, 0] given");
-  CHECK(problems(support("kind = \"pinned\"\npoints = [[1, 1], [0, 0.5]]")).empty());
-}
-
-TEST_CASE("supports that mirror need edges parallel to the axes, with bonds") {
-  const std::vector<std::string> bonds{"discretization.formulation=ordinary"};
-  const std::string slanted = with_line(
-      with_line(plain, 6, "outline = { polygon = [[-1, -1], [1, -1], [1, 1], [-0.9, 1]] }"), 12, "edges = [\"edge3\"]");
-  CHECK(problems(slanted).empty());
-  for (const char* kind : {"symmetry", "simply_supported_hard", "clamped_layer", "simply_supported_layer",
-                           "simply_supported_hard_layer"}) {
-    expect(with_line(slanted, 11, "kind = \"" + std::string(kind) + "\""), ":12", "support[0].edges",
-           "parallel to x or y", bonds);
-    CHECK(problems(with_line(plain, 11, "kind = \"" + std::string(kind) + "\""), bonds).empty());
-  }
-  const std::string holed =
-      with_line(with_line(plain, 6, "outline = { rectangle = [-1, -1, 1, 1] }\nholes = [{ circle = [0.5, 0.5, 0.1] }]"),
-                13, "edges = [\"hole0\"]");
-  CHECK(problems(holed).empty());
-  expect(with_line(holed, 12, "kind = \"symmetry\""), ":13", "support[0].edges", "parallel to x or y", bonds);
-  CHECK(problems(with_line(holed, 12, "kind = \"symmetry\"")).empty());  // the Galerkin plate
-}
-
-TEST_CASE("loads are checked against the plate and against themselves") {
-  const auto load = [](const std::string& lines) { return plain + "[[load]]\n" + lines + "\n"; };
-  expect(with_line(with_line(with_line(plain, 13, ""), 14, ""), 15, ""), "", "load", "nothing loads the plate");
-  expect(load("kind = \"edge_shear\"\nvalue = 1"), ":18", "load[1].edges", "is missing");
-  expect(load("kind = \"edge_shear\"\nvalue = 1\nedges = [\"tob\"]"), ":21", "load[1].edges", "did you mean 'top'?");
-  expect(load("kind = \"pressure\"\nvalue = 1\nedges = [\"top\"]"), ":21", "load[1].edges",
-         "kind = edge_moment or edge_shear only");
-  expect(load("kind = \"presure\"\nvalue = 1"), ":19", "load[1].kind", "did you mean 'pressure'?");
-  expect(load("kind = \"point_force\"\nvalue = 1"), ":18", "load[1].position", "is missing");
-  expect(load("kind = \"point_force\"\nvalue = 1\nposition = [1, 0]"), ":21", "load[1].position",
-         "[1, 0] given, must lie inside");
-  expect(load("kind = \"edge_shear\"\nvalue = 1\nedges = [\"top\"]\ntwist = 1"), ":22", "load[1].twist",
-         "kind = edge_moment only");
-  expect(load("kind = \"edge_moment\"\nvalue = 1\nedges = [\"top\"]\ntensor = [1, 2, 3]"), ":20", "load[1].value",
-         "beside 'tensor'");
-  expect(load("kind = \"edge_moment\"\nedges = [\"top\"]\ntensor = [1, 2]"), ":21", "load[1].tensor",
-         "[Mxx, Myy, Mxy]");
-  CHECK(problems(load("kind = \"edge_moment\"\nedges = [\"top\"]\ntensor = [1, 2, 3]")).empty());
-}
-
-TEST_CASE("shapes and cracks are checked") {
-  const auto outline = [](const std::string& line) { return with_line(plain, 6, line); };
-  expect(outline("outline = { rectangle = [1, -1, -1, 1] }"), ":6", "geometry.outline.rectangle", "xmin < xmax");
-  expect(outline("outline = { rectangle = [-1, -1, 1] }"), ":6", "geometry.outline.rectangle",
-         "[xmin, ymin, xmax, ymax]");
-  expect(outline("outline = { edges = [\"a\"] }"), ":6", "geometry.outline", "either { rectangle");
-  expect(outline("outline = { rectangle = [-1, -1, 1, 1], edges = [\"a\"] }"), ":6", "geometry.outline.edges",
-         "with a polygon only");
-  expect(outline("outline = { polygon = [[-1, -1], [1, -1], [1, 1]], edges = [\"left\"] }"), ":6",
-         "geometry.outline.edges", "1 names given, must be one for each of the 3 edges");
-  expect(outline("outline = { rectangle = [-1, -1, 1, 1] }\nholes = [{ circle = [0, 0.5, -0.1] }]"), ":7",
-         "geometry.holes[0]", "");
-  expect(outline("outline = { rectangle = [-1, -1, 1, 1] }\nholes = [{ }]"), ":7", "geometry.holes[0]",
-         "either { circle");
-  const auto outside = problems(with_line(plain, 7, "cracks = [\n[[0, 0], [0, 0.1]],\n[[5, 0], [6, 0]]]"));
-  REQUIRE_FALSE(outside.empty());
-  for (const auto& problem : outside) {
-    CHECK(problem.place == ":9");
-    CHECK(problem.key == "geometry.cracks[1]");
-  }
-  expect(with_line(plain, 7, "cracks = [[[0, 0, 1]]]"), ":7", "geometry.cracks[0]", "[[x, y], ...]");
-  expect(outline("outline = { polygon = [] }"), ":6", "geometry.outline.polygon", "at least three points");
-  expect(with_line(plain, 7, "cracks = [[]]"), ":7", "geometry.cracks[0]", "");
-  expect(with_line(plain, 7, "cracks = [[[0, 0]]]"), ":7", "geometry.cracks[0]", "");
-  expect(with_line(plain, 7, "cracks = 3"), ":7", "geometry.cracks", "a list of polylines");
-  const auto clockwise = problems(
-      outline("outline = { polygon = [[-1, -1], [-1, 1], [1, 1], [1, -1]], edges = [\"left\", \"b\", \"c\", \"d\"] }"));
-  REQUIRE(clockwise.size() == 1);
-  CHECK(clockwise[0].key == "geometry.outline");
-}
-
-TEST_CASE("intensity factors need tips and a whole normalisation") {
-  const auto srif = [](const std::string& lines) { return plain + "[srif]\n" + lines + "\n"; };
-  CHECK(problems(srif("")).empty());
-  expect(with_line(srif(""), 7, ""), ":18", "srif", "no crack tip");
-  expect(srif("normalize = { moment = 1 }"), ":18", "srif.half_length", "is missing");
-  expect(srif("half_length = 1"), ":19", "srif.half_length", "with normalize only");
-  expect(srif("normalize = { pressure = 1 }\nhalf_length = 1"), ":19", "srif.normalize", "either { pressure");
-  expect(srif("normalize = { pressure = 1, width = 1, moment = 1 }\nhalf_length = 1"), ":19", "srif.normalize",
-         "either { pressure");
-  expect(srif("rows = 3"), ":19", "srif.rows", "an integer in [1, 2]");
-  expect(srif("window = 0.1\nwindow_horizons = 2"), ":20", "srif.window_horizons", "beside 'window'");
-}
-
-TEST_CASE("output is checked") {
-  const auto output = [](const std::string& lines) { return plain + "[output]\n" + lines + "\n"; };
-  expect(output("fields = [\"vtk\", \"hdf\"]"), ":19", "output.fields", "did you mean 'hdf5'?");
-  expect(output("probes = { far = [3, 0] }"), ":19", "output.probes.far", "[3, 0] given");
-  expect(output("probes = { far = 3 }"), ":19", "output.probes.far", "[x, y]");
 }
 
 TEST_CASE("all problems of a file are reported together, in the order of its lines") {

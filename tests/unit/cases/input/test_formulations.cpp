@@ -4,11 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/driver/run.hpp"
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using namespace case_text;
-using plate::Formulation;
 
 namespace {
 
@@ -71,15 +72,16 @@ std::vector<std::string> with(std::vector<std::string> settings, const std::stri
 }
 
 /// Is the case for this, for this reason, and its resolved form for the same?
-void check(const std::vector<std::string>& settings, Formulation formulation, const std::string& reason) {
+void check(const std::vector<std::string>& settings, const plate::FormulationKind& formulation,
+           const std::string& reason) {
   CAPTURE(settings, problems(plain, settings).size());
   const auto c = read(plain, settings).content;
-  CHECK(c.discretization.formulation == formulation);
+  CHECK(c.discretization.formulation == &formulation);
   CHECK(c.formulation_reason == reason);
   const auto resolved = cases::resolved_toml(c);
-  CHECK_THAT(resolved, Catch::Contains("formulation = \"" + cases::formulation_name(formulation) + "\""));
+  CHECK_THAT(resolved, Catch::Contains("formulation = \"" + formulation.name + "\""));
   const auto again = read(resolved).content;
-  CHECK(again.discretization.formulation == formulation);
+  CHECK(again.discretization.formulation == &formulation);
   CHECK(again.formulation_reason == "as the case says");
   CHECK(cases::resolved_toml(again) == resolved);
 }
@@ -88,15 +90,15 @@ void check(const std::vector<std::string>& settings, Formulation formulation, co
 
 TEST_CASE("auto: bonds where the case asks for what only they have, else the Galerkin plate; the reason says it") {
   for (const auto& asked : all_asked()) {
-    check(asked.settings, Formulation::ordinary, "auto: the case asks for " + asked.of);
-    check(with(asked.settings, "discretization.formulation=auto"), Formulation::ordinary,
+    check(asked.settings, plate::ordinary, "auto: the case asks for " + asked.of);
+    check(with(asked.settings, "discretization.formulation=auto"), plate::ordinary,
           "auto: the case asks for " + asked.of);
-    check(with(asked.settings, "discretization.formulation=ordinary"), Formulation::ordinary, "as the case says");
+    check(with(asked.settings, "discretization.formulation=ordinary"), plate::ordinary, "as the case says");
   }
   for (const auto& settings : nothing_asked) {
-    check(settings, Formulation::galerkin, "auto: nothing asks for bonds");
-    check(with(settings, "discretization.formulation=auto"), Formulation::galerkin, "auto: nothing asks for bonds");
-    check(with(settings, "discretization.formulation=galerkin"), Formulation::galerkin, "as the case says");
+    check(settings, plate::galerkin, "auto: nothing asks for bonds");
+    check(with(settings, "discretization.formulation=auto"), plate::galerkin, "auto: nothing asks for bonds");
+    check(with(settings, "discretization.formulation=galerkin"), plate::galerkin, "as the case says");
   }
 }
 
@@ -110,11 +112,11 @@ TEST_CASE("auto: what it takes bonds for is what the Galerkin plate refuses, or 
 
 TEST_CASE("auto: by a line of the file as by an override") {
   const auto c = read(with_line(plain, 9, "spacing = 0.05\nsurface_correction = \"position_aware\"")).content;
-  CHECK(c.discretization.formulation == Formulation::ordinary);
+  CHECK(c.discretization.formulation == &plate::ordinary);
   CHECK(c.formulation_reason == "auto: the case asks for surface_correction");
   const auto stated = with_line(plain, 9, "spacing = 0.05\nhorizon_ratio = 4\nformulation = \"galerkin\"");
-  CHECK(read(stated).content.discretization.formulation == Formulation::galerkin);
-  CHECK(read(stated, {"discretization.formulation=auto"}).content.discretization.formulation == Formulation::ordinary);
+  CHECK(read(stated).content.discretization.formulation == &plate::galerkin);
+  CHECK(read(stated, {"discretization.formulation=auto"}).content.discretization.formulation == &plate::ordinary);
 }
 
 TEST_CASE("auto: what asks for both formulations is refused") {

@@ -95,14 +95,14 @@ TEST_CASE("a reference is a number, the finest run or a curve, and one of them")
 
 TEST_CASE("the finest run is the reference of the others, and orders follow from them") {
   const Studies studies;
-  const auto study =
-      studies.read("case = \"b.toml\"\nset = [\"analysis.method=cg\", \"output.fields=[]\", \"srif.window=0.6\", "
-                   "\"discretization.formulation=ordinary\"]\n" +
-                   short_axis("thickness", "section.thickness", "[0.1, 0.3]") +
-                   short_axis("spacing", "discretization.spacing", "[0.2, 0.1, 0.05]") +
-                   reference("quantity = \"w\"\nprobe = \"far\"\nfinest = true") +
-                   reference("quantity = \"K1\"\ntip = 0\nmethod = \"displacement_extrapolation\"\nfinest = true") +
-                   reference("quantity = \"K1\"\ntip = 0\nmethod = \"guesswork\"\nfinest = true"));
+  const auto study = studies.read(
+      "case = \"b.toml\"\nset = [\"analysis.method=cg\", \"output.fields=[]\", \"srif.window=0.6\", "
+      "\"discretization.formulation=ordinary\"]\n" +
+      short_axis("thickness", "section.thickness", "[0.1, 0.3]") +
+      short_axis("spacing", "discretization.spacing", "[0.2, 0.1, 0.05]") +
+      reference("quantity = \"w\"\nprobe = \"far\"\nfinest = true") +
+      reference("quantity = \"K1\"\ntip = 0\nmethod = \"displacement_extrapolation\"\nfinest = true") +
+      reference("quantity = \"K1\"\ntip = 0\nmethod = \"guesswork\"\nfinest = true"));
   const auto outcome = cases::run_study(study, {studies.out(), true});
   CHECK(outcome.wrong_cases + outcome.failed_numbers == 0);
   const auto table = post::read_csv(studies.out() / "study.csv");

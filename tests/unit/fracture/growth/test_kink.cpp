@@ -18,7 +18,8 @@ TEST_CASE("kink: straight on in mode 1, 70.5 degrees in mode 2, away from the si
     CHECK(kink_angle({1, 0, 5}, direction, section) == 0);
     CHECK(kink_angle({0, 0, 0}, direction, section) == 0);
   }
-  CHECK(kink_angle({1e-12, 1, 0}, Direction::tangential_moment, section) == Approx(-std::acos(1.0 / 3)));  // -70.53 degrees
+  CHECK(kink_angle({1e-12, 1, 0}, Direction::tangential_moment, section) ==
+        Approx(-std::acos(1.0 / 3)));  // -70.53 degrees
   CHECK(kink_angle({1, 0.3, 0}, Direction::straight, section) == 0);
   CHECK(kink_angle({1, -0.3, 0}, Direction::tangential_moment, section) ==
         Approx(-kink_angle({1, 0.3, 0}, Direction::tangential_moment, section)));

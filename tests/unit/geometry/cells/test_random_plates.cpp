@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "geometry/shape/predicates.hpp"
 #include "geometry/cells/tessellation.hpp"
+#include "geometry/shape/predicates.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 
 using namespace geometry;

@@ -18,7 +18,8 @@ Tip tip(std::size_t crack, const Polyline& vertices, bool at_back) {
 TEST_CASE("obstacle ahead: the first of edges, holes and cracks, its own crack too, within reach only") {
   auto outline = rectangle(-1, -1, 1, 1);
   outline.holes.push_back(Circle{{0.5, 0.1}, 0.2, "hole0"});
-  const std::vector<Polyline> cracks{{{-0.5, 0}, {-0.2, 0}}, {{-0.4, -0.6}, {-0.4, -0.2}}, {{-0.6, 0.2}, {-0.6, 0.5}, {-0.3, 0.5}}};
+  const std::vector<Polyline> cracks{
+      {{-0.5, 0}, {-0.2, 0}}, {{-0.4, -0.6}, {-0.4, -0.2}}, {{-0.6, 0.2}, {-0.6, 0.5}, {-0.3, 0.5}}};
   const Tip right = tip(0, cracks[0], true), left = tip(0, cracks[0], false);
 
   const auto hole = obstacle_ahead(outline, cracks, right, right.direction, 2);

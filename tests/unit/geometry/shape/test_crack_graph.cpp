@@ -8,7 +8,9 @@ using namespace geometry;
 namespace {
 
 /// A plate of 20 x 20 cells.
-bool inside(const CrackGraph::Corner& corner) { return corner[0] > 0 && corner[0] < 20 && corner[1] > 0 && corner[1] < 20; }
+bool inside(const CrackGraph::Corner& corner) {
+  return corner[0] > 0 && corner[0] < 20 && corner[1] > 0 && corner[1] < 20;
+}
 
 /// Parts all neighbours that a straight crack severs.
 void cut(CrackGraph& graph, const Point& from, const Point& to, double time) {
@@ -75,8 +77,10 @@ TEST_CASE("crack graph: short spurs and single sides are no cracks; a closed cra
   CHECK(graph.lines(inside, 1).size() == 4);
 
   CrackGraph closed;
-  for (const auto& [from, to] : {std::pair{Point(5.5, 4.5), Point(5.5, 5.5)}, {Point(5.5, 6.5), Point(5.5, 5.5)},
-                                 {Point(4.5, 5.5), Point(5.5, 5.5)}, {Point(6.5, 5.5), Point(5.5, 5.5)}})
+  for (const auto& [from, to] : {std::pair{Point(5.5, 4.5), Point(5.5, 5.5)},
+                                 {Point(5.5, 6.5), Point(5.5, 5.5)},
+                                 {Point(4.5, 5.5), Point(5.5, 5.5)},
+                                 {Point(6.5, 5.5), Point(5.5, 5.5)}})
     closed.part(from, to, 0);
   const auto lines = closed.lines(inside);
   REQUIRE(lines.size() == 1);

@@ -35,7 +35,8 @@ TEST_CASE("internal force is minus the derivative of the energy") {
     State plus = u, minus = u;
     plate::at_dof(plus, std::size_t(n)) += 1;  // any step: the energy is quadratic
     plate::at_dof(minus, std::size_t(n)) -= 1;
-    worst = std::max(worst, std::abs(plate::at_dof(force, std::size_t(n)) + (energy(m.plate, plus) - energy(m.plate, minus)) / 2));
+    worst = std::max(
+        worst, std::abs(plate::at_dof(force, std::size_t(n)) + (energy(m.plate, plus) - energy(m.plate, minus)) / 2));
   }
   CHECK(force.cwiseAbs().maxCoeff() > 1);
   CHECK(worst < 1e-11 * force.cwiseAbs().maxCoeff());  // measured: 2e-15

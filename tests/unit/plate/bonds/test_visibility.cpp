@@ -89,8 +89,7 @@ TEST_CASE("sees: inside a mirrored rectangle every point has its full family") {
   auto d = small_plate::spaced(1);
   const auto m = small_plate::model(geometry::rectangle(0, 0, 8, 7), {all_round(SupportKind::clamped)}, d);
   const auto& families = m.plate.families();
-  for (std::size_t k = 0; k < m.boundary.cloud.plate_points; ++k)
-    CHECK(families[k].size() == 28);
+  for (std::size_t k = 0; k < m.boundary.cloud.plate_points; ++k) CHECK(families[k].size() == 28);
 }
 
 TEST_CASE("any_image asks for the bond and its reflections") {

@@ -2,7 +2,7 @@
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 
-#include "plate/model/resultants.hpp"
+#include "plate/galerkin/resultants.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 
 using namespace plate;

@@ -16,7 +16,8 @@ Srif factors(const std::string& method, double K1, double K2, double K3) {
 }
 
 /// K of both integrals with errors that go with size^2, of their own size and sign.
-AccuracyStep step(double size, const Eigen::Vector3d& K, const Eigen::Vector3d& domain, const Eigen::Vector3d& extension) {
+AccuracyStep step(double size, const Eigen::Vector3d& K, const Eigen::Vector3d& domain,
+                  const Eigen::Vector3d& extension) {
   AccuracyStep result;
   result.size = size;
   const Eigen::Vector3d D = K + size * size * domain, V = K + size * size * extension;
@@ -25,7 +26,8 @@ AccuracyStep step(double size, const Eigen::Vector3d& K, const Eigen::Vector3d& 
   return result;
 }
 
-std::vector<AccuracyStep> path(std::initializer_list<double> sizes, const Eigen::Vector3d& domain, const Eigen::Vector3d& extension) {
+std::vector<AccuracyStep> path(std::initializer_list<double> sizes, const Eigen::Vector3d& domain,
+                               const Eigen::Vector3d& extension) {
   std::vector<AccuracyStep> result;
   for (const double size : sizes) result.push_back(step(size, {2, -0.5, 3}, domain, extension));
   return result;
@@ -50,7 +52,8 @@ TEST_CASE("accuracy: factors whose errors go with the square of the lengths are 
 TEST_CASE("accuracy: errors of the first order are within the estimate though the result takes them for second") {
   std::vector<AccuracyStep> path;
   for (const double size : {1.0, 0.7071, 0.5, 0.3536}) {
-    path.push_back(step(1, {2, -0.5, 3}, size * Eigen::Vector3d(-0.1, 0.03, 0.3), size * Eigen::Vector3d(0.08, 0.02, 0.3)));
+    path.push_back(
+        step(1, {2, -0.5, 3}, size * Eigen::Vector3d(-0.1, 0.03, 0.3), size * Eigen::Vector3d(0.08, 0.02, 0.3)));
     path.back().size = size;
   }
   const auto found = refined(path, h).at(0).at(0);

@@ -22,7 +22,7 @@ struct Factors {
   double K1, K2, K3;
 };
 
-/// The asymptotic field of a tip (Dai et al. 2021, Eq. 39) in the tip's axes: w, theta_x', theta_y'.
+/// The asymptotic field of a tip (Dai 39) in the tip's axes: w, theta_x', theta_y'.
 Eigen::Vector3d asymptotic(const Factors& K, double r, double angle) {
   const double E = section.young, nu = section.poisson, h = section.thickness;
   const double root = std::sqrt(r / 2), c = std::cos(angle), ch = std::cos(angle / 2), sh = std::sin(angle / 2);
@@ -50,7 +50,7 @@ Scene scene(double degrees, const Point& middle = {60, 60}) {
   return s;
 }
 
-/// Eq. 39 about one tip at all points, in the plate's axes. Points on the crack lie where (e, e^2) moves them.
+/// Dai 39 about one tip at all points, in the plate's axes. Points on the crack lie where (e, e^2) moves them.
 plate::State field(const Scene& s, const Tip& tip, const Factors& K) {
   const Point ahead = tip.direction, left(-ahead.y(), ahead.x());
   plate::State state(3, Eigen::Index(s.positions.size()));
@@ -64,7 +64,8 @@ plate::State field(const Scene& s, const Tip& tip, const Factors& K) {
 }
 
 Srif recovered(const Scene& s, const Tip& tip, const Factors& K, const SrifOptions& options) {
-  const DisplacementExtrapolation extrapolation(s.positions, s.path, tip, {section, 1, 3}, paper_fit({section, 1, 3}, options));
+  const DisplacementExtrapolation extrapolation(s.positions, s.path, tip, {section, 1, 3},
+                                                paper_fit({section, 1, 3}, options));
   return extrapolation(field(s, tip, K));
 }
 
@@ -79,7 +80,7 @@ TEST_CASE("K of the exact asymptotic field, cracks along the lattice, both tips"
     CAPTURE(degrees, tip.at_back);
     const Srif found = recovered(s, tip, {2, -3, 0.5}, options);
     CHECK(found.samples == 6);
-    // Eq. 39 half a spacing off the crack, over two horizons. Measured: K1 -0.5 %, K2 +13.6 %, K3 +5.3 %
+    // Dai 39 half a spacing off the crack, over two horizons. Measured: K1 -0.5 %, K2 +13.6 %, K3 +5.3 %
     CHECK(found.K1 == Approx(2).epsilon(0.02));
     CHECK(found.K2 == Approx(-3).epsilon(0.16));
     CHECK(found.K3 == Approx(0.5).epsilon(0.08));
@@ -127,7 +128,7 @@ TEST_CASE("each mode is seen alone") {
     const Srif one = recovered(s, tip, {1, 0, 0}, {}), two = recovered(s, tip, {0, 1, 0}, {}),
                three = recovered(s, tip, {0, 0, 1}, {});
     CHECK(std::abs(one.K2) + std::abs(one.K3) < 1e-12);  // measured: 0
-    // the lever that carries w to the crack finds no w that goes with the rotations of Eq. 39
+    // the lever that carries w to the crack finds no w that goes with the rotations of Dai 39
     CHECK(std::abs(two.K1) + std::abs(two.K3) * section.thickness < 0.1);  // measured: 0.025
     CHECK(std::abs(three.K1) + std::abs(three.K2) < 1e-12);                // measured: 0
     CHECK(one.K1 > 0.9);
@@ -137,7 +138,7 @@ TEST_CASE("each mode is seen alone") {
 }
 
 TEST_CASE("a jump that grows with the square root exactly gives K exactly") {
-  // Eq. 40 at all points of each side: K(r) is constant
+  // Dai 40 at all points of each side: K(r) is constant
   const Scene s = scene(0);
   const Tip& tip = s.tips.at(1);
   const double E = section.young, h = section.thickness, nu = section.poisson;
@@ -150,7 +151,8 @@ TEST_CASE("a jump that grows with the square root exactly gives K exactly") {
   }
   SrifOptions options;
   options.rows = GENERATE(1, 2);
-  const Srif found = DisplacementExtrapolation(s.positions, s.path, tip, {section, 1, 3}, paper_fit({section, 1, 3}, options))(state);
+  const Srif found =
+      DisplacementExtrapolation(s.positions, s.path, tip, {section, 1, 3}, paper_fit({section, 1, 3}, options))(state);
   CHECK(found.K1 == Approx(2).epsilon(1e-12));   // measured: 4e-16
   CHECK(found.K2 == Approx(-3).epsilon(1e-12));  // measured: 1e-16
   CHECK(found.K3 == Approx(7).epsilon(1e-12));   // measured: 8e-16
@@ -165,7 +167,9 @@ TEST_CASE("a window with one sample, or no points beside the crack, is refused")
   SrifOptions skipping;
   skipping.skip = 5;
   CHECK_THROWS_AS(recovered(s, s.tips[0], {1, 0, 0}, skipping), std::invalid_argument);
-  const auto nothing = [&] { DisplacementExtrapolation({{500, 500}}, s.path, s.tips[0], {section, 1, 3}, paper_fit({section, 1, 3}, {})); };
+  const auto nothing = [&] {
+    DisplacementExtrapolation({{500, 500}}, s.path, s.tips[0], {section, 1, 3}, paper_fit({section, 1, 3}, {}));
+  };
   CHECK_THROWS_AS(nothing(), std::invalid_argument);
 }
 

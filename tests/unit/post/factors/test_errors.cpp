@@ -19,7 +19,8 @@ Srif by_energy(const std::string& method, double K1, double K2, double K3, doubl
 }
 
 /// With their estimates, and marked.
-std::vector<Srif> estimated(std::vector<Srif> found, const std::vector<FitSrif>& fits, std::vector<double> largest = {}) {
+std::vector<Srif> estimated(std::vector<Srif> found, const std::vector<FitSrif>& fits,
+                            std::vector<double> largest = {}) {
   estimate_errors(found, fits, section, shares);
   mark_lost(found, section.thickness, largest);
   return found;
@@ -29,7 +30,8 @@ std::vector<Srif> estimated(std::vector<Srif> found, const std::vector<FitSrif>&
 
 TEST_CASE("where all methods agree the errors are the least ones") {
   const std::vector<FitSrif> fits{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}};
-  const auto found = estimated({by_energy("domain_integral", 1, 0.2, 3), by_energy("virtual_crack_extension", 1, 0.2, 3)}, fits);
+  const auto found =
+      estimated({by_energy("domain_integral", 1, 0.2, 3), by_energy("virtual_crack_extension", 1, 0.2, 3)}, fits);
   const double e3 = (0.001 + 0.04 / 64) / 0.1;
   const Eigen::Vector3d unit = unit_release(section);
   for (const auto& srif : found) {
@@ -66,7 +68,9 @@ TEST_CASE("an energy release rate that is not positive gives no factors, unless 
   Srif none = by_energy("virtual_crack_extension", 0, 0, 0);
   none.G = -1e-4 * unit_release(section)[0];  // as K1 = 0.01
   const std::vector<FitSrif> fits{{1, 4, 0.3, 0, 0}, {1, 3, 0.3, 0, 0}};
-  CHECK(estimated({none, by_energy("domain_integral", 0.3, 0, 0)}, fits).front().resolved == std::array{false, false, false});
+  CHECK(estimated({none, by_energy("domain_integral", 0.3, 0, 0)}, fits).front().resolved ==
+        std::array{false, false, false});
   CHECK(estimated({none}, {{1, 4, 0, 0, 0}, {1, 3, 0, 0, 0}}, {1.0}).front().resolved == std::array{true, true, true});
-  CHECK(estimated({none}, {{1, 4, 0, 0, 0}, {1, 3, 0, 0, 0}}, {0.05}).front().resolved == std::array{false, false, false});
+  CHECK(estimated({none}, {{1, 4, 0, 0, 0}, {1, 3, 0, 0, 0}}, {0.05}).front().resolved ==
+        std::array{false, false, false});
 }

@@ -21,8 +21,12 @@ Derivatives derivatives(const TipSeries& series, double r, double angle, double 
   const auto second = [&](auto&& f) -> Eigen::Matrix3Xd {
     return (16 * (f(1) + f(-1)) - (f(2) + f(-2)) - 30 * f(0)) / (12 * step * step);
   };
-  Derivatives d{at(0, 0), first([&](int i) { return at(i, 0); }), first([&](int j) { return at(0, j); }),
-                second([&](int i) { return at(i, 0); }), second([&](int j) { return at(0, j); }), {}};
+  Derivatives d{at(0, 0),
+                first([&](int i) { return at(i, 0); }),
+                first([&](int j) { return at(0, j); }),
+                second([&](int i) { return at(i, 0); }),
+                second([&](int j) { return at(0, j); }),
+                {}};
   d.xy = first([&](int i) -> Eigen::Matrix3Xd { return first([&](int j) { return at(i, j); }); });
   return d;
 }
@@ -39,9 +43,12 @@ TEST_CASE("fields about a tip: equilibrium inside") {
         const auto d = derivatives(series, 0.6, angle, 2e-3);
         CAPTURE(nu, thickness, angle);
         for (Eigen::Index n = 0; n < series.size(); ++n) {
-          const double size = std::abs(s) * d.value.col(n).cwiseAbs().maxCoeff() + d.xx.col(n).norm() + d.yy.col(n).norm();
-          const double mx = d.xx(1, n) + (1 - nu) / 2 * d.yy(1, n) + (1 + nu) / 2 * d.xy(2, n) + s * (d.x(0, n) - d.value(1, n));
-          const double my = d.yy(2, n) + (1 - nu) / 2 * d.xx(2, n) + (1 + nu) / 2 * d.xy(1, n) + s * (d.y(0, n) - d.value(2, n));
+          const double size =
+              std::abs(s) * d.value.col(n).cwiseAbs().maxCoeff() + d.xx.col(n).norm() + d.yy.col(n).norm();
+          const double mx =
+              d.xx(1, n) + (1 - nu) / 2 * d.yy(1, n) + (1 + nu) / 2 * d.xy(2, n) + s * (d.x(0, n) - d.value(1, n));
+          const double my =
+              d.yy(2, n) + (1 - nu) / 2 * d.xx(2, n) + (1 + nu) / 2 * d.xy(1, n) + s * (d.y(0, n) - d.value(2, n));
           const double q = d.xx(0, n) + d.yy(0, n) - d.x(1, n) - d.y(2, n);
           CAPTURE(n);
           CHECK(std::abs(mx) < 1e-6 * size);
@@ -77,9 +84,11 @@ TEST_CASE("fields about a tip: free faces, and the factors of what is ahead") {
     }
   const double r = 1e-8, step = 1e-3 * r, root = std::sqrt(2 * r);
   const auto at = [&](double x, double y) { return series({{std::hypot(x, y), std::atan2(y, x)}}); };
-  const Eigen::Matrix3Xd x = (at(r + step, 0) - at(r - step, 0)) / (2 * step), y = (at(r, step) - at(r, -step)) / (2 * step);
+  const Eigen::Matrix3Xd x = (at(r + step, 0) - at(r - step, 0)) / (2 * step),
+                         y = (at(r, step) - at(r, -step)) / (2 * step);
   for (Eigen::Index n = 0; n < series.size(); ++n) {
-    const double M1 = -D * (y(2, n) + nu * x(1, n)), M2 = -D * (1 - nu) / 2 * (y(1, n) + x(2, n)), Q = S * (y(0, n) - at(r, 0)(2, n));
+    const double M1 = -D * (y(2, n) + nu * x(1, n)), M2 = -D * (1 - nu) / 2 * (y(1, n) + x(2, n)),
+                 Q = S * (y(0, n) - at(r, 0)(2, n));
     const double size = series.factors().cwiseAbs().maxCoeff();
     CAPTURE(n);
     CHECK(std::abs(root * M1 - series.factors()(0, n)) < 1e-3 * size);  // what is regular there is r^(1/2) = 1e-4 of it

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "post/studies/compare.hpp"
 #include "post/figures/curve_plot.hpp"
+#include "post/studies/compare.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using post::Curve, post::CurvePlot, post::Line, post::Panel, post::ticks, post::thinned, post::to_svg;

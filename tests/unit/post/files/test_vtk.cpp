@@ -84,7 +84,8 @@ TEST_CASE("fields.pvd lists every frame with its time") {
 
 TEST_CASE("cracks come back from their vtp file") {
   const TemporaryFolder folder;
-  post::write_crack_lines(folder / "cracks.vtp", {{{{0, 1.0 / 3}, {2, 3}}, {0, 4}}, {{{5, 6}, {7, 8}, {9, 1e-17}}, {1, 2, 3}}});
+  post::write_crack_lines(folder / "cracks.vtp",
+                          {{{{0, 1.0 / 3}, {2, 3}}, {0, 4}}, {{{5, 6}, {7, 8}, {9, 1e-17}}, {1, 2, 3}}});
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName((folder / "cracks.vtp").c_str());
   reader->Update();

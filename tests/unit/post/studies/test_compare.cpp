@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "post/studies/compare.hpp"
 #include "post/files/table.hpp"
+#include "post/studies/compare.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using post::compare, post::Table, small_run::TemporaryFolder;

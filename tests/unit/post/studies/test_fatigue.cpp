@@ -28,8 +28,9 @@ TEST_CASE("cycles: none grow below the threshold, and lengths must ascend") {
 }
 
 TEST_CASE("cycles: rates that no number holds are an error, not a result") {
-  CHECK_THROWS_AS(cycles({1, 300, 0}, {1, 2}, {1e3, 2e3}), plate::NumericalError);   // infinite
-  CHECK_THROWS_AS(cycles({1, 300, 0}, {1, 2}, {1e-3, 2e-3}), plate::NumericalError);  // zero, though above the threshold
+  CHECK_THROWS_AS(cycles({1, 300, 0}, {1, 2}, {1e3, 2e3}), plate::NumericalError);  // infinite
+  CHECK_THROWS_AS(cycles({1, 300, 0}, {1, 2}, {1e-3, 2e-3}),
+                  plate::NumericalError);  // zero, though above the threshold
   CHECK_THROWS_AS(cycles({1, 2, 0}, {1, 2}, {1, std::nan("")}), plate::NumericalError);
 }
 
@@ -38,14 +39,17 @@ TEST_CASE("fatigue: K range of the case's loads from energy release rates at oth
   // K = 7 at factor 1, for every length: G = K^2 h / (3 E)
   const double G = 49 * 0.1 / 3000;
   // both tips of a crack move, then the first alone
-  Table growth{{"advance", "tip", "crack", "length", "load_factor", "G", "moves"}, {}};
+  Table growth{{"advance", "load_factor"}, {}}, tips{{"advance", "tip", "crack", "length", "G", "moves"}, {}};
   const double lengths[] = {0.6, 0.8, 1.0};
-  for (const double advance : {0.0, 1.0, 2.0})
+  for (const double advance : {0.0, 1.0, 2.0}) {
+    const double length = lengths[int(advance)];
+    growth.rows.push_back({advance, 2 * length});
     for (const double tip : {0.0, 1.0}) {
-      const double length = lengths[int(advance)], moves = advance == 0 || (advance == 1 && tip == 0);
-      growth.rows.push_back({advance, tip, 0.0, length, 2 * length, 4 * length * length * G, moves});
+      const double moves = advance == 0 || (advance == 1 && tip == 0);
+      tips.rows.push_back({advance, tip, 0.0, length, 4 * length * length * G, moves});
     }
-  const auto found = fatigue(growth, section, {1e-4, 2, 0}, 0.5, 0.2);
+  }
+  const auto found = fatigue(growth, tips, section, {1e-4, 2, 0}, 0.5, 0.2);
   REQUIRE(found.rows.size() == 5);
   CHECK(std::get<double>(found.rows[0][1]) == Approx(0.3));
   CHECK(std::get<double>(found.rows[2][1]) == Approx(0.6));
@@ -53,6 +57,6 @@ TEST_CASE("fatigue: K range of the case's loads from energy release rates at oth
   CHECK(std::get<double>(found.rows[2][2]) == Approx(range));
   CHECK(std::get<double>(found.rows[2][3]) == Approx(0.3 / (1e-4 * range * range)));
   CHECK(std::get<double>(found.rows[4][3]) == Approx(0.1 / (1e-4 * range * range)));
-  growth.rows.resize(2);
-  CHECK_THROWS_AS(fatigue(growth, section, {1e-4, 2, 0}, 1, 0), std::runtime_error);
+  tips.rows.resize(2);
+  CHECK_THROWS_AS(fatigue(growth, tips, section, {1e-4, 2, 0}, 1, 0), std::runtime_error);
 }

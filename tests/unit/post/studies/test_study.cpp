@@ -129,8 +129,9 @@ TEST_CASE("study.csv is read back as it was written") {
   post::write_csv(folder / "study.csv", table(post::StudyTable{{"2a/W"}, {row("0.1", 1.1, 1), failed}}));
   const auto table = post::read_csv(folder / "study.csv");
   CHECK(table.columns == std::vector<std::string>{"2a/W", "quantity", "place", "srif_method", "computed", "reference",
-                                                  "error", "estimated_error", "points", "spacing", "horizon", "iterations", "seconds",
-                                                  "solve_seconds", "reference_source", "message"});
+                                                  "error", "estimated_error", "points", "spacing", "horizon",
+                                                  "iterations", "seconds", "solve_seconds", "reference_source",
+                                                  "message"});
   REQUIRE(table.rows.size() == 2);
   CHECK(table.rows[0][0] == post::Cell("0.1"));
   CHECK(std::get<double>(table.rows[0][6]) == Approx(0.1));
@@ -205,8 +206,10 @@ TEST_CASE("errors are relative to the reference or to a scale, estimated ones to
   summary.srif.front().errors[0] = 0.02;
   StudyRow known;
   known.labels = {"a"};
-  const auto rows = post::study_rows(known, {{{"K1", 0}, post::Known(0.4), ""}, {{"K1", 0}, post::Known(0.0), "", 2.0}, {{"K1", 0}, post::Known(0.0), ""}},
-                                     summary, run.folder.path());
+  const auto rows = post::study_rows(
+      known,
+      {{{"K1", 0}, post::Known(0.4), ""}, {{"K1", 0}, post::Known(0.0), "", 2.0}, {{"K1", 0}, post::Known(0.0), ""}},
+      summary, run.folder.path());
   CHECK(*rows[0].error() == Approx(0.25));
   CHECK(*rows[0].estimated_error() == Approx(0.05));
   CHECK(*rows[1].error() == Approx(0.5 / 2));

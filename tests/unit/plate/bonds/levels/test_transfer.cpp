@@ -43,9 +43,8 @@ TEST_CASE("transfer: rigid motions exactly, at cracks and edges too; bending wit
   // w,x = -theta_y, w,y = theta_x
   const State rigid = error([](const Point& x) { return Eigen::Vector3d(1 + 2 * x.x() - 3 * x.y(), -3, -2); });
   CHECK(rigid.maxCoeff() < 1e-6);  // measured: 1e-7, levers in single precision
-  const State bent = error([](const Point& x) {
-    return Eigen::Vector3d(x.x() * x.x() / 2 + x.x() * x.y(), x.x(), -x.x() - x.y());
-  });
+  const State bent =
+      error([](const Point& x) { return Eigen::Vector3d(x.x() * x.x() / 2 + x.x() * x.y(), x.x(), -x.x() - x.y()); });
   std::size_t exact = 0;
   for (Eigen::Index k = 0; k < bent.cols(); ++k) exact += bent.col(k).maxCoeff() < 1e-6;
   CHECK(exact > 0.75 * double(m.points()));  // all but those beside edges and the crack

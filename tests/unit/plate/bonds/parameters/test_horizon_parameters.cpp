@@ -20,7 +20,7 @@ double bending_energy(double xx, double yy, double xy) {
   return D / 2 * (xx * xx + yy * yy + 2 * nu * xx * yy + 2 * (1 - nu) * xy * xy);
 }
 
-/// The same from Eqs. 1 and 4 by quadrature over the disc; exact in the angle for trigonometric polynomials.
+/// The same from Dai 1 and 4 by quadrature over the disc; exact in the angle for trigonometric polynomials.
 double disc_bending_energy(const PointParameters& p, Influence kind, double horizon, double xx, double yy, double xy) {
   const int rings = 2000, rays = 16;
   double dilatation = 0, sum = 0;
@@ -80,7 +80,7 @@ PointParameters centre_of(const small_plate::Model& m) {
 
 }  // namespace
 
-TEST_CASE("disc parameters are Dai's Eqs. 7 and 8 with d_b and b_b the right way round") {
+TEST_CASE("disc parameters are Dai 7 and 8 with d_b and b_b the right way round") {
   const double E = section.young, nu = section.poisson, h = section.thickness, delta = 0.7;
   const auto p = disc_parameters(section, Influence::inverse, delta);
   CHECK(p.d == Approx(2 / (pi * h * std::pow(delta, 3))).epsilon(1e-14));                     // measured: 0
@@ -139,7 +139,7 @@ TEST_CASE("arbitrary horizon domain: twist energy of a full and a half family of
     const auto k = geometry::nearest_plate_point(m.boundary.cloud, x);
     CAPTURE(x.x(), x.y());
     const double ratio = energies[Eigen::Index(k)] / (0.01 * bending_energy(0, 0, 0.4));
-    // the axis inside the half family's edge row weighs more than in a half disc: only Dai's Eq. 35 matches it there
+    // the axis inside the half family's edge row weighs more than in a half disc: only Dai 35 matches it there
     const bool full = x == geometry::Point(0.55, 0.55);
     if (full || d.twist_match == TwistMatch::paper)
       CHECK(std::abs(ratio - 1) < 1e-12);  // measured: 4e-16
@@ -187,7 +187,7 @@ TEST_CASE("no correction and volume method at an edge") {
   CHECK(volume.C == Approx(disc.C * 28 / 10));
 }
 
-TEST_CASE("Dai's Eq. 35 stays below 8 times the full horizon's b_b where bonds run along the axes only") {
+TEST_CASE("Dai 35 stays below 8 times the full horizon's b_b where bonds run along the axes only") {
   FamilySums sums{1, 1, 1, 0};
   const double full_twist = 0.25;
   const auto on_axis = arbitrary_horizon(section, TwistMatch::paper, sums, full_twist);

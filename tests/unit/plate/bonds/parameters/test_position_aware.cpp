@@ -49,10 +49,9 @@ std::vector<FamilyBond> cut(const std::vector<FamilyBond>& bonds, const Point& n
   return left;
 }
 
-const Eigen::Matrix2d states[] = {Eigen::Vector2d(1, 0).asDiagonal().toDenseMatrix(),
-                                  Eigen::Vector2d(0, 1).asDiagonal().toDenseMatrix(),
-                                  (Eigen::Matrix2d() << 0, 1, 1, 0).finished(),
-                                  (Eigen::Matrix2d() << 0.3, -0.7, -0.7, 0.8).finished()};
+const Eigen::Matrix2d states[] = {
+    Eigen::Vector2d(1, 0).asDiagonal().toDenseMatrix(), Eigen::Vector2d(0, 1).asDiagonal().toDenseMatrix(),
+    (Eigen::Matrix2d() << 0, 1, 1, 0).finished(), (Eigen::Matrix2d() << 0.3, -0.7, -0.7, 0.8).finished()};
 const Point shears[] = {{1, 0}, {0, 1}, {0.6, -0.3}, {0, 0}};
 
 }  // namespace

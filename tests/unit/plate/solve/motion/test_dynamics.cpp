@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "plate/bonds/lattice_operator.hpp"
+#include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "tests/unit/plate/small_plate.hpp"
@@ -73,7 +73,7 @@ TEST_CASE("a free plate under constant pressure moves by p t^2 / (2 rho h)") {
         const double t = double(now.step) * dt;
         CHECK(now.time == Approx(t));
         CHECK((now.state.row(0).array() - acceleration * t * t / 2).abs().maxCoeff() < 1e-13);  // measured: 2e-16
-        CHECK((now.velocity().row(0).array() - acceleration * t).abs().maxCoeff() < 1e-13);       // measured: 1e-15
+        CHECK((now.velocity().row(0).array() - acceleration * t).abs().maxCoeff() < 1e-13);     // measured: 1e-15
         CHECK(now.state.bottomRows(2).cwiseAbs().maxCoeff() < 1e-12);                           // measured: 0
         const double kinetic = section.density * section.thickness * 0.48 / 2 * std::pow(acceleration * t, 2);
         CHECK(now.kinetic_energy == Approx(kinetic).epsilon(1e-12));
@@ -152,11 +152,14 @@ TEST_CASE("forces in single precision move a thick plate as those in double do")
   std::vector<State> states;
   const auto keep = [&](const Instant& now) { states.push_back(now.state); };
   central_differences(rows, m.boundary.constraints, M, pressure(m, 2), options, keep);
-  options.single = [single = rows.single_rows()](const Values<float>& u, Values<float>& f) { single.internal_force(u, f); };
+  options.single = [single = rows.single_rows()](const Values<float>& u, Values<float>& f) {
+    single.internal_force(u, f);
+  };
   central_differences(rows, m.boundary.constraints, M, pressure(m, 2), options, keep);
   REQUIRE(states.size() == 22);
   for (std::size_t i = 1; i < 11; ++i) {
-    CHECK((states[i] - states[i + 11]).norm() < 2e-5 * states[i].norm());  // measured: 5e-6 where it passes through zero
+    CHECK((states[i] - states[i + 11]).norm() <
+          2e-5 * states[i].norm());  // measured: 5e-6 where it passes through zero
     CHECK(states[i] != states[i + 11]);
   }
 }

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "plate/solve/motion/lanczos_motion.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/motion/lanczos_motion.hpp"
 
 using namespace plate;
 
@@ -67,7 +67,8 @@ struct Setting {
   Forces mass = Forces::Zero(3, points), load = Forces::Zero(3, points);
 
   Setting() {
-    for (Eigen::Index i = 0; i < points; ++i) mass(0, i) = 1 + 0.005 * double(i), load(0, i) = std::sin(0.3 * double(i));
+    for (Eigen::Index i = 0; i < points; ++i)
+      mass(0, i) = 1 + 0.005 * double(i), load(0, i) = std::sin(0.3 * double(i));
     for (std::uint32_t k = 0; k < points; ++k) constraints.fix(3 * k + 1), constraints.fix(3 * k + 2);
     constraints.resolve();
   }
@@ -81,8 +82,10 @@ struct Setting {
     const LanczosMotion motion(chain, constraints, Inertia(mass), loads, inverse, options);
     result.vectors = motion.vectors(), result.change = motion.change();
     motion.observe(80, [&](const Instant& now) {
-      result.time.push_back(now.time), result.w.push_back(now.state(0, 7)), result.velocity.push_back(now.velocity()(0, 7));
-      result.kinetic.push_back(now.kinetic_energy), result.strain.push_back(now.strain_energy), result.work.push_back(now.external_work);
+      result.time.push_back(now.time), result.w.push_back(now.state(0, 7)),
+          result.velocity.push_back(now.velocity()(0, 7));
+      result.kinetic.push_back(now.kinetic_energy), result.strain.push_back(now.strain_energy),
+          result.work.push_back(now.external_work);
     });
     return result;
   }
@@ -113,10 +116,13 @@ TEST_CASE("Lanczos motion: that of small steps, under loads of every history") {
     const auto found = s.move(histories, 1e-12);
     const auto expected = s.by_steps(histories);
     REQUIRE(found.w.size() == expected.size());
-    const double largest = std::abs(*std::max_element(expected.begin(), expected.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
-    for (std::size_t n = 0; n < expected.size(); ++n) CHECK(std::abs(found.w[n] - expected[n]) < 3e-5 * largest);  // measured 1e-5: of the steps
+    const double largest = std::abs(*std::max_element(expected.begin(), expected.end(),
+                                                      [](double a, double b) { return std::abs(a) < std::abs(b); }));
     for (std::size_t n = 0; n < expected.size(); ++n)
-      CHECK(found.kinetic[n] + found.strain[n] == Approx(found.work[n]).margin(1e-9 * std::abs(found.work.back()) + 1e-12));
+      CHECK(std::abs(found.w[n] - expected[n]) < 3e-5 * largest);  // measured 1e-5: of the steps
+    for (std::size_t n = 0; n < expected.size(); ++n)
+      CHECK(found.kinetic[n] + found.strain[n] ==
+            Approx(found.work[n]).margin(1e-9 * std::abs(found.work.back()) + 1e-12));
   }
 }
 
@@ -124,7 +130,8 @@ TEST_CASE("Lanczos motion: velocities are the slopes of the displacements") {
   const Setting s;
   const auto found = s.move({ramp(5)}, 1e-12);
   for (std::size_t n = 1; n + 1 < found.w.size(); ++n)
-    CHECK(found.velocity[n] == Approx((found.w[n + 1] - found.w[n - 1]) / (found.time[n + 1] - found.time[n - 1])).margin(0.1));
+    CHECK(found.velocity[n] ==
+          Approx((found.w[n + 1] - found.w[n - 1]) / (found.time[n + 1] - found.time[n - 1])).margin(0.1));
 }
 
 TEST_CASE("Lanczos motion: a few vectors hold a smooth motion, and say how far") {
@@ -160,7 +167,8 @@ TEST_CASE("Lanczos motion: too few vectors are refused") {
   CHECK_THROWS_AS(LanczosMotion(s.chain, s.constraints, Inertia(s.mass), loads, s.inverse, options), NumericalError);
 }
 
-TEST_CASE("Lanczos motion: what is watched is known as well as is asked, and the truncation is not above what is said") {
+TEST_CASE(
+    "Lanczos motion: what is watched is known as well as is asked, and the truncation is not above what is said") {
   const Setting s;
   const std::vector<TimedLoad> loads{{s.load, {}}};
   const auto watched = [&](double tolerance) {
@@ -173,7 +181,9 @@ TEST_CASE("Lanczos motion: what is watched is known as well as is asked, and the
   };
   const auto values = [](const LanczosMotion& motion) {
     std::vector<double> result;
-    motion.observe(50, [&](const Instant& now) { result.push_back(now.state(0, 7)), result.push_back(now.state(0, 60) - now.state(0, 61)); });
+    motion.observe(50, [&](const Instant& now) {
+      result.push_back(now.state(0, 7)), result.push_back(now.state(0, 60) - now.state(0, 61));
+    });
     return result;
   };
   const auto exact = values(LanczosMotion(s.chain, s.constraints, Inertia(s.mass), loads, s.inverse, {40, 1e-12}));
@@ -187,7 +197,8 @@ TEST_CASE("Lanczos motion: what is watched is known as well as is asked, and the
     CHECK(motion.vectors() >= before);
     before = motion.vectors();
     const auto found = values(motion);
-    for (std::size_t i = 0; i < found.size(); ++i) CHECK(std::abs(found[i] - exact[i]) <= motion.truncated()[0] * largest);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      CHECK(std::abs(found[i] - exact[i]) <= motion.truncated()[0] * largest);
   }
   CHECK(before < std::size_t(points));
   CHECK(watched(1e-12).vectors() == 4 * watched(1e9).vectors());  // more are not worth it

@@ -1,0 +1,20 @@
+#pragma once
+#include "cases/input/case_file.hpp"
+#include "post/factors/plate_factors.hpp"
+
+namespace cases {
+
+/// The plate of a case, and what its user should know of it. Throws CaseError where the discretisation cannot carry the
+/// case, where the plate is not held in statics, in whole or in a piece that cracks cut off, and where it has fewer
+/// modes than frequencies are asked for.
+plate::Discretised discretised(const CaseFile& file);
+
+/// Cracks that grow by their tips need the energy release rate of each from the start, whatever methods [srif] names.
+/// Tips too near to an edge, a load or another crack for it: CaseError at rest, a warning in motion, where they stay.
+void check_growing_tips(const CaseFile& file, const plate::Formulation& plate, std::vector<std::string>& warnings);
+
+/// The methods for the intensity factors of every tip; none without [srif]. `plate` must outlive them. Throws CaseError
+/// where no method can work at any tip.
+std::vector<post::TipMethods> tip_methods(const CaseFile& file, const plate::Formulation& plate);
+
+}  // namespace cases

@@ -1,0 +1,50 @@
+#include "cases/report/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cstdio>
+
+namespace cases {
+namespace {
+
+double seconds(std::chrono::steady_clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
+
+}  // namespace
+
+Progress::Progress(bool quiet, std::string what)
+    : quiet_(quiet),
+      terminal_(isatty(fileno(stderr))),
+      what_(std::move(what)),
+      start_(std::chrono::steady_clock::now()),
+      last_(start_) {}
+
+Progress::~Progress() {
+  done();
+}
+
+void Progress::update(double share, const std::string& text) {
+  const auto now = std::chrono::steady_clock::now();
+  if (quiet_ || seconds(now - last_) < (terminal_ ? 0.2 : 10)) return;
+  last_ = now;
+  const double spent = seconds(now - start_);
+  const std::string left = share > 0.001 ? fmt::format("{:.0f} s left", spent / share - spent) : "";
+  if (!terminal_) {
+    fmt::print(stderr, "{}: {:3.0f} %, {}, {:.0f} s, {}\n", what_, 100 * share, text, spent, left);
+    return;
+  }
+  const int width = 30, full = std::clamp(static_cast<int>(share * width), 0, width);
+  fmt::print(stderr, "\r{} [{}{}] {:3.0f} %  {}  {:.0f} s, {}\x1b[K", what_, std::string(std::size_t(full), '#'),
+             std::string(std::size_t(width - full), '.'), 100 * share, text, spent, left);
+  std::fflush(stderr);
+  open_ = true;
+}
+
+void Progress::done() {
+  if (open_) fmt::print(stderr, "\r\x1b[K");
+  open_ = false;
+}
+
+}  // namespace cases

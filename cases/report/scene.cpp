@@ -1,0 +1,78 @@
+#include "cases/report/scene.hpp"
+
+namespace cases {
+namespace {
+
+constexpr double vector_bytes = 3 * sizeof(double);  // one state or force
+
+std::string name_of(Analysis::Kind kind) {
+  switch (kind) {
+    case Analysis::Kind::static_:
+      return "static";
+    case Analysis::Kind::dynamic:
+      return "dynamic";
+    case Analysis::Kind::frequencies:
+      return "frequencies";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<post::ScenePart> scene(const Case& c, const plate::Formulation& plate) {
+  const double points = double(plate.cloud().plate_points), all = double(plate.cloud().size());
+  const double list = double(plate.families().bytes());
+  const double loads = double(plate.loads().size()) * vector_bytes * all / points;
+  const bool mixed = c.analysis.precision == Analysis::Precision::mixed;
+  using enum Analysis::Method;
+  const auto method = c.analysis.method;
+
+  std::vector<post::ScenePart> parts{
+      {"points", "geometry", all * (2 * sizeof(geometry::Point) + sizeof(double)) / points, 0},
+      {"families, by patterns of bonds", "families", list / points, 0}};
+  for (const auto& part : plate.memory(mixed)) parts.push_back({part.name, part.stage, part.bytes / points, 0});
+  if (!plate.boundary().fictitious.empty())
+    parts.push_back({"fictitious points (part of the points)", "",
+                     double(plate.boundary().fictitious.size()) *
+                         (sizeof(plate::FictitiousPoint) + 3 * sizeof(plate::Constraints::Tie)) / points,
+                     0});
+  if (!plate.loads().empty()) parts.push_back({"loads", "", loads, 0});
+  if (method == central_difference)
+    parts.push_back({mixed ? "central differences: state, velocity; state and force in single precision"
+                           : "central differences: state, velocity, force",
+                     "solve", 3 * vector_bytes * all / points, 0});
+  else if (method == adr)
+    parts.push_back({"adaptive dynamic relaxation: 7 vectors", "solve", 7 * vector_bytes * all / points, 0});
+  else if (method == cg || method == direct)
+    parts.push_back({"conjugate gradients: 6 vectors, without a factor", "solve", 6 * vector_bytes * all / points, 0});
+  else if (c.analysis.kind == Analysis::Kind::dynamic)
+    parts.push_back({"72 Lanczos vectors, their forces and modes, without a factor", "solve",
+                     3 * 72 * vector_bytes * all / points, 0});
+  else
+    parts.push_back({"Lanczos iteration and conjugate gradients", "solve",
+                     (4 * double(c.analysis.modes) + 16) * vector_bytes * all / points, 0});
+  if (c.srif) parts.push_back({"intensity factors, probes, energies", "srif", 0, 0});
+  parts.push_back({"output", "output", (c.output.vtk ? 2 : 1) * 3 * vector_bytes, 0});
+  return parts;
+}
+
+post::Summary about(const Case& c, const plate::Formulation& plate, const std::vector<std::string>& warnings) {
+  post::Summary summary;
+  summary.title = c.title;
+  summary.formulation = plate.kind().name;
+  summary.formulation_reason = c.formulation_reason;
+  summary.points = plate.cloud().plate_points;
+  summary.bonds = plate.bonds();
+  summary.fictitious_points = plate.boundary().fictitious.size();
+  summary.fictitious_bonds = plate.fictitious_bonds();
+  summary.spacing = c.discretization.spacing;
+  summary.horizon = c.discretization.horizon();
+  if (const auto match = plate.matched())
+    summary.position_aware = {match->exact, match->blended, match->arbitrary_horizon};
+  summary.scene = scene(c, plate);
+  summary.warnings = warnings;
+  summary.analysis.kind = name_of(c.analysis.kind);
+  return summary;
+}
+
+}  // namespace cases

@@ -1,0 +1,67 @@
+#pragma once
+#include <deque>
+#include "plate/formulation/formulation.hpp"
+
+#include "fracture/growth/bond_check.hpp"
+#include "fracture/growth/record.hpp"
+#include "geometry/shape/crack_graph.hpp"
+
+namespace fracture {
+
+/// A tip of broken bonds, as it was last seen.
+struct BondTip {
+  std::size_t number;
+  geometry::Tip tip;                                        // its crack: which line
+  double speed = 0;                                         // over the last eight spacings of its way, 0 before
+  std::deque<std::pair<double, geometry::Point>> way = {};  // time and place of earlier looks
+};
+
+/// The cracks that broken bonds make: lines, tips and where they have been.
+class BondCracks {
+public:
+  /// The cracks of an plate, which must outlive this. `fastest`: speed that no tip exceeds between two looks; none: at
+  /// rest.
+  explicit BondCracks(const plate::Formulation& plate, std::optional<double> fastest = std::nullopt);
+
+  /// Bonds that have broken. True where some of them were between neighbours, so that the lines have changed.
+  bool broke(const std::vector<LoadedBond>& bonds, double time);
+  /// Looks where the tips are now: the nearest one that was seen before has come from there. A row for each goes into
+  /// the record; `advance`: number of it, where it is not the time.
+  void look(double time, Record& record, double advance);
+
+  /// Lines in the units of the case, and all of them as cracks.
+  const std::vector<geometry::GraphLine>& lines() const { return lines_; }
+  std::vector<geometry::CrackPath> paths() const;
+  const std::vector<BondTip>& tips() const { return tips_; }
+  /// Those of cracks of eight spacings at least, whose intensity factors mean something.
+  std::vector<std::pair<std::size_t, geometry::Tip>> tips_of_cracks() const;
+  double length() const;
+  /// As they are now, looked at or not.
+  double length_now();
+  /// Over the length at the start.
+  double growth() const { return length() - first_length_; }
+  std::size_t broken() const { return broken_; }
+
+  /// As they are to be written.
+  std::vector<post::CrackLine> drawn() const;
+
+private:
+  void find_lines();
+
+  BondTip seen_again(const geometry::Tip& tip, double time, std::vector<char>& taken);
+
+  const geometry::LatticeUnits& units_;
+  std::vector<geometry::CrackPath> given_;
+  std::optional<double> fastest_;
+  std::vector<geometry::Point> lattice_;  // of the plate's points
+  std::vector<int> cells_;                // per corner of the box about the plate: cells of the plate about it
+  geometry::CrackGraph::Corner low_{0, 0};
+  int columns_ = 0, rows_ = 0;
+  geometry::CrackGraph graph_;
+  std::vector<geometry::GraphLine> lines_;
+  std::vector<BondTip> tips_;
+  std::size_t first_sides_ = 0, seen_ = 0, broken_ = 0;
+  double first_length_ = 0, time_ = 0;  // time of the last look
+};
+
+}  // namespace fracture

@@ -1,0 +1,129 @@
+#include "fracture/growth/motion/moving_cracks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/factors/plate_factors.hpp"
+
+namespace fracture {
+namespace {
+
+constexpr std::size_t look_every = 4;  // steps, of a tip at rest: it can go a spacing in two
+constexpr double first_speed = 0.3;    // of a tip that starts: of the limit
+constexpr double least_speed = 0.02;   // of one that runs: of the limit
+constexpr double recent_length = 3;    // spacings: a lattice's steps under an angle to it
+constexpr double gain = 0.45, gain_of_all = 1.5;
+constexpr double look_after = 5;  // spacings gone without a look at the direction
+
+std::vector<geometry::Polyline> polylines(const std::vector<geometry::CrackPath>& paths) {
+  std::vector<geometry::Polyline> result;
+  for (const auto& path : paths) result.push_back(path.vertices);
+  return result;
+}
+
+}  // namespace
+
+MovingCracks::MovingCracks(const Growth& growth, const plate::Problem& problem, SeveredPlate& plate,
+                           std::vector<geometry::CrackPath> paths)
+    : growth_(growth),
+      problem_(problem),
+      plate_(plate),
+      paths_(std::move(paths)),
+      spacing_(problem.discretization.spacing),
+      toughness_(growth.fracture_energy * problem.section.thickness),
+      speed_limit_(0.93 * problem.section.shear_wave_speed()) {
+  for (const auto& tip : geometry::tips(paths_)) tips_.push_back({tip, first_speed * speed_limit_});
+}
+
+/// The energy release rate of a tip; none where no ring fits about it.
+std::shared_ptr<const post::TipMethods> MovingCracks::gauge(const geometry::Tip& tip) const {
+  post::SrifOptions options;
+  options.methods = {"virtual_crack_extension"};
+  options.first_ring_only = true;
+  const double near = 7.6 * spacing_;  // rings of 7 spacings: a quarter of the work of the usual 16
+  auto found = post::tip_methods(plate_.tip_view(), problem_, paths_, tip, options, near);
+  return found ? std::make_shared<const post::TipMethods>(std::move(*found)) : nullptr;
+}
+
+std::vector<std::pair<std::size_t, geometry::Tip>> MovingCracks::tips() const {
+  std::vector<std::pair<std::size_t, geometry::Tip>> result;
+  for (std::size_t i = 0; i < tips_.size(); ++i)
+    if (!tips_[i].ended) result.emplace_back(i, tips_[i].tip);
+  return result;
+}
+
+bool MovingCracks::stays(const MovingTip& tip, double G, double K1) const {
+  const bool long_enough = growth_.reached(geometry::length(paths_[tip.tip.crack].vertices));
+  return growth_.held(tip.tip.position) || long_enough || pieces_.size() >= growth_.max_advances || G < toughness_ ||
+         (growth_.tension_only && K1 <= 0);
+}
+
+void MovingCracks::start(MovingTip& tip, const Factors& factors, double time) {
+  const double angle = kink_angle(factors, growth_.direction, problem_.section);
+  const auto way = advance(growth_, problem_.outline, polylines(paths_), spacing_, tip.tip, angle, turns(angle));
+  auto path = paths_[tip.tip.crack];
+  geometry::extend(path.vertices, tip.tip.at_back, way.to);
+  if (way.reached)
+    (tip.tip.at_back ? path.back : path.front) = way.reached->crack ? geometry::End::junction : geometry::End::mouth;
+  const auto severing = plate_.sever(path, tip.tip.at_back, way.length);
+  if (!severing) return;  // another tip severs bonds of the same points: wait for it
+  paths_[tip.tip.crack] = std::move(path);
+  tip.running = Running{*severing, time, way.length / tip.speed, way.length, 0, tip.tip.position, way};
+  tip.tip.direction = (way.to - tip.tip.position).normalized();
+  tip.tip.position = way.to;
+  tip.since_look += way.length;
+  length_ += way.length, tip.length += way.length;
+}
+
+void MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
+  const Running done = *tip.running;
+  tip.running.reset();
+  const double taken = done.spent / (toughness_ * done.length);
+  tip.spent += done.spent;
+  pieces_.push_back({done.begin, now.time, tip.tip.crack, tip.tip.at_back, done.from, tip.tip.position, taken,
+                     done.way.reached ? name_of(*done.way.reached) : "", std::size_t(&tip - tips_.data()), 0});
+  tip.ended = done.way.reached.has_value();
+  pieces_.back().tips = tips().size();
+  if (tip.ended) return;
+  tip.gauge.reset();
+  tip.next_look = now.step;
+  tip.recent.push_back({done.length, done.spent});
+  double length = 0, spent = 0;
+  for (const auto& [l, e] : tip.recent) length += l, spent += e;
+  while (length - tip.recent.front().first >= recent_length * spacing_ * (1 - 1e-9))
+    length -= tip.recent.front().first, spent -= tip.recent.front().second, tip.recent.pop_front();
+  // faster where more than the fracture energy was taken, by the last pieces and by all
+  const double lately = spent / (toughness_ * length), all = tip.spent / (toughness_ * tip.length);
+  tip.speed = std::clamp(tip.speed * std::pow(lately, gain) * std::pow(all, gain_of_all), least_speed * speed_limit_,
+                         speed_limit_);
+  const bool straight = growth_.direction == Growth::Direction::straight || tip.since_look < look_after * spacing_;
+  if (lately >= 1 && straight && !stays(tip, toughness_, 1)) start(tip, {1, 0, 0}, done.begin + done.duration);
+}
+
+void MovingCracks::before_force(const plate::Step& now) {
+  for (auto& tip : tips_) {
+    if (!tip.running) continue;
+    auto& running = *tip.running;
+    const double share = std::min(1.0, (now.time - running.begin) / running.duration);
+    const double spent = plate_.carry_on(running.severing, share, {now.state, now.velocity, now.time_step});
+    running.spent += spent, spent_ += spent;
+    if (share >= 1) arrive(tip, now);
+  }
+}
+
+void MovingCracks::after_force(const plate::Step& now, const plate::Forces& force) {
+  for (auto& tip : tips_) {
+    if (tip.running || tip.ended || now.step < tip.next_look) continue;
+    if (!tip.gauge) tip.gauge = gauge(tip.tip);
+    if (!tip.gauge) {
+      tip.ended = true;
+      continue;
+    }
+    const auto srif = (*tip.gauge)(now.state, force, false).front();
+    tip.next_look = now.step + look_every;
+    tip.since_look = 0;
+    if (!stays(tip, *srif.G, srif.K1)) start(tip, {srif.K1, srif.K2, srif.K3}, now.time);
+  }
+}
+
+}  // namespace fracture

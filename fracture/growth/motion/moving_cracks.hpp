@@ -1,0 +1,81 @@
+#pragma once
+#include <deque>
+#include <optional>
+
+#include "fracture/growth/tip_advance.hpp"
+#include "fracture/severing/severed_plate.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "post/factors/tip_methods.hpp"
+
+namespace fracture {
+
+/// A piece that a tip has gone.
+struct Piece {
+  double begin, end;  // time
+  std::size_t crack;
+  bool at_back;
+  geometry::Point from, to;
+  double spent;           // energy taken, over fracture energy and area of the piece
+  std::string reached;    // an edge, a hole or a crack; empty: none
+  std::size_t tip, tips;  // number of the tip; how many may still go on
+};
+
+/// Cracks that run through a plate of bonds over a horizon (theory.md, "Growth"). A tip at rest starts when its
+/// energy release rate reaches the fracture energy. Bonds across the next piece are then severed gradually; the energy
+/// that this takes is counted step by step, and tells how fast the tip goes on: faster where a piece took more than the
+/// fracture energy, slower or not at all where it took less.
+class MovingCracks : public plate::Changes {
+public:
+  /// All references must outlive this. `paths`: the cracks at the start [length].
+  MovingCracks(const Growth& growth, const plate::Problem& problem, SeveredPlate& plate,
+               std::vector<geometry::CrackPath> paths);
+
+  void before_force(const plate::Step& now) override;
+  void after_force(const plate::Step& now, const plate::Forces& force) override;
+
+  const std::vector<geometry::CrackPath>& paths() const { return paths_; }
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Energy taken so far, and length gone.
+  double fracture_energy() const { return spent_; }
+  double length() const { return length_; }
+  /// Speed that no tip exceeds: 0.93 of the shear wave's, about Rayleigh's [length/time].
+  double speed_limit() const { return speed_limit_; }
+  /// Those that may still go on, by their number at the start.
+  std::vector<std::pair<std::size_t, geometry::Tip>> tips() const;
+
+private:
+  struct Running {
+    std::size_t severing;
+    double begin, duration, length, spent;
+    geometry::Point from;
+    TipAdvance way;
+  };
+  struct MovingTip {
+    geometry::Tip tip;
+    double speed;
+    double length = 0, spent = 0;                        // of all pieces
+    std::deque<std::pair<double, double>> recent = {};   // lengths and energies of the last ones
+    double since_look = 0;                               // length gone without a look at the factors
+    std::size_t next_look = 0;                           // step
+    std::shared_ptr<const post::TipMethods> gauge = {};  // of the tip where it is
+    std::optional<Running> running = {};
+    bool ended = false;
+  };
+
+  std::shared_ptr<const post::TipMethods> gauge(const geometry::Tip& tip) const;
+  bool stays(const MovingTip& tip, double G, double K1) const;
+  void start(MovingTip& tip, const Factors& factors, double time);
+  void arrive(MovingTip& tip, const plate::Step& now);
+
+  const Growth& growth_;
+  const plate::Problem& problem_;
+  SeveredPlate& plate_;
+  std::vector<geometry::CrackPath> paths_;
+  double spacing_, toughness_, speed_limit_;
+  std::vector<MovingTip> tips_;
+  std::vector<Piece> pieces_;
+  double spent_ = 0, length_ = 0;
+};
+
+}  // namespace fracture

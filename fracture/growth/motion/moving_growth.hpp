@@ -1,0 +1,71 @@
+#pragma once
+#include "fracture/growth/record.hpp"
+#include "fracture/severing/fallen_pieces.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "post/factors/srif.hpp"
+#include "post/files/frame.hpp"
+
+namespace fracture {
+
+/// What became of a growth in motion.
+struct Moved {
+  std::size_t advances = 0;                 // pieces of crack, or steps in which bonds broke
+  std::optional<std::size_t> broken;        // bonds
+  std::vector<std::string> reached;         // edges, holes and cracks by tips
+  std::size_t parts = 1, parts_before = 1;  // of the plate
+  bool frozen = false;                      // pieces that fell off stay where they were
+  std::optional<double> spent;              // energy taken over fracture energy and area of the new crack
+  double largest_speed = 0;                 // of a tip [length/time]
+  std::vector<double> lengths;              // of every crack [length]
+};
+
+/// Cracks that grow while the plate moves: the plate whose bonds they sever, and what is recorded of them.
+class MovingGrowth {
+public:
+  /// `start`: of a formulation whose bonds break. `factors`: where intensity factors are wanted. All references must
+  /// outlive this.
+  MovingGrowth(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
+               double rotary_inertia);
+  virtual ~MovingGrowth() = default;
+
+  const plate::Operator& plate() const { return plate_; }
+  plate::Changes& changes();
+  virtual double fracture_energy() const = 0;
+  /// Kinetic energy of pieces that were frozen.
+  double frozen_energy() const { return fallen_ ? fallen_->energy() : 0; }
+
+  /// Looks at the cracks at a row of the history.
+  virtual void look(double time) = 0;
+  /// Factors of the tips where they are now, by the methods that are wanted; none of tips beside edges and other
+  /// cracks.
+  std::vector<post::Srif> factors(const plate::State& state) const;
+  /// The cells between points that still see each other; sets the frame's resultants and damage.
+  plate::Mesh draw(post::Frame& frame, const plate::State& state) const { return plate_.draw(frame, state, start_); }
+  virtual const Record& record() = 0;
+  virtual Moved moved() const = 0;
+
+protected:
+  /// Tips by their number.
+  using Tips = std::vector<std::pair<std::size_t, geometry::Tip>>;
+  virtual plate::Changes& severing() = 0;
+  virtual Tips tips() const = 0;
+  virtual std::vector<geometry::CrackPath> paths() const = 0;
+  /// What both kinds have to say.
+  Moved moved_so_far() const;
+
+  const Growth& growth_;
+  const plate::Formulation& start_;
+  SeveredPlate plate_;
+  Record record_;
+
+private:
+  std::optional<post::SrifOptions> options_;
+  double rotary_inertia_;
+  std::optional<FallenPieces> fallen_;
+};
+
+/// By the criterion.
+std::unique_ptr<MovingGrowth> moving_growth(const Growth& growth, const plate::Formulation& start,
+                                            std::optional<post::SrifOptions> factors, double rotary_inertia);
+
+}  // namespace fracture

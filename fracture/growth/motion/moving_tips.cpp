@@ -1,0 +1,56 @@
+#include "fracture/growth/motion/moving_tips.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace fracture {
+
+MovingTips::MovingTips(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
+                       double rotary_inertia)
+    : MovingGrowth(growth, start, std::move(factors), rotary_inertia),
+      cracks_(growth, start.problem(), plate_, start.paths()) {}
+
+const Record& MovingTips::record() {
+  record_ = {};
+  record_.in_motion = true;
+  double length = 0, spent = 0;
+  for (const auto& path : start_.paths()) {
+    record_.cracks.push_back({path.vertices, std::vector<double>(path.vertices.size(), 0)});
+    length += geometry::length(path.vertices);
+  }
+  for (std::size_t i = 0; i < cracks_.pieces().size(); ++i) {
+    const auto& piece = cracks_.pieces()[i];
+    const geometry::Point step = piece.to - piece.from;
+    auto& [vertices, times] = record_.cracks[piece.crack];
+    vertices.insert(piece.at_back ? vertices.end() : vertices.begin(), piece.to);
+    times.insert(piece.at_back ? times.end() : times.begin(), piece.end);
+    TipRow tip{double(i), piece.end, double(piece.tip), double(piece.crack), piece.to.x(), piece.to.y()};
+    tip.angle = std::atan2(step.y(), step.x()) * 180 / std::numbers::pi;
+    tip.length = geometry::length(vertices);
+    tip.begin = piece.begin, tip.piece = step.norm(), tip.speed = step.norm() / (piece.end - piece.begin),
+    tip.spent = piece.spent;
+    tip.reached = piece.reached;
+    record_.add(tip);
+    length += step.norm();
+    spent += piece.spent * growth_.fracture_energy * start_.section().thickness * step.norm();
+    GrowthRow row{double(i), piece.end};
+    row.crack_length = length, row.tips = piece.tips, row.fracture_energy = spent;
+    record_.add(row);
+  }
+  return record_;
+}
+
+Moved MovingTips::moved() const {
+  auto result = moved_so_far();
+  const auto& pieces = cracks_.pieces();
+  result.advances = pieces.size();
+  for (const auto& piece : pieces) {
+    if (!piece.reached.empty()) result.reached.push_back(piece.reached);
+    result.largest_speed = std::max(result.largest_speed, (piece.to - piece.from).norm() / (piece.end - piece.begin));
+  }
+  result.spent = growth_.spent(cracks_.fracture_energy(), start_.section().thickness, cracks_.length());
+  for (const auto& path : cracks_.paths()) result.lengths.push_back(geometry::length(path.vertices));
+  return result;
+}
+
+}  // namespace fracture

@@ -1,0 +1,122 @@
+#include "fracture/growth/quasi_static/growing_plate.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "plate/formulation/parts/held.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "post/files/gate.hpp"
+
+namespace fracture {
+namespace {
+
+/// The factors of a tip under a share of the load.
+post::Srif scaled(post::Srif srif, double factor) {
+  for (double* value : {&srif.K1, &srif.K2, &srif.K3}) *value *= factor;
+  for (auto* value : {&srif.F1, &srif.F2, &srif.F3})
+    if (*value) **value *= factor;
+  if (srif.G) *srif.G *= factor * factor;
+  for (auto& ring : srif.rings) {
+    for (double* value : {&ring.K1, &ring.K2, &ring.K3}) *value *= factor;
+    ring.G *= factor * factor;
+  }
+  return srif;
+}
+
+std::string at(const geometry::Tip& tip) {
+  return fmt::format("the tip at ({:g}, {:g})", tip.position.x(), tip.position.y());
+}
+
+}  // namespace
+
+GrowingPlate::GrowingPlate(const Growth& growth, const plate::Problem& problem, plate::Discretised first,
+                           post::SrifOptions factors, StaticSolver solver, plate::Stopwatch& stopwatch)
+    : QuasiStaticTips(growth, problem.section, problem.outline, problem.discretization.spacing_at_tips(),
+                      problem.cracks),
+      problem_(problem),
+      first_(std::move(first)),
+      options_of_factors_(std::move(factors)),
+      solver_(std::move(solver)),
+      stopwatch_(stopwatch),
+      start_{problem.cracks, first_->plate->cut()} {}
+
+/// Cracks that have grown may come so near to each other or to edges that the points cannot carry them.
+plate::Discretised GrowingPlate::discretised(const std::vector<geometry::Polyline>& cracks) {
+  if (first_) return *std::exchange(first_, {});
+  problem_.cracks = cracks;
+  try {
+    auto result = plate::discretise(problem_);
+    stopwatch_.follow(result.stopwatch);
+    return result;
+  } catch (const plate::Refused& refused) {
+    throw plate::NumericalError(
+        fmt::format("the plate cannot be discretised with its cracks as they have grown: {}", refused.what()));
+  }
+}
+
+LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& cracks) {
+  auto found = discretised(cracks);
+  const plate::Formulation& plate = *found.plate;
+  std::vector<std::string> split;
+  for (const auto& one : plate::loose(plate)) split.push_back(one.what);
+  if (!split.empty()) return {fmt::format("{}", fmt::join(split, "; ")), 0, {}};
+  LoadedPlate result;
+  for (const auto& tip : plate.tips())
+    if (!post::ringed(problem_, plate.paths(), tip)) result.tips.push_back({tip, {}, std::nullopt});
+  if (!result.tips.empty()) return result;  // they break through
+  const auto methods = post::tip_methods(plate, options_of_factors_);
+  const auto tips = plate.tips();
+  solve(std::move(found), methods);
+  result.displacement = plate_.plate->total_load().cwiseProduct(state_).sum();
+  post::require_finite({{"work", result.displacement}}, "under the whole load");
+  if (!post::moves(state_, result.displacement))
+    post::require_motion(*plate_.plate, {plate_.plate->total_load()}, state_, result.displacement, warnings_);
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    const auto srif = std::ranges::find_if(srifs_, [i](const auto& one) { return one.tip == i && one.G; });
+    if (srif == srifs_.end())
+      throw plate::NumericalError(
+          fmt::format("no energy release rate at {}: {}", at(tips[i]), fmt::join(methods[i].left_out(), "; ")));
+    result.tips.push_back({tips[i], {srif->K1, srif->K2, srif->K3}, srif->G});
+  }
+  return result;
+}
+
+void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMethods>& methods) {
+  const plate::Formulation& plate = *found.plate;
+  auto solved =
+      plate::solve_static(plate, plate.total_load(), solver_.method, solver_.preconditioning, solver_.options);
+  stopwatch_.lap("solve");
+  auto& solution = solved.solution;
+  if (!solution.converged)
+    throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", solved.method,
+                                            solution.stop_reason, solution.residual, solver_.options.tolerance));
+  post::require_finite(solution.state, "at rest");
+  auto factors = post::srifs(plate, options_of_factors_, methods, solution.state);
+  post::require_finite(factors, "under the whole load");
+  stopwatch_.lap("srif");
+  state_ = std::move(solution.state), method_ = solved.method, srifs_ = std::move(factors);
+  solution.state.resize(3, 0);
+  solution_ = std::move(solution);
+  plate_ = std::move(found);
+}
+
+std::optional<std::vector<post::Srif>> GrowingPlate::factors(double factor) {
+  auto result = srifs_;
+  for (auto& srif : result) srif = scaled(std::move(srif), factor);
+  return result;
+}
+
+plate::Mesh GrowingPlate::draw(post::Frame& frame, const plate::State& state) const {
+  const plate::Formulation& plate = *plate_.plate;
+  auto mesh = plate.mesh();
+  const auto first = plate.cut_at(start_);
+  frame.resultants = plate.resultants(state);
+  frame.damage.assign(first.size(), 0);
+  for (std::size_t k = 0; k < first.size(); ++k)
+    frame.damage[k] = first[k] < 1 ? 1 - (1 - plate.cut()[k]) / (1 - first[k]) : 0;
+  mesh.cut = first;
+  return mesh;
+}
+
+}  // namespace fracture

@@ -1,0 +1,48 @@
+#pragma once
+#include "fracture/growth/quasi_static/tips.hpp"
+#include "plate/solve/solution.hpp"
+#include "post/factors/tip_methods.hpp"
+
+namespace fracture {
+
+/// How the states between advances are found.
+struct StaticSolver {
+  plate::StaticMethod method;
+  plate::Preconditioning preconditioning;
+  plate::StaticOptions options;
+};
+
+/// The plate of a problem, discretised and solved anew with every length of its cracks.
+class GrowingPlate : public QuasiStaticTips {
+public:
+  /// `first`: the problem with its cracks as they are at the start. `factors`: whose methods give the energy release
+  /// rate. Seconds go to `stopwatch`. All references must outlive this.
+  GrowingPlate(const Growth& growth, const plate::Problem& problem, plate::Discretised first, post::SrifOptions factors,
+               StaticSolver solver, plate::Stopwatch& stopwatch);
+
+  const plate::Formulation& plate() const override { return *plate_.plate; }
+  const plate::State& state() const override { return state_; }
+  const plate::StaticSolution& solution() const override { return solution_; }
+  const std::string& method() const { return method_; }
+  std::optional<std::vector<post::Srif>> factors(double factor) override;
+  plate::Mesh draw(post::Frame& frame, const plate::State& state) const override;
+
+private:
+  LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) override;
+  plate::Discretised discretised(const std::vector<geometry::Polyline>& cracks);
+  void solve(plate::Discretised found, const std::vector<post::TipMethods>& methods);
+
+  plate::Problem problem_;
+  std::optional<plate::Discretised> first_;
+  post::SrifOptions options_of_factors_;
+  StaticSolver solver_;
+  plate::Stopwatch& stopwatch_;
+  plate::StartOfCracks start_;
+  plate::Discretised plate_;  // of the last solution
+  plate::State state_;
+  plate::StaticSolution solution_;
+  std::string method_;
+  std::vector<post::Srif> srifs_;
+};
+
+}  // namespace fracture

@@ -1,0 +1,43 @@
+#include "fracture/growth/quasi_static/quasi_static.hpp"
+
+namespace fracture {
+namespace {
+
+std::optional<End> end_of(const Growth& growth, const QuasiStaticModel& model, const Loaded& plate,
+                          const QuasiStaticLoad::Step& step) {
+  if (plate.end) return plate.end;
+  if (step.beyond) return model.advances() == 0 ? End::no_growth : End::arrested;
+  if (model.advances() >= growth.max_advances) return End::most_advances;
+  if (model.longest()) return End::longest;
+  if (!step.stable && growth.unstable != Growth::Unstable::jump) return End::unstable;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
+                            const std::function<void(const Equilibrium&)>& observe) {
+  Grown result;
+  QuasiStaticLoad load(growth.control);
+  while (true) {
+    const auto plate = model.solve();
+    if (!plate.split.empty()) {
+      result.ended = {End::split, plate.split};
+      return result;
+    }
+    const auto step = load.to(plate.displacement, plate.critical);
+    result.ledger = {load.ledger.external_work, load.ledger.strain, model.fracture_energy()};
+    const auto end = end_of(growth, model, plate, step);
+    const Equilibrium state{model.advances(), load.factor(),   load.displacement(), plate.critical,
+                            step.stable,      end.has_value(), result.ledger};
+    model.choose(state);
+    observe(state);
+    if (end) {
+      result.ended = {*end};
+      return result;
+    }
+    model.advance(load.factor());
+  }
+}
+
+}  // namespace fracture

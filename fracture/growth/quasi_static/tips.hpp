@@ -1,0 +1,76 @@
+#pragma once
+#include "fracture/growth/kink.hpp"
+#include "fracture/growth/quasi_static/quasi_static.hpp"
+#include "fracture/growth/tip_advance.hpp"
+
+namespace fracture {
+
+/// A tip under the whole load.
+struct LoadedTip {
+  geometry::Tip tip;
+  Factors factors{0, 0, 0};
+  std::optional<double> G;  // energy release rate of the plate [force]; none: no ring fits about it any more
+};
+
+/// The plate with certain cracks under the whole load.
+struct LoadedPlate {
+  std::string split;        // not empty: a piece of the plate is not held any more, and nothing could be solved
+  double displacement = 0;  // sum of loads times displacements at rest [energy]: what the load factor does work on
+  std::vector<LoadedTip> tips;
+};
+
+/// Tips that grow where their energy release rate lets them, in a plate that is solved anew with every length of its
+/// cracks. Tips whose energy release rates are within a percent of the largest move together. A tip about which no ring
+/// fits breaks through to what is nearest (theory.md, "Growth").
+class QuasiStaticTips : public QuasiStaticModel {
+public:
+  /// All references must outlive this. `spacing`: of the points at the tips [length].
+  QuasiStaticTips(const Growth& growth, const plate::Section& section, const geometry::Outline& outline, double spacing,
+                  std::vector<geometry::Polyline> cracks);
+
+  Loaded solve() override;
+  void choose(const Equilibrium& state) override;
+  void advance(double factor) override;
+
+  std::size_t advances() const override { return advances_; }
+  double fracture_energy() const override { return fracture_; }
+  bool longest() const override;
+  std::vector<double> lengths() const override;
+  const std::vector<geometry::Polyline>& cracks() const { return cracks_; }
+
+protected:
+  /// The plate with these cracks under the whole load.
+  virtual LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) = 0;
+
+private:
+  bool may_grow(const LoadedTip& tip) const;
+  void calibrate();
+  double calibration() const;
+  bool break_through();
+  void lay(const std::vector<geometry::Polyline>& before, const std::vector<double>& angles);
+  bool correct(const LoadedPlate& trial, std::vector<double>& angles) const;
+  void extend(const geometry::Tip& tip, const TipAdvance& step);
+  void draw_cracks(double advance);
+
+  struct Moved {
+    std::size_t crack;
+    bool at_back;
+    double G, length;
+  };
+  const Growth& growth_;
+  const plate::Section& section_;
+  const geometry::Outline& outline_;
+  double spacing_, toughness_;
+  std::vector<geometry::Polyline> cracks_;
+  LoadedPlate plate_;                                     // the last solution
+  std::optional<LoadedPlate> solved_;                     // with the cracks as they are
+  double most_ = 0;                                       // energy release rate of a tip that may grow
+  std::vector<char> moves_;                               // per tip
+  std::vector<Moved> moved_;                              // by the last advance
+  double last_displacement_ = 0;                          // before it
+  double calibrated_ = 0, measured_ = 0, predicted_ = 0;  // length of a tip's way, energies of all advances
+  double fracture_ = 0;
+  std::size_t advances_ = 0;
+};
+
+}  // namespace fracture

@@ -1,0 +1,46 @@
+#include "fracture/growth/record.hpp"
+
+namespace fracture {
+namespace {
+
+post::Cell cell(const std::optional<double>& value) {
+  return value ? post::Cell(*value) : post::Cell();
+}
+
+}  // namespace
+
+Record::Record() {
+  growth.columns = {
+      "advance",        "time", "load_factor",  "displacement",  "critical_load_factor", "stable",
+      "crack_length",   "tips", "broken_bonds", "external_work", "strain_energy",        "fracture_energy",
+      "released_energy"};
+  tips.columns = {"advance", "time", "tip", "crack", "x",     "y",     "angle", "length", "moves",
+                  "G",       "K1",   "K2",  "K3",    "begin", "piece", "speed", "spent",  "reached"};
+}
+
+void Record::add(const GrowthRow& row) {
+  growth.rows.push_back({row.advance, cell(row.time), cell(row.load_factor), cell(row.displacement),
+                         cell(row.critical_load_factor), cell(row.stable), row.crack_length, double(row.tips),
+                         cell(row.broken_bonds), cell(row.external_work), cell(row.strain_energy), row.fracture_energy,
+                         cell(row.released_energy)});
+}
+
+void Record::add(const TipRow& row) {
+  tips.rows.push_back({row.advance, cell(row.time), row.tip, cell(row.crack), row.x, row.y, row.angle, cell(row.length),
+                       cell(row.moves), cell(row.G), cell(row.K1), cell(row.K2), cell(row.K3), cell(row.begin),
+                       cell(row.piece), cell(row.speed), cell(row.spent),
+                       row.reached.empty() ? post::Cell() : post::Cell(row.reached)});
+}
+
+post::Table Record::crack_table() const {
+  post::Table result{{"crack", "vertex", "x", "y", "advance", "time"}, {}};
+  for (std::size_t c = 0; c < cracks.size(); ++c)
+    for (std::size_t i = 0; i < cracks[c].vertices.size(); ++i) {
+      const auto& x = cracks[c].vertices[i];
+      const post::Cell when(cracks[c].advances[i]), none;
+      result.rows.push_back({double(c), double(i), x.x(), x.y(), in_motion ? none : when, in_motion ? when : none});
+    }
+  return result;
+}
+
+}  // namespace fracture

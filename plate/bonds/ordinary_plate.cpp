@@ -1,0 +1,243 @@
+#include "plate/bonds/ordinary_plate.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "geometry/lattice/seeding.hpp"
+#include "plate/bonds/lattice_checks.hpp"
+#include "plate/bonds/levels/two_level_plate.hpp"
+#include "plate/bonds/mesh.hpp"
+#include "plate/bonds/parameters/horizon_parameters.hpp"
+#include "plate/bonds/parameters/position_aware.hpp"
+#include "plate/bonds/precrack.hpp"
+#include "plate/bonds/resultants.hpp"
+#include "plate/bonds/rows/lattice_operator.hpp"
+#include "plate/bonds/stiffness.hpp"
+#include "plate/bonds/supports.hpp"
+#include "plate/bonds/tip_view.hpp"
+#include "plate/bonds/trust.hpp"
+#include "plate/model/refused.hpp"
+#include "plate/solve/free_memory.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+/// Iterations that conjugate gradients with the diagonal take to 1e-8: measured on square plates with a crack, held on
+/// two edges and (three times as many) on three points, sides of 125 to 500 spacings, side / thickness from 4 to 200.
+double iterations_with_diagonal(const Problem& problem) {
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  const double side = (high - low).maxCoeff();
+  const bool held = std::ranges::any_of(problem.supports, [](const auto& s) { return !s.edges.empty(); });
+  return (held ? 1 : 3) * (2.2 + 0.084 * side / problem.section.thickness) * side / problem.discretization.spacing;
+}
+
+/// Bytes of the factor of the local plate on every fourth point: measured 220 n log2 n for n = 15,600 to 250,000.
+double factor_bytes(std::size_t points) {
+  const double coarse = double(points) / 4;
+  return 220 * coarse * std::log2(coarse + 2);
+}
+
+template <typename T>
+double bytes_of(const std::vector<T>& values) {
+  return double(values.size() * sizeof(T));
+}
+
+double weight_bytes(const FamilyOperator& plate) {
+  const auto& weights = plate.weights();
+  return bytes_of(weights.kind) + bytes_of(weights.a) + bytes_of(weights.first) + bytes_of(weights.bonds) +
+         bytes_of(plate.patterns().bonds) + bytes_of(plate.patterns().first) + bytes_of(plate.runs().runs) +
+         bytes_of(plate.runs().example) + 2 * sizeof(double) * double(plate.points());
+}
+
+std::string name_of(SurfaceCorrection correction) {
+  switch (correction) {
+    case SurfaceCorrection::none:
+      return "none";
+    case SurfaceCorrection::volume:
+      return "volume";
+    case SurfaceCorrection::arbitrary_horizon:
+      return "arbitrary horizon";
+    case SurfaceCorrection::position_aware:
+      return "position-aware";
+  }
+  return "";
+}
+
+class OrdinaryPlate : public Formulation {
+public:
+  OrdinaryPlate(Layout layout, LatticeOperator op, std::optional<MatchCounts> match)
+      : Formulation(std::move(layout)), op_(std::move(op)), match_(match) {}
+
+  std::size_t points() const override { return op_.points(); }
+  void internal_force(const State& state, Forces& forces) const override { op_.internal_force(state, forces); }
+  void absolute_product(const State& state, Forces& forces) const override { op_.absolute_product(state, forces); }
+  Forces diagonal() const override { return op_.diagonal(); }
+
+  const geometry::Families& families() const override { return op_.families(); }
+  Eigen::VectorXd energies(const State& state) const override { return op_.energies(state); }
+  Resultants resultants(const State& state) const override {
+    return plate::resultants(state, op_.families(), op_.shapes(), cloud().areas, cloud().plate_points, section());
+  }
+  std::vector<Share> interpolation(const Point& at) const override;
+  Mesh mesh() const override { return plate::mesh(boundary(), op_.families(), cut(), section().thickness); }
+  std::vector<double> cut_at(const StartOfCracks& start) const override { return start.cut; }
+  std::unique_ptr<TipView> tip_view() const override {
+    return std::make_unique<BondView>(cloud(), op_.families(), op_.shapes(), section(), discretization());
+  }
+  ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
+  std::unique_ptr<Preconditioner> factor() const override {
+    return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_, true));
+  }
+  SingleForce single_precision() const override {
+    return [rows = op_.single_rows()](const Values<float>& state, Values<float>& force) {
+      rows.internal_force(state, force);
+    };
+  }
+  const LatticeOperator* breaking() const override { return &op_; }
+  std::vector<MemoryPart> memory(bool single) const override;
+  std::optional<MatchCounts> matched() const override { return match_; }
+  std::vector<std::string> distrust(bool factors) const override { return distrust_of_bonds(*this, factors); }
+  std::string remedy() const override;
+  double error_of_edges() const override { return error_of_stairs(*this); }
+  std::optional<double> width_of_pins() const override { return plate::width_of_pins(problem(), cloud().units); }
+
+private:
+  LatticeOperator op_;
+  std::optional<MatchCounts> match_;
+};
+
+std::vector<Share> OrdinaryPlate::interpolation(const Point& at) const {
+  constexpr double reach = 1.6;  // spacings: a place lies between points as near as this
+  if (const double away = distance_to_points(cloud(), at); away > reach)
+    throw Refused({{Subject::geometry, 0, too_far("probe", at, away, reach)}});
+  const auto& lattice = boundary().lattice;
+  const Point u = cloud().units.to_lattice(at);
+  const auto cracks = geometry::to_lattice(paths(), cloud().units);
+  std::vector<std::pair<std::uint32_t, Point>> near;
+  for (std::uint32_t k = 0; k < cloud().plate_points; ++k) {
+    if ((lattice[k] - u).norm() > reach) continue;
+    bool parted = false;
+    for (const auto& crack : cracks) parted = parted || geometry::severs(crack, u, lattice[k]);
+    if (!parted) near.emplace_back(k, lattice[k]);
+  }
+  if (near.empty()) near.emplace_back(geometry::nearest_plate_point(cloud(), at), u);
+  return plate::interpolation(near, u);
+}
+
+/// The factor of the two-level plate and the iterations with it cost about as much as 600 iterations with the diagonal.
+ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const {
+  constexpr double worth = 600;
+  const auto two_level_is_faster = [&] {
+    if (may_move()) return false;  // the factor would enlarge the rounding of a motion without resistance
+    return iterations_with_diagonal(problem()) > worth && factor_bytes(points()) < free_memory() / 2;
+  };
+  using enum Preconditioning;
+  if (wanted == diagonal || (wanted == automatic && !two_level_is_faster())) return {nullptr, "diagonal"};
+  if (wanted == local) return {std::make_unique<LocalPlate>(op_, boundary(), section(), discretization()), "local"};
+  return {std::make_unique<TwoLevelPlate>(op_, boundary(), section(), discretization()), "two_level"};
+}
+
+std::vector<MemoryPart> OrdinaryPlate::memory(bool single) const {
+  return {{"weights of the bonds, surface correction " + name_of(discretization().surface_correction), "parameters",
+           weight_bytes(op_)},
+          {"rows of points", "parameters", double(op_.rows().bytes()) * (single ? 1.5 : 1)}};
+}
+
+std::string OrdinaryPlate::remedy() const {
+  const auto& d = discretization();
+  return fmt::format("take discretization.spacing = {:.2g}, or the Galerkin plate (formulation = \"galerkin\")",
+                     std::min(section().layer() / 2 / d.horizon_ratio, d.spacing / 2));
+}
+
+struct Weights {
+  HorizonWeights weights;
+  std::optional<MatchCounts> counts;
+};
+
+Weights horizon_weights(const Problem& problem, const Boundary& boundary, const geometry::Families& families,
+                        const std::vector<BondShape>& shapes) {
+  const auto& d = problem.discretization;
+  const auto& areas = boundary.cloud.areas;
+  const auto kinds = family_kinds(families, areas, boundary.active);
+  if (d.surface_correction == SurfaceCorrection::position_aware) {
+    auto found = position_aware(families, shapes, areas, boundary.active, kinds, problem.section);
+    return {std::move(found.weights), found.counts};
+  }
+  const auto parameters = horizon_parameters(families, shapes, areas, boundary.active, problem.section, d);
+  return {weights_of_parameters(families, shapes, areas, kinds, parameters), std::nullopt};
+}
+
+void warn_of_edges(const Boundary& boundary, double spacing, std::vector<std::string>& warnings) {
+  for (const auto& side : boundary.sides) {
+    const int axis = side.normal_axis();
+    if (axis < 0 || side.along_lattice() || side.kind == SupportKind::free) continue;
+    const double cells = side.edge.from[axis];
+    warnings.push_back(
+        fmt::format("edge '{}' lies {:.3f} spacings from the lattice's origin, not on a boundary between "
+                    "cells: spacing {:.6g} would put it there",
+                    side.name, cells, spacing * cells / std::round(cells)));
+  }
+}
+
+void check_weights(const std::vector<BondShape>& shapes, double horizon_ratio) {
+  for (const auto& bond : shapes)
+    if (bond.weight < 0)
+      throw Refused(
+          {{Subject::volume_correction, 0,
+            fmt::format("\"lattice_fitted\" has a negative weight at horizon_ratio {:g}; choose \"linear\", or "
+                        "a ratio a little above a whole number",
+                        horizon_ratio)}});
+}
+
+Discretised discretised(const Problem& problem) {
+  Discretised result;
+  auto& stopwatch = result.stopwatch;
+  const auto& d = problem.discretization;
+  auto paths = crack_paths(problem);
+  auto cloud = geometry::lattice(problem.outline, d.spacing);
+  const auto outline = geometry::to_lattice(problem.outline, cloud.units);
+  check_lattice(problem, cloud, outline);
+  Layout layout{problem, {}, geometry::tips(paths), boundary(std::move(cloud), outline, problem.supports, d), {}, {}};
+  const auto& boundary = layout.boundary;
+  result.warnings = boundary.warnings;
+  warn_of_edges(boundary, d.spacing, result.warnings);
+  stopwatch.lap("geometry");
+
+  const auto whole = geometry::families(boundary.cloud, d.horizon(), sees(boundary, outline, d.horizon_ratio));
+  auto families = sever(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
+  layout.pieces = pieces(boundary, families);
+  stopwatch.lap("families");
+
+  auto shapes = bond_shapes(families.vectors(), problem.section, d);
+  check_weights(shapes, d.horizon_ratio);
+  layout.cut = cut_share(whole, families, shapes, boundary.cloud.plate_points);
+  Forces load = Forces::Zero(3, Eigen::Index(boundary.cloud.size()));
+  for (const auto& one : problem.loads) {
+    layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline), one.history});
+    load += layout.loads.back().forces;
+  }
+  layout.mechanisms = mechanisms(boundary, families, layout.pieces, load);
+  auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
+  LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights)));
+  layout.paths = std::move(paths);
+  result.plate = std::make_unique<OrdinaryPlate>(std::move(layout), std::move(op), counts);
+  stopwatch.lap("parameters");
+  return result;
+}
+
+}  // namespace
+
+const FormulationKind ordinary{
+    "ordinary",
+    "bonds",
+    {{Feature::levels, "\"levels\" is of formulation = \"galerkin\""},
+     {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
+     {Feature::any_direction, "this kind of support needs because it mirrors or extends the lattice there"},
+     {Feature::lanczos, "\"lanczos\" is of formulation = \"galerkin\", whose points all have mass"}},
+    discretised};
+
+}  // namespace plate

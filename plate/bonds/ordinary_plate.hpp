@@ -1,0 +1,9 @@
+#pragma once
+#include "plate/formulation/formulation.hpp"
+
+namespace plate {
+
+/// Bonds over a horizon: the ordinary state-based plate (Dai et al. 2021).
+extern const FormulationKind ordinary;
+
+}  // namespace plate

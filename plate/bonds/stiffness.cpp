@@ -1,0 +1,113 @@
+#include "plate/bonds/stiffness.hpp"
+
+#include "plate/solve/matrices/matrix_pattern.hpp"
+
+namespace plate {
+namespace {
+
+/// The bonds of every point, by its run.
+class Bonds {
+public:
+  explicit Bonds(const FamilyOperator& plate) : plate_(plate), pattern_(plate.points()) {
+    for (const auto& run : plate.runs().runs)
+      for (std::uint32_t i = 0; i < run.length; ++i) pattern_[run.first_point + i] = run.pattern;
+  }
+  const PatternBond* begin(std::size_t k) const { return at(pattern_[k]); }
+  const PatternBond* end(std::size_t k) const { return at(pattern_[k] + 1); }
+
+private:
+  const PatternBond* at(std::size_t pattern) const {
+    return plate_.patterns().bonds.data() + plate_.patterns().first[pattern];
+  }
+  const FamilyOperator& plate_;
+  std::vector<std::uint32_t> pattern_;
+};
+
+std::uint32_t neighbour(std::uint32_t k, const PatternBond& bond) {
+  return std::uint32_t(std::int64_t(k) + bond.step);
+}
+
+Eigen::Vector2d direction(const PatternBond& bond) {
+  return {bond.mx, bond.my};
+}
+
+/// The blocks of one column at a time, by their rows.
+class ColumnBlocks {
+public:
+  explicit ColumnBlocks(PointMatrix& matrix) : matrix_(matrix), place_(matrix.points()) {}
+
+  void begin(std::uint32_t k) {
+    k_ = k;
+    for (auto b = matrix_.first[k]; b < matrix_.first[k + 1]; ++b) place_[matrix_.row[b]] = std::uint32_t(b);
+  }
+  /// Of a row of the column, from the diagonal on.
+  Eigen::Matrix3d& at(std::uint32_t row) { return matrix_.block[place_[row]]; }
+  bool has(std::uint32_t row) const { return row >= k_; }
+
+private:
+  PointMatrix& matrix_;
+  std::uint32_t k_ = 0;
+  std::vector<std::uint32_t> place_;
+};
+
+/// Bending and shear of the bonds of point k.
+void add_bonds(const Bonds& bonds, std::uint32_t k, ColumnBlocks& column) {
+  for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
+    const auto j = neighbour(k, *bond);
+    const Eigen::Vector2d m = direction(*bond), half = bond->length / 2 * m;
+    // shear: w_j - w_k - length / 2 m (theta_j + theta_k); curvature: m (theta_j - theta_k)
+    const Eigen::Vector3d own(-1, -half.x(), -half.y()), other(1, -half.x(), -half.y());
+    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
+    bend.bottomRightCorner<2, 2>() = bond->curvature * m * m.transpose();
+    column.at(k) += bond->shear * own * own.transpose() + bend;
+    if (column.has(j)) column.at(j) += bond->shear * other * own.transpose() - bend;
+  }
+}
+
+/// Dilatations of k and of its neighbours p: theta_p = sum D m (theta_j - theta_p).
+void add_dilatations(const FamilyOperator& plate, const Bonds& bonds, std::uint32_t k, ColumnBlocks& column) {
+  const auto add = [&](std::uint32_t p, const Eigen::Vector2d& by_k) {
+    const Eigen::Vector2d factor = plate.dilatation_stiffness()[p] * by_k;
+    Eigen::Vector2d sum(0, 0);
+    for (auto bond = bonds.begin(p); bond < bonds.end(p); ++bond) {
+      const Eigen::Vector2d by_j = bond->D_kj * direction(*bond);
+      sum -= by_j;
+      const auto j = neighbour(p, *bond);
+      if (column.has(j)) column.at(j).bottomRightCorner<2, 2>() += by_j * factor.transpose();
+    }
+    if (column.has(p)) column.at(p).bottomRightCorner<2, 2>() += sum * factor.transpose();
+  };
+  Eigen::Vector2d own(0, 0);
+  for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
+    own -= bond->D_kj * direction(*bond);
+    add(neighbour(k, *bond), -bond->D_jk * direction(*bond));
+  }
+  add(k, own);
+}
+
+}  // namespace
+
+PointMatrix stiffness_matrix(const FamilyOperator& plate, bool with_dilatation) {
+  const Bonds bonds(plate);
+  auto result = zeros(plate.points(), [&](Column& column, std::uint32_t k) {
+    for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
+      const auto p = neighbour(k, *bond);
+      column.couple(p);
+      if (!with_dilatation) continue;
+      for (auto next = bonds.begin(p); next < bonds.end(p); ++next) column.couple(neighbour(p, *next));
+    }
+  });
+#pragma omp parallel
+  {
+    ColumnBlocks column(result);
+#pragma omp for schedule(dynamic, 64)
+    for (std::uint32_t k = 0; k < plate.points(); ++k) {
+      column.begin(k);
+      add_bonds(bonds, k, column);
+      if (with_dilatation) add_dilatations(plate, bonds, k, column);
+    }
+  }
+  return result;
+}
+
+}  // namespace plate

@@ -1,0 +1,274 @@
+#include "plate/bonds/supports.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include "geometry/lattice/cell_index.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+bool mirrors(SupportKind kind) {
+  return kind == SupportKind::clamped || kind == SupportKind::simply_supported_hard || kind == SupportKind::symmetry;
+}
+
+/// +1 or -1 for w, theta_x, theta_y across an edge with the given normal axis.
+std::array<int, 3> parity(SupportKind kind, int normal_axis) {
+  if (kind == SupportKind::clamped) return {-1, -1, -1};
+  const int normal_rotation = normal_axis == 0 ? 2 : 1;  // psi_n is -theta_y or theta_x
+  std::array<int, 3> signs{1, 1, 1};
+  if (kind == SupportKind::symmetry) {
+    signs[static_cast<std::size_t>(normal_rotation)] = -1;
+  } else {
+    signs = {-1, -1, -1};
+    signs[static_cast<std::size_t>(normal_rotation)] = 1;
+  }
+  return signs;
+}
+
+/// Does the outline turn left from the end of one edge into the other?
+bool convex_corner(const Side& first, const Side& second) {
+  if (first.circle || second.circle || first.edge.to != second.edge.from) return false;
+  const Point a = first.edge.to - first.edge.from, b = second.edge.to - second.edge.from;
+  return a.x() * b.y() - a.y() * b.x() > 0;
+}
+
+/// Builds the fictitious points and ties of one plate.
+class Builder {
+public:
+  Builder(Boundary& target, double reach, double spacing)
+      : b_(target), reach_(reach * (1 + 1e-9)), spacing_(spacing), cells_(target.lattice) {}
+
+  void mirror_images();
+  void general_images();
+  void outermost_rows();
+  void layers();
+  void pins(const std::vector<Support>& supports);
+
+private:
+  void add(const Point& u, double area, FictitiousPoint what) {
+    b_.cloud.positions.push_back(b_.cloud.units.from_lattice(u));
+    b_.cloud.areas.push_back(area);
+    b_.lattice.push_back(u);
+    b_.fictitious.push_back(what);
+  }
+  std::uint32_t last() const { return static_cast<std::uint32_t>(b_.lattice.size() - 1); }
+  void tie_image(std::uint32_t leader, const std::array<double, 3>& factors) {
+    for (std::uint32_t c = 0; c < 3; ++c) b_.constraints.tie(3 * last() + c, {{3 * leader + c, factors[c]}});
+  }
+  void tie_clamped(std::uint32_t leader, double depth, const Side& side);
+  bool within(const Side& side, const Point& u) const;
+  void mirror_at_corners();
+  void follow(std::uint32_t k, const Side& side);
+  void outside_cell(const Point& u, const std::vector<int>& candidates);
+
+  Boundary& b_;
+  double reach_, spacing_;
+  geometry::CellIndex cells_;
+};
+
+bool Builder::within(const Side& side, const Point& u) const {
+  const double d = side.inside(u);
+  if (d <= 0 || d > reach_) return false;
+  const Point along = (side.edge.to - side.edge.from).normalized();
+  const double s = along.dot(u - side.edge.from), length = (side.edge.to - side.edge.from).norm();
+  return s > -reach_ && s < length + reach_;
+}
+
+/// Beyond a clamped line, at `depth` d outside, with the leader at d' inside: rotations -d/d', and
+/// w = -(d/d') w' + (d^2 + d d')/(2 d') psi_n', psi_n along the inner normal: exact for constant curvature and for
+/// constant shear from the line on. Plain odd w would see a spurious shear there.
+void Builder::tie_clamped(std::uint32_t leader, double depth, const Side& side) {
+  const Point& u = b_.lattice[leader];
+  const double inside = side.inside(u), ratio = depth / inside;
+  const double lever = spacing_ * depth * (depth + inside) / (2 * inside);
+  const Point out = side.outward(u);  // psi_n = out_x theta_y - out_y theta_x
+  b_.constraints.tie(3 * last(),
+                     {{3 * leader, -ratio}, {3 * leader + 1, -lever * out.y()}, {3 * leader + 2, lever * out.x()}});
+  for (std::uint32_t c = 1; c < 3; ++c) b_.constraints.tie(3 * last() + c, {{3 * leader + c, -ratio}});
+}
+
+void Builder::mirror_images() {
+  for (std::size_t s = 0; s < b_.sides.size(); ++s) {
+    const Side& side = b_.sides[s];
+    if (!mirrors(side.kind) || !side.along_lattice()) continue;
+    const auto signs = parity(side.kind, side.normal_axis());
+    for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
+      if (!within(side, b_.lattice[k])) continue;
+      add(side.mirrored(b_.lattice[k]), b_.cloud.areas[k], {{static_cast<int>(s), -1}, false, true});
+      if (side.kind == SupportKind::clamped)
+        tie_clamped(k, side.inside(b_.lattice[k]), side);
+      else
+        tie_image(k, {double(signs[0]), double(signs[1]), double(signs[2])});
+    }
+  }
+  mirror_at_corners();
+}
+
+/// Convex right-angled corners between two mirrors: the image of the image.
+void Builder::mirror_at_corners() {
+  for (std::size_t s = 0; s < b_.sides.size(); ++s)
+    for (std::size_t t = 0; t < b_.sides.size(); ++t) {
+      const Side &first = b_.sides[s], &second = b_.sides[t];
+      const bool both = mirrors(first.kind) && mirrors(second.kind) && first.along_lattice() && second.along_lattice();
+      if (!both || !convex_corner(first, second)) continue;
+      const auto p = parity(first.kind, first.normal_axis()), q = parity(second.kind, second.normal_axis());
+      for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
+        if (!within(first, b_.lattice[k]) || !within(second, b_.lattice[k])) continue;
+        add(second.mirrored(first.mirrored(b_.lattice[k])), b_.cloud.areas[k],
+            {{static_cast<int>(s), static_cast<int>(t)}, false, true});
+        tie_image(k, {double(p[0] * q[0]), double(p[1] * q[1]), double(p[2] * q[2])});
+      }
+    }
+}
+
+/// Sides that mirror but do not lie along the lattice: lattice points outside, next to the side.
+void Builder::general_images() {
+  std::map<std::pair<long, long>, std::vector<int>> outside;
+  for (std::size_t s = 0; s < b_.sides.size(); ++s) {
+    const Side& side = b_.sides[s];
+    if (!mirrors(side.kind) || side.along_lattice()) continue;
+    const auto window = static_cast<long>(std::ceil(reach_));
+    for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
+      const Point& u = b_.lattice[k];
+      if (side.inside(u) > reach_ || (!side.circle && !within(side, u))) continue;
+      for (long y = -window; y <= window; ++y)
+        for (long x = -window; x <= window; ++x) {
+          const Point v = u + Point(double(x), double(y));
+          const double d = side.inside(v);
+          if (d > 0 || -d > reach_ || (v - u).norm() > reach_ || cells_.at(v)) continue;
+          auto& list = outside[{std::lround(2 * v.x()), std::lround(2 * v.y())}];
+          if (std::find(list.begin(), list.end(), int(s)) == list.end()) list.push_back(static_cast<int>(s));
+        }
+    }
+  }
+  for (const auto& [key, candidates] : outside)
+    outside_cell(Point(double(key.first) / 2, double(key.second) / 2), candidates);
+}
+
+void Builder::outside_cell(const Point& u, const std::vector<int>& candidates) {
+  const int s = *std::min_element(candidates.begin(), candidates.end(), [&](int a, int c) {
+    return -b_.sides[static_cast<std::size_t>(a)].inside(u) < -b_.sides[static_cast<std::size_t>(c)].inside(u);
+  });
+  const Side& side = b_.sides[static_cast<std::size_t>(s)];
+  const double depth = std::max(-side.inside(u), 0.0);
+  const Point image = u - 2 * depth * side.outward(u);
+  std::optional<std::uint32_t> leader;
+  double best = 4;  // cells around the image
+  for (int y = -2; y <= 2; ++y)
+    for (int x = -2; x <= 2; ++x) {
+      const auto k = cells_.at(image + Point(x, y));
+      if (!k || side.inside(b_.lattice[*k]) < std::max(0.25, depth / 2)) continue;
+      const double away = (b_.lattice[*k] - image).norm();
+      if (away < best) best = away, leader = k;
+    }
+  add(u, spacing_ * spacing_, {{s, -1}, false, false});
+  if (!leader) {
+    for (std::uint32_t c = 0; c < 3; ++c) b_.constraints.fix(3 * last() + c);
+    return;
+  }
+  if (side.kind == SupportKind::clamped) {
+    tie_clamped(*leader, depth, side);
+    return;
+  }
+  const auto signs = parity(side.kind, side.normal_axis());
+  const double ratio = depth / side.inside(b_.lattice[*leader]);
+  std::array<double, 3> factors{};
+  for (std::size_t c = 0; c < 3; ++c) factors[c] = signs[c] > 0 ? 1 : -ratio;
+  tie_image(*leader, factors);
+}
+
+void Builder::outermost_rows() {
+  for (const Side& side : b_.sides) {
+    if (side.kind != SupportKind::simply_supported) continue;
+    for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k)
+      if (side.inside(b_.lattice[k]) < 1.5) follow(k, side);
+  }
+}
+
+/// w of a point in the outermost row: w = 0 on the line, linear between.
+void Builder::follow(std::uint32_t k, const Side& side) {
+  const Point& u = b_.lattice[k];
+  const Point normal = side.outward(u);
+  Point step(0, 0);
+  step[std::abs(normal.x()) >= std::abs(normal.y()) ? 0 : 1] = 1;
+  if (step.dot(normal) < 0) step = -step;
+  const bool outermost = side.circle ? (u + step - side.centre).norm() <= side.radius
+                                     : geometry::meet(u, u + step, side.edge.from, side.edge.to);
+  if (!outermost) return;
+  const auto inner = cells_.at(u - step);
+  const double own = side.inside(u), further = inner ? side.inside(b_.lattice[*inner]) : 0;
+  if (inner && further > own)
+    b_.constraints.tie(3 * k, {{3 * *inner, own / further}});
+  else
+    b_.constraints.fix(3 * k);
+}
+
+/// Strips one horizon wide outside the plate, with the corner squares between two of them.
+void Builder::layers() {
+  std::map<std::pair<long, long>, std::vector<int>> cells;
+  for (std::size_t s = 0; s < b_.sides.size(); ++s) {
+    const Side& side = b_.sides[s];
+    if (!is_layer(side.kind)) continue;
+    Point low = side.edge.from.cwiseMin(side.edge.to), high = side.edge.from.cwiseMax(side.edge.to);
+    const Point out = side.outward(low) * std::floor(reach_);
+    low = low.cwiseMin(low + out), high = high.cwiseMax(high + out);
+    for (const Side& other : b_.sides)
+      if (is_layer(other.kind) && (convex_corner(side, other) || convex_corner(other, side))) {
+        const Point more = other.outward(low) * std::floor(reach_);
+        low = low.cwiseMin(low + more), high = high.cwiseMax(high + more);
+      }
+    for (double y = std::floor(low.y()) + 0.5; y < high.y(); ++y)
+      for (double x = std::floor(low.x()) + 0.5; x < high.x(); ++x)
+        if (x > low.x() && y > low.y() && !cells_.at(Point(x, y)))
+          cells[{std::lround(2 * x), std::lround(2 * y)}].push_back(static_cast<int>(s));
+  }
+  for (const auto& [key, list] : cells) {
+    add(Point(double(key.first) / 2, double(key.second) / 2), spacing_ * spacing_,
+        {{list[0], list.size() > 1 ? list[1] : -1}, true, false});
+    for (const int s : list) {
+      const Side& side = b_.sides[static_cast<std::size_t>(s)];
+      b_.constraints.fix(3 * last());
+      if (side.kind == SupportKind::clamped_layer)
+        b_.constraints.fix(3 * last() + 1), b_.constraints.fix(3 * last() + 2);
+      if (side.kind == SupportKind::simply_supported_hard_layer)
+        b_.constraints.fix(3 * last() + (side.normal_axis() == 0 ? 1 : 2));
+    }
+  }
+}
+
+void Builder::pins(const std::vector<Support>& supports) {
+  for (const auto& support : supports)
+    for (const auto& point : support.points)
+      b_.constraints.fix(static_cast<std::uint32_t>(3 * geometry::nearest_plate_point(b_.cloud, point)));
+}
+
+}  // namespace
+
+Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
+                  const Discretization& discretization) {
+  Boundary result;
+  for (const auto& x : cloud.positions) result.lattice.push_back(cloud.units.to_lattice(x));
+  result.cloud = std::move(cloud);
+  result.sides = sides_of(outline, supports);
+  for (const auto& side : result.sides)
+    if (mirrors(side.kind) && !side.along_lattice())
+      result.warnings.push_back("edge '" + side.name +
+                                "' does not lie on a boundary between lattice cells: it is held by points outside that "
+                                "follow their nearest image, which is less accurate than mirror images");
+  Builder builder(result, discretization.horizon_ratio, discretization.spacing);
+  builder.pins(supports);
+  builder.outermost_rows();
+  builder.mirror_images();
+  builder.general_images();
+  builder.layers();
+  result.constraints.resolve();
+  result.active.assign(result.cloud.size(), 1);
+  for (std::size_t i = 0; i < result.fictitious.size(); ++i)
+    result.active[result.cloud.plate_points + i] = result.fictitious[i].layer;
+  return result;
+}
+
+}  // namespace plate

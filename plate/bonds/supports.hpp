@@ -1,0 +1,15 @@
+#pragma once
+#include "plate/formulation/boundary.hpp"
+
+/// Supports of a plate of bonds over a horizon, and which of its points see each other (theory.md, "Supports").
+namespace plate {
+
+/// `outline` in lattice units.
+Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
+                  const Discretization& discretization);
+
+/// May two points be bonded: the bond stays in the plate, or leaves it only across the sides that its fictitious
+/// point belongs to. `outline` in lattice units; both arguments must outlive the answer.
+geometry::Pairwise sees(const Boundary& boundary, const geometry::Outline& outline, double horizon_ratio);
+
+}  // namespace plate

@@ -1,0 +1,67 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+#include "geometry/lattice/families.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/model/discretization.hpp"
+#include "plate/model/supports.hpp"
+
+namespace plate {
+
+/// A straight edge or a circle of the outline, in lattice units, and how it is held.
+struct Side {
+  std::string name;
+  bool circle = false;
+  geometry::Edge edge;           // straight
+  geometry::Point centre{0, 0};  // circle
+  double radius = 0;
+  SupportKind kind = SupportKind::free;
+
+  double inside(const geometry::Point& u) const;            // distance from the side, positive on the plate's side
+  geometry::Point outward(const geometry::Point& u) const;  // unit normal at the side's point next to u
+  /// Parallel to the lattice and on a boundary between cells: points mirrored at it are lattice points.
+  bool along_lattice() const;
+  int normal_axis() const;  // 0: x, 1: y; -1: neither
+  geometry::Point mirrored(const geometry::Point& u) const;
+};
+
+/// A point outside the plate that stands for what a support does there. It is seen across one side, or across two
+/// at a corner.
+struct FictitiousPoint {
+  std::array<int, 2> sides{-1, -1};
+  bool layer = false;  // of a layer in the manner of Dai et al.: stores energy, not tied to a point of the plate
+  bool exact = false;  // the exact mirror image of a point of the plate
+};
+
+/// How the supports act: fictitious points beyond the edges, degrees of freedom that follow others or are zero.
+/// Mirror images (clamped: rotations odd, w odd with the lever of the rotation; simply supported hard: w and psi_s odd;
+/// symmetry: psi_n odd; psi_n, psi_s: rotation along the normal and along the edge) where an edge lies along the
+/// lattice; elsewhere lattice points outside that follow the point nearest to their image in proportion to the
+/// distances from the line. Simply supported (w only): the outermost row follows the second so that w = 0 on the line.
+/// theory.md, "Supports".
+struct Boundary {
+  geometry::Cloud cloud;                 // points of the plate, then fictitious points
+  std::vector<geometry::Point> lattice;  // the same points in lattice units
+  std::vector<Side> sides;
+  std::vector<FictitiousPoint> fictitious;  // cloud.positions[plate_points + i]
+  Constraints constraints;                  // resolved
+  std::vector<char> active;                 // points that store energy
+  std::vector<std::string> warnings;
+
+  bool is_plate(std::uint32_t k) const { return k < cloud.plate_points; }
+
+  /// True if `test` is for the straight bond k - j or for one of its mirror images: what lies beyond a mirror
+  /// is what lies before it.
+  bool any_image(std::uint32_t k, std::uint32_t j,
+                 const std::function<bool(const geometry::Point&, const geometry::Point&)>& test) const;
+};
+
+/// Of the kinds that hold points outside the plate.
+bool is_layer(SupportKind kind);
+
+/// The edges and circles of an outline, and how the supports hold them.
+std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports);
+
+}  // namespace plate

@@ -1,0 +1,144 @@
+#include "plate/formulation/constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_set>
+
+namespace plate {
+namespace {
+
+using Wanted = std::unordered_map<std::uint32_t, std::vector<Constraints::Leader>>;
+
+/// Adds factor * u[dof] to `sum`, in terms of free degrees of freedom. A chain longer than any sound one is a ring: it
+/// holds at zero what it ties.
+void expand(std::uint32_t dof, double factor, const Wanted& wanted, const std::unordered_set<std::uint32_t>& fixed,
+            std::map<std::uint32_t, double>& sum, int depth) {
+  constexpr int longest_chain = 16;
+  if (factor == 0 || fixed.contains(dof) || depth > longest_chain) return;
+  const auto entry = wanted.find(dof);
+  if (entry == wanted.end()) {
+    sum[dof] += factor;
+    return;
+  }
+  for (const auto& leader : entry->second) expand(leader.dof, factor * leader.factor, wanted, fixed, sum, depth + 1);
+}
+
+}  // namespace
+
+void Constraints::fix(std::uint32_t dof) {
+  fixed_.push_back(dof);
+}
+
+void Constraints::tie(std::uint32_t follower, std::vector<Leader> leaders) {
+  wanted_.try_emplace(follower, std::move(leaders));
+}
+
+void Constraints::resolve() {
+  std::unordered_set<std::uint32_t> fixed(fixed_.begin(), fixed_.end());
+  std::vector<std::uint32_t> zero;
+  for (const auto& [follower, leaders] : wanted_) {
+    if (fixed.contains(follower)) continue;
+    std::map<std::uint32_t, double> sum;
+    expand(follower, 1, wanted_, fixed, sum, 0);
+    for (const auto& [leader, factor] : sum) ties_.push_back({follower, leader, factor});
+    if (sum.empty()) zero.push_back(follower);
+  }
+  wanted_.clear();
+  fixed.insert(zero.begin(), zero.end());
+  fixed_.assign(fixed.begin(), fixed.end());
+  std::sort(fixed_.begin(), fixed_.end());
+  std::sort(ties_.begin(), ties_.end(), [](const Tie& a, const Tie& b) {
+    return a.follower != b.follower ? a.follower < b.follower : a.leader < b.leader;
+  });
+
+  held_ = fixed_;
+  for (const Tie& tie : ties_) held_.push_back(tie.follower);
+  std::sort(held_.begin(), held_.end());
+  zero_.clear();
+  for (const auto dof : fixed_) zero_.push_back({dof % 3, dof / 3});
+  followers_ = sums(ties_, false), leaders_ = sums(ties_, true);
+}
+
+Constraints::Sums Constraints::sums(const std::vector<Tie>& ties, bool by_leader) {
+  const auto target = [&](const Tie& tie) { return by_leader ? tie.leader : tie.follower; };
+  std::vector<Tie> sorted = ties;
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const Tie& a, const Tie& b) { return target(a) < target(b); });
+  Sums result;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const auto to = target(sorted[i]), from = by_leader ? sorted[i].follower : sorted[i].leader;
+    if (i == 0 || to != target(sorted[i - 1])) {
+      result.target.push_back({to % 3, to / 3});
+      result.first.push_back(i);
+    }
+    result.shares.push_back({{from % 3, from / 3}, sorted[i].factor});
+    result.first.back() = i + 1;
+  }
+  return result;
+}
+
+bool Constraints::held(std::uint32_t dof) const {
+  return std::binary_search(held_.begin(), held_.end(), dof);
+}
+
+namespace {
+
+/// Calls visit(target, sum of weight * value) for all targets, from several threads where they are many.
+template <typename Sums, typename Real, typename Weight, typename Visit>
+void for_each_sum(const Sums& sums, const Values<Real>& values, const Weight& weight, const Visit& visit) {
+  constexpr std::size_t many = 2000;
+#pragma omp parallel for schedule(static) if (sums.target.size() > many)
+  for (std::size_t t = 0; t < sums.target.size(); ++t) {
+    Real sum = 0;
+    for (std::size_t i = sums.first[t]; i < sums.first[t + 1]; ++i) {
+      const auto& share = sums.shares[i];
+      sum += Real(weight(share.factor)) * values(share.from.component, share.from.point);
+    }
+    visit(sums.target[t], sum);
+  }
+}
+
+}  // namespace
+
+template <typename Real, typename Weight>
+void Constraints::impose_with(Values<Real>& state, const Weight& weight) const {
+  for (const Place& place : zero_) state(place.component, place.point) = 0;
+  for_each_sum(followers_, state, weight, [&](const Place& to, Real sum) { state(to.component, to.point) = sum; });
+}
+
+void Constraints::impose(State& state) const {
+  impose_with(state, [](double factor) { return factor; });
+}
+
+void Constraints::impose(Values<float>& state) const {
+  impose_with(state, [](double factor) { return factor; });
+}
+
+void Constraints::impose_absolute(State& state) const {
+  impose_with(state, [](double factor) { return std::abs(factor); });
+}
+
+template <typename Real, typename Weight>
+void Constraints::fold_with(Values<Real>& forces, const Weight& weight) const {
+  for_each_sum(leaders_, forces, weight, [&](const Place& to, Real sum) { forces(to.component, to.point) += sum; });
+  for (const Place& place : zero_) forces(place.component, place.point) = 0;
+  for (const Place& place : followers_.target) forces(place.component, place.point) = 0;
+}
+
+void Constraints::fold(Forces& forces) const {
+  fold_with(forces, [](double factor) { return factor; });
+}
+
+void Constraints::fold(Values<float>& forces) const {
+  fold_with(forces, [](double factor) { return factor; });
+}
+
+void Constraints::fold_absolute(Forces& forces) const {
+  fold_with(forces, [](double factor) { return std::abs(factor); });
+}
+
+void Constraints::fold_diagonal(Forces& diagonal) const {
+  fold_with(diagonal, [](double factor) { return factor * factor; });
+}
+
+}  // namespace plate

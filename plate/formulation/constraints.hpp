@@ -1,0 +1,70 @@
+#pragma once
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+#include "plate/model/state.hpp"
+
+namespace plate {
+
+/// Degrees of freedom (3 * point + component) that are zero or follow others. Together they are the matrix P of
+/// u = P q; forces go back by its transpose, so that a symmetric stiffness stays symmetric.
+class Constraints {
+public:
+  struct Leader {
+    std::uint32_t dof;
+    double factor;
+  };
+  struct Tie {
+    std::uint32_t follower, leader;
+    double factor;  // u[follower] = sum of factor * u[leader] over its ties
+  };
+
+  void fix(std::uint32_t dof);
+  /// u[follower] = sum of factor * u[dof] over the leaders, which may follow others in turn, or be fixed; resolve()
+  /// settles it. A dof that is tied twice keeps its first leaders.
+  void tie(std::uint32_t follower, std::vector<Leader> leaders);
+
+  /// Replaces chains of ties by ties to free leaders. Call once, after the last fix and tie.
+  void resolve();
+
+  const std::vector<Tie>& ties() const { return ties_; }  // ascending by follower
+  const std::vector<std::uint32_t>& fixed() const { return fixed_; }
+  bool held(std::uint32_t dof) const;
+
+  void impose(State& state) const;  // u = P q
+  void impose(Values<float>& state) const;
+  void impose_absolute(State& state) const;  // u = |P| q
+  void fold(Forces& forces) const;           // f = P^T f; zero at held dofs
+  void fold(Values<float>& forces) const;
+  void fold_absolute(Forces& forces) const;    // f = |P|^T f; zero at held dofs
+  void fold_diagonal(Forces& diagonal) const;  // m = diag(P^T diag(m) P); zero at held dofs
+
+private:
+  struct Place {
+    std::uint32_t component, point;
+  };
+  struct Share {
+    Place from;
+    double factor;
+  };
+  /// For every target the shares that it takes, so that targets can be treated at once.
+  struct Sums {
+    std::vector<Place> target;
+    std::vector<std::size_t> first{0};
+    std::vector<Share> shares;
+  };
+  static Sums sums(const std::vector<Tie>& ties, bool by_leader);
+  template <typename Real, typename Weight>
+  void impose_with(Values<Real>& state, const Weight& weight) const;
+  template <typename Real, typename Weight>
+  void fold_with(Values<Real>& forces, const Weight& weight) const;
+
+  std::unordered_map<std::uint32_t, std::vector<Leader>> wanted_;  // until resolve()
+  std::vector<Tie> ties_;
+  std::vector<std::uint32_t> fixed_;
+  std::vector<std::uint32_t> held_;  // sorted, by resolve()
+  std::vector<Place> zero_;          // held and follows none
+  Sums followers_, leaders_;         // of resolve()
+};
+
+}  // namespace plate

@@ -1,0 +1,71 @@
+#include "plate/formulation/inertia.hpp"
+
+#include "geometry/cells/tessellation.hpp"
+
+#include <array>
+
+namespace plate {
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+double area_of(const geometry::Tessellation& cells, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  const geometry::Point x = cells.local[b] - cells.local[a], y = cells.local[c] - cells.local[a];
+  return (x.x() * y.y() - x.y() * y.x()) / 2;
+}
+
+/// Integrals of products of the linear functions of triangles and the bilinear ones of squares.
+Triplets products(const geometry::Tessellation& cells) {
+  Triplets entries;
+  for (const auto& cell : cells.triangles) {
+    const double part = area_of(cells, cell[0], cell[1], cell[2]) / 12;
+    for (const auto i : cell)
+      for (const auto j : cell) entries.emplace_back(int(i), int(j), i == j ? 2 * part : part);
+  }
+  constexpr std::array<double, 3> apart{4, 2, 1};  // the same corner, along an edge, across
+  for (const auto& cell : cells.squares) {
+    const double part = 2 * area_of(cells, cell[0], cell[1], cell[2]) / 36;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) {
+        const std::size_t steps = (j + 4 - i) % 4;
+        entries.emplace_back(int(cell[i]), int(cell[j]), part * apart[steps == 3 ? 1 : steps]);
+      }
+  }
+  return entries;
+}
+
+}  // namespace
+
+Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
+            const Constraints& constraints, double rotary) {
+  Forces result = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
+  const double translation = section.density * section.thickness;
+  const double rotation = rotary * translation * section.thickness * section.thickness / 12;
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    if (active[k])
+      result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
+  constraints.fold_diagonal(result);
+  return result;
+}
+
+Inertia::Inertia(const Section& section, const geometry::Tessellation& cells, const Constraints& constraints,
+                 double rotary)
+    : translation_(section.density * section.thickness),
+      rotation_(rotary * translation_ * section.thickness * section.thickness / 12),
+      constraints_(&constraints) {
+  const auto points = Eigen::Index(cells.positions.size());
+  const auto entries = products(cells);
+  areas_.resize(points, points);
+  areas_.setFromTriplets(entries.begin(), entries.end());
+}
+
+Forces Inertia::operator()(const State& state) const {
+  if (!constraints_) return diagonal_.cwiseProduct(state);
+  Forces result(3, state.cols());
+  for (Eigen::Index i = 0; i < 3; ++i)
+    result.row(i) = (i == 0 ? translation_ : rotation_) * (areas_ * state.row(i).transpose()).transpose();
+  constraints_->fold(result);
+  return result;
+}
+
+}  // namespace plate

@@ -1,0 +1,38 @@
+#pragma once
+#include <Eigen/SparseCore>
+#include "plate/formulation/constraints.hpp"
+#include "plate/model/section.hpp"
+
+namespace geometry {
+struct Tessellation;
+}
+
+namespace plate {
+
+/// Mass per degree of freedom, diag(rho h, rho h^3 / 12, rho h^3 / 12) times the area (Dai 9), carried over to the
+/// free ones; zero at held degrees of freedom and at points that are not active (images that store no energy).
+/// `rotary`: factor of the rotary inertia; above 1 thin plates take longer steps (theory.md, "Dynamics").
+Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
+            const Constraints& constraints, double rotary = 1);
+
+/// The mass matrix of a plate on its free degrees of freedom.
+class Inertia {
+public:
+  /// Diagonal, as from mass().
+  explicit Inertia(Forces mass) : diagonal_(std::move(mass)) {}
+
+  /// The consistent mass of the cells of a Galerkin plate, in which deflection and rotations are linear, in squares
+  /// bilinear (theory.md, "Dynamics"). `rotary`: factor of the rotary inertia. `constraints` must outlive this.
+  Inertia(const Section& section, const geometry::Tessellation& cells, const Constraints& constraints, double rotary);
+
+  /// P^T M u of u = P q [3 x points].
+  Forces operator()(const State& state) const;
+
+private:
+  Forces diagonal_;                    // or, of cells:
+  Eigen::SparseMatrix<double> areas_;  // integrals of products [length^2], symmetric
+  double translation_ = 0, rotation_ = 0;
+  const Constraints* constraints_ = nullptr;
+};
+
+}  // namespace plate

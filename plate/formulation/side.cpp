@@ -1,0 +1,56 @@
+#include "plate/formulation/boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plate {
+
+using geometry::Point;
+
+double Side::inside(const Point& u) const {
+  if (circle) return (u - centre).norm() - radius;
+  return -outward(u).dot(u - edge.from);
+}
+
+Point Side::outward(const Point& u) const {
+  if (circle) return (centre - u).normalized();
+  const Point along = (edge.to - edge.from).normalized();
+  return {along.y(), -along.x()};
+}
+
+int Side::normal_axis() const {
+  if (circle) return -1;
+  if (edge.from.x() == edge.to.x()) return 0;
+  return edge.from.y() == edge.to.y() ? 1 : -1;
+}
+
+bool Side::along_lattice() const {
+  const int axis = normal_axis();
+  return axis >= 0 && edge.from[axis] == std::round(edge.from[axis]);
+}
+
+Point Side::mirrored(const Point& u) const {
+  Point image = u;
+  image[normal_axis()] = 2 * edge.from[normal_axis()] - u[normal_axis()];
+  return image;
+}
+
+bool is_layer(SupportKind kind) {
+  using enum SupportKind;
+  return kind == clamped_layer || kind == simply_supported_layer || kind == simply_supported_hard_layer;
+}
+
+std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports) {
+  std::vector<Side> sides;
+  for (const auto& edge : geometry::straight_edges(outline)) sides.push_back({edge.name, false, edge, {0, 0}, 0, {}});
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
+      sides.push_back({circle->name, true, {}, circle->centre, circle->radius, {}});
+  for (auto& side : sides)
+    for (const auto& support : supports)
+      if (std::find(support.edges.begin(), support.edges.end(), side.name) != support.edges.end())
+        side.kind = support.kind;
+  return sides;
+}
+
+}  // namespace plate

@@ -1,0 +1,102 @@
+#pragma once
+#include <memory>
+
+#include "geometry/lattice/families.hpp"
+#include "plate/formulation/bond_law.hpp"
+#include "plate/formulation/resultants.hpp"
+#include "plate/formulation/tip_frame.hpp"
+#include "plate/model/section.hpp"
+#include "plate/model/state.hpp"
+
+namespace plate {
+
+/// The annulus in which the extension q falls from 1 to 0 [length].
+struct Ring {
+  double inner, outer;
+
+  double extension(double r) const;  // q
+  double slope(double r) const;      // dq/dr
+};
+
+/// A state less the rigid motion of the points next to the tip, which does no work but would cost digits.
+class NearField {
+public:
+  /// `centre`: the points whose mean motion is taken away.
+  NearField(const State& state, const std::vector<geometry::Point>& positions,
+            const std::vector<std::uint32_t>& centre);
+
+  Kinematics<> operator()(std::uint32_t k) const;
+
+private:
+  const State& state_;
+  const std::vector<geometry::Point>& positions_;
+  geometry::Point place_{0, 0};
+  Eigen::Vector3d mean_{0, 0, 0};
+};
+
+/// -dU/da [force] of the strain energy of a field carried along with a tip that moves straight ahead, of which only the
+/// points of a ring take part.
+class EnergyRelease {
+public:
+  virtual ~EnergyRelease() = default;
+  virtual double operator()(const NearField& field) const = 0;
+};
+
+/// A gradient at a point, of differences along its bonds.
+struct GradientShares {
+  std::vector<geometry::Bond> bonds;
+  Eigen::Matrix2Xd share;  // per bond: of a difference along the bond, in the gradient
+};
+
+/// What the estimates of the errors of intensity factors count, and of what: measured for each formulation (theory.md,
+/// "What the estimated errors mean").
+struct TipTrust {
+  double energy, shear;  // of the difference between energies of the fit and of the integrals, in K1 and K2, and in K3
+  double fits, fits_shear;  // of the largest difference between fits: their turn, in K1 and K2, and in K3
+  double near;              // of the largest factor, where a spacing lies between a tip and what is next to it
+  double layer;             // of the largest factor, in K3, where `width` is as wide as the layer beside the faces
+  double width;             // [length]
+  double doubt;          // beyond this the difference between those energies counts in full, and as a turn of K1 and K2
+  bool domain_integral;  // is always the better of the two integrals
+};
+
+/// A plate as the tips of its cracks see it: its points, and what of its mechanics depends on the formulation. All that
+/// it refers to must outlive it.
+class TipView {
+public:
+  virtual ~TipView() = default;
+
+  const std::vector<geometry::Point>& positions;  // points of the plate first; those on a face of a crack beside it
+  const std::vector<double>& areas;
+  const geometry::Families& families;
+  const std::vector<BondShape>& shapes;  // of the vectors of the families
+  std::size_t plate_points;
+  Section section;
+  double spacing, horizon;       // at the tips [length]
+  bool graded, points_on_faces;  // points of varying distance; on the faces of cracks
+  double doubtful;  // points nearer to the line of a crack do not tell their side, or are not accurate [length]
+  TipTrust trust;
+
+  virtual Gradients gradients(std::uint32_t k, const State& state) const = 0;
+  virtual GradientShares gradient_shares(std::uint32_t k) const = 0;
+  /// grad q of an extension [1 / length].
+  virtual geometry::Point extension_slope(std::uint32_t k, const TipFrame& frame, const Ring& ring) const = 0;
+  /// [force / length]
+  virtual double shear_stiffness(std::uint32_t k) const = 0;
+  /// By moving what stores the energy of the ring (virtual crack extension; theory (47)).
+  virtual std::unique_ptr<EnergyRelease> virtual_extension(const TipFrame& frame, const Ring& ring) const = 0;
+
+protected:
+  TipView(const std::vector<geometry::Point>& at, const std::vector<double>& their_areas,
+          const geometry::Families& their_families, const std::vector<BondShape>& their_shapes, std::size_t of_plate,
+          const Section& its_section)
+      : positions(at),
+        areas(their_areas),
+        families(their_families),
+        shapes(their_shapes),
+        plate_points(of_plate),
+        section(its_section) {}
+  TipView(const TipView&) = default;
+};
+
+}  // namespace plate

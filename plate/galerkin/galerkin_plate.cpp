@@ -1,0 +1,244 @@
+#include "plate/galerkin/galerkin_plate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "geometry/cells/locator.hpp"
+#include "plate/galerkin/levels.hpp"
+#include "plate/galerkin/resultants.hpp"
+#include "plate/galerkin/stiffness.hpp"
+#include "plate/galerkin/tip_view.hpp"
+#include "plate/model/refused.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+/// The points where loads and supports act get a point of their own.
+std::vector<geometry::Point> single_points(const Problem& c) {
+  std::vector<geometry::Point> points;
+  for (const auto& support : c.supports) points.insert(points.end(), support.points.begin(), support.points.end());
+  for (const auto& load : c.loads)
+    if (load.kind == Load::Kind::point_force) points.push_back(load.position);
+  return points;
+}
+
+/// The share of what lies about a place that other points there stand for: both faces of a crack, parted from each
+/// other.
+std::vector<double> cut_share(const geometry::Tessellation& cells, const std::vector<double>& areas) {
+  std::map<std::pair<double, double>, double> around;
+  std::vector<char> faces(areas.size(), 0);
+  for (const auto& border : cells.borders)
+    if (border.edge == geometry::Curves::crack) faces[border.from] = faces[border.to] = 1;
+  const auto place = [&](std::size_t k) { return std::pair(cells.positions[k].x(), cells.positions[k].y()); };
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    if (faces[k]) around[place(k)] += areas[k];
+  std::vector<double> result(areas.size(), 0);
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    if (faces[k]) result[k] = 1 - areas[k] / around.at(place(k));
+  return result;
+}
+
+/// With all spacings `factor` times as wide.
+geometry::Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
+  const auto& d = c.discretization;
+  const auto times = [&](std::optional<double> spacing) {
+    return spacing ? std::optional(factor * *spacing) : spacing;
+  };
+  return geometry::tessellation(c.outline, paths, factor * d.spacing, single_points(c),
+                                {times(d.tip_spacing), times(d.hole_spacing), d.spacing_growth});
+}
+
+template <typename T>
+double bytes_of(const std::vector<T>& values) {
+  return double(values.size() * sizeof(T));
+}
+
+/// Unit vectors and lengths of the bonds of families; they have no weights.
+std::vector<BondShape> shapes_of(const std::vector<Point>& vectors) {
+  std::vector<BondShape> result;
+  result.reserve(vectors.size());
+  for (const auto& xi : vectors) {
+    const double length = xi.norm();
+    result.push_back({xi.y() / length, -xi.x() / length, length, 0});
+  }
+  return result;
+}
+
+/// The same plate on points two, four, ... times as far apart, as far as it has the same pieces there and the one
+/// before still has many points.
+std::vector<GalerkinLevel> coarser_plates(const Formulation& plate) {
+  const Problem& c = plate.problem();
+  constexpr std::size_t few = 4000;  // points; their factor costs some ten products of a hundred thousand points
+  const auto [low, high] = geometry::bounding_box(c.outline);
+  std::vector<GalerkinLevel> result;
+  for (double factor = 2; factor * c.discretization.spacing <= (high - low).minCoeff() / 8; factor *= 2) {
+    if ((result.empty() ? plate.points() : result.back().plate.points()) <= few) break;
+    try {
+      auto cells = cells_of(c, plate.paths(), factor);
+      auto families = galerkin_families(cells);
+      auto boundary =
+          galerkin_boundary(cells, families.areas, geometry::to_lattice(c.outline, cells.units), c.supports);
+      if (pieces(boundary, families.families).size() != plate.pieces().size()) break;
+      auto seen = geometry::seen_positions(cells);
+      result.push_back(
+          {std::move(cells), std::move(seen), std::move(boundary), GalerkinOperator(std::move(families), c.section)});
+    } catch (const std::invalid_argument&) {
+      break;  // cracks and edges are too close to each other for such points
+    }
+  }
+  return result;
+}
+
+class GalerkinPlate : public Formulation {
+public:
+  GalerkinPlate(Layout layout, geometry::Tessellation cells, GalerkinFamilies families)
+      : Formulation(std::move(layout)),
+        cells_(std::move(cells)),
+        shapes_(shapes_of(families.families.vectors())),
+        op_(std::move(families), section()),
+        seen_(geometry::seen_positions(cells_)) {}
+
+  std::size_t points() const override { return op_.points(); }
+  void internal_force(const State& state, Forces& forces) const override { op_.internal_force(state, forces); }
+  void absolute_product(const State& state, Forces& forces) const override { op_.absolute_product(state, forces); }
+  Forces diagonal() const override { return op_.diagonal(); }
+
+  const geometry::Families& families() const override { return op_.families().families; }
+  Eigen::VectorXd energies(const State& state) const override { return op_.energies(state); }
+  Resultants resultants(const State& state) const override {
+    return plate::resultants(state, op_.families(), section());
+  }
+  std::vector<Share> interpolation(const Point& at) const override {
+    return plate::interpolation(geometry::CellLocator(cells_), cells_.units.spacing, at);
+  }
+  Mesh mesh() const override {
+    return {cells_.positions,     cloud().areas,      cut(), cells_.squares, cells_.triangles,
+            cells_.units.spacing, section().thickness};
+  }
+  std::vector<double> cut_at(const StartOfCracks& start) const override;
+  std::unique_ptr<TipView> tip_view() const override {
+    return std::make_unique<GalerkinView>(cells_, op_.families(), seen_, shapes_, section(), discretization());
+  }
+  /// The consistent mass of its cells.
+  Inertia inertia(double rotary) const override { return {section(), cells_, constraints(), rotary}; }
+  ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
+  std::unique_ptr<Preconditioner> factor() const override {
+    return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
+  }
+  std::vector<MemoryPart> memory(bool single) const override;
+  std::vector<std::string> distrust(bool factors) const override;
+  std::string remedy() const override;
+
+private:
+  std::unique_ptr<Preconditioner> levels() const;
+
+  geometry::Tessellation cells_;
+  std::vector<BondShape> shapes_;
+  GalerkinOperator op_;
+  std::vector<Point> seen_;  // geometry::seen_positions()
+};
+
+std::vector<double> GalerkinPlate::cut_at(const StartOfCracks& start) const {
+  const double tolerance = 1e-6 * cells_.units.spacing;
+  std::vector<double> result(cut().size(), 0);
+  for (std::size_t k = 0; k < result.size(); ++k)
+    if (std::ranges::any_of(start.cracks, [&](const auto& crack) {
+          return geometry::distance(crack, cells_.positions[k]) <= tolerance;
+        }))
+      result[k] = cut()[k];
+  return result;
+}
+
+std::unique_ptr<Preconditioner> GalerkinPlate::levels() const {
+  auto coarser = coarser_plates(*this);
+  if (coarser.empty()) return factor();
+  return std::make_unique<GalerkinLevels>(op_, constraints(), seen_, std::move(coarser));
+}
+
+/// A plate of few points is solved by its own factor. On a lattice coarser plates cost little; triangles have to be
+/// found anew for each of them (theory.md, "Statics" of the Galerkin plate).
+ChosenPreconditioner GalerkinPlate::preconditioner(Preconditioning wanted) const {
+  const std::size_t few = cells_.graded ? 100000 : 2000;
+  if (wanted == Preconditioning::diagonal) return {nullptr, "diagonal"};
+  if (wanted == Preconditioning::automatic && points() <= few) return {factor(), "factor"};
+  return {levels(), "levels"};
+}
+
+std::vector<MemoryPart> GalerkinPlate::memory(bool) const {
+  return {
+      {"weights of the families, rows and bonds", "parameters", double(op_.bytes())},
+      {"cells", "geometry",
+       bytes_of(cells_.positions) + bytes_of(cells_.squares) + bytes_of(cells_.triangles) + bytes_of(cells_.borders)}};
+}
+
+/// K3 of a twisted plate is 7 % off with 3.8 spacings in the layer, 1.1 % with 7.9.
+std::vector<std::string> GalerkinPlate::distrust(bool factors) const {
+  const double spacing = discretization().spacing_at_tips(), layer = section().layer();
+  if (!factors || spacing <= layer / 6) return {};
+  return {
+      fmt::format("spacing at the tips is {:.2g} times thickness / sqrt(12 shear_correction), the width of the layer "
+                  "in which twist and shear change: K3 needs a sixth of it or less",
+                  spacing / layer)};
+}
+
+std::string GalerkinPlate::remedy() const {
+  return fmt::format("take discretization.spacing or tip_spacing = {:.2g}",
+                     std::min(section().layer() / 3, discretization().spacing_at_tips() / 2));
+}
+
+Discretised discretised(const Problem& problem) {
+  Discretised result;
+  auto& stopwatch = result.stopwatch;
+  auto paths = crack_paths(problem);
+  auto cells = [&] {
+    try {
+      return cells_of(problem, paths, 1);
+    } catch (const std::invalid_argument& error) {
+      throw Refused({{Subject::geometry, 0, fmt::format("{}; refine", error.what())}});
+    }
+  }();
+  stopwatch.lap("geometry");
+  auto families = galerkin_families(cells);
+  const auto residuals = consistency_residuals(families, cells);
+  if (std::max(residuals.first, residuals.second) > 1e-10)
+    throw std::logic_error(fmt::format("families are not variationally consistent: {:.2e}, {:.2e} spacings",
+                                       residuals.first, residuals.second));
+  const auto outline = geometry::to_lattice(problem.outline, cells.units);
+  Layout layout{problem, {}, geometry::tips(paths), galerkin_boundary(cells, families.areas, outline, problem.supports),
+                {},      {}};
+  layout.pieces = pieces(layout.boundary, families.families);
+  layout.cut = cut_share(cells, families.areas);
+  for (const auto& load : problem.loads)
+    layout.loads.push_back({nodal_forces(load, cells, families.areas), load.history});
+  layout.paths = std::move(paths);
+  stopwatch.lap("families");
+  result.plate = std::make_unique<GalerkinPlate>(std::move(layout), std::move(cells), std::move(families));
+  stopwatch.lap("parameters");
+  return result;
+}
+
+}  // namespace
+
+const FormulationKind galerkin{
+    "galerkin",
+    "the Galerkin plate",
+    {{Feature::horizon, "its families are the points of the cells about a point"},
+     {Feature::influence, "its families are the points of the cells about a point"},
+     {Feature::volume_correction, "its families end at whole cells"},
+     {Feature::surface_correction, "points lie on edges and cracks, nothing is to be corrected there"},
+     {Feature::full_horizon, "its families need no calibration"},
+     {Feature::twist_match, "its families need no calibration"},
+     {Feature::layers,
+      "a layer outside the plate has no meaning with formulation = \"galerkin\", whose points lie on the edges"},
+     {Feature::short_horizon, "the plate with a short horizon is of formulation = \"ordinary\""},
+     {Feature::single_precision, "\"mixed\" is of formulation = \"ordinary\""},
+     {Feature::breaking_bonds, "bonds that break one by one are bonds over a horizon"},
+     {Feature::running_tips, "growth in motion severs bonds over a horizon"}},
+    discretised};
+
+}  // namespace plate

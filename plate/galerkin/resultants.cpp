@@ -1,0 +1,19 @@
+#include "plate/galerkin/resultants.hpp"
+
+namespace plate {
+
+Resultants resultants(const State& state, const GalerkinFamilies& families, const Section& section) {
+  const auto count = static_cast<Eigen::Index>(families.areas.size());
+  Resultants result = resultants_of(count);
+#pragma omp parallel for schedule(static)
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto strains = family_strains(families, std::size_t(k), state);
+    const GalerkinStiffness stiffness(section, families.square(std::size_t(k)));
+    Eigen::Matrix2d theta;  // psi = (-theta_y, theta_x)
+    theta << strains.psi.row(1), -strains.psi.row(0);
+    set(result, k, section, theta, stiffness.shear * strains.gamma);
+  }
+  return result;
+}
+
+}  // namespace plate

@@ -1,0 +1,83 @@
+#include "plate/galerkin/supports.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+/// What supports ask of one point: w = 0, and d . psi = 0 for every direction d.
+struct Held {
+  bool w = false;
+  std::vector<Point> directions;
+};
+
+/// Adds a direction; one within 30 degrees of another, as those of the pieces of a circle, is merged with it.
+void add_direction(std::vector<Point>& directions, const Point& d) {
+  for (auto& known : directions)
+    if (std::abs(known.normalized().dot(d)) > std::sqrt(0.75)) {
+      known += known.dot(d) > 0 ? d : Point(-d);
+      return;
+    }
+  directions.push_back(d);
+}
+
+void hold(Held& held, SupportKind kind, const Point& normal) {
+  const Point along(-normal.y(), normal.x());
+  held.w = held.w || kind != SupportKind::symmetry;
+  if (kind == SupportKind::clamped || kind == SupportKind::symmetry) add_direction(held.directions, normal);
+  if (kind == SupportKind::clamped || kind == SupportKind::simply_supported_hard) add_direction(held.directions, along);
+}
+
+/// psi = (-theta_y, theta_x)
+void impose(Constraints& constraints, std::uint32_t k, const Held& held) {
+  if (held.w) constraints.fix(3 * k);
+  if (held.directions.size() > 1) {
+    constraints.fix(3 * k + 1), constraints.fix(3 * k + 2);
+  } else if (held.directions.size() == 1) {
+    const Point d = held.directions.front().normalized();
+    const auto larger = std::abs(d.y()) >= std::abs(d.x()) ? 3 * k + 1 : 3 * k + 2, other = 6 * k + 3 - larger;
+    const double ratio = larger % 3 == 1 ? d.x() / d.y() : d.y() / d.x();
+    if (std::abs(ratio) < 1e-9)
+      constraints.fix(larger);
+    else
+      constraints.tie(larger, {{other, ratio}});
+  }
+}
+
+}  // namespace
+
+Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vector<double>& areas,
+                           const geometry::Outline& outline, const std::vector<Support>& supports) {
+  Boundary result;
+  result.cloud = {cells.units, cells.positions, areas, cells.positions.size()};
+  for (const auto& x : cells.positions) result.lattice.push_back(cells.units.to_lattice(x));
+  result.sides = sides_of(outline, supports);
+  result.active.assign(cells.positions.size(), 1);
+
+  std::map<std::string, SupportKind> kind_of;
+  for (const auto& support : supports)
+    for (const auto& edge : support.edges) kind_of[edge] = support.kind;
+  std::map<std::uint32_t, Held> held;
+  for (const auto& border : cells.borders) {
+    if (border.edge == geometry::Curves::crack) continue;
+    const auto support = kind_of.find(cells.names[std::size_t(border.edge)]);
+    if (support == kind_of.end() || support->second == SupportKind::free) continue;
+    const Point along = (cells.positions[border.to] - cells.positions[border.from]).normalized();
+    for (const auto k : {border.from, border.to}) hold(held[k], support->second, {along.y(), -along.x()});
+  }
+  for (const auto& [k, what] : held) impose(result.constraints, k, what);
+  for (const auto& support : supports)
+    for (const auto& x : support.points) {
+      const auto nearest = geometry::nearest_plate_point(result.cloud, x);
+      for (std::uint32_t k = 0; k < cells.positions.size(); ++k)
+        if (cells.positions[k] == cells.positions[nearest]) result.constraints.fix(3 * k);
+    }
+  result.constraints.resolve();
+  return result;
+}
+
+}  // namespace plate

@@ -1,0 +1,12 @@
+#pragma once
+#include "plate/formulation/boundary.hpp"
+#include "plate/galerkin/families.hpp"
+
+namespace plate {
+
+/// Supports on points that lie on the edges: w, psi_n, psi_s are held there, and nothing follows from outside.
+/// `outline` in lattice units.
+Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vector<double>& areas,
+                           const geometry::Outline& outline, const std::vector<Support>& supports);
+
+}  // namespace plate

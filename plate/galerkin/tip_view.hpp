@@ -1,0 +1,27 @@
+#pragma once
+#include "plate/formulation/tip_view.hpp"
+#include "plate/galerkin/law.hpp"
+#include "plate/model/discretization.hpp"
+
+namespace plate {
+
+/// The Galerkin plate: gradients of its families, virtual crack extension by moving its points.
+class GalerkinView : public TipView {
+public:
+  /// `seen`: geometry::seen_positions() of the cells.
+  GalerkinView(const geometry::Tessellation& cells, const GalerkinFamilies& galerkin,
+               const std::vector<geometry::Point>& seen, const std::vector<BondShape>& shapes, const Section& section,
+               const Discretization& discretization);
+
+  Gradients gradients(std::uint32_t k, const State& state) const override;
+  GradientShares gradient_shares(std::uint32_t k) const override;
+  geometry::Point extension_slope(std::uint32_t k, const TipFrame& frame, const Ring& ring) const override;
+  double shear_stiffness(std::uint32_t k) const override;
+  std::unique_ptr<EnergyRelease> virtual_extension(const TipFrame& frame, const Ring& ring) const override;
+
+private:
+  const geometry::Tessellation& cells_;
+  const GalerkinFamilies& galerkin_;
+};
+
+}  // namespace plate

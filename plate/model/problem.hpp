@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "geometry/shape/crack_path.hpp"
+#include "plate/model/discretization.hpp"
+#include "plate/model/loads.hpp"
+#include "plate/model/section.hpp"
+#include "plate/model/supports.hpp"
+
+namespace plate {
+
+/// A plate with its cracks, how it is held and loaded, and how it is to be turned into points.
+struct Problem {
+  Section section;
+  geometry::Outline outline;
+  std::vector<geometry::Polyline> cracks;
+  Discretization discretization;
+  std::vector<Support> supports;
+  std::vector<Load> loads;
+};
+
+}  // namespace plate

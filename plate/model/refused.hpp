@@ -1,0 +1,39 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace plate {
+
+/// What of a problem a discretisation cannot carry.
+enum class Subject {
+  geometry,
+  cracks,
+  spacing,
+  volume_correction,
+  support,
+  support_points,
+  support_edges,
+  load_position,
+  load_edges
+};
+
+/// One thing that a discretisation cannot carry.
+struct Refusal {
+  Subject subject;
+  std::size_t number;  // of the support or load
+  std::string what;
+};
+
+/// A discretisation that cannot carry its problem: all reasons together.
+class Refused : public std::runtime_error {
+public:
+  explicit Refused(std::vector<Refusal> reasons)
+      : std::runtime_error(reasons.front().what), reasons_(std::move(reasons)) {}
+  const std::vector<Refusal>& reasons() const { return reasons_; }
+
+private:
+  std::vector<Refusal> reasons_;
+};
+
+}  // namespace plate

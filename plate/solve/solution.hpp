@@ -1,0 +1,23 @@
+#pragma once
+#include "plate/formulation/formulation.hpp"
+#include "plate/solve/statics.hpp"
+
+namespace plate {
+
+/// A plate at rest, and how it was found.
+struct StaticResult {
+  StaticSolution solution;
+  std::string method;                         // as in case files
+  std::optional<std::string> preconditioner;  // of conjugate gradients
+  std::size_t factor_bytes = 0;
+};
+
+/// By a method, and with a preconditioner for conjugate gradients. Throws NumericalError as the solvers do.
+StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMethod method, Preconditioning wanted,
+                          const StaticOptions& options);
+
+/// What is nearest to the inverse of a held plate and pays for many loads: its factor, or, where it has many points,
+/// its coarser plates. `plate` must outlive it.
+std::unique_ptr<Preconditioner> inverse_of(const Formulation& plate);
+
+}  // namespace plate

@@ -1,0 +1,160 @@
+#include "post/factors/plate_factors.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/factors/tip_rings.hpp"
+
+namespace post {
+namespace {
+
+/// "K2 (4.1 %), K3 (12 %)": those that are, with their estimated errors as shares of the largest factor.
+template <typename Which>
+std::string named(const Srif& srif, double thickness, double largest, const Which& which) {
+  std::string result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double share = srif.errors[i].value_or(0) * (i == 2 ? thickness : 1) / largest;
+    if (which(i, share)) result += fmt::format("{}K{} ({:.2g} %)", result.empty() ? "" : ", ", i + 1, 100 * share);
+  }
+  return result;
+}
+
+}  // namespace
+
+double clear_distance(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths,
+                      const geometry::Tip& tip) {
+  const double spacing = c.discretization.spacing_at_tips();
+  double clear = clear_distance(c.outline, paths, tip, spacing);
+  for (const auto& load : c.loads)
+    if (load.kind == plate::Load::Kind::point_force) clear = std::min(clear, (load.position - tip.position).norm());
+  for (const auto& support : c.supports)
+    for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
+  return clear;
+}
+
+double least_clear_distance(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths,
+                            const std::vector<geometry::Tip>& tips) {
+  double result = INFINITY;
+  for (const auto& tip : tips) result = std::min(result, clear_distance(c, paths, tip));
+  return result;
+}
+
+bool ringed(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip) {
+  const double spacing = c.discretization.spacing_at_tips();
+  return !rings(clear_distance(c, paths, tip), spacing, false).empty();
+}
+
+std::vector<TipMethods> tip_methods(const plate::Formulation& plate, const SrifOptions& options) {
+  const double stairs = 0.75 * plate.error_of_edges();  // measured: 91 % of the errors are within the estimates then
+  const double narrowest = least_clear_distance(plate.problem(), plate.paths(), plate.tips());
+  std::vector<TipMethods> result;
+  std::shared_ptr<const TipView> view;
+  for (const auto& tip : plate.tips()) {
+    if (!view) view = plate.tip_view();
+    const double clear = clear_distance(plate.problem(), plate.paths(), tip);
+    result.emplace_back(view, TipPlace{tip, plate.paths()[tip.crack], clear, narrowest, stairs}, options);
+  }
+  return result;
+}
+
+std::optional<TipMethods> tip_methods(std::shared_ptr<const TipView> view, const plate::Problem& problem,
+                                      const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip,
+                                      const SrifOptions& options, double reach) {
+  const double clear = std::min(reach, clear_distance(problem, paths, tip));
+  TipMethods result(std::move(view), TipPlace{tip, paths[tip.crack], clear, clear, 0}, options);
+  return result.works() ? std::optional(std::move(result)) : std::nullopt;
+}
+
+std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& options,
+                        const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings) {
+  plate::Forces force;
+  if (std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
+    plate.internal_force(state, force);
+  std::vector<std::vector<Srif>> by_tip(methods.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t tip = 0; tip < methods.size(); ++tip) by_tip[tip] = methods[tip](state, force, all_rings);
+  std::vector<Srif> result;
+  for (std::size_t tip = 0; tip < methods.size(); ++tip)
+    for (auto& srif : by_tip[tip]) {
+      srif.tip = tip;
+      normalize(srif, options, plate.section().thickness);
+      result.push_back(std::move(srif));
+    }
+  std::vector<double> largest;
+  mark_lost(result, plate.section().thickness, largest);
+  return result;
+}
+
+std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const std::vector<TipMethods>& methods) {
+  std::vector<std::string> result;
+  for (std::size_t tip = 0; tip < methods.size(); ++tip) {
+    const auto& x = tips[tip].position;
+    if (!methods[tip].works()) {
+      result.push_back(fmt::format("tip at ({:g}, {:g}): no intensity factors: {}", x.x(), x.y(),
+                                   fmt::join(methods[tip].left_out(), "; ")));
+      continue;
+    }
+    for (const auto& reason : methods[tip].left_out())
+      result.push_back(fmt::format("tip at ({:g}, {:g}): left out {}", x.x(), x.y(), reason));
+  }
+  return result;
+}
+
+std::vector<std::string> distrust_of_ligaments(const plate::Formulation& plate) {
+  std::vector<std::string> warnings;
+  constexpr double resolved = 2;  // spacings
+  const double spacing = plate.discretization().spacing_at_tips();
+  for (const auto& tip : plate.tips()) {
+    const double clear = clear_distance(plate.problem().outline, plate.paths(), tip, spacing);
+    if (clear >= resolved * spacing) continue;
+    warnings.push_back(fmt::format(
+        "tip at ({:g}, {:g}): the next edge, crack or bend is {:.2g} spacings away: what lies between is not "
+        "resolved, and deflections and the factors of all tips may be off by more than is estimated; take "
+        "discretization.spacing or tip_spacing = {:.2g}",
+        tip.position.x(), tip.position.y(), clear / spacing, clear / 4));
+  }
+  return warnings;
+}
+
+std::vector<std::string> distrust_of_factors(const std::vector<Srif>& srifs, const std::vector<double>& largest,
+                                             double h, const std::string& remedy) {
+  constexpr double uncertain = 0.03;
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < srifs.size(); ++i) {
+    const auto& srif = srifs[i];
+    if (i > 0 && srifs[i - 1].tip == srif.tip) continue;
+    const auto place = fmt::format("tip {} at ({:.4g}, {:.4g})", srif.tip, srif.position.x(), srif.position.y());
+    if (srif.G && *srif.G <= 0 && !srif.resolved[0]) {
+      warnings.push_back(
+          fmt::format("{}: no intensity factors, because the energy release rate comes out as {:.3g}, which is not "
+                      "positive; {}",
+                      place, *srif.G, remedy));
+      continue;
+    }
+    const double scale = std::max(largest_factor(srif, h), srif.tip < largest.size() ? largest[srif.tip] : 0);
+    if (scale == 0) continue;
+    if (of_opening(srif.method) && !srif.resolved[0]) {
+      warnings.push_back(
+          fmt::format("{}: no intensity factors: too few points about it for any method but the opening of the crack, "
+                      "for which nothing vouches there; refine",
+                      place));
+      continue;
+    }
+    const auto lost = named(srif, h, scale, [&](std::size_t k, double) { return !srif.resolved[k]; });
+    const auto doubtful = named(srif, h, scale, [&](std::size_t k, double share) {
+      return srif.resolved[k] && share > uncertain && !srif.accuracy_reached;
+    });
+    if (!lost.empty())
+      warnings.push_back(
+          fmt::format("{}: not resolved are {} (estimated error of the largest factor); {}", place, lost, remedy));
+    if (!doubtful.empty())
+      warnings.push_back(
+          fmt::format("{}: uncertain are {} (estimated error of the largest factor); {}", place, doubtful, remedy));
+  }
+  return warnings;
+}
+
+}  // namespace post

@@ -1,0 +1,44 @@
+#pragma once
+#include "plate/formulation/formulation.hpp"
+#include "post/factors/tip_methods.hpp"
+
+/// The intensity factors of a plate's tips.
+namespace post {
+
+/// Distance from a tip within which nothing disturbs its field, not even loads and pins [length].
+double clear_distance(const plate::Problem& problem, const std::vector<geometry::CrackPath>& paths,
+                      const geometry::Tip& tip);
+
+/// The least of all these tips; infinite without tips.
+double least_clear_distance(const plate::Problem& problem, const std::vector<geometry::CrackPath>& paths,
+                            const std::vector<geometry::Tip>& tips);
+
+/// Does a ring of points fit about the tip, as every energy release rate needs?
+bool ringed(const plate::Problem& problem, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip);
+
+/// The methods for every tip of a plate, which must outlive them; at some tips none may work.
+std::vector<TipMethods> tip_methods(const plate::Formulation& plate, const SrifOptions& options);
+
+/// The methods for a tip of cracks that have grown; none where no method works there. `view`: of the plate with these
+/// cracks. `reach`: largest radius of rings [length].
+std::optional<TipMethods> tip_methods(std::shared_ptr<const TipView> view, const plate::Problem& problem,
+                                      const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip,
+                                      const SrifOptions& options, double reach = INFINITY);
+
+/// The intensity factors of all tips, normalised, the recommended one of each tip first.
+std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& options,
+                        const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings = true);
+
+/// Which methods are missing at which tips, and why.
+std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const std::vector<TipMethods>& methods);
+
+/// A warning for each tip that has something within two spacings: what lies between is not resolved, and the whole
+/// plate may be wrong.
+std::vector<std::string> distrust_of_ligaments(const plate::Formulation& plate);
+
+/// Factors that are not resolved, and those whose estimated error is above 3 % of the largest factor. `largest`: that
+/// every tip ever has. `remedy`: Formulation::remedy().
+std::vector<std::string> distrust_of_factors(const std::vector<Srif>& srifs, const std::vector<double>& largest,
+                                             double thickness, const std::string& remedy);
+
+}  // namespace post

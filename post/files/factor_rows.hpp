@@ -1,0 +1,51 @@
+#pragma once
+#include "post/factors/srif.hpp"
+#include "post/files/table.hpp"
+
+namespace post {
+
+/// The intensity factors of a run row by row, with all that bears on their estimated errors. The tips of all rows are
+/// the same.
+class FactorRows {
+public:
+  explicit FactorRows(double thickness) : thickness_(thickness) {}
+
+  /// Factors of the same tips and methods with twice the spacing: the difference counts in estimated errors.
+  void coarser(std::vector<Srif> srifs) { coarser_ = std::move(srifs); }
+  /// Factors of the same tips in another formulation, row by row, the recommended of each tip first.
+  void second(std::string formulation, std::vector<std::vector<Srif>> rows) {
+    second_ = {std::move(formulation), std::move(rows)};
+  }
+  /// The factors of all rows where they are known already, the recommended ones of each tip first.
+  void known(std::vector<std::vector<Srif>> rows) { known_ = std::move(rows); }
+  bool known() const { return !known_.empty(); }
+  /// What the estimated errors of every tip miss of a motion: a share of the largest factor that the tip ever has.
+  void truncated(std::vector<double> shares) { truncated_ = std::move(shares); }
+
+  /// A row. `found`: without meaning where all rows are known. Throws plate::NumericalError where one is not finite.
+  void add(std::vector<Srif> found, const std::string& when);
+  /// The rows of srif.csv at these times: a factor that is small beside what its tip has at other times is no less
+  /// resolved for it.
+  Table table(const std::vector<double>& times);
+
+  const std::vector<std::vector<Srif>>& rows() const { return rows_; }
+  std::vector<Srif> last() const { return rows_.empty() ? std::vector<Srif>{} : rows_.back(); }
+  /// Of every tip so far: of |K1|, |K2|, |K3| h, by any method.
+  const std::vector<double>& largest() const { return largest_; }
+  /// What truncation leaves out, where that is more than 3 %.
+  std::vector<std::string> distrust() const;
+
+private:
+  double thickness_;
+  std::vector<Srif> coarser_;
+  std::vector<std::vector<Srif>> known_, rows_;
+  std::vector<double> truncated_, largest_;
+  std::pair<std::string, std::vector<std::vector<Srif>>> second_;  // formulation, rows
+};
+
+/// The rows of srif.csv: time,tip,x,y,method,K1,K2,K3,F1,F2,F3,estimated_error,fit_residual,samples,
+/// estimated_error_K1,estimated_error_K2,estimated_error_K3; a factor that is not resolved is empty.
+void append(Table& table, double time, const std::vector<Srif>& srifs);
+std::vector<std::string> srif_columns();
+
+}  // namespace post

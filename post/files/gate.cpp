@@ -1,0 +1,62 @@
+#include "post/files/gate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plate/model/numerical_error.hpp"
+
+namespace post {
+
+void require_finite(const Named& numbers, const std::string& when) {
+  for (const auto& [name, value] : numbers)
+    if (!std::isfinite(value))
+      throw plate::NumericalError(
+          fmt::format("{} is {} {}: the numbers are beyond what double precision holds", name, value, when));
+}
+
+void require_finite(const std::vector<Srif>& factors, const std::string& when) {
+  for (const auto& one : factors) {
+    const auto at =
+        fmt::format("by {} at the tip at ({:g}, {:g}) {}", one.method, one.position.x(), one.position.y(), when);
+    require_finite({{"K1", one.K1}, {"K2", one.K2}, {"K3", one.K3}, {"G", one.G.value_or(0)}}, at);
+  }
+}
+
+void require_finite(const plate::State& state, const std::string& when) {
+  if (!std::isfinite(state.cwiseAbs().sum())) {  // a sum: comparisons pass over what is not a number
+    for (Eigen::Index k = 0; k < state.cols(); ++k)
+      if (!state.col(k).allFinite())
+        throw plate::NumericalError(fmt::format("the displacement of point {} is not finite {}", k, when));
+    throw plate::NumericalError(fmt::format("the displacements are too large for double precision {}", when));
+  }
+}
+
+bool moves(const plate::State& state, double work) {
+  constexpr double least = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+  return !state.isZero(0) && std::abs(work) >= least;
+}
+
+void require_motion(const plate::Formulation& plate, const std::vector<plate::Forces>& loads, const plate::State& state,
+                    double work, std::vector<std::string>& warnings) {
+  const auto& constraints = plate.constraints();
+  const bool loaded = std::ranges::any_of(loads, [&](plate::Forces load) {
+    constraints.fold(load);
+    return !load.isZero(0);
+  });
+  if (!loaded) {
+    warnings.push_back("no load reaches a part of the plate that may move: it stays as it is");
+    return;
+  }
+  if (state.isZero(0))
+    throw plate::NumericalError(
+        "nothing has moved although loads act: numbers are too small for double precision, or no load acts at any "
+        "step");
+  if (!moves(state, work))
+    throw plate::NumericalError(fmt::format(
+        "the loads do a work of {:g}: numbers are too small for double precision; choose other units", work));
+}
+
+}  // namespace post

@@ -1,0 +1,82 @@
+#include "post/files/hdf5/state_file.hpp"
+
+#include <stdexcept>
+
+#include "post/files/hdf5/hdf5_id.hpp"
+
+namespace post {
+namespace {
+
+using hdf5::checked, hdf5::Id, hdf5::Sizes;
+
+/// A dataset of numbers and its sizes.
+struct Numbers {
+  std::string name;
+  Id dataset, space;
+  Sizes sizes;
+
+  Numbers(hid_t file, const std::string& name_, std::size_t indices)
+      : name(name_),
+        dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name),
+        space(H5Dget_space(dataset), H5Sclose, name),
+        sizes(indices) {
+    const int rank = checked(H5Sget_simple_extent_ndims(space), name);
+    if (static_cast<std::size_t>(rank) != indices) {
+      throw std::runtime_error(fmt::format("{} has {} indices, not {}", name, rank, indices));
+    }
+    checked(H5Sget_simple_extent_dims(space, sizes.data(), nullptr), name);
+  }
+
+  void read(double* values) const {
+    checked(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+  }
+
+  /// The part with this first index.
+  void read(hsize_t index, double* values) const {
+    Sizes start(sizes.size(), 0), count = sizes;
+    start.front() = index;
+    count.front() = 1;
+    checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name);
+    const Id part(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, name);
+    checked(H5Dread(dataset, H5T_NATIVE_DOUBLE, part, space, H5P_DEFAULT, values), name);
+  }
+};
+
+void check_version(hid_t file) {
+  const Id attribute(H5Aopen(file, "format_version", H5P_DEFAULT), H5Aclose, "format_version");
+  int version = 0;
+  checked(H5Aread(attribute, H5T_NATIVE_INT, &version), "format_version");
+  if (version != hdf5::format_version) {
+    throw std::runtime_error(fmt::format("format version {}; this program reads {}", version, hdf5::format_version));
+  }
+}
+
+StoredRun read_frames(hid_t file) {
+  check_version(file);
+  const Numbers position(file, "/points/position", 2), time(file, "/frames/time", 1), state(file, "/frames/state", 3);
+  const hsize_t points = position.sizes[0], frames = time.sizes[0];
+  if (position.sizes[1] != 2 || state.sizes != Sizes{frames, points, 3}) {
+    throw std::runtime_error("the frames do not fit the points");
+  }
+  StoredRun run{std::vector<Eigen::Vector2d>(points), std::vector<double>(frames),
+                std::vector<plate::State>(frames, plate::State(3, points))};
+  position.read(run.positions.data()->data());
+  time.read(run.times.data());
+  Eigen::Matrix3Xd by_points(3, points);
+  for (hsize_t i = 0; i < frames; ++i) state.read(i, by_points.data()), run.states[i] = by_points;
+  return run;
+}
+
+}  // namespace
+
+StoredRun read_state_file(const std::filesystem::path& path) {
+  hdf5::keep_quiet();
+  const Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path);
+  try {
+    return read_frames(file);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
+}  // namespace post

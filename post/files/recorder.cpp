@@ -1,0 +1,126 @@
+#include "post/files/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include "post/files/gate.hpp"
+#include "post/files/whole_file.hpp"
+
+namespace post {
+namespace {
+
+/// 64-bit FNV-1a of a text, as hexadecimal: the same settings have the same digest on every machine.
+std::string digest(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const unsigned char c : text) hash = (hash ^ c) * 1099511628211ULL;
+  return fmt::format("{:016x}", hash);
+}
+
+Cell cell(const std::optional<double>& value) {
+  return value ? Cell(*value) : Cell();
+}
+
+}  // namespace
+
+Recorder::Recorder(RecorderOptions options) : options_(std::move(options)) {
+  history_.columns = {"time",
+                      "step",
+                      "strain_energy",
+                      "kinetic_energy",
+                      "external_work",
+                      "fracture_energy",
+                      "max_abs_w",
+                      "discrete_energy",
+                      "energy_residual",
+                      "released_energy",
+                      "load_factor",
+                      "displacement"};
+  probes_.columns = {"time", "probe", "x", "y", "w", "theta_x", "theta_y"};
+  frequencies_.columns = {"mode", "frequency", "omega", "residual"};
+  std::filesystem::create_directories(options_.folder);
+  write_whole(options_.folder / "case.resolved.toml", options_.resolved);
+}
+
+void Recorder::open(const plate::Mesh& mesh) {
+  if (options_.vtk) vtk_.emplace(options_.folder, mesh);
+  if (options_.hdf5) hdf5_.emplace(options_.folder / "state.h5", mesh, options_.resolved, options_.version);
+}
+
+void Recorder::open() {
+  if (options_.vtk) vtk_.emplace(options_.folder, plate::Mesh{});
+}
+
+void Recorder::final_state(const plate::Mesh& mesh, const Frame& frame) {
+  wait_for_frame();
+  if (!options_.hdf5) return;
+  hdf5_.emplace(options_.folder / "state.h5", mesh, options_.resolved, options_.version);
+  hdf5_->write(frame, nullptr);
+}
+
+void Recorder::row(const Sample& s, const std::vector<Probe>& probes, std::size_t plate_points) {
+  const auto when = fmt::format("at step {}, time {:g}", s.step, s.time);
+  require_finite({{"strain energy", s.strain_energy},
+                  {"kinetic energy", s.kinetic_energy},
+                  {"work", s.external_work},
+                  {"fracture energy", s.fracture_energy},
+                  {"discrete energy", s.discrete_energy.value_or(0)},
+                  {"load factor", s.load_factor.value_or(0)}},
+                 when);
+  history_.rows.push_back({s.time, double(s.step), s.strain_energy, s.kinetic_energy, s.external_work,
+                           s.fracture_energy, s.state.row(0).head(Eigen::Index(plate_points)).cwiseAbs().maxCoeff(),
+                           cell(s.discrete_energy), cell(s.energy_residual), cell(s.released_energy),
+                           cell(s.load_factor), cell(s.displacement)});
+  for (const auto& [name, x, shares] : probes) {
+    Eigen::Vector3d u = Eigen::Vector3d::Zero();
+    for (const auto& share : shares) u += share.weight * s.state.col(share.point);
+    probes_.rows.push_back({s.time, name, x.x(), x.y(), u[0], u[1], u[2]});
+  }
+}
+
+void Recorder::mode(const Frequency& one) {
+  frequencies_.rows.push_back({double(one.mode), one.frequency, one.omega, one.residual});
+}
+
+void Recorder::frame(Frame frame, std::optional<plate::Mesh> mesh, plate::State velocity) {
+  if (!vtk_ && !hdf5_) return;
+  wait_for_frame();
+  if (mesh && vtk_) vtk_->remesh(std::move(*mesh));
+  writing_ = std::async(std::launch::async, [this, frame = std::move(frame), velocity = std::move(velocity)] {
+    if (vtk_) vtk_->write(frame);
+    if (hdf5_) hdf5_->write(frame, options_.velocities ? &velocity : nullptr);
+  });
+}
+
+void Recorder::wait_for_frame() {
+  if (writing_.valid()) writing_.get();
+}
+
+void Recorder::cracks(const std::vector<CrackLine>& lines) {
+  if (options_.vtk) write_crack_lines(options_.folder / "cracks.vtp", lines);
+}
+
+Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
+  std::vector<std::pair<std::string, const Table*>> tables;
+  if (frequencies_.rows.empty() && summary.analysis.kind != "frequencies")
+    tables.emplace_back("history", &history_);
+  else
+    tables.emplace_back("frequencies", &frequencies_);
+  if (!probes_.rows.empty()) tables.emplace_back("probes", &probes_);
+  for (const auto& [name, table] : tables_) tables.emplace_back(name, &table);
+  for (const auto& [name, table] : tables) write_csv(options_.folder / (name + ".csv"), *table);
+  wait_for_frame();
+  if (hdf5_) {
+    for (const auto& [name, table] : tables) hdf5_->write(name, *table);
+    hdf5_->close();
+  }
+  stopwatch.lap("output");
+  summary.version = options_.version;
+  summary.digest = digest(options_.resolved);
+  summary.seconds = stopwatch.seconds();
+  summary.seconds.emplace_back("total", stopwatch.total());
+  for (auto& part : summary.scene) part.time_share = stopwatch.seconds(part.stage) / stopwatch.total();
+  summary.peak_memory_bytes = peak_memory_bytes();
+  write_whole(options_.folder / "summary.json", to_json(summary));
+  return summary;
+}
+
+}  // namespace post

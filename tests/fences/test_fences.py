@@ -1,0 +1,238 @@
+"""The fences hold: each stops what it is there to stop, in a small tree of its own, and lets the rest pass."""
+import json
+import pathlib
+import shutil
+import tempfile
+import unittest
+import unittest.mock
+
+import format as formatting
+import functions
+import headers
+import includes
+import lengths
+import tidy
+import tree
+import units
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        self.table = includes.Table(pathlib.Path(__file__).with_name("arrows.toml"))
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        return pathlib.PurePath(name)
+
+    def wrong_includes(self, name, text):
+        return list(includes.of_file(self.root, self.table, self.write(name, text)))
+
+
+class Includes(Tree):
+    def setUp(self):
+        super().setUp()
+        for name in ("geometry/shape/a.hpp", "plate/model/b.hpp", "plate/discretise.hpp", "plate/bonds/c.hpp",
+                     "plate/galerkin/rows/d.hpp", "post/files/e.hpp", "cases/input/f.hpp"):
+            self.write(name, "#pragma once\n")
+
+    def test_arrows(self):
+        for including, header, right in (
+                ("plate/model/x.cpp", "geometry/shape/a.hpp", True), ("geometry/shape/x.cpp", "plate/model/b.hpp", False),
+                ("plate/bonds/rows/x.hpp", "plate/bonds/c.hpp", True), ("plate/bonds/x.cpp", "plate/galerkin/rows/d.hpp", False),
+                ("plate/galerkin/x.cpp", "plate/bonds/c.hpp", False), ("plate/model/x.cpp", "plate/bonds/c.hpp", False),
+                ("plate/discretise.cpp", "plate/bonds/c.hpp", True), ("plate/bonds/x.cpp", "plate/discretise.hpp", False),
+                ("cases/driver/x.cpp", "plate/discretise.hpp", True), ("cases/driver/x.cpp", "plate/bonds/c.hpp", False),
+                ("post/files/x.cpp", "cases/input/f.hpp", False), ("cases/input/x.cpp", "post/files/e.hpp", True),
+                ("cases/main.cpp", "cases/input/f.hpp", True), ("elsewhere/x.cpp", "geometry/shape/a.hpp", False)):
+            for marks in ('"{}"', "<{}>"):
+                wrong = self.wrong_includes(including, f"#include {marks.format(header)}\n")
+                self.assertEqual(not wrong, right, f"{including} {header}: {wrong}")
+
+    def test_libraries(self):
+        for including, header, right in (
+                ("geometry/cells/x.cpp", "CGAL/Polygon_2.h", True), ("geometry/cells/x.hpp", "CGAL/Polygon_2.h", False),
+                ("plate/model/x.cpp", "CGAL/Polygon_2.h", False), ("post/files/x.cpp", "vtkNew.h", True),
+                ("post/figures/x.cpp", "vtkNew.h", False), ("post/files/x.hpp", "vtkNew.h", False), ("post/factors/x.cpp", "hdf5.h", False),
+                ("cases/input/x.cpp", "toml++/toml.h", True), ("post/files/x.cpp", "toml++/toml.h", False),
+                ("post/files/x.hpp", "nlohmann/json.hpp", False),
+                ("plate/model/x.hpp", "Eigen/Core", True), ("plate/model/x.hpp", "vector", True),
+                ("plate/model/x.cpp", "boost/any.hpp", False)):
+            wrong = self.wrong_includes(including, f"// text\n#  include <{header}>\n")
+            self.assertEqual(not wrong, right, f"{including} {header}: {wrong}")
+            self.assertTrue(right or wrong[0].startswith(f"{including}:2: "), wrong)
+
+    def test_what_is_no_include(self):
+        self.assertEqual(self.wrong_includes("geometry/shape/x.cpp", '// #include "plate/model/b.hpp"\n/*\n#include <vtkNew.h>\n*/\n'), [])
+
+    def test_paths(self):
+        self.assertTrue(self.wrong_includes("plate/model/x.cpp", '#include "b.hpp"\n'))
+        self.assertTrue(self.wrong_includes("plate/model/x.cpp", '#include "plate/model/none.hpp"\n'))
+
+    def test_arrows_have_no_rings(self):
+        for name, allowed in self.table.arrows.items():
+            for other in allowed:
+                for target in self.table.arrows:
+                    if target.startswith(other) and target not in (name, "plate") and not target.startswith(name + "/"):
+                        self.assertFalse(name in self.table.arrows[target], f"{name} and {target} include each other")
+
+    def test_reach(self):
+        self.write("plate/model/g.hpp", '#include "plate/model/b.hpp"\n#include "geometry/shape/a.hpp"\n')
+        self.write("plate/model/g.cpp", '#include "plate/model/g.hpp"\n#include <vector>\n')
+        self.assertEqual(len(includes.Reach(self.root).of(pathlib.PurePath("plate/model/g.cpp"))), 3)
+
+
+SAMPLE = '''#include <x>
+#define CALL(x) do { x; } while (0
+namespace plate {
+namespace {
+constexpr double reach = 1'000.0;
+const std::map<int, int> table = {{1, 2}, {3, 4}};
+using Row = std::vector<int>;
+struct Node {
+  Node(int a) : a_{a}, b_(a) {
+  }
+  int sum() const { return a_ + b_; }
+  int a_, b_;
+};
+template <typename T, class U = std::vector<int>>
+T local_operator(const T& a, U b = {}) {
+  const char* brace = "}{"; char c = '{'; /* { */
+  auto inner = [&](int k) { return k; };  // }
+  const auto raw = R"(
+  }
+)";
+  return a;
+}
+}  // namespace
+bool operator==(const Node& a, const Node& b) {
+  return true;
+}
+auto free_lambda = [](int x) {
+  return x;
+};
+}  // namespace plate
+TEST_CASE("a thing { of its own", "[tag]") {
+  CHECK(1);
+}
+'''
+
+
+class Lengths(Tree):
+    def test_functions(self):
+        found = {function.name: (function.first, function.lines) for function in functions.Reader(SAMPLE).functions}
+        self.assertEqual(found, {"Node": (9, 2), "sum": (11, 1), "local_operator": (14, 9), "operator==": (24, 3),
+                                 "free_lambda": (27, 3), "TEST_CASE": (31, 3)})
+
+    def test_names(self):
+        reader = functions.Reader(SAMPLE)
+        self.assertEqual(reader.names, {"reach", "table", "Row", "Node", "local_operator", "free_lambda", "TEST_CASE"})
+        self.assertTrue({"sum", "b_"} <= reader.members)
+
+    def of_length(self, lines):
+        path = self.write("plate/model/long.cpp", "void f(int a,\n       int b) {\n" + "  a;\n" * (lines - 3) + "}\n")
+        return list(lengths.of_file(self.root, path))
+
+    def test_length_of_functions(self):
+        self.assertEqual(self.of_length(60), [])
+        self.assertEqual(self.of_length(61), ["plate/model/long.cpp:1: f has 61 lines, 60 are allowed"])
+
+    def test_length_of_files_and_folders(self):
+        for name, lines, right in (("a.hpp", 150, True), ("a.hpp", 151, False), ("a.cpp", 300, True), ("a.cpp", 301, False)):
+            path = self.write(f"post/files/{name}", "\n" * lines)
+            self.assertEqual(not list(lengths.of_file(self.root, path)), right, (name, lines))
+        paths = [pathlib.PurePath(f"post/files/{i}.cpp") for i in range(26)]
+        self.assertEqual(len(list(lengths.of_folders(paths))), 1)
+        self.assertEqual(list(lengths.of_folders(paths[1:])), [])
+
+    @unittest.mock.patch.object(lengths, "TESTED", 0.75)
+    def test_share_of_units_with_a_test(self):
+        paths = [pathlib.PurePath(f"post/files/{name}.cpp") for name in "abcd"]
+        for name in "abc":
+            self.write(f"tests/unit/post/files/test_{name}.cpp", "")
+        self.assertEqual(list(lengths.tests(self.root, paths)), [])
+        (self.root / "tests/unit/post/files/test_a.cpp").unlink()
+        self.assertEqual(len(list(lengths.tests(self.root, paths))), 1)
+
+
+class Others(Tree):
+    def test_nothing_to_look_at_is_no_pass(self):
+        for fence in (includes, lengths, headers, formatting):
+            with self.assertRaises(tree.Empty):
+                fence.check(self.root)
+
+    def test_headers_of_cases(self):
+        whole = "".join(f"# {key}: some\n" for key in headers.KEYS)
+        self.assertEqual(list(headers.of_file(self.root, self.write("cases/static/a.toml", whole + "\ntitle = ''\n"))), [])
+        self.assertEqual(len(list(headers.of_file(self.root, self.write("cases/static/a.toml", "title = ''\n" + whole)))), 1)
+        self.assertEqual(len(list(headers.of_file(self.root, self.write("cases/static/a.toml", whole.replace("cost: some", "cost:"))))), 1)
+
+    def test_format(self):
+        self.write(".clang-format", "BasedOnStyle: Google\n")
+        for name, text, right in (("a.cpp", "int a = 1;\n", True), ("b.cpp", "int b   = 1;\nint  c;\n", False)):
+            wrong = formatting.of_files(self.root, [self.write(f"post/files/{name}", text)])
+            self.assertEqual(not wrong, right, wrong)
+
+    def test_sources_in_one_text(self):
+        sources = [units.Source(self.root, self.write(f"post/files/{name}.cpp", text), set()) for name, text in (
+            ("a", "namespace {\nint cell() { return 1; }\n}\nint a() { return x.cell + cell(); }\n"),
+            ("b", "namespace {\nint cell() { return 2; }\n}\nint b() { return cell(); }\n"),
+            ("c", "namespace {\nstruct S { int cell; };\nint cell() { return s.cell; }\n}\n"))]
+        groups = units.groups(sources, {})
+        self.assertEqual([[source.path.stem for source in group] for group in groups], [["a", "b"], ["c"]])
+        text, origin = units.joined(groups[0], units.clashes(groups[0], {}))
+        self.assertIn("return x.cell + cell_of_source_0();", text)
+        self.assertIn("int cell_of_source_1()", text)
+        self.assertEqual(origin[text.splitlines().index("int b() { return cell_of_source_1(); }")], (sources[1].path, 4))
+
+
+FAULT = "namespace {\nstruct Row { int k; };\n}\ndouble share(int all) {\n  double x = 1.0 + all / 3;\n  return x;\n}\n"
+
+
+class Tidy(Tree):
+    def setUp(self):
+        super().setUp()
+        shutil.copy(pathlib.Path(__file__).parents[2] / ".clang-tidy", self.root)
+        for folder in tree.FOLDERS:
+            self.write(f"{folder}/a.cpp", "namespace {\nstruct Row { double w; };\n}\n")
+        self.build = self.root / "build"
+        self.build.mkdir()
+
+    def check(self, *without):
+        sources = [path for path in tree.cpp(self.root) if path not in without]
+        self.write("build/compile_commands.json", json.dumps([
+            {"directory": str(self.build), "file": str(self.root / path),
+             "command": f"c++ -O3 -include {self.build}/none/cmake_pch.hxx -I{self.root} -std=c++20 -c {path}"}
+            for path in sources]))
+        return tidy.check(self.root, self.build)
+
+    def test_faults(self):
+        self.assertEqual(self.check(), ([], "5 sources, 5 of them new or changed, without a fault"))
+        self.assertEqual(self.check(), ([], "5 sources, 0 of them new or changed, without a fault"))
+        wrong = self.write("plate/b.cpp", FAULT)  # its Row is not that of a.cpp
+        for _ in range(2):  # what was not clean is read again
+            problems, _ = self.check()
+            self.assertEqual(len(problems), 1, problems)
+            self.assertTrue(problems[0].startswith("plate/b.cpp:5: "), problems)
+        self.write("plate/b.cpp", FAULT.replace("/ 3", "/ 3.0"))
+        self.assertEqual(self.check(), ([], "6 sources, 1 of them new or changed, without a fault"))
+        self.assertTrue(self.check(wrong)[0][0].startswith("plate/b.cpp:1: not in the compile database"))
+
+    def test_headers_count(self):
+        self.write("plate/c.hpp", "#pragma once\n")
+        self.write("plate/a.cpp", '#include "plate/c.hpp"\n')
+        self.assertEqual(self.check()[0], [])
+        self.write("plate/c.hpp", "#pragma once\ninline double share(int all) {\n  return 1.0 + all / 3;\n}\n")
+        self.assertTrue(self.check()[0][0].startswith("plate/c.hpp:3: "))
+
+    def test_no_compile_database(self):
+        with self.assertRaises(tree.Empty):
+            tidy.check(self.root, self.build)
+
+
+if __name__ == "__main__":
+    unittest.main()

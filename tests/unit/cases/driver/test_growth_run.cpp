@@ -1,0 +1,90 @@
+// A growth at rest ends as it really did: an expected end is a value, an error is an error, and what was found until
+// then stays.
+#include "cases/driver/growth_run.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "geometry/shape/crack_extension.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "plate/model/refused.hpp"
+#include "post/files/table.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The Galerkin plate, which refuses cracks longer than 0.75.
+plate::Discretised narrow(const plate::Problem& problem) {
+  if (geometry::length(problem.cracks.front()) > 0.75)
+    throw plate::Refused({{plate::Subject::cracks, 0, "too long; refine"}});
+  return plate::galerkin.discretise(problem);
+}
+
+const plate::FormulationKind fussy{"fussy", "a plate for short cracks", plate::galerkin.lacks, narrow};
+
+/// A square with a crack from its left edge to the middle, bent by moments; it grows by 0.1 an advance.
+cases::CaseFile edge_crack(const plate::FormulationKind& kind) {
+  cases::CaseFile file;
+  auto& c = file.content;
+  c.section = {1000, 0.3, 0.2, 5.0 / 6, 1};
+  c.outline = geometry::rectangle(0, 0, 1, 1);
+  c.cracks = {{{0, 0.5}, {0.5, 0.5}}};
+  c.discretization.spacing = 0.05;
+  c.discretization.formulation = &kind;
+  c.supports = {{plate::SupportKind::pinned, {}, {{0.9, 0.1}, {0.9, 0.9}, {0.1, 0.1}}}};
+  plate::Load moment;
+  moment.kind = plate::Load::Kind::edge_moment, moment.value = 1, moment.edges = {"bottom", "top"};
+  c.loads = {moment};
+  auto& growth = c.growth.emplace();
+  growth.fracture_energy = 1;
+  growth.control = fracture::Growth::Control::equilibrium;
+  growth.direction = fracture::Growth::Direction::straight;
+  growth.increment = 2;
+  c.output.vtk = c.output.hdf5 = false;
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("growth run: cracks that the points cannot follow are an error of the numbers, not a split plate") {
+  const small_run::TemporaryFolder folder;
+  CHECK_THROWS_WITH(cases::grow(edge_crack(fussy), {folder.path(), true}),
+                    "the plate cannot be discretised with its cracks as they have grown: too long; refine");
+  const auto growth = post::read_csv(folder / "growth.csv");
+  REQUIRE(growth.rows.size() >= 2);  // lengths 0.5, 0.6, 0.7
+  for (const char* name : {"tips.csv", "history.csv", "srif.csv", "cracks.csv", "case.resolved.toml"})
+    CHECK(fs::exists(folder / name));
+  CHECK_THAT(small_run::text_of(folder / "summary.json"),
+             Catch::Contains("\"outcome\": \"failed: the plate cannot be discretised"));
+}
+
+TEST_CASE("growth run: refused before it starts, it writes nothing") {
+  const small_run::TemporaryFolder folder;
+  auto file = edge_crack(fussy);
+  file.content.cracks = {{{0, 0.5}, {0.8, 0.5}}};
+  CHECK_THROWS_AS(cases::grow(file, {folder / "results", true}), cases::CaseError);
+  CHECK_FALSE(fs::exists(folder / "results"));
+}
+
+TEST_CASE("growth run: one row per advance in growth.csv, one per tip and advance in tips.csv") {
+  const small_run::TemporaryFolder folder;
+  auto file = edge_crack(plate::galerkin);
+  file.content.growth->max_advances = 2;
+  const auto summary = cases::grow(file, {folder.path(), true});
+  CHECK(summary.growth->outcome == "the largest number of advances");
+  const auto growth = post::read_csv(folder / "growth.csv"), tips = post::read_csv(folder / "tips.csv");
+  REQUIRE(growth.rows.size() == 3);
+  REQUIRE(tips.rows.size() == 3);
+  const auto at = [](const post::Table& table, std::size_t row, const char* name) {
+    return std::get<double>(table.rows[row][table.column(name)]);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(at(growth, i, "advance") == double(i));
+    CHECK(at(growth, i, "load_factor") == Approx(at(growth, i, "critical_load_factor")));
+    CHECK(at(growth, i, "crack_length") == Approx(0.5 + 0.1 * double(i)));
+    CHECK(at(tips, i, "x") == Approx(0.5 + 0.1 * double(i)));
+    CHECK(at(tips, i, "moves") == (i < 2 ? 1 : 0));
+  }
+}

@@ -1,0 +1,28 @@
+#include "fracture/growth/record.hpp"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("record: what a growth does not have stays empty, and each row has a cell for every column") {
+  fracture::Record record;
+  record.add(fracture::GrowthRow{2, {}, 0.5, 3.0});
+  fracture::TipRow tip{2, {}, 1};
+  tip.reached = "'left'";
+  record.add(tip);
+  REQUIRE(record.growth.rows.size() == 1);
+  CHECK(record.growth.rows[0].size() == record.growth.columns.size());
+  CHECK(record.tips.rows[0].size() == record.tips.columns.size());
+  CHECK(record.growth.rows[0][record.growth.column("load_factor")] == post::Cell(0.5));
+  CHECK(record.growth.rows[0][record.growth.column("time")] == post::Cell());
+  CHECK(record.tips.rows[0][record.tips.column("reached")] == post::Cell("'left'"));
+  CHECK(record.tips.rows[0][record.tips.column("G")] == post::Cell());
+}
+
+TEST_CASE("record: vertices of cracks by advance, or by time in motion") {
+  fracture::Record record;
+  record.cracks = {{{{0, 0}, {1, 0}}, {0, 4}}};
+  CHECK(record.crack_table().rows[1][4] == post::Cell(4.0));
+  CHECK(record.crack_table().rows[1][5] == post::Cell());
+  record.in_motion = true;
+  CHECK(record.crack_table().rows[1][4] == post::Cell());
+  CHECK(record.crack_table().rows[1][5] == post::Cell(4.0));
+}

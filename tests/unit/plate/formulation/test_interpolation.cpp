@@ -1,0 +1,74 @@
+#include "plate/formulation/interpolation.hpp"
+
+#include <catch2/catch.hpp>
+#include <functional>
+#include <random>
+
+using geometry::Point;
+using plate::interpolation;
+
+namespace {
+
+using Points = std::vector<std::pair<std::uint32_t, Point>>;
+
+double value(const std::vector<plate::Share>& shares, const Points& points,
+             const std::function<double(const Point&)>& f) {
+  double sum = 0;
+  for (const auto& share : shares)
+    for (const auto& [id, x] : points)
+      if (id == share.point) sum += share.weight * f(x);
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("interpolation: exact for linear fields on scattered points") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+  for (int trial = 0; trial < 100; ++trial) {
+    Points points;
+    for (std::uint32_t i = 0; i < 3 + unsigned(trial) % 9; ++i)
+      points.emplace_back(10 + i, Point(uniform(random), uniform(random)));
+    // three points next to a line make large weights
+    const Point a = points[1].second - points[0].second, b = points[2].second - points[0].second;
+    if (points.size() == 3 && std::abs(a.x() * b.y() - a.y() * b.x()) < 0.1)
+      points.emplace_back(99, Point(2, -2)), points.emplace_back(98, Point(-2, 1));
+    const Point at(uniform(random), uniform(random));
+    const auto shares = interpolation(points, at);
+    REQUIRE(shares.size() == points.size());
+    CHECK(value(shares, points, [](const Point&) { return 1.0; }) == Approx(1).epsilon(1e-11));  // measured: 3e-15
+    const auto linear = [](const Point& x) { return 3 + 2 * x.x() - x.y(); };
+    CHECK(value(shares, points, linear) == Approx(linear(at)).margin(1e-10));  // measured: 1e-14
+  }
+}
+
+TEST_CASE("interpolation: at a point, its own value") {
+  const Points points{{4, {0, 0}}, {7, {1, 0}}, {9, {0, 1}}};
+  const auto shares = interpolation(points, {1, 0});
+  REQUIRE(shares.size() == 1);
+  CHECK(shares[0].point == 7);
+  CHECK(shares[0].weight == 1);
+}
+
+TEST_CASE("interpolation: close to a point, close to its value") {
+  const Points points{{4, {0, 0}}, {7, {1, 0}}, {9, {0, 1}}, {11, {1, 1}}};
+  const auto shares = interpolation(points, {1 - 1e-4, 1e-4});
+  const auto bump = [](const Point& x) { return x.x() * x.y() == 0 && x.x() == 1 ? 1.0 : 0.0; };
+  CHECK(value(shares, points, bump) == Approx(1).margin(1e-3));  // measured: 1e-4
+}
+
+TEST_CASE("interpolation: in the middle of four points, a quarter of each") {
+  const Points points{{0, {0, 0}}, {1, {1, 0}}, {2, {0, 1}}, {3, {1, 1}}};
+  for (const auto& share : interpolation(points, {0.5, 0.5})) CHECK(share.weight == Approx(0.25).epsilon(1e-14));
+}
+
+TEST_CASE("interpolation: points on one line, one point, none") {
+  const Points line{{0, {0, 0}}, {1, {1, 0}}, {2, {2, 0}}};
+  const auto shares = interpolation(line, {0.5, 0});
+  const double found = value(shares, line, [](const Point& x) { return 1 + 3 * x.x(); });
+  CHECK(found == Approx(2.5).epsilon(1e-12));  // measured: 2e-16
+  const auto one = interpolation({{3, {1, 0}}}, {1, 0});
+  REQUIRE(one.size() == 1);
+  CHECK(one[0].weight == 1);
+  CHECK(interpolation({}, {0, 0}).empty());
+}

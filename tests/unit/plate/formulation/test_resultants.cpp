@@ -1,0 +1,82 @@
+#include "plate/bonds/resultants.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/unit/plate/small_plate.hpp"
+
+using namespace plate;
+using small_plate::section;
+
+namespace {
+
+small_plate::Model perforated() {
+  auto outline = geometry::rectangle(-0.3, 0.2, 0.9, 1.2);
+  outline.holes.push_back(geometry::Circle{{0.2, 0.7}, 0.13, "hole"});
+  return small_plate::model(outline, {}, small_plate::spaced(0.1));
+}
+
+template <typename Field>
+Resultants of(const small_plate::Model& m, const Field& field) {
+  State state(3, m.points());
+  for (Eigen::Index k = 0; k < state.cols(); ++k) state.col(k) = field(m.boundary.cloud.positions[std::size_t(k)]);
+  const auto& b = m.boundary;
+  return resultants(state, m.plate.families(), m.plate.shapes(), b.cloud.areas, b.cloud.plate_points, section);
+}
+
+}  // namespace
+
+TEST_CASE("thin plate with constant curvatures and twist: exact moments, no shear, at edges and corners too") {
+  const auto m = perforated();
+  // w = -(a x^2 + b y^2) / 2 - c x y; strains z (a, b, 2 c) with theta_y = -w,x and theta_x = w,y
+  const double a = 0.3, b = -0.7, c = 0.45;
+  const auto r = of(m, [&](const geometry::Point& p) {
+    return Eigen::Vector3d(-(a * p.x() * p.x() + b * p.y() * p.y()) / 2 - c * p.x() * p.y(), -b * p.y() - c * p.x(),
+                           a * p.x() + c * p.y());
+  });
+  // sigma = E / (1 - nu^2) (eps + nu eps'), tau = G gamma, M = integral of sigma z = sigma(z = 1) h^3 / 12
+  const double E = section.young, nu = section.poisson, h = section.thickness, third = h * h * h / 12;
+  const Eigen::Vector3d stress(E / (1 - nu * nu) * (a + nu * b), E / (1 - nu * nu) * (b + nu * a), E / (1 + nu) * c);
+  REQUIRE(r.moments.cols() > 100);
+  CHECK((r.moments.colwise() - stress * third).cwiseAbs().maxCoeff() < 1e-12);  // measured: 8e-16
+  CHECK(r.shear.cwiseAbs().maxCoeff() < 1e-11);                                 // measured: 4e-14, k G h = 80
+  // von Mises of the principal stresses at h / 2
+  const double mean = (stress[0] + stress[1]) / 2, radius = std::hypot((stress[0] - stress[1]) / 2, stress[2]);
+  const double s1 = (mean + radius) * h / 2, s2 = (mean - radius) * h / 2;
+  const double equivalent = std::sqrt(((s1 - s2) * (s1 - s2) + s1 * s1 + s2 * s2) / 2);
+  CHECK((r.von_mises.array() - equivalent).abs().maxCoeff() < 1e-11);  // measured: 6e-14
+}
+
+TEST_CASE("constant shear angles: exact shear forces and no moments") {
+  const auto m = perforated();
+  // gamma_xz = w,x + theta_y = 0.2 + 0.3, gamma_yz = w,y - theta_x = -0.1 - 0.4
+  const auto r =
+      of(m, [](const geometry::Point& p) { return Eigen::Vector3d(5 + 0.2 * p.x() - 0.1 * p.y(), 0.4, 0.3); });
+  const double G = section.young / 2.6;
+  const Eigen::Vector2d expected = 5.0 / 6 * G * section.thickness * Eigen::Vector2d(0.5, -0.5);
+  CHECK((r.shear.colwise() - expected).cwiseAbs().maxCoeff() < 1e-11);  // measured: 3e-13
+  CHECK(r.moments.cwiseAbs().maxCoeff() < 1e-12);                       // measured: 0
+  CHECK(r.von_mises.cwiseAbs().maxCoeff() < 1e-10);                     // measured: 0
+}
+
+TEST_CASE("fictitious points take part but get no resultants") {
+  const auto m = small_plate::model(geometry::rectangle(0, 0, 0.8, 0.6), {{SupportKind::symmetry, {"left"}, {}}},
+                                    small_plate::spaced(0.1));
+  const auto r = of(m, [](const geometry::Point& p) { return Eigen::Vector3d(-p.x() * p.x() / 2, 0, p.x()); });
+  REQUIRE(m.points() > 48);
+  CHECK(r.moments.cols() == 48);
+  CHECK(r.shear.cols() == 48);
+  CHECK(r.von_mises.size() == 48);
+  CHECK((r.moments.row(1) - section.poisson * r.moments.row(0)).cwiseAbs().maxCoeff() < 1e-12);  // measured: 6e-17
+}
+
+TEST_CASE("points with one bond or none: finite") {
+  const auto line = small_plate::model(geometry::rectangle(0, 0, 0.3, 0.1), {}, small_plate::spaced(0.1));
+  REQUIRE(line.points() == 3);
+  const auto bend = [](const geometry::Point& p) { return Eigen::Vector3d(-p.x() * p.x() / 2, 0, p.x()); };
+  const auto r = of(line, bend);
+  CHECK(r.moments.row(0).minCoeff() == Approx(section.bending_stiffness()));
+  CHECK(r.moments.row(0).maxCoeff() == Approx(section.bending_stiffness()));
+  const auto alone = of(small_plate::model(geometry::rectangle(0, 0, 0.1, 0.1), {}, small_plate::spaced(0.1)), bend);
+  REQUIRE(alone.moments.cols() == 1);
+  CHECK(alone.moments.norm() == 0);
+}

@@ -1,0 +1,172 @@
+#include <hdf5.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <optional>
+
+#include "post/files/hdf5/state_file.hpp"
+#include "post/files/whole_file.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+using small_run::FullDisk, small_run::TemporaryFolder;
+
+namespace {
+
+/// A file opened for a look by other means than the code under test.
+class Look {
+public:
+  explicit Look(const std::filesystem::path& path) : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
+    REQUIRE(file_ >= 0);
+  }
+  ~Look() { H5Fclose(file_); }
+
+  std::string text_attribute(const char* object, const char* name) const {
+    const hid_t attribute = H5Aopen_by_name(file_, object, name, H5P_DEFAULT, H5P_DEFAULT);
+    if (attribute < 0) return "no attribute";
+    const hid_t type = H5Aget_type(attribute);
+    char* text = nullptr;
+    H5Aread(attribute, type, static_cast<void*>(&text));
+    std::string result(text);
+    H5free_memory(text);
+    H5Tclose(type);
+    H5Aclose(attribute);
+    return result;
+  }
+
+  std::vector<double> numbers(const char* name) const {
+    return read<double>(name, [](hid_t) { return H5T_NATIVE_DOUBLE; });
+  }
+
+  std::vector<std::string> words(const char* name) const {
+    const auto pointers = read<char*>(name, [](hid_t dataset) { return H5Dget_type(dataset); });
+    std::vector<std::string> result(pointers.begin(), pointers.end());
+    for (char* pointer : pointers) H5free_memory(pointer);
+    return result;
+  }
+
+  std::vector<std::string> datasets() const {
+    std::vector<std::string> names;
+    const auto add = [](hid_t, const char* name, const H5O_info_t* info, void* target) -> herr_t {
+      if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(target)->push_back(name);
+      return 0;
+    };
+    H5Ovisit(file_, H5_INDEX_NAME, H5_ITER_INC, add, &names);
+    return names;
+  }
+
+private:
+  template <typename Value, typename TypeOf>
+  std::vector<Value> read(const char* name, const TypeOf& type_of) const {
+    const hid_t dataset = H5Dopen2(file_, name, H5P_DEFAULT);
+    REQUIRE(dataset >= 0);
+    const hid_t space = H5Dget_space(dataset);
+    std::vector<Value> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+    CHECK(H5Dread(dataset, type_of(dataset), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+    H5Sclose(space);
+    H5Dclose(dataset);
+    return values;
+  }
+
+  hid_t file_;
+};
+
+const std::string long_case(200000, '#');  // more than the 64 KiB that an attribute can hold in place
+
+}  // namespace
+
+TEST_CASE("a run comes back from state.h5") {
+  const TemporaryFolder folder;
+  const post::Frame first = small_run::frame(0, 0), second = small_run::frame(0.5, 10);
+  post::StateFile file(folder / "state.h5", small_run::mesh(), long_case, "1.2.3");
+  file.write(first, nullptr);
+  file.write(second, nullptr);
+  CHECK_FALSE(std::filesystem::exists(folder / "state.h5"));
+  file.close();
+  file.close();  // a second time is harmless
+  CHECK(folder.entries() == 1);
+
+  const post::StoredRun run = post::read_run(folder / "state.h5");
+  CHECK(run.positions == small_run::mesh().positions);
+  CHECK(run.times == std::vector<double>{0, 0.5});
+  REQUIRE(run.states.size() == 2);
+  CHECK(run.states[0] == first.state);
+  CHECK(run.states[1] == second.state);
+}
+
+TEST_CASE("state.h5 explains itself") {
+  const TemporaryFolder folder;
+  const post::Frame frame = small_run::frame(0.5, 10);
+  const plate::State velocity = 7 * frame.state;
+  {
+    post::StateFile file(folder / "state.h5", small_run::mesh(), long_case, "1.2.3");
+    file.write(frame, &velocity);
+    file.write("probes", {{"time", "probe", "w"}, {{0.0, "tip", 1.5}, {0.5, "edge", post::Cell()}}});
+    file.write("probes", {{"time", "probe", "w"}, {{0.0, "tip", 2.5}, {0.5, "edge", post::Cell()}}});
+    file.write("srif", {{"time", "K1"}, {}});
+    file.close();
+  }
+  const Look look(folder / "state.h5");
+  CHECK(look.text_attribute("/", "program") == "PDPlate");
+  CHECK(look.text_attribute("/", "version") == "1.2.3");
+  CHECK(look.text_attribute("/", "case") == long_case);
+  CHECK(look.text_attribute("/points/area", "unit") == "length^2");
+  CHECK(look.text_attribute("/tables/srif/K1", "unit") == "force length^(1/2)");
+  CHECK(look.numbers("/frames/velocity")[4] == velocity(1, 1));
+  CHECK(look.numbers("/frames/step") == std::vector<double>{10});
+  CHECK(look.numbers("/points/cut") == small_run::mesh().cut);
+  CHECK(look.words("/tables/probes/probe") == std::vector<std::string>{"tip", "edge"});
+  CHECK(look.numbers("/tables/probes/w")[0] == 2.5);
+  CHECK(std::isnan(look.numbers("/tables/probes/w")[1]));
+  const auto datasets = look.datasets();
+  CHECK(datasets.size() == 12);
+  for (const std::string& name : datasets) {
+    CAPTURE(name);
+    CHECK(look.text_attribute(name.c_str(), "unit") != "no attribute");
+    CHECK(look.text_attribute(name.c_str(), "description").size() > 1);
+  }
+}
+
+TEST_CASE("a run that fails keeps its last good frame, one without a frame leaves nothing") {
+  const TemporaryFolder folder;
+  {
+    post::StateFile file(folder / "empty.h5", small_run::mesh(), "", "1");
+    CHECK(std::filesystem::exists(folder / "empty.h5.partial"));
+  }
+  CHECK(folder.entries() == 0);
+  {
+    post::StateFile file(folder / "state.h5", small_run::mesh(), "", "1");
+    file.write(small_run::frame(0.25, 1), nullptr);
+    CHECK_THROWS_AS(file.write(small_run::frame(0.5, 2, 5), nullptr), std::invalid_argument);
+  }
+  CHECK(post::read_run(folder / "state.h5").times == std::vector<double>{0.25});
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("an interrupted write leaves no state.h5") {
+  const TemporaryFolder folder;
+  const std::optional<FullDisk> full(std::in_place, 20000);
+  post::Mesh mesh = small_run::mesh();
+  {
+    post::StateFile file(folder / "state.h5", mesh, "", "1");
+    file.write(small_run::frame(0, 0), nullptr);
+    const post::Table table{{"a"}, std::vector<std::vector<post::Cell>>(50000, {1.0})};
+    CHECK_THROWS_WITH(file.write("table", table), Catch::Contains("File too large"));
+    CHECK_THROWS_AS(file.close(), std::filesystem::filesystem_error);
+  }
+  mesh.positions.resize(5000, {0, 0});
+  mesh.areas.resize(5000);
+  mesh.cut.resize(5000);
+  CHECK_THROWS_AS(post::StateFile(folder / "state.h5", mesh, "", "1"), std::filesystem::filesystem_error);
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("what cannot be opened or read is an error with the path") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH(post::StateFile(folder / "none/state.h5", small_run::mesh(), "", "1"),
+                    Catch::Contains("none/state.h5") && Catch::Contains("No such file"));
+  CHECK_THROWS_WITH(post::read_run(folder / "state.h5"), Catch::Contains("state.h5"));
+  post::write_whole(folder / "state.h5", "not HDF5");
+  CHECK_THROWS_WITH(post::read_run(folder / "state.h5"), Catch::Contains("state.h5"));
+  post::StateFile(folder / "no_frames.h5", small_run::mesh(), "", "1").close();
+  CHECK(post::read_run(folder / "no_frames.h5").times.empty());
+}

@@ -1,0 +1,53 @@
+#include "post/files/gate.hpp"
+
+#include "cases/driver/discretised.hpp"
+#include "cases/driver/static_solution.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "tests/unit/cases/case_text.hpp"
+
+using namespace case_text;
+
+TEST_CASE("numbers that are not finite do not pass, and are named") {
+  CHECK_NOTHROW(post::require_finite({{"work", 1e308}, {"strain energy", -0.0}}, "at step 3"));
+  CHECK_THROWS_WITH(post::require_finite({{"work", 1}, {"strain energy", INFINITY}}, "at step 3"),
+                    Catch::Contains("strain energy is inf at step 3"));
+  CHECK_THROWS_AS(post::require_finite({{"work", std::nan("")}}, ""), plate::NumericalError);
+
+  post::Srif one;
+  one.method = "domain_integral";
+  CHECK_NOTHROW(post::require_finite({one}, ""));
+  one.K2 = std::nan("");
+  CHECK_THROWS_WITH(post::require_finite({one}, "at step 3"),
+                    Catch::Contains("K2 is nan by domain_integral at the tip at (0, 0) at step 3"));
+  one.K2 = 0, one.G = INFINITY;
+  CHECK_THROWS_AS(post::require_finite({one}, ""), plate::NumericalError);
+
+  plate::State state = plate::State::Ones(3, 7);
+  CHECK_NOTHROW(post::require_finite(state, ""));
+  state(2, 4) = std::nan("");
+  CHECK_THROWS_WITH(post::require_finite(state, "at rest"), Catch::Contains("point 4 is not finite at rest"));
+  state(2, 4) = -INFINITY;
+  CHECK_THROWS_AS(post::require_finite(state, ""), plate::NumericalError);
+}
+
+TEST_CASE("a plate under a load moves") {
+  std::vector<std::string> warnings;
+  const auto passes = [&](const std::vector<std::string>& settings) {
+    const auto file = read(plain, settings);
+    const auto plate = cases::discretised(file).plate;
+    const auto load = plate->total_load();
+    const auto state = cases::static_solution(file.content, *plate, {1e-6, 10000, {}}).solution.state;
+    warnings.clear();
+    post::require_motion(*plate, {load}, state, load.cwiseProduct(state).sum() / 2, warnings);
+    return warnings.empty();
+  };
+  const std::string coarse = "discretization.spacing=0.2", whole = "geometry.cracks=[]";
+  CHECK(passes({coarse, whole}));
+  CHECK(passes({coarse, whole, "load[0].value=1e-120"}));
+  CHECK_THROWS_AS(passes({coarse, whole, "load[0].value=1e-150"}), plate::NumericalError);
+  CHECK_THROWS_WITH(passes({coarse, whole, "load[0].value=1e-170"}),
+                    Catch::Contains("nothing has moved although loads act"));
+  CHECK_FALSE(passes(
+      {coarse, whole, "discretization.formulation=galerkin", "load=[{kind=\"edge_shear\",edges=[\"left\"],value=1}]"}));
+  CHECK_THAT(warnings.at(0), Catch::Contains("no load reaches"));
+}
