@@ -66,7 +66,7 @@ GrowthRun::GrowthRun(const CaseFile& file, const RunOptions& options) : case_(fi
   const plate::StaticOptions statics{c.analysis.tolerance, c.analysis.max_iterations, {}};
   if (c.growth->by_bonds()) {
     tip_methods(file, *found.plate);  // for what they refuse
-    start_ = std::move(found.plate);
+    start_ = std::move(found.plate), warnings_ = found.warnings;
     bonds_ = std::make_unique<fracture::QuasiStaticBonds>(*c.growth, *start_, c.srif, statics);
     model_ = bonds_.get();
   } else {
@@ -78,7 +78,6 @@ GrowthRun::GrowthRun(const CaseFile& file, const RunOptions& options) : case_(fi
                                                      stopwatch_);
     model_ = tips_.get();
   }
-  if (bonds_) warnings_ = found.warnings;
   recorder_.emplace(recorder_of(c, options.folder));
   recorder_->open();
 }

@@ -30,7 +30,7 @@ bool LanczosSpace::add_after(Index i) {
   State answer;
   inverse_.apply(inertia_(state_of(vectors_.col(i))), answer);
   constraints_.impose(answer);
-  return add_state(std::move(answer));
+  return add_state(answer);
 }
 
 MatrixXd LanczosSpace::stiffness() const {
