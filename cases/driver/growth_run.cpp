@@ -11,6 +11,7 @@
 #include "fracture/growth/quasi_static/bonds.hpp"
 #include "fracture/growth/quasi_static/growing_plate.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "post/files/gate.hpp"
 
 namespace cases {
 namespace {
@@ -109,11 +110,14 @@ void GrowthRun::observe(const fracture::Equilibrium& now) {
   const auto& plate = model_->plate();
   const auto time = double(now.advance);
   advance_ = now.advance, factor_ = now.factor;
+  const auto when = fmt::format("at advance {}", now.advance);
+  post::require_finite(model_->state(), when);
   state_ = now.factor * model_->state();
   post::Sample row{time, now.advance, state_, now.ledger.strain, 0, now.ledger.external_work, now.ledger.fracture};
   row.released_energy = now.ledger.released(), row.load_factor = now.factor, row.displacement = now.displacement;
   recorder_->row(row, probes_of(case_, plate), plate.cloud().plate_points);
   if (auto factors = model_->factors(now.factor)) {
+    post::require_finite(*factors, when);
     post::append(srifs_, time, *factors);
     latest_ = std::move(*factors);
   }
@@ -148,6 +152,7 @@ post::Summary GrowthRun::finish() {
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   post::Summary summary;
   if (solved) summary = about(c, model_->plate(), warnings_);
+  summary.warnings = warnings_;
   summary.title = c.title;
   summary.formulation = c.discretization.formulation->name;
   summary.formulation_reason = c.formulation_reason;

@@ -68,13 +68,15 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
   const auto methods = post::tip_methods(plate, options_of_factors_);
   const auto tips = plate.tips();
   solve(std::move(found), methods);
-  result.displacement = plate_.plate->total_load().cwiseProduct(state_).sum();
+  const auto& [solved, state, srifs] = *latest_;
+  const auto load = solved.plate->total_load();
+  result.displacement = load.cwiseProduct(state).sum();
   post::require_finite({{"work", result.displacement}}, "under the whole load");
-  if (!post::moves(state_, result.displacement))
-    post::require_motion(*plate_.plate, {plate_.plate->total_load()}, state_, result.displacement, warnings_);
+  if (!post::moves(state, result.displacement))
+    post::require_motion(*solved.plate, {load}, state, result.displacement, warnings_);
   for (std::size_t i = 0; i < tips.size(); ++i) {
-    const auto srif = std::ranges::find_if(srifs_, [i](const auto& one) { return one.tip == i && one.G; });
-    if (srif == srifs_.end())
+    const auto srif = std::ranges::find_if(srifs, [i](const auto& one) { return one.tip == i && one.G; });
+    if (srif == srifs.end())
       throw plate::NumericalError(
           fmt::format("no energy release rate at {}: {}", at(tips[i]), fmt::join(methods[i].left_out(), "; ")));
     result.tips.push_back({tips[i], {srif->K1, srif->K2, srif->K3}, srif->G});
@@ -95,20 +97,25 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
   auto factors = post::srifs(plate, options_of_factors_, methods, solution.state);
   post::require_finite(factors, "under the whole load");
   stopwatch_.lap("srif");
-  state_ = std::move(solution.state), method_ = solved.method, srifs_ = std::move(factors);
+  latest_ = Solved{std::move(found), std::move(solution.state), std::move(factors)};
+  method_ = solved.method;
   solution.state.resize(3, 0);
   solution_ = std::move(solution);
-  plate_ = std::move(found);
+}
+
+void GrowingPlate::choose(const Equilibrium& state) {
+  seen_ = *std::exchange(latest_, {});
+  QuasiStaticTips::choose(state);
 }
 
 std::optional<std::vector<post::Srif>> GrowingPlate::factors(double factor) {
-  auto result = srifs_;
+  auto result = seen_.srifs;
   for (auto& srif : result) srif = scaled(std::move(srif), factor);
   return result;
 }
 
 plate::Mesh GrowingPlate::draw(post::Frame& frame, const plate::State& state) const {
-  const plate::Formulation& plate = *plate_.plate;
+  const plate::Formulation& plate = *seen_.found.plate;
   auto mesh = plate.mesh();
   const auto first = plate.cut_at(start_);
   frame.resultants = plate.resultants(state);

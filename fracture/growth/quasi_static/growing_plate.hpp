@@ -20,8 +20,10 @@ public:
   GrowingPlate(const Growth& growth, const plate::Problem& problem, plate::Discretised first, post::SrifOptions factors,
                StaticSolver solver, plate::Stopwatch& stopwatch);
 
-  const plate::Formulation& plate() const override { return *plate_.plate; }
-  const plate::State& state() const override { return state_; }
+  /// What is seen becomes that of the last solution.
+  void choose(const Equilibrium& state) override;
+  const plate::Formulation& plate() const override { return *seen_.found.plate; }
+  const plate::State& state() const override { return seen_.state; }
   const plate::StaticSolution& solution() const override { return solution_; }
   const std::string& method() const { return method_; }
   std::optional<std::vector<post::Srif>> factors(double factor) override;
@@ -29,6 +31,12 @@ public:
 
 private:
   LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) override;
+  /// A plate under the whole load.
+  struct Solved {
+    plate::Discretised found;
+    plate::State state;
+    std::vector<post::Srif> srifs;
+  };
   plate::Discretised discretised(const std::vector<geometry::Polyline>& cracks);
   void solve(plate::Discretised found, const std::vector<post::TipMethods>& methods);
 
@@ -38,11 +46,10 @@ private:
   StaticSolver solver_;
   plate::Stopwatch& stopwatch_;
   plate::StartOfCracks start_;
-  plate::Discretised plate_;  // of the last solution
-  plate::State state_;
+  std::optional<Solved> latest_;  // last; it may be a trial, or be followed by a failure
+  Solved seen_;                   // at the last equilibrium
   plate::StaticSolution solution_;
   std::string method_;
-  std::vector<post::Srif> srifs_;
 };
 
 }  // namespace fracture

@@ -8,6 +8,7 @@
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/refused.hpp"
+#include "post/files/hdf5/state_file.hpp"
 #include "post/files/table.hpp"
 #include "tests/unit/post/small_run.hpp"
 
@@ -22,6 +23,14 @@ plate::Discretised narrow(const plate::Problem& problem) {
   return plate::galerkin.discretise(problem);
 }
 
+/// The Galerkin plate, twice.
+std::size_t discretised_so_far = 0;
+plate::Discretised twice(const plate::Problem& problem) {
+  if (++discretised_so_far > 2) throw plate::Refused({{plate::Subject::cracks, 0, "enough"}});
+  return plate::galerkin.discretise(problem);
+}
+
+const plate::FormulationKind tired{"tired", "a plate that serves twice", plate::galerkin.lacks, twice};
 const plate::FormulationKind fussy{"fussy", "a plate for short cracks", plate::galerkin.lacks, narrow};
 
 /// A square with a crack from its left edge to the middle, bent by moments; it grows by 0.1 an advance.
@@ -87,4 +96,28 @@ TEST_CASE("growth run: one row per advance in growth.csv, one per tip and advanc
     CHECK(at(tips, i, "x") == Approx(0.5 + 0.1 * double(i)));
     CHECK(at(tips, i, "moves") == (i < 2 ? 1 : 0));
   }
+}
+
+TEST_CASE("growth run: after a failure the last state is that of the last row, not of a trial") {
+  const small_run::TemporaryFolder folder;
+  const auto inclined = [&](const plate::FormulationKind& kind) {
+    auto file = edge_crack(kind);
+    auto& c = file.content;
+    c.cracks = {{{0, 0.3}, {0.5, 0.5}}};  // the piece turns: it is tried, and then laid
+    c.growth->direction = fracture::Growth::Direction::tangential_moment;
+    c.output.vtk = c.output.hdf5 = true;
+    return file;
+  };
+  discretised_so_far = 0;
+  CHECK_THROWS_WITH(cases::grow(inclined(tired), {folder / "failed", true}), Catch::Contains("enough"));
+  REQUIRE(discretised_so_far == 3);
+  auto first = inclined(plate::galerkin);
+  first.content.growth->max_advances = 0;
+  cases::grow(first, {folder / "first", true});
+  const auto failed = post::read_run(folder / "failed/state.h5"), expected = post::read_run(folder / "first/state.h5");
+  REQUIRE(post::read_csv(folder / "failed/growth.csv").rows.size() == 1);
+  REQUIRE(failed.states.size() == 1);
+  REQUIRE(expected.states.size() == 1);
+  CHECK(failed.positions == expected.positions);
+  CHECK(failed.states.front() == expected.states.front());
 }
