@@ -189,7 +189,7 @@ int execute(const CLI::App& app, Arguments& a) {
     if (!c.growth || c.analysis.kind != cases::Analysis::Kind::static_ || c.growth->by_bonds())
       throw cases::CaseError(
           {{file.place("growth"), "growth",
-            "cycles are counted along tips that grow at rest: a static case with [growth] and criterion = "
+            "cycles are counted along tips that grow quasi-statically: a static case with [growth] and criterion = "
             "\"energy_release\""}});
     print_table(post::fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section,
                               a.law, a.load, a.ratio));

@@ -6,11 +6,15 @@
 #include <numbers>
 
 #include "cases/driver/lanczos.hpp"
+#include "cases/driver/prepared.hpp"
 #include "cases/driver/static_solution.hpp"
 #include "cases/input/accuracy_path.hpp"
+#include "cases/input/case_file.hpp"
 #include "cases/report/progress.hpp"
+#include "plate/formulation/stopwatch.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/free_memory.hpp"
+#include "post/factors/plate_factors.hpp"
 #include "post/factors/tip_integrals.hpp"
 #include "post/files/gate.hpp"
 
@@ -32,7 +36,7 @@ CaseFile with_size(const CaseFile& file, double size) {
   CaseFile result = file;
   Case& c = result.content;
   c.discretization = discretization_of(file.content, size);
-  // factors at rest are to be known far better than by the default tolerance; in motion they are watched themselves
+  // static factors are to be known far better than by the default tolerance; in motion they are watched themselves
   if (c.analysis.kind == Analysis::Kind::static_) c.analysis.tolerance = std::min(c.analysis.tolerance, 1e-8);
   c.srif->first_ring_only = true;  // errors come from the path
   return result;
@@ -45,7 +49,7 @@ struct Found {
   double strain_energy;           // the largest
 };
 
-Found at_rest(Prepared& plate) {
+Found in_statics(Prepared& plate) {
   const Case& c = plate.file.content;
   plate.solution = static_solution(c, *plate.plate, {c.analysis.tolerance, c.analysis.max_iterations, {}});
   const auto& solution = plate.solution->solution;
@@ -76,7 +80,7 @@ Found in_motion(Prepared& plate) {
 
 Found solve(Prepared& plate) {
   const bool moves = plate.file.content.analysis.kind == Analysis::Kind::dynamic;
-  Found result = moves ? in_motion(plate) : at_rest(plate);
+  Found result = moves ? in_motion(plate) : in_statics(plate);
   for (const auto& row : result.rows) post::require_finite(row, "on the way to srif.accuracy");
   return result;
 }

@@ -1,7 +1,13 @@
 #pragma once
-#include "cases/driver/prepared.hpp"
+#include <memory>
+#include <vector>
+
+#include "post/files/summary.hpp"
 
 namespace cases {
+
+struct CaseFile;
+struct Prepared;
 
 /// A plate whose discretisation was found, and how.
 struct Accurate {
@@ -11,7 +17,7 @@ struct Accurate {
       rows;  // at all times: for each tip what all discretisations tend to, then those of the finest
 };
 
-/// Refines until every factor of the case, at rest or in motion, is known to srif.accuracy, or time, memory or sizes
+/// Refines until every factor of the case, static or in motion, is known to srif.accuracy, or time, memory or sizes
 /// end it. Throws CaseError and plate::NumericalError.
 Accurate to_accuracy(const CaseFile& file, bool quiet);
 

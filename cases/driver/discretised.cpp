@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-
+#include "fracture/growth/distrust.hpp"
+#include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/parts/held.hpp"
+#include "plate/formulation/parts/pieces.hpp"
+#include "plate/model/problem.hpp"
+#include "post/factors/plate_factors.hpp"
 
 namespace cases {
 namespace {
@@ -92,34 +95,6 @@ void check_probes(const CaseFile& file, const plate::Formulation& plate) {
   if (!problems.empty()) throw CaseError(problems);
 }
 
-/// The lowest frequency of a plate goes as (1 + (k h)^2 / 12)^(-1/2) with its rotary inertia (theory.md, "Dynamics").
-void check_rotary_inertia(const Case& c, const plate::Formulation& plate, std::vector<std::string>& warnings) {
-  const double factor = c.analysis.rotary_inertia;
-  if (factor == 1) return;
-  const double kh = plate::lowest_wave(plate) * c.section.thickness, share = kh * kh / 12;
-  const double lower = 1 - std::sqrt((1 + share) / (1 + factor * share));
-  warnings.push_back(
-      fmt::format("rotary inertia is {:g} times that of the plate: its lowest frequency is about {:.2g} % lower, those "
-                  "of shorter waves more",
-                  factor, 100 * lower));
-}
-
-/// What the apparent toughness was measured for, and what bonds cannot do.
-void check_bonds(const Case& c, const plate::Formulation& plate, std::vector<std::string>& warnings) {
-  const double h = c.section.thickness / c.discretization.spacing, m = c.discretization.horizon_ratio;
-  const bool curvature = c.growth->criterion == fracture::Growth::Criterion::curvature_shear;
-  const bool measured =
-      curvature ? h >= 1.2 && h <= 15 && m >= 3 && m <= 3.1 : h >= 0.4 && h <= 50 && m >= 2.9 && m <= 5.1;
-  if (!c.growth->apparent_toughness && c.growth->fracture_energy > 0 && (!measured || c.section.poisson < 0))
-    warnings.push_back(fmt::format(
-        "apparent toughness of bonds: not measured, or beyond a tenth, at a thickness of {:.3g} spacings, a horizon "
-        "of {:.3g} spacings and a Poisson's ratio of {:g} (plate/theory.md, \"Apparent toughness\")",
-        h, m, c.section.poisson));
-  if (std::ranges::any_of(plate.boundary().sides,
-                          [](const auto& side) { return side.kind == plate::SupportKind::symmetry; }))
-    warnings.push_back("bonds across a line of symmetry do not break: no crack crosses it");
-}
-
 }  // namespace
 
 plate::Discretised discretised(const CaseFile& file) {
@@ -137,11 +112,11 @@ plate::Discretised discretised(const CaseFile& file) {
   check_held(file, plate, warnings);
   check_two_level(file, plate);
   check_probes(file, plate);
-  for (auto& one : plate.distrust(c.srif.has_value())) warnings.push_back(std::move(one));
-  check_rotary_inertia(c, plate, warnings);
-  if (c.growth && c.growth->by_bonds()) check_bonds(c, plate, warnings);
-  for (auto& one : plate::distrust_of_mechanisms(plate, c.analysis.finds_equilibrium()))
-    warnings.push_back(std::move(one));
+  for (auto& some :
+       {plate.distrust(c.srif.has_value()), plate::distrust_of_rotary_inertia(plate, c.analysis.rotary_inertia),
+        c.growth ? fracture::distrust_of_bonds(*c.growth, plate) : std::vector<std::string>(),
+        plate::distrust_of_mechanisms(plate, c.analysis.finds_equilibrium())})
+    warnings.insert(warnings.end(), some.begin(), some.end());
   return result;
 }
 

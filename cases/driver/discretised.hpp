@@ -1,6 +1,7 @@
 #pragma once
 #include "cases/input/case_file.hpp"
-#include "post/factors/plate_factors.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "post/factors/tip_methods.hpp"
 
 namespace cases {
 
@@ -10,7 +11,8 @@ namespace cases {
 plate::Discretised discretised(const CaseFile& file);
 
 /// Cracks that grow by their tips need the energy release rate of each from the start, whatever methods [srif] names.
-/// Tips too near to an edge, a load or another crack for it: CaseError at rest, a warning in motion, where they stay.
+/// Tips too near to an edge, a load or another crack for it: CaseError in statics, a warning in motion, where they
+/// stay.
 void check_growing_tips(const CaseFile& file, const plate::Formulation& plate, std::vector<std::string>& warnings);
 
 /// The methods for the intensity factors of every tip; none without [srif]. `plate` must outlive them. Throws CaseError

@@ -7,6 +7,7 @@
 #include "cases/driver/static_solution.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "post/factors/tip_integrals.hpp"
+#include "post/files/table.hpp"
 
 namespace cases {
 namespace {

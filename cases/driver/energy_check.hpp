@@ -1,8 +1,12 @@
 #pragma once
-#include "cases/input/case_file.hpp"
-#include "post/files/table.hpp"
+
+namespace post {
+struct Table;
+}
 
 namespace cases {
+
+struct CaseFile;
 
 /// K from the energy of neighbouring crack lengths, G = dU/da at fixed loads, for every tip of a static case: two
 /// solutions per tip, the crack lengthened and shortened by one spacing along the lattice, by six at other angles,

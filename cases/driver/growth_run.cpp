@@ -10,13 +10,14 @@
 #include "cases/report/words.hpp"
 #include "fracture/growth/quasi_static/bonds.hpp"
 #include "fracture/growth/quasi_static/growing_plate.hpp"
+#include "plate/formulation/preconditioner.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "post/files/gate.hpp"
 
 namespace cases {
 namespace {
 
-/// A growth at rest and what is recorded of it, with the number of the advance in the place of time.
+/// A quasi-static growth and what is recorded of it, with the number of the advance in the place of time.
 class GrowthRun {
 public:
   GrowthRun(const CaseFile& file, const RunOptions& options);
@@ -157,7 +158,7 @@ post::Summary GrowthRun::finish() {
   summary.formulation = c.discretization.formulation->name;
   summary.formulation_reason = c.formulation_reason;
   summary.analysis.kind = "static";
-  describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), c.analysis.tolerance);
+  post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), c.analysis.tolerance);
   summary.outcome = "done";
   const auto words = in_words(grown_.ended, c.growth->by_bonds());
   if (grown_.ended.how == fracture::End::failed)
@@ -180,7 +181,7 @@ post::Summary GrowthRun::finish() {
   return recorder_->finish(std::move(summary), stopwatch_);
 }
 
-/// The plate at rest as it has grown, a hundredth above the load that is there, and what it does then.
+/// The plate as it has grown quasi-statically, a hundredth above the load that is there, and what it does then.
 CaseFile in_motion(CaseFile file, const GrowthRun& run) {
   Case& c = file.content;
   c.analysis.kind = Analysis::Kind::dynamic;

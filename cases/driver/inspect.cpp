@@ -4,7 +4,12 @@
 #include "cases/driver/results.hpp"
 #include "cases/driver/run.hpp"
 #include "cases/report/scene.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
 
 namespace cases {
@@ -41,7 +46,7 @@ std::string cost(const CaseFile& file) {
   std::string text = fmt::format(
       "{}\nformulation   {} ({})\npoints        {} and {} fictitious\nbonds         {} and {} to fictitious points\n",
       file.content.title, plate.kind().name, file.content.formulation_reason, cloud.plate_points,
-      plate.boundary().fictitious.size(), plate.bonds(), plate.fictitious_bonds());
+      plate.fictitious_points(), plate.bonds(), plate.fictitious_bonds());
   text += fmt::format("tips          {}\nset-up        {:.2f} s\none step      {:.2e} s\n", plate.tips().size(),
                       stopwatch.total() - stopwatch.seconds("product"), stopwatch.seconds("product"));
   if (file.content.analysis.kind == Analysis::Kind::dynamic) text += dynamic_cost(file, plate);

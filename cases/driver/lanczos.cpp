@@ -1,5 +1,8 @@
 #include "cases/driver/lanczos.hpp"
 
+#include "plate/formulation/formulation.hpp"
+#include "plate/formulation/inertia.hpp"
+#include "plate/formulation/preconditioner.hpp"
 #include "plate/solve/solution.hpp"
 
 namespace cases {

@@ -1,8 +1,11 @@
 #pragma once
 #include "cases/input/case.hpp"
-#include "plate/formulation/formulation.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
 #include "post/factors/tip_methods.hpp"
+
+namespace plate {
+class Formulation;
+}
 
 namespace cases {
 

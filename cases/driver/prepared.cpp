@@ -2,10 +2,14 @@
 
 #include <algorithm>
 
+#include "cases/driver/discretised.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "post/factors/plate_factors.hpp"
+
 namespace cases {
 namespace {
 
-/// Lanczos vectors need answers at rest: a plate that moves freely takes steps, unless its case states the vectors.
+/// Lanczos vectors need static answers: a plate that moves freely takes steps, unless its case states the vectors.
 void settle_free_motion(CaseFile& file, const plate::Formulation& plate) {
   if (!plate.may_move() && plate.held()) return;
   if (file.content.srif && file.content.srif->accuracy)

@@ -1,9 +1,10 @@
 #pragma once
-#include "cases/driver/discretised.hpp"
 #include "cases/driver/run.hpp"
+#include "cases/input/case_file.hpp"
+#include "plate/formulation/stopwatch.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
 #include "plate/solve/solution.hpp"
-#include "post/factors/plate_factors.hpp"
+#include "post/factors/tip_methods.hpp"
 
 namespace cases {
 

@@ -5,6 +5,11 @@
 #include <numbers>
 
 #include "cases/report/words.hpp"
+#include "fracture/growth/motion/moving_growth.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/frequencies.hpp"
+#include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
 
 namespace cases {

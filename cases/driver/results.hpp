@@ -1,11 +1,19 @@
 #pragma once
 #include "cases/input/case_file.hpp"
-#include "fracture/growth/motion/moving_growth.hpp"
-#include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/motion/frequencies.hpp"
-#include "post/factors/plate_factors.hpp"
+#include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/recorder.hpp"
+
+namespace fracture {
+class MovingGrowth;
+}
+
+namespace plate {
+class Formulation;
+class Stopwatch;
+struct Instant;
+struct Mode;
+}  // namespace plate
 
 namespace cases {
 

@@ -7,14 +7,21 @@
 #include "cases/driver/discretised.hpp"
 #include "cases/driver/growth_run.hpp"
 #include "cases/driver/lanczos.hpp"
+#include "cases/driver/prepared.hpp"
 #include "cases/driver/results.hpp"
 #include "cases/driver/second_formulation.hpp"
 #include "cases/driver/static_solution.hpp"
+#include "cases/input/case_file.hpp"
 #include "cases/input/formulations.hpp"
 #include "cases/report/progress.hpp"
 #include "cases/report/scene.hpp"
+#include "fracture/growth/motion/moving_growth.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/preconditioner.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/frequencies.hpp"
+#include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
 
 namespace cases {
@@ -87,7 +94,7 @@ void solve_static(const Prepared& prepared, Results& results, post::Summary& sum
   summary.analysis.preconditioner = result.preconditioner;
   if (result.factor_bytes > 0)
     summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate.cloud().plate_points), 0});
-  describe(summary.analysis, result.method, solution, c.analysis.tolerance);
+  post::describe(summary.analysis, result.method, solution, c.analysis.tolerance);
   post::require_finite(solution.state, "at rest");
   const double work = slow_work(plate, solution.state);
   const double strain = plate.strain_energy(solution.state);

@@ -1,9 +1,16 @@
 #pragma once
-#include "cases/input/case_file.hpp"
-#include "post/files/summary.hpp"
-#include "post/files/table.hpp"
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace post {
+struct Summary;
+struct Table;
+}  // namespace post
 
 namespace cases {
+
+struct CaseFile;
 
 struct RunOptions {
   std::filesystem::path folder;  // results go here; made if it does not exist

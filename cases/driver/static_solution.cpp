@@ -1,15 +1,8 @@
 #include "cases/driver/static_solution.hpp"
 
-namespace cases {
+#include "plate/formulation/formulation.hpp"
 
-void describe(post::Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
-              double tolerance) {
-  analysis.method = method;
-  analysis.iterations = solution.iterations;
-  analysis.residual = solution.residual;
-  analysis.tolerance = tolerance;
-  analysis.stop_reason = solution.stop_reason;
-}
+namespace cases {
 
 plate::StaticResult static_solution(const Case& c, const plate::Formulation& plate,
                                     const plate::StaticOptions& options) {

@@ -1,13 +1,8 @@
 #pragma once
 #include "cases/input/case.hpp"
 #include "plate/solve/solution.hpp"
-#include "post/files/summary.hpp"
 
 namespace cases {
-
-/// What a summary says of a solution at rest.
-void describe(post::Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
-              double tolerance);
 
 /// Under all loads at their last values, by the method and with the preconditioner of the case; `options` in place of
 /// the case's tolerance and limit. Throws NumericalError as the solvers do.

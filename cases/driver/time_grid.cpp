@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "cases/driver/run.hpp"
+#include "cases/input/case.hpp"
+#include "cases/input/case_file.hpp"
 
 namespace cases {
 namespace {

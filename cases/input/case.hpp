@@ -27,13 +27,13 @@ struct Analysis {
   Precision precision = Precision::double_;  // dynamic; mixed: internal forces in single
   double safety = 0.95;                      // dynamic: share of the stable step that is used
 
-  /// Of a plate at rest; in dynamics conjugate gradients.
+  /// In statics; in dynamics conjugate gradients.
   plate::StaticMethod static_method() const {
     return method == Method::adr      ? plate::StaticMethod::adr
            : method == Method::direct ? plate::StaticMethod::direct
                                       : plate::StaticMethod::cg;
   }
-  /// Is a plate at rest wanted, for itself or to start from?
+  /// Is an equilibrium wanted, for itself or to start from?
   bool finds_equilibrium() const {
     return kind == Kind::static_ || (kind == Kind::dynamic && start == Start::equilibrium);
   }

@@ -185,7 +185,8 @@ void check_analysis_of_growth(const Case& content, Reading& reading) {
     reading.complain("analysis.method",
                      "breaking bonds takes a solution for each, by conjugate gradients with one factor; choose \"cg\"");
   if (content.analysis.preconditioner != plate::Preconditioning::automatic)
-    reading.complain("analysis.preconditioner", "bonds that break at rest have one of their own; choose \"auto\"");
+    reading.complain("analysis.preconditioner",
+                     "bonds that break in a static case have one of their own; choose \"auto\"");
 }
 
 void check_growth(const Case& content, Reading& reading) {

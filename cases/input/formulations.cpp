@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "plate/bonds/ordinary_plate.hpp"
-#include "plate/formulation/boundary.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 
 namespace cases {

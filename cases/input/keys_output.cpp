@@ -175,18 +175,16 @@ Fields<Analysis> analysis_fields() {
       number<A>("modes", "-", &A::modes, {1, 1000}, "number of frequencies, from the lowest")
           .in({A::Kind::frequencies}),
       number<A>("duration", "time", &A::duration, positive, "simulated time").required().in_dynamics(),
-      choice<A, A::Start>(
-          "start", &A::start, starts,
-          "dynamic: the plate at time 0: without deformation, or at rest in equilibrium with the loads of that time")
+      choice<A, A::Start>("start", &A::start, starts,
+                          "the plate at time 0: without deformation, or in equilibrium with the loads of that time")
           .in({A::Kind::dynamic}),
       unless(time_step().in_dynamics(), A::Method::lanczos),
       number<A>("rotary_inertia", "-", &A::rotary_inertia, {1, 1e6},
                 "factor of the rotary inertia: above 1 thin plates take longer steps, and short waves run slower")
           .in_dynamics(),
-      choice<A, A::Precision>(
-          "precision", &A::precision, precisions,
-          "dynamic: mixed has internal forces in single precision, displacements in double; refused "
-          "where rounding would show")
+      choice<A, A::Precision>("precision", &A::precision, precisions,
+                              "mixed has internal forces in single precision, displacements in double; refused "
+                              "where rounding would show")
           .in({A::Kind::dynamic}),
       unless(number<A>("safety", "-", &A::safety, {0, 1, true}, "share of the stable step that is used").in_dynamics(),
              A::Method::lanczos),

@@ -1,42 +1,26 @@
 #include "cases/report/scene.hpp"
 
+#include "cases/input/keys.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "post/files/summary.hpp"
+
 namespace cases {
 namespace {
 
 constexpr double vector_bytes = 3 * sizeof(double);  // one state or force
 
-std::string name_of(Analysis::Kind kind) {
-  switch (kind) {
-    case Analysis::Kind::static_:
-      return "static";
-    case Analysis::Kind::dynamic:
-      return "dynamic";
-    case Analysis::Kind::frequencies:
-      return "frequencies";
-  }
-  return "";
-}
-
 }  // namespace
 
 std::vector<post::ScenePart> scene(const Case& c, const plate::Formulation& plate) {
   const double points = double(plate.cloud().plate_points), all = double(plate.cloud().size());
-  const double list = double(plate.families().bytes());
-  const double loads = double(plate.loads().size()) * vector_bytes * all / points;
   const bool mixed = c.analysis.precision == Analysis::Precision::mixed;
   using enum Analysis::Method;
   const auto method = c.analysis.method;
 
-  std::vector<post::ScenePart> parts{
-      {"points", "geometry", all * (2 * sizeof(geometry::Point) + sizeof(double)) / points, 0},
-      {"families, by patterns of bonds", "families", list / points, 0}};
-  for (const auto& part : plate.memory(mixed)) parts.push_back({part.name, part.stage, part.bytes / points, 0});
-  if (!plate.boundary().fictitious.empty())
-    parts.push_back({"fictitious points (part of the points)", "",
-                     double(plate.boundary().fictitious.size()) *
-                         (sizeof(plate::FictitiousPoint) + 3 * sizeof(plate::Constraints::Tie)) / points,
-                     0});
-  if (!plate.loads().empty()) parts.push_back({"loads", "", loads, 0});
+  std::vector<post::ScenePart> parts;
+  for (const auto& part : plate::memory_of(plate, mixed))
+    parts.push_back({part.name, part.stage, part.bytes / points, 0});
   if (method == central_difference)
     parts.push_back({mixed ? "central differences: state, velocity; state and force in single precision"
                            : "central differences: state, velocity, force",
@@ -63,7 +47,7 @@ post::Summary about(const Case& c, const plate::Formulation& plate, const std::v
   summary.formulation_reason = c.formulation_reason;
   summary.points = plate.cloud().plate_points;
   summary.bonds = plate.bonds();
-  summary.fictitious_points = plate.boundary().fictitious.size();
+  summary.fictitious_points = plate.fictitious_points();
   summary.fictitious_bonds = plate.fictitious_bonds();
   summary.spacing = c.discretization.spacing;
   summary.horizon = c.discretization.horizon();
@@ -71,7 +55,7 @@ post::Summary about(const Case& c, const plate::Formulation& plate, const std::v
     summary.position_aware = {match->exact, match->blended, match->arbitrary_horizon};
   summary.scene = scene(c, plate);
   summary.warnings = warnings;
-  summary.analysis.kind = name_of(c.analysis.kind);
+  summary.analysis.kind = analysis_kinds().name(c.analysis.kind);
   return summary;
 }
 

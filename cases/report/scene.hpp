@@ -1,9 +1,19 @@
 #pragma once
-#include "cases/input/case.hpp"
-#include "plate/formulation/formulation.hpp"
-#include "post/files/summary.hpp"
+#include <string>
+#include <vector>
+
+namespace plate {
+class Formulation;
+}
+
+namespace post {
+struct ScenePart;
+struct Summary;
+}  // namespace post
 
 namespace cases {
+
+struct Case;
 
 /// The parts of the program that this case uses, each with the memory that it takes. What is not listed is not there.
 std::vector<post::ScenePart> scene(const Case& content, const plate::Formulation& plate);

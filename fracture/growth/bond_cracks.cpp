@@ -9,9 +9,9 @@
 namespace fracture {
 namespace {
 
-constexpr double jump = 2;           // spacings that a tip may seem to go at once: it stands between points
-constexpr double jump_at_rest = 20;  // spacings
-constexpr double speed_way = 8;      // spacings
+constexpr double jump = 2;          // spacings that a tip may seem to go at once: it stands between points
+constexpr double static_jump = 20;  // spacings
+constexpr double speed_way = 8;     // spacings
 
 bool neighbours(const geometry::Point& p, const geometry::Point& q) {
   return std::abs((p - q).norm() - 1) < 0.01;
@@ -104,7 +104,7 @@ double BondCracks::length() const {
 
 /// The nearest tip of the last look that no other has come from, moved on; or a new one.
 BondTip BondCracks::seen_again(const geometry::Tip& tip, double time, std::vector<char>& taken) {
-  double least = fastest_ ? jump * units_.spacing + *fastest_ * (time - time_) : jump_at_rest * units_.spacing;
+  double least = fastest_ ? jump * units_.spacing + *fastest_ * (time - time_) : static_jump * units_.spacing;
   std::size_t same = tips_.size();
   for (std::size_t i = 0; i < tips_.size(); ++i)
     if (const double away = (tips_[i].tip.position - tip.position).norm(); !taken[i] && away <= least)

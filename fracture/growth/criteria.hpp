@@ -29,7 +29,7 @@ struct Growth {
     equilibrium    // neither: the load follows, so that the crack is always just about to grow
   };
 
-  /// What comes of an advance at rest for which the load that is there is more than enough.
+  /// What comes of a quasi-static advance for which the load that is there is more than enough.
   enum class Unstable {
     jump,  // the crack jumps on to where it rests again
     stop,  // the growth ends

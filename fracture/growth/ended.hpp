@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace fracture {
 
-/// How a growth ends at rest.
+/// How a quasi-static growth ends.
 enum class End {
   no_tip_left,    // every tip has reached an edge, a hole or a crack
   cannot_grow,    // nothing that could give way
@@ -19,6 +21,18 @@ enum class End {
 struct Ended {
   End how = End::failed;
   std::string detail = {};  // of a split: what is not held; of a failure: what failed
+};
+
+/// What became of a growth in motion.
+struct Moved {
+  std::size_t advances = 0;                 // pieces of crack, or steps in which bonds broke
+  std::optional<std::size_t> broken;        // bonds
+  std::vector<std::string> reached;         // edges, holes and cracks by tips
+  std::size_t parts = 1, parts_before = 1;  // of the plate
+  bool frozen = false;                      // pieces that fell off stay where they were
+  std::optional<double> spent;              // energy taken over fracture energy and area of the new crack
+  double largest_speed = 0;                 // of a tip [length/time]
+  std::vector<double> lengths;              // of every crack [length]
 };
 
 }  // namespace fracture

@@ -11,7 +11,7 @@ namespace fracture {
 struct GrowthRow {
   double advance = 0;
   std::optional<double> time = {};                                                                    // in motion
-  std::optional<double> load_factor = {}, displacement = {}, critical_load_factor = {}, stable = {};  // at rest
+  std::optional<double> load_factor = {}, displacement = {}, critical_load_factor = {}, stable = {};  // quasi-static
   double crack_length = 0;  // of all cracks [length]
   std::size_t tips = 0;
   std::optional<double> broken_bonds = {};
@@ -28,7 +28,7 @@ struct TipRow {
   std::optional<double> crack = {};
   double x = 0, y = 0, angle = 0;                                       // where it is and points to [length, degrees]
   std::optional<double> length = {};                                    // of its crack [length]
-  std::optional<double> moves = {}, G = {}, K1 = {}, K2 = {}, K3 = {};  // at rest
+  std::optional<double> moves = {}, G = {}, K1 = {}, K2 = {}, K3 = {};  // quasi-static
   std::optional<double> begin = {}, piece = {}, speed = {},
                         spent = {};  // in motion: of the piece of crack that it has gone
   std::string reached = {};          // an edge, a hole or a crack

@@ -25,7 +25,7 @@ using PointPair = std::array<std::uint32_t, 2>;
 struct Motion {
   const plate::State& state;
   const plate::State& velocity;  // half a step before
-  double time_step;              // 0: at rest
+  double time_step;              // 0: quasi-static
 };
 
 /// A plate of bonds over a horizon whose bonds break while it is loaded: the plate as it was, and what has changed

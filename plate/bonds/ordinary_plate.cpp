@@ -18,6 +18,12 @@
 #include "plate/bonds/supports.hpp"
 #include "plate/bonds/tip_view.hpp"
 #include "plate/bonds/trust.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/interpolation.hpp"
+#include "plate/formulation/layout.hpp"
+#include "plate/formulation/parts/mechanisms.hpp"
+#include "plate/formulation/parts/pieces.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/refused.hpp"
 #include "plate/solve/free_memory.hpp"
 

@@ -101,9 +101,10 @@ std::optional<GradientShares> quadratic_shares(const TipView& plate, std::uint32
 
 }  // namespace
 
-BondView::BondView(const geometry::Cloud& cloud, const geometry::Families& families,
-                   const std::vector<BondShape>& shapes, const Section& section, const Discretization& discretization)
-    : TipView(cloud.positions, cloud.areas, families, shapes, cloud.plate_points, section) {
+BondView::BondView(const geometry::Cloud& cloud, const geometry::Families& their_families,
+                   const std::vector<BondShape>& their_shapes, const Section& its_section,
+                   const Discretization& discretization)
+    : TipView(cloud.positions, cloud.areas, their_families, their_shapes, cloud.plate_points, its_section) {
   constexpr double doubtful_of_bonds = 0.3;  // spacings: the lattice, not the line, tells which side points are on
   spacing = discretization.spacing_at_tips(), horizon = discretization.horizon();
   graded = points_on_faces = false;

@@ -6,6 +6,10 @@
 #include <cmath>
 
 #include "plate/bonds/parameters/influence.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/model/section.hpp"
+#include "plate/model/supports.hpp"
 
 namespace plate {
 namespace {

@@ -58,9 +58,6 @@ struct Boundary {
                  const std::function<bool(const geometry::Point&, const geometry::Point&)>& test) const;
 };
 
-/// Of the kinds that hold points outside the plate.
-bool is_layer(SupportKind kind);
-
 /// The edges and circles of an outline, and how the supports hold them.
 std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports);
 

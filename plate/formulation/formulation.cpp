@@ -1,11 +1,77 @@
 #include "plate/formulation/formulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/inertia.hpp"
+#include "plate/formulation/layout.hpp"
+#include "plate/formulation/preconditioner.hpp"
+
 namespace plate {
+Formulation::Formulation(Layout layout) : layout_(std::make_unique<Layout>(std::move(layout))) {}
+
+Formulation::~Formulation() = default;
+
+const FormulationKind& Formulation::kind() const {
+  return *discretization().formulation;
+}
+
+const Problem& Formulation::problem() const {
+  return layout_->problem;
+}
+
+const Section& Formulation::section() const {
+  return problem().section;
+}
+
+const Discretization& Formulation::discretization() const {
+  return problem().discretization;
+}
+
+const std::vector<geometry::CrackPath>& Formulation::paths() const {
+  return layout_->paths;
+}
+
+const std::vector<geometry::Tip>& Formulation::tips() const {
+  return layout_->tips;
+}
+
+const Boundary& Formulation::boundary() const {
+  return layout_->boundary;
+}
+
+const geometry::Cloud& Formulation::cloud() const {
+  return boundary().cloud;
+}
+
+const Constraints& Formulation::constraints() const {
+  return boundary().constraints;
+}
+
+const std::vector<double>& Formulation::cut() const {
+  return layout_->cut;
+}
+
+const std::vector<TimedLoad>& Formulation::loads() const {
+  return layout_->loads;
+}
+
+const std::vector<Piece>& Formulation::pieces() const {
+  return layout_->pieces;
+}
+
+const Mechanisms& Formulation::mechanisms() const {
+  return layout_->mechanisms;
+}
+
+bool Formulation::may_move() const {
+  return mechanisms().motions > 0 || !mechanisms().searched;
+}
 
 bool Formulation::held() const {
   return std::ranges::all_of(pieces(), [](const Piece& piece) { return piece.free_modes == 0; });
@@ -27,6 +93,10 @@ Forces Formulation::mass(double rotary) const {
   return plate::mass(section(), cloud().areas, boundary().active, constraints(), rotary);
 }
 
+Inertia Formulation::inertia(double rotary) const {
+  return Inertia(mass(rotary));
+}
+
 std::size_t Formulation::bonds() const {
   std::size_t count = 0;
   for (std::size_t k = 0; k < cloud().plate_points; ++k)
@@ -38,6 +108,10 @@ std::size_t Formulation::fictitious_bonds() const {
   return families().bonds() - bonds();
 }
 
+std::size_t Formulation::fictitious_points() const {
+  return boundary().fictitious.size();
+}
+
 std::unique_ptr<Preconditioner> Formulation::factor() const {
   throw std::logic_error("a factor was asked of a formulation that does not offer it");
 }
@@ -46,8 +120,16 @@ Discretised discretise(const Problem& problem) {
   return problem.discretization.formulation->discretise(problem);
 }
 
-std::vector<geometry::CrackPath> crack_paths(const Problem& problem) {
-  return geometry::crack_paths(problem.outline, problem.cracks, geometry::tolerance(problem.outline));
+std::vector<MemoryPart> memory_of(const Formulation& plate, bool single) {
+  const double all = double(plate.cloud().size()), fictitious = double(plate.fictitious_points());
+  std::vector<MemoryPart> parts{{"points", "geometry", all * (2 * sizeof(geometry::Point) + sizeof(double))},
+                                {"families, by patterns of bonds", "families", double(plate.families().bytes())}};
+  for (auto& part : plate.memory(single)) parts.push_back(std::move(part));
+  if (fictitious > 0)
+    parts.push_back({"fictitious points (part of the points)", "",
+                     fictitious * (sizeof(FictitiousPoint) + 3 * sizeof(Constraints::Tie))});
+  if (!plate.loads().empty()) parts.push_back({"loads", "", double(plate.loads().size()) * 3 * sizeof(double) * all});
+  return parts;
 }
 
 double lowest_wave(const Formulation& plate) {
@@ -60,6 +142,16 @@ double lowest_wave(const Formulation& plate) {
       if (side.circle || side.normal_axis() == axis || side.normal_axis() < 0) held[std::size_t(axis)] = true;
   }
   return std::numbers::pi * std::hypot(held[0] / sides.x(), held[1] / sides.y());
+}
+
+std::vector<std::string> distrust_of_rotary_inertia(const Formulation& plate, double factor) {
+  if (factor == 1) return {};
+  const double kh = lowest_wave(plate) * plate.section().thickness, share = kh * kh / 12;
+  const double lower = 1 - std::sqrt((1 + share) / (1 + factor * share));
+  return {
+      fmt::format("rotary inertia is {:g} times that of the plate: its lowest frequency is about {:.2g} % lower, those "
+                  "of shorter waves more",
+                  factor, 100 * lower)};
 }
 
 }  // namespace plate

@@ -2,35 +2,35 @@
 #include <functional>
 #include <memory>
 #include <optional>
-
+#include <string>
+#include <vector>
 #include "geometry/shape/crack_path.hpp"
-#include "plate/formulation/inertia.hpp"
-#include "plate/formulation/interpolation.hpp"
-#include "plate/formulation/mesh.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/formulation/parts/mechanisms.hpp"
-#include "plate/formulation/preconditioner.hpp"
-#include "plate/formulation/stopwatch.hpp"
-#include "plate/formulation/tip_view.hpp"
 #include "plate/model/formulation_kind.hpp"
-#include "plate/model/problem.hpp"
 #include "plate/model/solver_choices.hpp"
+
+namespace geometry {
+class Families;
+struct Cloud;
+}  // namespace geometry
 
 namespace plate {
 
+class Constraints;
+class Inertia;
 class LatticeOperator;
-
-/// What every formulation makes of a problem: points, supports, nodal loads.
-struct Layout {
-  Problem problem;
-  std::vector<geometry::CrackPath> paths;  // [length]
-  std::vector<geometry::Tip> tips;
-  Boundary boundary;
-  std::vector<double> cut;  // per point of the plate: share of its surroundings that cracks sever
-  std::vector<TimedLoad> loads;
-  std::vector<Piece> pieces = {};
-  Mechanisms mechanisms = {};
-};
+class Preconditioner;
+class TipView;
+struct Boundary;
+struct Discretization;
+struct Layout;
+struct Mechanisms;
+struct Mesh;
+struct Piece;
+struct Resultants;
+struct Section;
+struct Share;
+struct TimedLoad;
 
 /// The choice that was made. Without `inverse`: the diagonal.
 struct ChosenPreconditioner {
@@ -62,24 +62,26 @@ using SingleForce = std::function<void(const Values<float>& state, Values<float>
 /// it is; what it cannot do, its kind says.
 class Formulation : public Operator {
 public:
-  const FormulationKind& kind() const { return *layout_.problem.discretization.formulation; }
+  ~Formulation() override;
+
+  const FormulationKind& kind() const;
   bool offers(Feature feature) const { return kind().offers(feature); }
 
-  const Problem& problem() const { return layout_.problem; }
-  const Section& section() const { return layout_.problem.section; }
-  const Discretization& discretization() const { return layout_.problem.discretization; }
-  const std::vector<geometry::CrackPath>& paths() const { return layout_.paths; }
-  const std::vector<geometry::Tip>& tips() const { return layout_.tips; }
-  const Boundary& boundary() const { return layout_.boundary; }
-  const geometry::Cloud& cloud() const { return layout_.boundary.cloud; }
-  const Constraints& constraints() const { return layout_.boundary.constraints; }
-  const std::vector<double>& cut() const { return layout_.cut; }
-  const std::vector<TimedLoad>& loads() const { return layout_.loads; }
+  const Problem& problem() const;
+  const Section& section() const;
+  const Discretization& discretization() const;
+  const std::vector<geometry::CrackPath>& paths() const;
+  const std::vector<geometry::Tip>& tips() const;
+  const Boundary& boundary() const;
+  const geometry::Cloud& cloud() const;
+  const Constraints& constraints() const;
+  const std::vector<double>& cut() const;
+  const std::vector<TimedLoad>& loads() const;
   /// Parts that nothing connects, and parts that hang by bonds along one line.
-  const std::vector<Piece>& pieces() const { return layout_.pieces; }
-  const Mechanisms& mechanisms() const { return layout_.mechanisms; }
+  const std::vector<Piece>& pieces() const;
+  const Mechanisms& mechanisms() const;
   /// May parts move without resistance although every piece is held?
-  bool may_move() const { return mechanisms().motions > 0 || !mechanisms().searched; }
+  bool may_move() const;
   /// Is every piece held against all rigid motions?
   bool held() const;
 
@@ -90,6 +92,7 @@ public:
   Forces mass(double rotary = 1) const;
   std::size_t bonds() const;             // directed, between points of the plate
   std::size_t fictitious_bonds() const;  // directed, all others
+  std::size_t fictitious_points() const;
 
   virtual const geometry::Families& families() const = 0;
   /// Strain energy of every point [points].
@@ -102,7 +105,7 @@ public:
   virtual std::vector<double> cut_at(const StartOfCracks& start) const = 0;
   virtual std::unique_ptr<TipView> tip_view() const = 0;
   /// The mass matrix that suits Lanczos vectors.
-  virtual Inertia inertia(double rotary) const { return Inertia(mass(rotary)); }
+  virtual Inertia inertia(double rotary) const;
 
   virtual ChosenPreconditioner preconditioner(Preconditioning wanted) const = 0;
   /// The plate itself, factorised. Only of kinds that offer it.
@@ -126,28 +129,22 @@ public:
   virtual double error_of_edges() const { return 0; }
 
 protected:
-  explicit Formulation(Layout layout) : layout_(std::move(layout)) {}
+  explicit Formulation(Layout layout);
 
 private:
-  Layout layout_;
+  std::unique_ptr<const Layout> layout_;
 };
 
-/// A problem turned into a plate, with what its user should know, and the seconds that it took.
-struct Discretised {
-  std::unique_ptr<Formulation> plate;
-  std::vector<std::string> warnings;
-  Stopwatch stopwatch;
-};
-
-/// By the formulation of the problem. Throws Refused where it cannot carry the problem. Whether the plate is held is
-/// not asked here.
-Discretised discretise(const Problem& problem);
-
-/// The cracks of a problem as paths [length].
-std::vector<geometry::CrackPath> crack_paths(const Problem& problem);
+/// Memory of a plate that is ready to solve: its points, families and loads, and what its formulation keeps beside
+/// them.
+std::vector<MemoryPart> memory_of(const Formulation& plate, bool single);
 
 /// Wave number of the lowest bending that the supports leave: half a wave between edges that are held, along the longer
 /// side where none is [1 / length].
 double lowest_wave(const Formulation& plate);
+
+/// What a factor of the rotary inertia other than 1 does to the lowest frequency, which goes as (1 + (k h)^2 /
+/// 12)^(-1/2) with the rotary inertia of the plate (theory.md, "Dynamics").
+std::vector<std::string> distrust_of_rotary_inertia(const Formulation& plate, double factor);
 
 }  // namespace plate

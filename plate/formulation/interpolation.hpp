@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <utility>
 #include <vector>
-#include "geometry/shape/predicates.hpp"
+#include "geometry/shape/outline.hpp"
 
 namespace geometry {
 class CellLocator;

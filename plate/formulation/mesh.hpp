@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "geometry/shape/predicates.hpp"
+#include "geometry/shape/outline.hpp"
 
 namespace plate {
 

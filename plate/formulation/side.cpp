@@ -35,11 +35,6 @@ Point Side::mirrored(const Point& u) const {
   return image;
 }
 
-bool is_layer(SupportKind kind) {
-  using enum SupportKind;
-  return kind == clamped_layer || kind == simply_supported_layer || kind == simply_supported_hard_layer;
-}
-
 std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports) {
   std::vector<Side> sides;
   for (const auto& edge : geometry::straight_edges(outline)) sides.push_back({edge.name, false, edge, {0, 0}, 0, {}});

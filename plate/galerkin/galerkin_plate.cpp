@@ -7,10 +7,19 @@
 #include <stdexcept>
 
 #include "geometry/cells/locator.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/inertia.hpp"
+#include "plate/formulation/interpolation.hpp"
+#include "plate/formulation/layout.hpp"
+#include "plate/formulation/mesh.hpp"
+#include "plate/formulation/parts/pieces.hpp"
 #include "plate/galerkin/levels.hpp"
 #include "plate/galerkin/resultants.hpp"
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/galerkin/tip_view.hpp"
+#include "plate/model/loads.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {

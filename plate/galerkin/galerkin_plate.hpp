@@ -1,5 +1,5 @@
 #pragma once
-#include "plate/formulation/formulation.hpp"
+#include "plate/model/formulation_kind.hpp"
 
 namespace plate {
 

@@ -79,9 +79,9 @@ private:
 }  // namespace
 
 GalerkinView::GalerkinView(const geometry::Tessellation& cells, const GalerkinFamilies& galerkin,
-                           const std::vector<geometry::Point>& seen, const std::vector<BondShape>& shapes,
-                           const Section& section, const Discretization& discretization)
-    : TipView(seen, galerkin.areas, galerkin.families, shapes, seen.size(), section),
+                           const std::vector<geometry::Point>& seen, const std::vector<BondShape>& their_shapes,
+                           const Section& its_section, const Discretization& discretization)
+    : TipView(seen, galerkin.areas, galerkin.families, their_shapes, seen.size(), its_section),
       cells_(cells),
       galerkin_(galerkin) {
   constexpr double doubtful_of_faces =

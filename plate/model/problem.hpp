@@ -19,4 +19,7 @@ struct Problem {
   std::vector<Load> loads;
 };
 
+/// Its cracks as paths [length].
+std::vector<geometry::CrackPath> crack_paths(const Problem& problem);
+
 }  // namespace plate

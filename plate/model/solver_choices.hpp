@@ -2,7 +2,7 @@
 
 namespace plate {
 
-/// How a plate at rest is found.
+/// How the equilibrium of a plate is found.
 enum class StaticMethod { adr, cg, direct };
 
 /// How the inverse of the stiffness is approached in conjugate gradients.

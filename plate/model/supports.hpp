@@ -1,5 +1,7 @@
 #pragma once
-#include "geometry/lattice/cloud.hpp"
+#include <string>
+#include <vector>
+#include "geometry/shape/outline.hpp"
 
 namespace plate {
 
@@ -22,5 +24,8 @@ struct Support {
   std::vector<std::string> edges;
   std::vector<geometry::Point> points;
 };
+
+/// Of the kinds that hold points outside the plate.
+bool is_layer(SupportKind kind);
 
 }  // namespace plate

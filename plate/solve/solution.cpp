@@ -1,5 +1,8 @@
 #include "plate/solve/solution.hpp"
 
+#include "plate/formulation/formulation.hpp"
+#include "plate/formulation/preconditioner.hpp"
+
 namespace plate {
 
 StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMethod method, Preconditioning wanted,

@@ -1,10 +1,16 @@
 #pragma once
-#include "plate/formulation/formulation.hpp"
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "plate/model/solver_choices.hpp"
 #include "plate/solve/statics.hpp"
 
 namespace plate {
 
-/// A plate at rest, and how it was found.
+class Formulation;
+
+/// The equilibrium of a plate, and how it was found.
 struct StaticResult {
   StaticSolution solution;
   std::string method;                         // as in case files

@@ -1,11 +1,12 @@
 #pragma once
 #include <functional>
 #include <string>
-#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/formulation/preconditioner.hpp"
 
 namespace plate {
+
+class Constraints;
+class Preconditioner;
 
 /// When a static solution is good enough. The residual is |r| / |load| with |r|^2 = sum r_i^2 / K_ii over the free
 /// degrees of freedom (K_ii of P^T diag(K) P): forces and couples count by the displacement that they cause, whatever

@@ -13,7 +13,7 @@ struct AccuracyStep {
   double spacing_growth = 0;
   double faces = 0;  // spacing on the faces of cracks, a clear distance from the tip [layers]
   double seconds = 0;
-  std::vector<std::vector<Srif>> rows;  // by all methods, at all times; of a plate at rest one
+  std::vector<std::vector<Srif>> rows;  // by all methods, at all times; of a static case one
   std::vector<double> truncated;        // of every tip of a plate in motion: LanczosMotion::truncated()
   std::optional<double> error;  // estimated, of the worst factor of all tips, relative to the largest of its tip
 };

@@ -1,5 +1,7 @@
 #include "post/factors/displacement_extrapolation.hpp"
+#include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/tip_frame.hpp"
+#include "plate/model/state.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -32,7 +34,7 @@ std::vector<Beside> beside_crack(const std::vector<Point>& positions, const geom
 }
 
 /// Weights that give the value at (r, y) on one face from the points about it.
-std::vector<Share> face_value(const std::vector<Beside>& beside, int face, double r, double y, double spacing) {
+std::vector<plate::Share> face_value(const std::vector<Beside>& beside, int face, double r, double y, double spacing) {
   std::vector<std::pair<std::uint32_t, Point>> near;
   for (const auto& b : beside)
     if (b.face == face && std::hypot(b.r - r, b.y - y) < 1.6 * spacing)
@@ -159,10 +161,10 @@ Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
   std::vector<double> r;
   for (const Sample& sample : samples_) {
     Eigen::Vector3d jump = Eigen::Vector3d::Zero();
-    for (const Share& share : sample.jump) jump += share.weight * state.col(share.point);
+    for (const plate::Share& share : sample.jump) jump += share.weight * state.col(share.point);
     const Point rotation(jump[1], jump[2]);
     double deflection = jump[0];
-    for (const Share& share : sample.lever)
+    for (const plate::Share& share : sample.lever)
       deflection -= share.weight * (state(1, share.point) * ahead.x() + state(2, share.point) * ahead.y());
     K.row(static_cast<Eigen::Index>(r.size())) =
         Eigen::RowVector3d(-bending * rotation.dot(ahead), bending * rotation.dot(left), shear * deflection) /

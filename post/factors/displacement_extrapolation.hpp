@@ -1,4 +1,7 @@
 #pragma once
+#include "geometry/shape/crack_path.hpp"
+#include "plate/formulation/interpolation.hpp"
+#include "plate/model/state.hpp"
 #include "post/factors/srif.hpp"
 
 namespace post {
@@ -41,9 +44,9 @@ public:
 
 private:
   struct Sample {
-    double r;                  // distance behind the tip [length]
-    std::vector<Share> jump;   // upper face minus lower face
-    std::vector<Share> lever;  // the same shares times their distance y' from the crack [length]
+    double r;                         // distance behind the tip [length]
+    std::vector<plate::Share> jump;   // upper face minus lower face
+    std::vector<plate::Share> lever;  // the same shares times their distance y' from the crack [length]
   };
 
   geometry::Tip tip_;

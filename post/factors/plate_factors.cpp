@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/loads.hpp"
+#include "plate/model/problem.hpp"
+#include "post/factors/errors.hpp"
 #include "post/factors/tip_rings.hpp"
 
 namespace post {

@@ -1,6 +1,13 @@
 #pragma once
-#include "plate/formulation/formulation.hpp"
+#include <cmath>
+#include <optional>
+
 #include "post/factors/tip_methods.hpp"
+
+namespace plate {
+class Formulation;
+struct Problem;
+}  // namespace plate
 
 /// The intensity factors of a plate's tips.
 namespace post {

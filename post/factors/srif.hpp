@@ -1,15 +1,13 @@
 #pragma once
 #include <array>
 #include <optional>
-#include "geometry/lattice/cloud.hpp"
-#include "plate/formulation/interpolation.hpp"
+#include <string>
+#include <vector>
+#include "geometry/shape/outline.hpp"
 #include "plate/model/section.hpp"
-#include "plate/model/state.hpp"
 
 /// What leaves the program: intensity factors, tables, files for ParaView and HDF5.
 namespace post {
-
-using plate::Share;
 
 /// The forces or moments that F = K / (...) refers to: pressure and width: F = K / (p (W/2)^2 sqrt a);
 /// moment: F = K / (M sqrt a). F3 has K3 times the thickness, to be without dimension.

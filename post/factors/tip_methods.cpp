@@ -6,6 +6,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "post/factors/displacement_extrapolation.hpp"
+#include "post/factors/errors.hpp"
+#include "post/factors/series_fit.hpp"
+#include "post/factors/tip_rings.hpp"
+
 namespace post {
 namespace {
 
@@ -48,7 +53,46 @@ double largest_radius(double clear, double spacing, bool graded) {
 
 }  // namespace
 
-TipMethods::TipMethods(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options)
+/// The methods with all that they know of their tip.
+class TipMethods::AtTip {
+public:
+  AtTip(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options);
+
+  std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings) const;
+  const std::vector<std::string>& left_out() const { return left_out_; }
+  bool works() const { return left_out_.size() < methods_.size(); }
+  Eigen::MatrixXd functionals() const;
+  bool needs_force() const { return !integrals_.empty(); }
+
+private:
+  struct Integral {
+    std::string method;
+    std::vector<Ring> rings;
+    std::vector<TipIntegral> integrals;  // one per ring
+  };
+
+  Integral integral_of(const std::string& method, const geometry::Tip& tip, double clear, bool first_ring_only) const;
+  Srif of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix, const NearField& field,
+          const Eigen::VectorXd& forward_work) const;
+  std::size_t rings_of(const Integral& integral, bool all) const;
+  Srif by_fit(const std::vector<FitSrif>& fits) const;
+  void fit(const geometry::Tip& tip, double clear, bool first_only);
+  std::vector<FitSrif> fitted(const NearField& field) const;
+  Eigen::Vector3d split(const std::vector<FitSrif>& fits, const plate::State& state) const;
+
+  std::shared_ptr<const TipView> view_;
+  geometry::Tip tip_;
+  ErrorShares shares_;
+  std::vector<std::string> methods_, left_out_;
+  TipSurroundings surroundings_;
+  std::vector<Integral> integrals_;
+  std::vector<SeriesFit> fits_;  // the widest first; none where the field within a thickness is not resolved
+  std::string no_fit_;           // why
+  std::vector<DisplacementExtrapolation> openings_;
+  std::vector<DisplacementExtrapolation> mix_;  // one, where it is not: proportions from the opening
+};
+
+TipMethods::AtTip::AtTip(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options)
     : view_(std::move(view)),
       tip_(place.tip),
       shares_(shares_of(*view_, place)),
@@ -84,8 +128,8 @@ TipMethods::TipMethods(std::shared_ptr<const TipView> view, const TipPlace& plac
   }
 }
 
-TipMethods::Integral TipMethods::integral_of(const std::string& method, const geometry::Tip& tip, double clear,
-                                             bool first_ring_only) const {
+TipMethods::AtTip::Integral TipMethods::AtTip::integral_of(const std::string& method, const geometry::Tip& tip,
+                                                           double clear, bool first_ring_only) const {
   const TipView& plate = *view_;
   Integral result{method, rings(clear, plate.spacing, plate.graded), {}};
   if (first_ring_only && !result.rings.empty()) result.rings.erase(result.rings.begin() + 1, result.rings.end());
@@ -102,7 +146,7 @@ TipMethods::Integral TipMethods::integral_of(const std::string& method, const ge
 }
 
 /// Fits over the widest range that serves, and over parts of it for the estimate of the error.
-void TipMethods::fit(const geometry::Tip& tip, double clear, bool first_only) {
+void TipMethods::AtTip::fit(const geometry::Tip& tip, double clear, bool first_only) {
   const TipView& plate = *view_;
   const auto range = fit_range(plate.section, clear, plate.spacing, plate.graded);
   if (!range) {
@@ -115,7 +159,7 @@ void TipMethods::fit(const geometry::Tip& tip, double clear, bool first_only) {
   if (fits_.empty()) no_fit_ = "series_fit: too few points about the tip for a fit of its fields; refine";
 }
 
-std::vector<FitSrif> TipMethods::fitted(const NearField& field) const {
+std::vector<FitSrif> TipMethods::AtTip::fitted(const NearField& field) const {
   std::vector<FitSrif> result;
   for (const auto& fit : fits_) {
     const Eigen::Vector3d K = fit(field);
@@ -124,7 +168,7 @@ std::vector<FitSrif> TipMethods::fitted(const NearField& field) const {
   return result;
 }
 
-Eigen::MatrixXd TipMethods::functionals() const {
+Eigen::MatrixXd TipMethods::AtTip::functionals() const {
   if (fits_.empty()) return {};
   const SeriesFit& fit = fits_.front();
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 3 * Eigen::Index(view_->positions.size()));
@@ -135,7 +179,7 @@ Eigen::MatrixXd TipMethods::functionals() const {
 }
 
 /// K1, K2, K3 whose signs and proportions the integrals of the energy release rate take over.
-Eigen::Vector3d TipMethods::split(const std::vector<FitSrif>& fits, const plate::State& state) const {
+Eigen::Vector3d TipMethods::AtTip::split(const std::vector<FitSrif>& fits, const plate::State& state) const {
   if (!fits.empty()) return {fits.front().K1, fits.front().K2, fits.front().K3};
   if (mix_.empty()) return Eigen::Vector3d::Zero();
   const Srif opening = mix_.front()(state);
@@ -143,13 +187,13 @@ Eigen::Vector3d TipMethods::split(const std::vector<FitSrif>& fits, const plate:
 }
 
 /// The first ring gives the result; its error comes from the other methods, or from the second ring.
-std::size_t TipMethods::rings_of(const Integral& integral, bool all) const {
+std::size_t TipMethods::AtTip::rings_of(const Integral& integral, bool all) const {
   const std::size_t count = integral.rings.size();
   return all ? count : std::min<std::size_t>(count, integrals_.size() > 1 ? 1 : 2);
 }
 
-Srif TipMethods::of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix, const NearField& field,
-                    const Eigen::VectorXd& forward_work) const {
+Srif TipMethods::AtTip::of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix,
+                           const NearField& field, const Eigen::VectorXd& forward_work) const {
   Srif result;
   result.position = tip_.position;
   result.method = integral.method;
@@ -164,7 +208,7 @@ Srif TipMethods::of(const Integral& integral, std::size_t rings, const Eigen::Ve
   return result;
 }
 
-Srif TipMethods::by_fit(const std::vector<FitSrif>& fits) const {
+Srif TipMethods::AtTip::by_fit(const std::vector<FitSrif>& fits) const {
   Srif result;
   result.position = tip_.position;
   result.method = "series_fit";
@@ -174,7 +218,8 @@ Srif TipMethods::by_fit(const std::vector<FitSrif>& fits) const {
   return result;
 }
 
-std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate::Forces& force, bool all_rings) const {
+std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const plate::Forces& force,
+                                                bool all_rings) const {
   const NearField field(state, view_->positions, surroundings_.centre());
   const std::vector<FitSrif> fits = fitted(field);
   const Eigen::Vector3d mix = split(fits, state);
@@ -209,6 +254,33 @@ std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate:
   std::ranges::stable_partition(
       found, [](const Srif& srif) { return srif.resolved[0] || srif.resolved[1] || srif.resolved[2]; });
   return found;
+}
+
+TipMethods::TipMethods(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options)
+    : at_tip_(std::make_unique<AtTip>(std::move(view), place, options)) {}
+
+TipMethods::TipMethods(TipMethods&&) noexcept = default;
+TipMethods& TipMethods::operator=(TipMethods&&) noexcept = default;
+TipMethods::~TipMethods() = default;
+
+std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate::Forces& force, bool all_rings) const {
+  return (*at_tip_)(state, force, all_rings);
+}
+
+const std::vector<std::string>& TipMethods::left_out() const {
+  return at_tip_->left_out();
+}
+
+bool TipMethods::works() const {
+  return at_tip_->works();
+}
+
+Eigen::MatrixXd TipMethods::functionals() const {
+  return at_tip_->functionals();
+}
+
+bool TipMethods::needs_force() const {
+  return at_tip_->needs_force();
 }
 
 }  // namespace post

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "plate/formulation/constraints.hpp"
 #include "plate/model/numerical_error.hpp"
 
 namespace post {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "plate/solve/statics.hpp"
 #include "post/files/table.hpp"
 
 namespace post {
@@ -118,6 +119,15 @@ Json json_of(const AccuracySummary& accuracy) {
 }
 
 }  // namespace
+
+void describe(Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
+              double tolerance) {
+  analysis.method = method;
+  analysis.iterations = solution.iterations;
+  analysis.residual = solution.residual;
+  analysis.tolerance = tolerance;
+  analysis.stop_reason = solution.stop_reason;
+}
 
 std::string to_json(const Summary& summary) {
   Json json;

@@ -5,6 +5,10 @@
 #include <vector>
 #include "post/factors/accuracy.hpp"
 
+namespace plate {
+struct StaticSolution;
+}
+
 namespace post {
 
 /// A part of the program that a scene uses, and what it costs.
@@ -26,8 +30,8 @@ struct Frequency {
 struct GrowthSummary {
   std::string outcome;
   std::size_t advances = 0;
-  std::optional<double> first_load_factor;    // at rest: at which the first tip moved; 0 where none did
-  std::optional<double> largest_load_factor;  // at rest
+  std::optional<double> first_load_factor;    // quasi-static: at which the first tip moved; 0 where none did
+  std::optional<double> largest_load_factor;  // quasi-static
   std::optional<double> spent;                // energy taken over fracture energy and area of the new crack
   std::optional<double> largest_speed;        // in motion, of a piece of crack [length/time]
   std::optional<std::size_t> broken_bonds;    // where bonds break one by one
@@ -69,6 +73,10 @@ struct Summary {
   std::vector<ScenePart> scene;
   std::vector<std::string> warnings;
 };
+
+/// What a summary says of a static solution.
+void describe(Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
+              double tolerance);
 
 std::string to_json(const Summary& summary);
 

@@ -8,6 +8,7 @@
 #include "cases/driver/discretised.hpp"
 #include "plate/bonds/levels/two_level_plate.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/solve/statics.hpp"
 
 namespace {

@@ -1,8 +1,9 @@
-// Bonds that break one by one, at rest and in motion: toughness, books, symmetry, plates that fall to pieces.
+// Bonds that break one by one, quasi-statically and in motion: toughness, books, symmetry, plates that fall to pieces.
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "cases/driver/run.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/verification/verified_plate.hpp"
@@ -50,7 +51,7 @@ Rest grown(const cases::Case& c) {
 
 }  // namespace
 
-TEST_CASE("bonds at rest: steady growth needs the fracture energy, by the table of apparent toughness") {
+TEST_CASE("quasi-static bonds: steady growth needs the fracture energy, by the table of apparent toughness") {
   for (const double thickness : {1.5, 4.0, 8.0}) {
     auto c = strip(thickness);
     auto tip = c;
@@ -68,7 +69,7 @@ TEST_CASE("bonds at rest: steady growth needs the fracture energy, by the table 
   }
 }
 
-TEST_CASE("bonds at rest: outcomes under given loads and given displacements") {
+TEST_CASE("quasi-static bonds: outcomes under given loads and given displacements") {
   auto c = strip(4);
   c.growth->criterion = Growth::Criterion::bond_energy;
   c.growth->control = Growth::Control::load;
@@ -88,7 +89,7 @@ TEST_CASE("bonds at rest: outcomes under given loads and given displacements") {
   CHECK(grown(c).summary.growth->outcome == "the largest length of cracks");
 }
 
-TEST_CASE("bonds at rest: a symmetric plate stays symmetric") {
+TEST_CASE("quasi-static bonds: a symmetric plate stays symmetric") {
   auto c = vp::square(0.1);
   c.analysis.kind = cases::Analysis::Kind::static_;
   c.analysis.tolerance = 1e-8;
@@ -201,7 +202,7 @@ TEST_CASE("bonds in motion: a plate that falls to pieces keeps its books, and pi
   }
 }
 
-TEST_CASE("bonds at rest: a plate that is cut through has split, which is an outcome") {
+TEST_CASE("quasi-static bonds: a plate that is cut through has split, which is an outcome") {
   auto c = vp::free_plate(geometry::rectangle(0, -0.5, 2, 0.5), 0.05);
   c.analysis.kind = cases::Analysis::Kind::static_;
   c.cracks = {{{1, -0.5}, {1, 0.1}}};

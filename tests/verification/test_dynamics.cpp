@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 
+#include "plate/formulation/constraints.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "tests/verification/verified_plate.hpp"
 

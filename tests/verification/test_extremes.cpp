@@ -1,6 +1,7 @@
 // Extreme plates and cracks: each must be solved, with finite results.
 #include <catch2/catch.hpp>
 
+#include "plate/formulation/resultants.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,13 +1,13 @@
 // Eigenfrequencies: closed forms, rigid motions, dense eigenvalues.
 #include "plate/solve/motion/frequencies.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/model/exact.hpp"
+#include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 #include "tests/verification/verified_plate.hpp"
 
@@ -25,7 +25,7 @@ FrequencySolution solved(const cases::Case& c, const Formulation& a, std::size_t
 }
 
 /// Frequencies of the dense eigenproblem P^T K P q = omega^2 P^T M P q.
-Eigen::VectorXd dense(const cases::Case& c, const Formulation& a) {
+Eigen::VectorXd by_dense_matrices(const cases::Case& c, const Formulation& a) {
   const auto& constraints = a.constraints();
   const Eigen::MatrixXd K = small_plate::stiffness(*a.breaking()), P = small_plate::prolongation(constraints, K.rows());
   Forces all = Forces::Zero(3, vp::size(a));
@@ -33,9 +33,8 @@ Eigen::VectorXd dense(const cases::Case& c, const Formulation& a) {
   for (Eigen::Index k = 0; k < all.cols(); ++k)
     if (a.boundary().active[std::size_t(k)])
       all.col(k) = rho * h * a.cloud().areas[std::size_t(k)] * Eigen::Vector3d(1, h * h / 12, h * h / 12);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-      P.transpose() * K * P, P.transpose() * all.reshaped().asDiagonal() * P);
-  return eigen.eigenvalues().cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
+  const Eigen::MatrixXd M = P.transpose() * all.reshaped().asDiagonal() * P;
+  return dense::eigenvalues(dense::folded(K, P), M).cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
 }
 
 }  // namespace
@@ -64,7 +63,7 @@ TEST_CASE("a free plate has three rigid motions and no more, a square one its do
   const auto c = vp::square(0.125);
   const auto a = vp::assembled(c);
   const auto found = solved(c, *a, 10);
-  const Eigen::VectorXd all = dense(c, *a);
+  const Eigen::VectorXd all = by_dense_matrices(c, *a);
   CHECK(all[6] == Approx(all[7]).epsilon(1e-9));
   for (std::size_t i = 0; i < 10; ++i) {
     CAPTURE(i, found.modes[i].frequency, all[Eigen::Index(i)], found.modes[i].residual);
@@ -81,7 +80,7 @@ TEST_CASE("a plate cut in two has six rigid motions") {
   c.cracks = {{{-1, 0.125}, {1, 0.125}}};
   const auto a = vp::assembled(c);
   const auto found = solved(c, *a, 8);
-  const Eigen::VectorXd all = dense(c, *a);
+  const Eigen::VectorXd all = by_dense_matrices(c, *a);
   CHECK(found.modes[5].frequency < 1e-5 * all[6]);
   CHECK(found.modes[6].frequency == Approx(all[6]).epsilon(1e-9));
   CHECK(found.modes[7].frequency == Approx(all[7]).epsilon(1e-9));

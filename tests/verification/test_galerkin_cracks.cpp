@@ -8,7 +8,9 @@
 #include <sstream>
 
 #include "cases/driver/static_solution.hpp"
+#include "plate/formulation/tip_view.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "post/factors/plate_factors.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

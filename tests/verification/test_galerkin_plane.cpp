@@ -1,7 +1,7 @@
 // The thesis' own tests of its formulations in plane strain: shape function conditions, patch tests, eigenmodes.
-#include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 
+#include "tests/dense.hpp"
 #include "tests/verification/galerkin/plane.hpp"
 
 namespace gs = galerkin_systems;
@@ -62,7 +62,7 @@ Eigen::MatrixXd petrov(const gs::Body& b, const gs::System& test, gs::Petrov kin
 }
 
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& K) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
+  return dense::eigenvalues(K);
 }
 
 /// Largest |sum X (x) G - I| over all samples.

@@ -1,9 +1,9 @@
-// Cracks that grow, at rest and in motion, against closed forms and their own energy.
+// Cracks that grow, quasi-statically and in motion, against closed forms and their own energy.
 #include <catch2/catch.hpp>
 #include <cmath>
-
 #include "cases/driver/run.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/verification/verified_plate.hpp"
@@ -56,7 +56,7 @@ Energies energies(const cases::Case& c) {
 
 }  // namespace
 
-TEST_CASE("growth at rest spends the fracture energy, bending, at any angle and spacing") {
+TEST_CASE("quasi-static growth spends the fracture energy, bending, at any angle and spacing") {
   for (const auto* formulation : {&plate::ordinary, &plate::galerkin}) {
     std::vector<double> first;
     for (const double degrees : {0.0, 15.0, 30.0, 45.0}) {
@@ -76,7 +76,7 @@ TEST_CASE("growth at rest spends the fracture energy, bending, at any angle and 
   }
 }
 
-TEST_CASE("growth at rest spends the fracture energy in twist, in the Galerkin plate") {
+TEST_CASE("quasi-static growth spends the fracture energy in twist, in the Galerkin plate") {
   for (const double degrees : {0.0, 15.0, 30.0, 45.0}) {
     const double turn = 2 * degrees / 180 * std::numbers::pi;
     auto c = straight(0.02, degrees, {-std::sin(turn), std::sin(turn), std::cos(turn)});
@@ -87,7 +87,7 @@ TEST_CASE("growth at rest spends the fracture energy in twist, in the Galerkin p
   }
 }
 
-TEST_CASE("growth at rest starts where K1 of the references is that of the fracture energy") {
+TEST_CASE("quasi-static growth starts where K1 of the references is that of the fracture energy") {
   const auto critical = [](const plate::Section& s, double fracture_energy) {  // G = 12 pi K1^2 / (E h^3) = G_c h
     return s.thickness * s.thickness * std::sqrt(s.young * fracture_energy / (12 * std::numbers::pi));
   };
@@ -276,7 +276,7 @@ TEST_CASE("growth in motion: with every surface correction the crack takes the f
   }
 }
 
-TEST_CASE("growth at rest goes over into motion where an advance is unstable") {
+TEST_CASE("quasi-static growth goes over into motion where an advance is unstable") {
   auto c = pressed(0);
   c.analysis.kind = cases::Analysis::Kind::static_;
   c.growth->unstable = Growth::Unstable::move;

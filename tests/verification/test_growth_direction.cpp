@@ -1,7 +1,9 @@
-// The direction of cracks that grow at rest: smooth, and the same at tips that are alike.
+// The direction of cracks that grow quasi-statically: smooth, and the same at tips that are alike.
 #include <catch2/catch.hpp>
 
 #include "cases/driver/run.hpp"
+#include "cases/input/case_file.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "tests/unit/post/small_run.hpp"
 
@@ -30,7 +32,7 @@ std::vector<TipRow> grown(const std::vector<std::string>& more) {
 
 }  // namespace
 
-TEST_CASE("growth at rest: after its first turn a crack under bending goes on smoothly, and both tips alike") {
+TEST_CASE("quasi-static growth: after its first turn a crack under bending goes on smoothly, and both tips alike") {
   const auto rows = grown({});
   REQUIRE(rows.size() >= 12);
   std::vector<double> directions;

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "post/factors/plate_factors.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -2,6 +2,9 @@
 // polyline.
 #include <catch2/catch.hpp>
 
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "post/factors/plate_factors.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -9,6 +9,7 @@
 
 #include "cases/driver/static_solution.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "post/factors/plate_factors.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "geometry/lattice/cloud.hpp"
 #include "plate/model/exact.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cases/driver/run.hpp"
+#include "cases/input/case_file.hpp"
 #include "post/studies/quantity.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -1,7 +1,8 @@
 // The stiffness as a matrix: no negative eigenvalue, no zero mode but the rigid motions.
-#include <Eigen/Dense>
 #include <catch2/catch.hpp>
 
+#include "plate/formulation/constraints.hpp"
+#include "tests/dense.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
@@ -25,7 +26,7 @@ Eigen::VectorXd scaled_eigenvalues(const Formulation& a) {
   }
   const Eigen::VectorXd scale = K.diagonal().cwiseSqrt().cwiseInverse();
   K = scale.asDiagonal() * K * scale.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>((K + K.transpose()) / 2, Eigen::EigenvaluesOnly).eigenvalues();
+  return dense::eigenvalues((K + K.transpose()) / 2);
 }
 
 /// `modes` eigenvalues are zero, all others above `least`.

@@ -5,6 +5,7 @@
 #include "fracture/growth/motion/moving_bonds.hpp"
 #include "fracture/growth/motion/moving_tips.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
+#include "plate/formulation/parts/pieces.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace fracture {

@@ -1,4 +1,5 @@
 #pragma once
+#include "fracture/growth/ended.hpp"
 #include "fracture/growth/record.hpp"
 #include "fracture/severing/fallen_pieces.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -6,18 +7,6 @@
 #include "post/files/frame.hpp"
 
 namespace fracture {
-
-/// What became of a growth in motion.
-struct Moved {
-  std::size_t advances = 0;                 // pieces of crack, or steps in which bonds broke
-  std::optional<std::size_t> broken;        // bonds
-  std::vector<std::string> reached;         // edges, holes and cracks by tips
-  std::size_t parts = 1, parts_before = 1;  // of the plate
-  bool frozen = false;                      // pieces that fell off stay where they were
-  std::optional<double> spent;              // energy taken over fracture energy and area of the new crack
-  double largest_speed = 0;                 // of a tip [length/time]
-  std::vector<double> lengths;              // of every crack [length]
-};
 
 /// Cracks that grow while the plate moves: the plate whose bonds they sever, and what is recorded of them.
 class MovingGrowth {

@@ -5,9 +5,9 @@
 
 namespace fracture {
 
-/// Bonds that break at rest: the plate is linear between two of them, so the load factor at which the next ones break
-/// is known exactly, and no step can be too long. One bond breaks at a time, and those that are loaded alike (mirror
-/// images). The plate is solved anew after each loss with the factor of the plate at the start.
+/// Bonds that break quasi-statically: the plate is linear between two of them, so the load factor at which the next
+/// ones break is known exactly, and no step can be too long. One bond breaks at a time, and those that are loaded alike
+/// (mirror images). The plate is solved anew after each loss with the factor of the plate at the start.
 class QuasiStaticBonds : public QuasiStaticModel {
 public:
   /// `start`: the plate before any bond has broken, of a formulation with bonds that break; both must outlive this.

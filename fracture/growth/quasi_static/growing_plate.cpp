@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "plate/formulation/discretised.hpp"
 #include "plate/formulation/parts/held.hpp"
+#include "plate/formulation/stopwatch.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/model/problem.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
 

@@ -1,5 +1,8 @@
 #pragma once
 #include "fracture/growth/quasi_static/tips.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/stopwatch.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/solve/solution.hpp"
 #include "post/factors/tip_methods.hpp"
 

@@ -9,7 +9,7 @@ struct Ledger {
   double released() const { return external_work - strain - fracture; }
 };
 
-/// The load of a plate at rest that is linear between two changes of it (theory.md, "Growth").
+/// The load of a static plate that is linear between two changes of it (theory.md, "Growth").
 class QuasiStaticLoad {
 public:
   explicit QuasiStaticLoad(Growth::Control control) : control_(control) {}

@@ -10,7 +10,7 @@
 
 namespace fracture {
 
-/// A plate at rest under the whole load, as far as it has grown.
+/// A plate in equilibrium with the whole load, as far as it has grown.
 struct Loaded {
   std::string split;            // what is not held any more, and nothing could be solved; empty: all is held
   double displacement = 0;      // sum of loads times displacements [energy]
@@ -18,7 +18,7 @@ struct Loaded {
   std::optional<End> end = {};  // what ends the growth whatever the load
 };
 
-/// One state at rest on the way, just before something gives way.
+/// One equilibrium on the way, just before something gives way.
 struct Equilibrium {
   std::size_t advance;  // number of it; the first state is 0
   double factor, displacement,
@@ -28,7 +28,7 @@ struct Equilibrium {
   Ledger ledger;
 };
 
-/// What grows in a plate at rest: tips of cracks, or bonds that break one by one.
+/// What grows quasi-statically: tips of cracks, or bonds that break one by one.
 class QuasiStaticModel {
 public:
   virtual ~QuasiStaticModel() = default;
@@ -62,7 +62,7 @@ protected:
   std::vector<std::string> warnings_;
 };
 
-/// How a growth at rest ended.
+/// How a quasi-static growth ended.
 struct Grown {
   Ended ended;
   Ledger ledger;  // at the last state

@@ -15,7 +15,7 @@ struct LoadedTip {
 /// The plate with certain cracks under the whole load.
 struct LoadedPlate {
   std::string split;        // not empty: a piece of the plate is not held any more, and nothing could be solved
-  double displacement = 0;  // sum of loads times displacements at rest [energy]: what the load factor does work on
+  double displacement = 0;  // sum of loads times static displacements [energy]: what the load factor does work on
   std::vector<LoadedTip> tips;
 };
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "plate/formulation/parts/mechanisms.hpp"
+#include "plate/formulation/parts/pieces.hpp"
+
 namespace plate {
 namespace {
 

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <map>
 
+#include "plate/formulation/constraints.hpp"
+#include "plate/model/history.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 
 namespace plate {

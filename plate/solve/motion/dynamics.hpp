@@ -1,10 +1,12 @@
 #pragma once
 #include <functional>
-#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/model/loads.hpp"
+#include "plate/model/state.hpp"
 
 namespace plate {
+
+class Constraints;
+struct TimedLoad;
 
 /// 2 / omega with omega^2 not below the largest eigenvalue of M^-1 K: the largest value of a Lanczos iteration, which
 /// comes from below, plus 1 %, or the bound of Collatz for |K|, whichever is smaller.

@@ -8,7 +8,9 @@
 #include <random>
 #include <stdexcept>
 
+#include "plate/formulation/constraints.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/model/section.hpp"
 #include "plate/solve/statics.hpp"
 
 namespace plate {

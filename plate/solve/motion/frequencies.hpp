@@ -1,11 +1,12 @@
 #pragma once
 #include <functional>
-#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/formulation/preconditioner.hpp"
-#include "plate/model/section.hpp"
 
 namespace plate {
+
+class Constraints;
+class Preconditioner;
+struct Section;
 
 struct FrequencyOptions {
   std::size_t modes = 6;

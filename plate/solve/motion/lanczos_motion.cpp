@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/lanczos_space.hpp"
 

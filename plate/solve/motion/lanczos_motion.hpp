@@ -1,18 +1,19 @@
 #pragma once
 #include <limits>
 
-#include "plate/formulation/inertia.hpp"
-#include "plate/formulation/preconditioner.hpp"
 #include "plate/solve/motion/moving_modes.hpp"
 
 namespace plate {
+
+class Inertia;
+class Preconditioner;
 
 struct LanczosOptions {
   double duration = 0;
   double tolerance = 3e-4;  // of the motion: root of the mean square over the mass, relative to the largest
   std::size_t max_vectors = 800;
   bool from_equilibrium =
-      false;  // at time 0 at rest under the loads of that time, which have grown slowly; else undeformed
+      false;  // at time 0 in equilibrium with the loads of that time, which have grown slowly; else undeformed
   /// Groups of linear functionals of the state (rows, or none; columns as State::data()) whose truncation is wanted.
   std::vector<Eigen::MatrixXd> watched = {};
   /// Of the truncation of every group, as far as four times as many vectors as the motion needs reach it: a fit where

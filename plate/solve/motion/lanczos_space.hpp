@@ -13,7 +13,7 @@ public:
   LanczosSpace(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
                const Preconditioner& inverse);
 
-  /// The answer to nodal forces at rest, as a new vector; false where it is in the space already.
+  /// The static answer to nodal forces, as a new vector; false where it is in the space already.
   /// Throws NumericalError where conjugate gradients do not find it.
   bool add(const Forces& load);
   /// The next vector of the sequence of vector `i`: what the inverse makes of it need not be exact.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plate/model/history.hpp"
+#include "plate/model/nodal_forces.hpp"
+
 namespace plate {
 
 using Eigen::Index;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <random>
 
+#include "plate/formulation/constraints.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/reduction.hpp"
 

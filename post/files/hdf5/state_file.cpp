@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -113,15 +114,33 @@ private:
   Id dataset_;
 };
 
-/// What a column of history, probes or srif holds, by its name.
+/// What the columns of all tables hold, by their names; numbers without a unit have none.
 Meaning meaning_of_column(const std::string& name) {
-  if (name == "time") return {"time", "time of the row"};
-  if (name == "x" || name == "y") return {"length", "position"};
-  if (name == "w") return {"length", "deflection"};
-  if (name == "max_abs_w") return {"length", "largest deflection"};
+  static const std::map<std::string, Meaning> known{
+      {"time", {"time", "time of the row"}},
+      {"begin", {"time", "when the piece of crack began"}},
+      {"x", {"length", "position"}},
+      {"y", {"length", "position"}},
+      {"w", {"length", "deflection"}},
+      {"max_abs_w", {"length", "largest deflection"}},
+      {"length", {"length", "of the whole crack"}},
+      {"piece", {"length", "of the piece of crack"}},
+      {"crack_length", {"length", "of all cracks"}},
+      {"angle", {"degree", "from x"}},
+      {"speed", {"length/time", "of the tip"}},
+      {"frequency", {"1/time", "frequency"}},
+      {"omega", {"1/time", "circular frequency"}},
+      {"displacement", {"force length", "sum of loads at factor 1 times displacements"}},
+      {"energy_residual", {"force length", "what the books do not account for"}},
+      {"G", {"force", "energy release rate"}},
+      {"K1", {"force length^(1/2)", "moment intensity factor, without pi"}},
+      {"K2", {"force length^(1/2)", "moment intensity factor, without pi"}},
+      {"K3", {"force length^(-1/2)", "shear force intensity factor, without pi"}},
+      {"estimated_error_K1", {"force length^(1/2)", "estimated error"}},
+      {"estimated_error_K2", {"force length^(1/2)", "estimated error"}},
+      {"estimated_error_K3", {"force length^(-1/2)", "estimated error"}}};
+  if (const auto found = known.find(name); found != known.end()) return found->second;
   if (name.starts_with("theta")) return {"1", "rotation"};
-  if (name == "K1" || name == "K2") return {"force length^(1/2)", "moment intensity factor, without pi"};
-  if (name == "K3") return {"force length^(-1/2)", "shear force intensity factor, without pi"};
   if (name.ends_with("energy") || name.ends_with("work")) return {"force length", name};
   return {"1", name};
 }

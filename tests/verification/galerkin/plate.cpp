@@ -1,5 +1,6 @@
 // Stiffness, loads and solutions of a Mindlin plate made of families.
 #include "tests/verification/galerkin/plate.hpp"
+#include "tests/dense.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -120,7 +121,7 @@ Eigen::VectorXd solved(const Sparse& K, const Eigen::VectorXd& f, const Eigen::V
 Eigen::VectorXd all_frequencies(const Sparse& K, const Eigen::VectorXd& mass) {
   const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd A = scale.asDiagonal() * Eigen::MatrixXd(K) * scale.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
+  return dense::eigenvalues(A);
 }
 
 double centre_deflection(const Body& b, const Sparse& K, Held held) {

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "tests/dense.hpp"
 #include "tests/verification/galerkin/plate.hpp"
 
 namespace galerkin_systems {
@@ -110,9 +111,8 @@ Eigen::VectorXd ritz_frequencies(const Plate& plate, int degree) {
   for (int px = 0; px < 2; ++px)
     for (int py = 0; py < 2; ++py) {
       const Matrices m = matrices(plate, Held::free, degree, px, py);
-      const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(m.stiffness, m.mass,
-                                                                             Eigen::EigenvaluesOnly);
-      all.insert(all.end(), solver.eigenvalues().begin(), solver.eigenvalues().end());
+      const Eigen::VectorXd values = dense::eigenvalues(m.stiffness, m.mass);
+      all.insert(all.end(), values.begin(), values.end());
     }
   std::sort(all.begin(), all.end());
   return Eigen::Map<Eigen::VectorXd>(all.data(), Eigen::Index(all.size()));
@@ -120,7 +120,7 @@ Eigen::VectorXd ritz_frequencies(const Plate& plate, int degree) {
 
 double ritz_deflection(const Plate& plate, Held held, int degree) {
   const Matrices m = matrices(plate, held, degree, 0, 0);
-  return m.centre.dot(m.stiffness.ldlt().solve(m.pressure));
+  return m.centre.dot(dense::solution(m.stiffness, m.pressure));
 }
 
 }  // namespace galerkin_systems

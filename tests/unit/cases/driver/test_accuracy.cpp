@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/driver/accuracy.hpp"
+#include "cases/driver/run.hpp"
 #include "cases/input/accuracy_path.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"

@@ -1,14 +1,20 @@
-// A growth at rest ends as it really did: an expected end is a value, an error is an error, and what was found until
-// then stays.
+// A quasi-static growth ends as it really did: an expected end is a value, an error is an error, and what was found
+// until then stays.
 #include "cases/driver/growth_run.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "cases/input/case_file.hpp"
 #include "geometry/shape/crack_extension.hpp"
+#include "plate/formulation/discretised.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/model/loads.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
+#include "plate/model/supports.hpp"
 #include "post/files/hdf5/state_file.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/driver/run.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"

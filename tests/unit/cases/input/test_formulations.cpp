@@ -6,6 +6,7 @@
 #include "cases/driver/run.hpp"
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "post/files/summary.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 

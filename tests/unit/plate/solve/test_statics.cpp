@@ -2,8 +2,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "plate/model/loads.hpp"
+#include "geometry/lattice/seeding.hpp"
+#include "plate/bonds/parameters/position_aware.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;
@@ -29,7 +32,7 @@ State dense_solution(const small_plate::Model& m, const Forces& load) {
   const Eigen::MatrixXd K = small_plate::stiffness(m.plate);
   const Eigen::MatrixXd P = small_plate::prolongation(m.boundary.constraints, K.rows());
   State state(3, m.points());
-  state.reshaped() = P * (P.transpose() * K * P).ldlt().solve(P.transpose() * load.reshaped());
+  state.reshaped() = P * dense::solution(dense::folded(K, P), P.transpose() * load.reshaped());
   return state;
 }
 

@@ -1,4 +1,4 @@
-// Growth at rest on plates that are given as formulas: compliance against crack length.
+// Quasi-static growth on plates that are given as formulas: compliance against crack length.
 #include "fracture/growth/quasi_static/tips.hpp"
 
 #include <catch2/catch.hpp>
@@ -90,7 +90,7 @@ const Formula held_crack{[](double a) { return 8 * std::sqrt(a); }, [](double a)
 
 }  // namespace
 
-TEST_CASE("growth at rest: the load follows the crack, and the energy goes into it") {
+TEST_CASE("quasi-static growth: the load follows the crack, and the energy goes into it") {
   Growth growth;
   growth.control = Growth::Control::equilibrium;
   growth.max_length = 1.5;
@@ -107,7 +107,7 @@ TEST_CASE("growth at rest: the load follows the crack, and the energy goes into 
   CHECK(std::abs(way.grown.ledger.released()) < 1e-4 * way.grown.ledger.fracture);  // trapezoids of a smooth curve
 }
 
-TEST_CASE("growth at rest: under load the crack jumps, and what it does not take is released") {
+TEST_CASE("quasi-static growth: under load the crack jumps, and what it does not take is released") {
   const auto way = grown({}, split_beam, 1);
   CHECK_THAT(way.grown.outcome, Contains("the plate split: the crack reached the right edge"));
   CHECK(way.grown.cracks[0].back().x() == Approx(6));
@@ -120,7 +120,7 @@ TEST_CASE("growth at rest: under load the crack jumps, and what it does not take
   CHECK(way.released.back() == Approx(P2 * (2 * a * a * a - 2) / 2 - (a - 1)));
 }
 
-TEST_CASE("growth at rest: the same crack grows stably with the displacement, until that is all") {
+TEST_CASE("quasi-static growth: the same crack grows stably with the displacement, until that is all") {
   Growth growth;
   growth.control = Growth::Control::displacement;
   Formula stiff = split_beam;
@@ -134,14 +134,14 @@ TEST_CASE("growth at rest: the same crack grows stably with the displacement, un
   CHECK(std::abs(way.grown.ledger.released()) < 0.02 * way.grown.ledger.fracture);
 }
 
-TEST_CASE("growth at rest: stable under load where the energy release falls with the length") {
+TEST_CASE("quasi-static growth: stable under load where the energy release falls with the length") {
   const auto way = grown({}, held_crack, 1);
   CHECK(way.grown.outcome == "arrested under the whole load");
   CHECK(way.length.back() == Approx(4).margin(spacing));  // factor 1: G = 2 / sqrt a = 1
   CHECK(std::all_of(way.stable.begin(), way.stable.end(), [](bool s) { return s; }));
 }
 
-TEST_CASE("growth at rest: what keeps a tip where it is") {
+TEST_CASE("quasi-static growth: what keeps a tip where it is") {
   Growth growth;
   Formula formula = split_beam;
   SECTION("too little load") {
@@ -167,7 +167,7 @@ TEST_CASE("growth at rest: what keeps a tip where it is") {
   }
 }
 
-TEST_CASE("growth at rest: a tip that meets no ring any more breaks through to what is nearest") {
+TEST_CASE("quasi-static growth: a tip that meets no ring any more breaks through to what is nearest") {
   std::size_t calls = 0;
   const auto solve = [&](const std::vector<geometry::Polyline>& cracks) -> LoadedPlate {
     if (++calls == 1) return {"", 1, {{{cracks[0].back(), {1, 0}, 0, true}, {}, std::nullopt}}};

@@ -2,8 +2,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "plate/bonds/parameters/position_aware.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/statics.hpp"
+#include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;
@@ -45,7 +47,7 @@ FamilyOperator with(const small_plate::Model& m, const Section& section) {
   return {std::move(families), std::move(shapes), areas, std::move(weights)};
 }
 
-Eigen::MatrixXd dense(const Preconditioner& preconditioner, const Unknowns& unknowns, Eigen::Index points) {
+Eigen::MatrixXd dense_matrix(const Preconditioner& preconditioner, const Unknowns& unknowns, Eigen::Index points) {
   Eigen::MatrixXd result(unknowns.size(), unknowns.size());
   State out;
   for (Eigen::Index u = 0; u < unknowns.size(); ++u) {
@@ -89,9 +91,9 @@ TEMPLATE_TEST_CASE(
     const auto plate = with(m, section);
     const TestType local(plate, m.boundary, section, m.discretization);
     const auto free = unknowns(folded_diagonal(plate, m.boundary.constraints));
-    const Eigen::MatrixXd M = dense(local, free, m.points());
+    const Eigen::MatrixXd M = dense_matrix(local, free, m.points());
     CHECK((M - M.transpose()).norm() < 1e-12 * M.norm());  // measured: 1e-15
-    CHECK(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues().minCoeff() > 0);
+    CHECK(dense::eigenvalues(M).minCoeff() > 0);
   }
   for (const double spacing : {0.1, 0.05})
     for (const double h : {0.5, 0.1, 0.03}) {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "plate/bonds/parameters/position_aware.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "geometry/lattice/seeding.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;

@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include "plate/bonds/rows/lattice_operator.hpp"
-#include "plate/model/loads.hpp"
+#include "plate/formulation/inertia.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;
@@ -41,10 +43,9 @@ double largest_square(const small_plate::Model& m) {
     const double translation = section.density * h * m.boundary.cloud.areas[k];
     lumped.segment<3>(Eigen::Index(3 * k)) << translation, translation * h * h / 12, translation * h * h / 12;
   }
-  const Eigen::VectorXd M = (P.transpose() * lumped.asDiagonal() * P).diagonal();
+  const Eigen::VectorXd M = P.cwiseAbs2().transpose() * lumped;
   const Eigen::VectorXd root = M.cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled = root.asDiagonal() * (P.transpose() * K * P) * root.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+  return dense::eigenvalues(dense::scaled(dense::folded(K, P), root)).maxCoeff();
 }
 
 }  // namespace

@@ -3,6 +3,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/inertia.hpp"
+#include "plate/formulation/preconditioner.hpp"
+#include "plate/model/history.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
 

@@ -1,4 +1,4 @@
-#include "plate/model/loads.hpp"
+#include "plate/model/nodal_forces.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>

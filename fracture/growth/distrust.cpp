@@ -1,0 +1,32 @@
+#include "fracture/growth/distrust.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fracture/growth/criteria.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/section.hpp"
+
+namespace fracture {
+
+std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Formulation& plate) {
+  if (!growth.by_bonds()) return {};
+  std::vector<std::string> warnings;
+  const double h = plate.section().thickness / plate.discretization().spacing, m = plate.discretization().horizon_ratio;
+  const bool curvature = growth.criterion == Growth::Criterion::curvature_shear;
+  const bool measured =
+      curvature ? h >= 1.2 && h <= 15 && m >= 3 && m <= 3.1 : h >= 0.4 && h <= 50 && m >= 2.9 && m <= 5.1;
+  if (!growth.apparent_toughness && growth.fracture_energy > 0 && (!measured || plate.section().poisson < 0))
+    warnings.push_back(fmt::format(
+        "apparent toughness of bonds: not measured, or beyond a tenth, at a thickness of {:.3g} spacings, a horizon "
+        "of {:.3g} spacings and a Poisson's ratio of {:g} (plate/theory.md, \"Apparent toughness\")",
+        h, m, plate.section().poisson));
+  if (std::ranges::any_of(plate.boundary().sides,
+                          [](const auto& side) { return side.kind == plate::SupportKind::symmetry; }))
+    warnings.push_back("bonds across a line of symmetry do not break: no crack crosses it");
+  return warnings;
+}
+
+}  // namespace fracture

@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace plate {
+class Formulation;
+}
+
+namespace fracture {
+
+struct Growth;
+
+/// What of a growth by bonds is not to be trusted at this discretisation: what the apparent toughness was not measured
+/// for, and what bonds cannot do. Nothing of a growth by tips.
+std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Formulation& plate);
+
+}  // namespace fracture

@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+#include "geometry/shape/crack_path.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/parts/mechanisms.hpp"
+#include "plate/formulation/parts/pieces.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/model/problem.hpp"
+
+namespace plate {
+
+/// What every formulation makes of a problem: points, supports, nodal loads.
+struct Layout {
+  Problem problem;
+  std::vector<geometry::CrackPath> paths;  // [length]
+  std::vector<geometry::Tip> tips;
+  Boundary boundary;
+  std::vector<double> cut;  // per point of the plate: share of its surroundings that cracks sever
+  std::vector<TimedLoad> loads;
+  std::vector<Piece> pieces = {};
+  Mechanisms mechanisms = {};
+};
+
+}  // namespace plate
