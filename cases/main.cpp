@@ -7,11 +7,14 @@
 #include <cmath>
 #include <cstdlib>
 #include "cases/driver/energy_check.hpp"
+#include "cases/driver/run.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
+#include "post/report/printed.hpp"
 #include "post/studies/compare.hpp"
 #include "post/studies/fatigue.hpp"
 #include "post/studies/orders.hpp"
@@ -19,67 +22,6 @@
 namespace {
 
 enum ExitCode { done = 0, wrong_case = 2, failed_numbers = 3, failed_machine = 4 };
-
-void print_growth(const post::GrowthSummary& growth) {
-  constexpr std::size_t most = 8;
-  std::vector<std::string> lengths;
-  for (std::size_t i = 0; i < std::min(most, growth.lengths.size()); ++i)
-    lengths.push_back(fmt::format("{:.4g}", growth.lengths[i]));
-  if (growth.lengths.size() > most) lengths.push_back(fmt::format("... ({} in all)", growth.lengths.size()));
-  if (lengths.empty()) lengths.push_back("none");
-  fmt::print("growth: {}; lengths of the cracks: {}", growth.outcome, fmt::join(lengths, ", "));
-  if (growth.first_load_factor && *growth.first_load_factor > 0)
-    fmt::print("; load factor {:.5g} at the first advance, {:.5g} at most", *growth.first_load_factor,
-               *growth.largest_load_factor);
-  if (growth.spent) fmt::print("; energy spent {:.3f} of the fracture energy", *growth.spent);
-  if (growth.largest_speed) fmt::print("; largest speed {:.4g}", *growth.largest_speed);
-  fmt::print("\n");
-}
-
-void print_factors(const std::vector<post::Srif>& srifs) {
-  const bool normalized = srifs.front().F1.has_value();
-  fmt::print("{:>4} {:>9} {:>9} {:<25} {:>13} {:>13} {:>13}{}  {:>8}\n", "tip", "x", "y", "method", "K1", "K2", "K3",
-             normalized ? fmt::format(" {:>9} {:>9} {:>9}", "F1", "F2", "F3") : "", "error");
-  for (const auto& s : srifs) {
-    const auto number = [&s](std::size_t i, const std::string& text) { return s.resolved[i] ? text : "-"; };
-    const double K[] = {s.K1, s.K2, s.K3};
-    fmt::print("{:>4} {:>9.4g} {:>9.4g} {:<25}", s.tip, s.position.x(), s.position.y(), s.method);
-    for (std::size_t i = 0; i < 3; ++i) fmt::print(" {:>13}", number(i, fmt::format("{:.6g}", K[i])));
-    const std::optional<double> F[] = {s.F1, s.F2, s.F3};
-    for (std::size_t i = 0; i < 3 && normalized; ++i)
-      fmt::print(" {:>9}", number(i, fmt::format("{:.5f}", F[i].value_or(0))));
-    fmt::print("  {:>8}\n", s.estimated_error ? fmt::format("{:.2g} %", 100 * *s.estimated_error) : "");
-  }
-}
-
-void print_accuracy(const post::AccuracySummary& accuracy) {
-  fmt::print("accuracy {:.2g} % asked: {}\n{:>8} {:>10} {:>11} {:>9} {:>16}\n", 100 * accuracy.asked, accuracy.outcome,
-             "points", "spacing", "tip spacing", "seconds", "estimated error");
-  for (const auto& step : accuracy.path)
-    fmt::print("{:>8} {:>10.4g} {:>11.4g} {:>9.2f} {:>16}\n", step.points, step.spacing, step.tip_spacing, step.seconds,
-               step.error ? fmt::format("{:.2g} %", 100 * *step.error) : "-");
-}
-
-void print_result(const post::Summary& summary, const std::filesystem::path& folder) {
-  const auto& a = summary.analysis;
-  fmt::print("{}: {} ({}), {} points, {} bonds, {} {} in {:.1f} s, {}\n", summary.title, summary.formulation,
-             summary.formulation_reason, summary.points, summary.bonds,
-             a.iterations ? *a.iterations : a.steps.value_or(0), a.iterations ? "iterations" : "steps",
-             summary.seconds.back().second, a.stop_reason);
-  if (summary.accuracy) print_accuracy(*summary.accuracy);
-  if (!summary.srif.empty()) print_factors(summary.srif);
-  for (const auto& s : summary.srif)
-    if (s.second && (&s == &summary.srif.front() || (&s)[-1].tip != s.tip))
-      fmt::print("tip {}: {} by {} gives K1 {:.6g}, K2 {:.6g}, K3 {:.6g}: {:.2f} % apart\n", s.tip,
-                 s.second->formulation, s.second->method, s.second->K1, s.second->K2, s.second->K3,
-                 100 * s.second->difference);
-  if (!summary.frequencies.empty()) fmt::print("{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");
-  for (const auto& f : summary.frequencies)
-    fmt::print("{:>4} {:>13.6f} {:>13.5f} {:>9.1e}\n", f.mode, f.frequency, f.omega, f.residual);
-  if (summary.growth) print_growth(*summary.growth);
-  for (const auto& warning : summary.warnings) fmt::print("warning: {}\n", warning);
-  fmt::print("results in {}\n", folder.string());
-}
 
 void print_keys(const std::string& wanted) {
   std::size_t shown = 0;
@@ -92,22 +34,9 @@ void print_keys(const std::string& wanted) {
   if (shown == 0) throw cases::CaseError({{"keys", wanted, "no key contains this; see pdplate keys"}});
 }
 
-void print_table(const post::Table& table) {
-  for (std::size_t i = 0; i < table.columns.size(); ++i) fmt::print("{}{}", i ? "," : "", table.columns[i]);
-  fmt::print("\n");
-  for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      fmt::print("{}", i ? "," : "");
-      if (const auto* number = std::get_if<double>(&row[i])) fmt::print("{}", *number);
-      if (const auto* word = std::get_if<std::string>(&row[i])) fmt::print("{}", *word);
-    }
-    fmt::print("\n");
-  }
-}
-
 struct Arguments {
   std::string file, folder, key, reference, plot, only;
-  std::vector<std::string> settings, methods;
+  std::vector<std::string> settings, removed, methods;
   post::ParisLaw law;
   double load = 1, ratio = 0;
   int threads = 0;
@@ -117,13 +46,25 @@ struct Arguments {
 void add_case(CLI::App& command, Arguments& a) {
   command.add_option("case", a.file, "case file (TOML)")->required();
   command.add_option("--set", a.settings, "override a key: section.thickness=0.05")->allow_extra_args(false);
+  command.add_option("--unset", a.removed, "take a key or a table out: srif.normalize")->allow_extra_args(false);
   command.add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::PositiveNumber);
+}
+
+/// Keys are taken out before others are set.
+std::vector<std::string> overrides(const Arguments& a) {
+  std::vector<std::string> all;
+  for (const auto& key : a.removed) all.push_back("-" + key);
+  all.insert(all.end(), a.settings.begin(), a.settings.end());
+  return all;
+}
+
+std::filesystem::path folder_of(const Arguments& a) {
+  return a.folder.empty() ? "results" / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
 }
 
 int run_study(const Arguments& a) {
   const auto study = cases::read_study(a.file);
-  const auto folder =
-      a.folder.empty() ? "results" / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
+  const auto folder = folder_of(a);
   const auto outcome = cases::run_study(study, {folder, a.quiet});
   if (!a.quiet) {
     fmt::print("{}\n{}", study.title, post::to_text(outcome.table));
@@ -136,8 +77,7 @@ int run_study(const Arguments& a) {
 
 int run_extremes(const Arguments& a) {
   const auto extremes = cases::read_extremes(a.file);
-  const auto folder =
-      a.folder.empty() ? "results" / std::filesystem::path(a.file).stem() : std::filesystem::path(a.folder);
+  const auto folder = folder_of(a);
   const auto verdicts = cases::run_extremes(extremes, {folder, a.settings, a.only, a.quiet});
   if (verdicts.empty()) throw cases::CaseError({{a.file, "--only", fmt::format("no row contains \"{}\"", a.only)}});
   const auto missed = std::ranges::count(verdicts, false, &cases::Verdict::holds);
@@ -162,21 +102,18 @@ void require_finite(const Arguments& a) {
 int execute(const CLI::App& app, Arguments& a) {
   if (a.threads > 0) omp_set_num_threads(a.threads);
   if (app.got_subcommand("run")) {
-    const auto file = cases::read_case(a.file, a.settings);
-    const std::filesystem::path folder = a.folder.empty()
-                                             ? std::filesystem::path("results") / std::filesystem::path(a.file).stem()
-                                             : std::filesystem::path(a.folder);
+    const auto file = cases::read_case(a.file, overrides(a));
+    const auto folder = folder_of(a);
     const auto summary = cases::run(file, {folder, a.quiet});
-    if (!a.quiet) print_result(summary, folder);
+    if (!a.quiet) fmt::print("{}", post::printed(summary, file.content.units == "SI", folder));
   } else if (app.got_subcommand("check")) {
-    fmt::print("{}", cases::cost(cases::read_case(a.file, a.settings)));
+    fmt::print("{}", cases::cost(cases::read_case(a.file, overrides(a))));
   } else if (app.got_subcommand("keys")) {
     print_keys(a.key);
   } else if (app.got_subcommand("srif")) {
-    if (a.energy)
-      print_table(cases::energy_check(cases::read_case(std::filesystem::path(a.folder) / "case.resolved.toml", {})));
-    else
-      print_table(cases::srif_again(a.folder, a.methods));
+    const auto again = std::filesystem::path(a.folder) / "case.resolved.toml";
+    fmt::print("{}", post::csv_text(a.energy ? cases::energy_check(cases::read_case(again, {}))
+                                             : cases::srif_again(a.folder, a.methods)));
   } else if (app.got_subcommand("compare")) {
     const auto rows = post::compare(a.folder, a.reference);
     fmt::print("{}", post::to_text(rows));
@@ -191,8 +128,9 @@ int execute(const CLI::App& app, Arguments& a) {
           {{file.place("growth"), "growth",
             "cycles are counted along tips that grow quasi-statically: a static case with [growth] and criterion = "
             "\"energy_release\""}});
-    print_table(post::fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section,
-                              a.law, a.load, a.ratio));
+    fmt::print("{}",
+               post::csv_text(post::fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"),
+                                            c.section, a.law, a.load, a.ratio)));
   } else if (app.got_subcommand("study")) {
     return run_study(a);
   } else if (app.got_subcommand("extremes")) {

@@ -106,6 +106,7 @@ plate::Discretised discretised(const CaseFile& file) {
     throw refused(file, error.reasons());
   }
   auto& warnings = result.warnings;
+  warnings.insert(warnings.begin(), file.notes.begin(), file.notes.end());
   const auto& plate = *result.plate;
   check_modes(file, plate);
   check_pins(file, plate, warnings);

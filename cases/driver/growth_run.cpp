@@ -13,6 +13,7 @@
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "post/files/gate.hpp"
+#include "post/report/curves.hpp"
 
 namespace cases {
 namespace {
@@ -80,7 +81,7 @@ GrowthRun::GrowthRun(const CaseFile& file, const RunOptions& options) : case_(fi
                                                      stopwatch_);
     model_ = tips_.get();
   }
-  recorder_.emplace(recorder_of(c, options.folder));
+  recorder_.emplace(recorder_of(c, options));
   recorder_->open();
 }
 
@@ -132,7 +133,7 @@ void GrowthRun::observe(const fracture::Equilibrium& now) {
 void GrowthRun::frame() {
   framed_ = true;
   if (!recorder_->draws()) return;
-  auto frame = frame_of(model_->plate(), double(advance_), advance_, state_, false);
+  auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
   auto mesh = model_->draw(frame, state_);
   recorder_->frame(std::move(frame), std::move(mesh), {});
 }
@@ -143,13 +144,15 @@ post::Summary GrowthRun::finish() {
   if (solved && !framed_) frame();
   if (solved)
     recorder_->final_state(model_->plate().mesh(),
-                           frame_of(model_->plate(), double(advance_), advance_, state_, false));
+                           post::frame_of(model_->plate(), double(advance_), advance_, state_, false));
   if (tips_ || c.srif) recorder_->table("srif", srifs_);
   const auto& record = model_->record();
   recorder_->table("growth", record.growth);
   recorder_->table("tips", record.tips);
   recorder_->table("cracks", record.crack_table());
   recorder_->cracks(record.cracks);
+  if (recorder_->draws())
+    recorder_->picture("curves", post::to_svg(post::curves_of_growth(c.title, record.growth, c.units == "SI")));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   post::Summary summary;
   if (solved) summary = about(c, model_->plate(), warnings_);

@@ -1,16 +1,21 @@
 #include "cases/driver/results.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <numbers>
 
+#include "cases/driver/run.hpp"
 #include "cases/report/words.hpp"
 #include "fracture/growth/motion/moving_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "post/files/earlier.hpp"
 #include "post/files/gate.hpp"
+#include "post/report/curves.hpp"
+#include "post/report/peaks.hpp"
 
 namespace cases {
 
@@ -20,27 +25,31 @@ std::vector<post::Probe> probes_of(const Case& c, const plate::Formulation& plat
   return result;
 }
 
-post::Recorder recorder_of(const Case& c, const std::filesystem::path& folder) {
+void check_folder(const std::filesystem::path& folder) {
+  constexpr std::size_t most = 3;
+  auto found = post::strangers(folder);
+  if (found.empty()) return;
+  if (found.size() > most) found.resize(most), found.back() = "...";
+  throw CaseError(
+      {{"--out", folder.string(),
+        fmt::format("holds {}, but no results of a run: choose another folder, or empty it", fmt::join(found, ", "))}});
+}
+
+post::Recorder recorder_of(const Case& c, const RunOptions& options) {
+  const auto& folder = options.folder;
+  const auto removed = post::remove_earlier(folder);
+  if (removed > 0 && !options.quiet)
+    fmt::print(stderr, "{}: removed {} files of an earlier run\n", folder.string(), removed);
   return post::Recorder({folder, resolved_toml(c), PDPLATE_VERSION, c.output.vtk, c.output.hdf5,
                          c.analysis.kind == Analysis::Kind::dynamic});
 }
 
-post::Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, const plate::State& state,
-                     bool resultants) {
-  const auto plate_points = plate.cloud().plate_points;
-  post::Frame frame{time, step, state.leftCols(Eigen::Index(plate_points)), {}, {}};
-  if (!resultants) return frame;
-  frame.resultants = plate.resultants(state);
-  frame.damage.assign(plate_points, 0);
-  return frame;
-}
-
 Results::Results(const CaseFile& file, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
-                 const std::filesystem::path& folder)
+                 const RunOptions& options)
     : case_(file.content),
       plate_(plate),
       tip_methods_(methods),
-      recorder_(recorder_of(case_, folder)),
+      recorder_(recorder_of(case_, options)),
       probes_(probes_of(case_, plate)),
       factors_(case_.section.thickness) {
   if (case_.output.vtk || case_.output.hdf5) recorder_.open(plate.mesh());
@@ -68,7 +77,7 @@ void Results::sample(const plate::Instant& now, bool last) {
 
 void Results::frame(const plate::Instant& now) {
   if (!case_.output.vtk && !case_.output.hdf5) return;
-  auto frame = frame_of(plate_, now.time, now.step, now.state, case_.output.vtk && !growth_);
+  auto frame = post::frame_of(plate_, now.time, now.step, now.state, case_.output.vtk && !growth_);
   std::optional<plate::Mesh> mesh;
   if (growth_ && case_.output.vtk) mesh = growth_->draw(frame, now.state);
   plate::State velocity;
@@ -109,6 +118,13 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   warn(post::distrust_of_factors(summary.srif, factors_.largest(), case_.section.thickness, plate_.remedy()));
   warn(factors_.distrust());
   summary.accuracy = accuracy_;
+  const bool moves = case_.analysis.kind == Analysis::Kind::dynamic, si = case_.units == "SI";
+  const auto& history = recorder_.history();
+  if (moves && !growth_) summary.peaks = post::peaks(times_, factors_.rows(), history);
+  if (moves && recorder_.draws())
+    recorder_.picture("curves",
+                      post::to_svg(post::curves_of_motion(case_.title, times_, factors_.rows(), history, si)));
+  if (si) warn(post::distrust_of_deflection(history, case_.section.thickness));
   summary.frequencies = frequencies_;
   return recorder_.finish(std::move(summary), stopwatch);
 }

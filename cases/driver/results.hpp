@@ -17,22 +17,23 @@ struct Mode;
 
 namespace cases {
 
+struct RunOptions;
+
 /// The points about the probes of a case.
 std::vector<post::Probe> probes_of(const Case& c, const plate::Formulation& plate);
 
-/// A recorder for the results of a case.
-post::Recorder recorder_of(const Case& c, const std::filesystem::path& folder);
+/// Throws CaseError where the folder holds something but no results of a run.
+void check_folder(const std::filesystem::path& folder);
 
-/// The points of the plate at an instant, with resultants and damage (zero) where they are wanted.
-post::Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, const plate::State& state,
-                     bool resultants);
+/// A recorder for the results of a case. What an earlier run wrote into its folder goes, and that is said.
+post::Recorder recorder_of(const Case& c, const RunOptions& options);
 
 /// The results of a run on one plate: rows, factors and frames as the solver goes, then all tables and the summary.
 class Results {
 public:
   /// `methods` of every tip. All must outlive this. `growth`: of the run, where cracks grow.
   Results(const CaseFile& file, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
-          const std::filesystem::path& folder);
+          const RunOptions& options);
 
   /// The growth of the run, which must outlive it.
   void grows(fracture::MovingGrowth& growth) { growth_ = &growth; }

@@ -254,7 +254,7 @@ post::Summary run(const Prepared& prepared, Results& results, const RunOptions& 
 /// The whole run of a case in its other formulation.
 SrifRows run_second(const Prepared& prepared, const RunOptions& options) {
   plate::Stopwatch stopwatch = prepared.stopwatch;
-  Results results(prepared.file, *prepared.plate, prepared.tip_methods, options.folder);
+  Results results(prepared.file, *prepared.plate, prepared.tip_methods, options);
   run(prepared, results, options, stopwatch);
   return results.factors().rows();
 }
@@ -262,7 +262,7 @@ SrifRows run_second(const Prepared& prepared, const RunOptions& options) {
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
   auto [plate, found, rows] = to_accuracy(file, options.quiet);
   plate::Stopwatch stopwatch = plate->stopwatch;
-  Results results(plate->file, *plate->plate, plate->tip_methods, options.folder);
+  Results results(plate->file, *plate->plate, plate->tip_methods, options);
   results.factors().known(std::move(rows));
   results.found(std::move(found));
   stopwatch.lap("output");
@@ -272,6 +272,7 @@ post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
 }  // namespace
 
 post::Summary run(const CaseFile& file, const RunOptions& options) {
+  check_folder(options.folder);
   const Case& c = file.content;
   if (c.growth && c.analysis.kind == Analysis::Kind::static_) return grow(file, options);
   if (c.srif && c.srif->accuracy) return run_accurately(file, options);
@@ -282,7 +283,7 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
     second.emplace(in_other_formulation(file));
     stopwatch.lap("second_formulation");
   }
-  Results results(prepared.file, *prepared.plate, prepared.tip_methods, options.folder);
+  Results results(prepared.file, *prepared.plate, prepared.tip_methods, options);
   stopwatch.lap("output");
   if (c.srif && c.srif->richardson)
     results.factors().coarser(coarser_srifs(file, prepared.warnings)), stopwatch.lap("srif");

@@ -1,6 +1,7 @@
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "geometry/shape/crack_extension.hpp"
+#include "geometry/shape/snapping.hpp"
 #include "plate/formulation/formulation.hpp"
 
 #include <limits>
@@ -259,6 +260,20 @@ void check_accuracy(const Case& content, Reading& reading) {
 }
 
 }  // namespace
+
+void snap_cracks(Case& content, Reading& reading) {
+  constexpr double share = 0.05;  // of a spacing: points do not tell the difference
+  if (!reading.sound("geometry") || content.outline.outer.vertices.size() < 3) return;
+  const double spacing = content.discretization.spacing_at_tips();
+  auto found = geometry::snapped(content.outline, std::move(content.cracks), spacing > 0 ? share * spacing : INFINITY);
+  content.cracks = std::move(found.cracks);
+  for (const auto& snap : found.snaps)
+    reading.found().notes.push_back(
+        fmt::format("geometry.cracks[{}]: its {} at {} was {:.2g} from {} and is taken to end there", snap.crack,
+                    snap.at_back ? "last point" : "first point",
+                    text_of(snap.at_back ? content.cracks[snap.crack].back() : content.cracks[snap.crack].front()),
+                    snap.distance, snap.onto));
+}
 
 void check_case(const Case& content, Reading& reading) {
   if (content.loads.empty() && reading.kind != Analysis::Kind::frequencies && reading.sound("load"))

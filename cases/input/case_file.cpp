@@ -77,6 +77,7 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<std::str
   content.title = path.stem().string();
   content.discretization.formulation = &plate::galerkin;  // unless the file states another
   read_fields(case_fields(), Value(root, "", reading), content);
+  snap_cracks(content, reading);
   settle_formulation(states_formulation(root), content, reading);
   settle_method(content, reading);
   check_case(content, reading);

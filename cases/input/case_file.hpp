@@ -43,13 +43,15 @@ std::string key_table_markdown();
 struct CaseFile {
   Case content;
   std::vector<std::pair<std::string, std::string>> places;  // key -> place
+  std::vector<std::string> notes = {};                      // what was changed in the case, for its warnings
 
   /// Place of a key, or of its nearest parent that was given.
   std::string place(const std::string& key) const;
 };
 
-/// Reads a case file and applies the overrides "key=value" (value as TOML; a bare word is a string).
-/// Checks syntax, unknown and unused keys, types, bounds, geometry, edge names. Throws CaseError.
+/// Reads a case file and applies the overrides in turn: "key=value" (value as TOML; a bare word is a string), or
+/// "-key", which takes the key out. Checks syntax, unknown and unused keys, types, bounds, geometry, edge names. Throws
+/// CaseError.
 CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides);
 
 /// The whole case with all defaults as TOML: reading it gives the same case.

@@ -20,6 +20,9 @@ void check_srif(const Value& srif, post::SrifOptions& content);
 /// The root of the tree: the whole case file.
 const Fields<Case>& case_fields();
 
+/// Puts ends of cracks that all but touch an edge, a hole or another crack onto it, and notes that.
+void snap_cracks(Case& content, Reading& reading);
+
 /// Checks between tables: shape and cracks, edge names, points, what loads and holds the plate.
 void check_case(const Case& content, Reading& reading);
 

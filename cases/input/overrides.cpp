@@ -8,6 +8,8 @@ namespace cases {
 
 namespace {
 
+constexpr char removal = '-';  // begins a setting that takes a key out
+
 /// One step of a dotted key: a name in a table or an index in a list.
 using Step = std::variant<std::string, std::size_t>;
 
@@ -98,9 +100,25 @@ std::vector<std::size_t> distances(const std::string& a, const std::string& b) {
   return d.back();
 }
 
+/// Takes a key, or a table with all below it, out of the tree.
+void remove_key(toml::table& root, const std::string& typed, Reading& reading) {
+  const auto path = steps(typed);
+  toml::node* parent = &root;
+  for (std::size_t i = 0; i + 1 < path.size() && parent; ++i) parent = child(*parent, path[i]);
+  if (path.empty() || !parent || !child(*parent, path.back())) {
+    reading.complain({"--unset " + typed, dotted(path), "is not in the file"});
+    return;
+  }
+  if (const auto* name = std::get_if<std::string>(&path.back()))
+    parent->as_table()->erase(*name);
+  else
+    parent->as_array()->erase(parent->as_array()->cbegin() + std::ptrdiff_t(std::get<std::size_t>(path.back())));
+}
+
 }  // namespace
 
 void apply_override(toml::table& root, const std::string& setting, Reading& reading) {
+  if (setting.starts_with(removal)) return remove_key(root, setting.substr(1), reading);
   const auto equals = setting.find('=');
   const std::string typed = setting.substr(0, equals);
   const auto path = steps(typed);

@@ -69,7 +69,8 @@ private:
   Reading* reading_;
 };
 
-/// Puts "key=value" into the tree, before anything is read. Complains where the key cannot be reached.
+/// Puts "key=value" into the tree, or takes the key of "-key" out of it, before anything is read. Complains where the
+/// key cannot be reached.
 void apply_override(toml::table& root, const std::string& setting, Reading& reading);
 
 /// The candidate nearest to a word by edit distance (also to a beginning of a candidate), as

@@ -23,9 +23,9 @@
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/parts/mechanisms.hpp"
 #include "plate/formulation/parts/pieces.hpp"
+#include "plate/model/free_memory.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/refused.hpp"
-#include "plate/solve/free_memory.hpp"
 
 namespace plate {
 namespace {
@@ -148,8 +148,8 @@ ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const
 }
 
 std::vector<MemoryPart> OrdinaryPlate::memory(bool single) const {
-  return {{"weights of the bonds, surface correction " + name_of(discretization().surface_correction), "parameters",
-           weight_bytes(op_)},
+  return {{fmt::format("weights of the bonds, surface correction {}", name_of(discretization().surface_correction)),
+           "parameters", weight_bytes(op_)},
           {"rows of points", "parameters", double(op_.rows().bytes()) * (single ? 1.5 : 1)}};
 }
 

@@ -15,8 +15,8 @@ struct Discretised {
   Stopwatch stopwatch;
 };
 
-/// By the formulation of the problem. Throws Refused where it cannot carry the problem. Whether the plate is held is
-/// not asked here.
+/// By the formulation of the problem. Throws Refused where it cannot carry the problem, or the machine has no memory
+/// for so many points. Whether the plate is held is not asked here.
 Discretised discretise(const Problem& problem);
 
 }  // namespace plate

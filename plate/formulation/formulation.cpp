@@ -11,6 +11,8 @@
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/preconditioner.hpp"
+#include "plate/model/free_memory.hpp"
+#include "plate/model/refused.hpp"
 
 namespace plate {
 Formulation::Formulation(Layout layout) : layout_(std::make_unique<Layout>(std::move(layout))) {}
@@ -117,6 +119,14 @@ std::unique_ptr<Preconditioner> Formulation::factor() const {
 }
 
 Discretised discretise(const Problem& problem) {
+  constexpr double least = 1000;  // bytes per point, whatever is solved: 1,500 were measured
+  const double spacing = problem.discretization.spacing, points = geometry::area(problem.outline) / (spacing * spacing);
+  const double there = free_memory();
+  if (there > 0 && points * least > there)
+    throw Refused({{Subject::spacing, 0,
+                    fmt::format("{:g} given makes {:.2g} points, which take {:.3g} GB at the very least; {:.3g} GB are "
+                                "free on this machine",
+                                spacing, points, points * least / 1e9, there / 1e9)}});
   return problem.discretization.formulation->discretise(problem);
 }
 

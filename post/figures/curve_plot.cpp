@@ -29,6 +29,7 @@ const char* class_of(Line line) {
       return "third";
     case Line::computed:
       return "computed";
+    case Line::plain:
     case Line::numbered:
     case Line::marks:
     case Line::rings:
@@ -180,7 +181,8 @@ std::string axes(const Panel& panel, const Laid& at) {
 /// The class of a curve's line, and its colour where it is one of many.
 std::string stroke(const Series& series) {
   const std::string kind = fmt::format("class=\"curve {}\"", class_of(series.line));
-  return series.line == Line::numbered ? kind + " " + svg::Look(series.number).stroke() : kind;
+  return series.line == Line::plain || series.line == Line::numbered ? kind + " " + svg::Look(series.number).stroke()
+                                                                     : kind;
 }
 
 std::string mark(const Series& series, double x, double y) {

@@ -14,9 +14,10 @@ struct Curve {
   std::vector<double> t, y;
 };
 
-/// A reference is thick grey, dashed or dotted, `computed` thin in colour; `numbered` is a line with marks, `marks` the
-/// marks alone, in the look of the number of the series; `rings` are marks for references, to be drawn about others.
-enum class Line { reference, second_reference, third_reference, computed, numbered, marks, rings };
+/// A reference is thick grey, dashed or dotted, `computed` thin in colour; `plain` is a line, `numbered` a line with
+/// marks, `marks` the marks alone, in the look of the number of the series; `rings` are marks for references, to be
+/// drawn about others.
+enum class Line { reference, second_reference, third_reference, computed, plain, numbered, marks, rings };
 
 struct Series {
   std::string label;  // of the legend; empty: not in it

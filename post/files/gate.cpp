@@ -48,7 +48,7 @@ void require_motion(const plate::Formulation& plate, const std::vector<plate::Fo
     return !load.isZero(0);
   });
   if (!loaded) {
-    warnings.push_back("no load reaches a part of the plate that may move: it stays as it is");
+    warnings.emplace_back("no load reaches a part of the plate that may move: it stays as it is");
     return;
   }
   if (state.isZero(0))

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/formulation.hpp"
 #include "post/files/gate.hpp"
 #include "post/files/whole_file.hpp"
 
@@ -20,6 +22,16 @@ Cell cell(const std::optional<double>& value) {
 }
 
 }  // namespace
+
+Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, const plate::State& state,
+               bool resultants) {
+  const auto plate_points = plate.cloud().plate_points;
+  Frame frame{time, step, state.leftCols(Eigen::Index(plate_points)), {}, {}};
+  if (!resultants) return frame;
+  frame.resultants = plate.resultants(state);
+  frame.damage.assign(plate_points, 0);
+  return frame;
+}
 
 Recorder::Recorder(RecorderOptions options) : options_(std::move(options)) {
   history_.columns = {"time",
@@ -96,6 +108,10 @@ void Recorder::wait_for_frame() {
 
 void Recorder::cracks(const std::vector<CrackLine>& lines) {
   if (options_.vtk) write_crack_lines(options_.folder / "cracks.vtp", lines);
+}
+
+void Recorder::picture(const std::string& name, const std::string& svg) {
+  write_whole(options_.folder / (name + ".svg"), svg);
 }
 
 Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {

@@ -10,6 +10,10 @@
 #include "post/files/table.hpp"
 #include "post/files/vtk.hpp"
 
+namespace plate {
+class Formulation;
+}
+
 namespace post {
 
 /// What a recorder writes, and where to.
@@ -29,6 +33,10 @@ struct Sample {
   std::optional<double> discrete_energy = {}, energy_residual = {};                 // in motion
   std::optional<double> released_energy = {}, load_factor = {}, displacement = {};  // of a quasi-static growth
 };
+
+/// The points of the plate at an instant, with resultants and damage (zero) where they are wanted.
+Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, const plate::State& state,
+               bool resultants);
 
 /// A place whose displacements are wanted, and the points that give them.
 struct Probe {
@@ -63,6 +71,8 @@ public:
   /// Another table, NAME.csv.
   void table(const std::string& name, Table content) { tables_.emplace_back(name, std::move(content)); }
   void cracks(const std::vector<CrackLine>& lines);
+  /// NAME.svg.
+  void picture(const std::string& name, const std::string& svg);
 
   /// Writes the tables and, last, the summary; returns it complete.
   Summary finish(Summary summary, plate::Stopwatch& stopwatch);

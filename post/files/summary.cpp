@@ -66,6 +66,14 @@ Json json_of(const Srif& srif) {
   return json;
 }
 
+Json json_of(const Peak& peak) {
+  Json json{{"quantity", peak.quantity}};
+  add(json, "tip", peak.tip);
+  json["value"] = peak.value;
+  json["time"] = peak.time;
+  return json;
+}
+
 Json json_of(const Frequency& frequency) {
   return {{"mode", frequency.mode},
           {"frequency", frequency.frequency},
@@ -148,6 +156,7 @@ std::string to_json(const Summary& summary) {
   json["seconds"] = json_of(summary.seconds);
   json["peak_memory_bytes"] = summary.peak_memory_bytes;
   json["srif"] = list_of(summary.srif);
+  if (!summary.peaks.empty()) json["peaks"] = list_of(summary.peaks);
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);
   if (summary.analysis.kind == "frequencies") json["frequencies"] = list_of(summary.frequencies);
   if (summary.growth) json["growth"] = json_of(*summary.growth);

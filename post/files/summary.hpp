@@ -26,6 +26,13 @@ struct Frequency {
   double residual = 0;
 };
 
+/// The largest value of a motion, with its sign: K1, K2, K3 of a tip, or the deflection w of any point.
+struct Peak {
+  std::string quantity;
+  std::optional<std::size_t> tip;
+  double value = 0, time = 0;
+};
+
 /// How a growth of cracks ended.
 struct GrowthSummary {
   std::string outcome;
@@ -66,6 +73,7 @@ struct Summary {
   std::vector<std::pair<std::string, double>> seconds;  // geometry, families, parameters, solve, srif, output, total
   std::size_t peak_memory_bytes = 0;
   std::vector<Srif> srif;
+  std::vector<Peak> peaks;                             // of a motion
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it
   std::vector<Frequency> frequencies;                  // of a frequency analysis
   std::optional<GrowthSummary> growth;                 // of a case with growth

@@ -146,7 +146,7 @@ std::size_t Table::column(const std::string& name) const {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-void write_csv(const std::filesystem::path& path, const Table& table) {
+std::string csv_text(const Table& table) {
   std::string text;
   const auto add_line = [&text](const auto& cells, const auto& to_text) {
     const char* separator = "";
@@ -160,12 +160,15 @@ void write_csv(const std::filesystem::path& path, const Table& table) {
   add_line(table.columns, quoted);
   for (const auto& row : table.rows) {
     if (row.size() != table.columns.size()) {
-      throw std::invalid_argument(
-          fmt::format("{}: a row has {} cells for {} columns", path.string(), row.size(), table.columns.size()));
+      throw std::invalid_argument(fmt::format("a row has {} cells for {} columns", row.size(), table.columns.size()));
     }
     add_line(row, text_of);
   }
-  write_whole(path, text);
+  return text;
+}
+
+void write_csv(const std::filesystem::path& path, const Table& table) {
+  write_whole(path, csv_text(table));
 }
 
 Table read_csv(const std::filesystem::path& path) {

@@ -18,6 +18,9 @@ struct Table {
   std::size_t column(const std::string& name) const;
 };
 
+/// As comma-separated text. Throws std::invalid_argument where a row does not fit the columns.
+std::string csv_text(const Table& table);
+
 void write_csv(const std::filesystem::path& path, const Table& table);
 
 /// Reads comma-separated text with a header line; lines that begin with # are comments.

@@ -48,12 +48,12 @@ double interpolated(const std::vector<double>& t, const std::vector<double>& y, 
   return y[above - 1] + share * (y[above] - y[above - 1]);
 }
 
-struct Peak {
+struct Extremum {
   double time = 0, value = 0;
 };
 
-Peak peak(const std::vector<double>& t, const std::vector<double>& y, double from, double to) {
-  Peak result;
+Extremum peak(const std::vector<double>& t, const std::vector<double>& y, double from, double to) {
+  Extremum result;
   for (std::size_t i = 0; i < t.size(); ++i) {
     if (t[i] >= from && t[i] <= to && std::abs(y[i]) > std::abs(result.value)) result = {t[i], y[i]};
   }
@@ -169,7 +169,7 @@ Comparison compare(const std::vector<double>& t, const std::vector<double>& y, c
   }
   if (result.samples < 2) throw std::invalid_argument(fmt::format("{} samples in common", result.samples));
   if (squares == 0) throw std::invalid_argument("the reference is zero where the curves overlap");
-  const Peak computed = peak(t, y, from, to), reference = peak(reference_t, reference_y, from, to);
+  const Extremum computed = peak(t, y, from, to), reference = peak(reference_t, reference_y, from, to);
   result.relative_rms = std::sqrt(differences / squares);
   result.rms_of_peak = std::sqrt(differences / static_cast<double>(result.samples)) / std::abs(reference.value);
   result.peak_error = (computed.value - reference.value) / reference.value;

@@ -11,6 +11,8 @@
 namespace post {
 namespace {
 
+constexpr std::size_t least_runs = 3;  // two errors lie on a line whatever they are
+
 std::vector<std::string> without(std::vector<std::string> labels, std::optional<std::size_t> axis) {
   if (axis) labels.erase(labels.begin() + std::ptrdiff_t(*axis));
   return labels;
@@ -117,8 +119,12 @@ std::vector<Order> orders(const StudyTable& study) {
     const auto logs = logarithms(study, line, *along);
     const auto in_length = slope(logs.length, logs.error), in_seconds = slope(logs.seconds, logs.error);
     if (!in_length) continue;
-    result.push_back({line.first, logs.error.size(), in_length->slope, in_length->misfit, std::nullopt});
-    if (in_seconds) result.back().seconds = in_seconds->slope;
+    Order one{line.first, logs.error.size(), std::nullopt, std::nullopt, std::nullopt};
+    if (one.runs >= least_runs) {
+      one.order = in_length->slope, one.misfit = in_length->misfit;
+      if (in_seconds) one.seconds = in_seconds->slope;
+    }
+    result.push_back(std::move(one));
   }
   return result;
 }

@@ -54,7 +54,8 @@ public:
   virtual plate::Mesh draw(post::Frame& frame, const plate::State& state) const = 0;
   virtual std::vector<double> lengths() const = 0;
   virtual std::optional<std::size_t> broken_bonds() const { return std::nullopt; }
-  const Record& record() const { return record_; }
+  /// Of all equilibria, with the cracks as they are now.
+  virtual const Record& record() { return record_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
 protected:

@@ -106,15 +106,28 @@ void QuasiStaticTips::choose(const Equilibrium& state) {
   }
 }
 
-/// Puts the ends that have moved since the last state before and behind the lines.
+/// Puts what the ends have gone since the last state before and behind the lines. Of pieces straight on, a crack keeps
+/// their end alone, a line all ends.
 void QuasiStaticTips::draw_cracks(double advance) {
+  const double tolerance = geometry::tolerance(outline_);
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
     auto& [vertices, advances] = record_.cracks[c];
-    const auto& crack = cracks_[c];
-    if (crack.front() != vertices.front())
-      vertices.insert(vertices.begin(), crack.front()), advances.insert(advances.begin(), advance);
-    if (crack.back() != vertices.back()) vertices.push_back(crack.back()), advances.push_back(advance);
+    auto crack = cracks_[c];
+    for (int end = 0; end < 2; ++end) {  // back, then front
+      auto next = crack.size() - 1;      // the first vertex beyond the line
+      while (next > 0 && geometry::distance({crack[next - 1], crack[next]}, vertices.back()) > tolerance) --next;
+      if ((crack[next] - vertices.back()).norm() <= tolerance) ++next;
+      advances.insert(advances.end(), crack.size() - next, advance);
+      vertices.insert(vertices.end(), crack.begin() + std::ptrdiff_t(next), crack.end());
+      for (auto* list : {&crack, &vertices}) std::ranges::reverse(*list);
+      std::ranges::reverse(advances);
+    }
   }
+}
+
+const Record& QuasiStaticTips::record() {
+  draw_cracks(double(advances_));
+  return record_;
 }
 
 /// Tips without a ring; true where there were any.

@@ -33,6 +33,7 @@ public:
   void advance(double factor) override;
 
   std::size_t advances() const override { return advances_; }
+  const Record& record() override;
   double fracture_energy() const override { return fracture_; }
   bool longest() const override;
   std::vector<double> lengths() const override;

@@ -9,7 +9,7 @@ const std::string moving = with_line(plain, 17, "kind = \"dynamic\"\nduration = 
 
 cases::TimeGrid grid(const std::vector<std::string>& settings, double limit = 0.01) {
   auto all = settings;
-  all.push_back("section.density=1");
+  all.emplace_back("section.density=1");
   return cases::time_grid(read(moving, all), limit);
 }
 

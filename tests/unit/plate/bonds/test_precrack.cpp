@@ -1,5 +1,6 @@
 #include "plate/bonds/precrack.hpp"
 
+#include <Eigen/LU>
 #include <catch2/catch.hpp>
 
 #include "tests/unit/plate/small_plate.hpp"

@@ -78,7 +78,8 @@ TEST_CASE("rows without an error do not count, and one row is no line") {
   const auto found = post::orders(table);
   REQUIRE(found.size() == 3);  // of K1 at h = 0.1 a single row is left
   CHECK(found[0].runs == 2);
-  CHECK(*found[0].order == Approx(2));
+  CHECK_FALSE((found[0].order || found[0].misfit || found[0].seconds));  // two points lie on any line
+  CHECK(*found[1].order == Approx(1));
 }
 
 TEST_CASE("the finest run of a line is the reference of the others and has no error") {

@@ -1,8 +1,10 @@
 // Quasi-static growth on plates that are given as formulas: compliance against crack length.
 #include "fracture/growth/quasi_static/tips.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "cases/report/words.hpp"
@@ -60,6 +62,16 @@ Result grown(const Growth& growth, const geometry::Outline& outline, std::vector
              Solve solve, const std::function<void(const Equilibrium&, const FormulaTips&)>& observe) {
   FormulaTips tips(growth, outline, std::move(cracks), std::move(solve));
   const auto found = grow_quasi_statically(growth, tips, [&](const Equilibrium& state) { observe(state, tips); });
+  for (std::size_t c = 0; c < tips.cracks().size(); ++c) {  // what is drawn is what has grown, the last piece too
+    const auto& line = tips.record().cracks.at(c);
+    CHECK(line.vertices.front() == tips.cracks()[c].front());
+    CHECK(line.vertices.back() == tips.cracks()[c].back());
+    CHECK(geometry::length(line.vertices) == Approx(geometry::length(tips.cracks()[c])));
+    REQUIRE(line.advances.size() == line.vertices.size());
+    const auto first = std::ranges::find(line.advances, 0.0);
+    CHECK(std::is_sorted(first, line.advances.end()));
+    CHECK(std::is_sorted(line.advances.begin(), first, std::greater()));
+  }
   return {cases::in_words(found.ended, false), tips.advances(), found.ledger, tips.cracks()};
 }
 

@@ -1,0 +1,48 @@
+#include "post/files/earlier.hpp"
+
+#include <algorithm>
+#include <regex>
+
+namespace post {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto mark = "case.resolved.toml";  // the first file of every run
+
+bool is_result(const std::string& name) {
+  static const std::regex names(
+      R"((case\.resolved\.toml|summary\.json|state\.h5|fields\.pvd|fields_\d{4,}\.vtu|cracks\.vtp|curves\.svg|)"
+      R"((history|probes|frequencies|srif|growth|tips|cracks)\.csv)(\.partial)?)");
+  return std::regex_match(name, names);
+}
+
+}  // namespace
+
+std::vector<std::string> strangers(const fs::path& folder) {
+  std::error_code none;
+  std::vector<std::string> names;
+  if (!fs::is_directory(folder, none) || fs::exists(folder / mark, none)) return names;
+  for (const auto& entry : fs::directory_iterator(folder, none)) names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+std::size_t remove_earlier(const fs::path& folder) {
+  std::error_code none;
+  if (!fs::exists(folder / mark, none)) return 0;
+  std::vector<fs::path> old;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (entry.is_regular_file(none) && is_result(entry.path().filename().string())) old.push_back(entry.path());
+  // the mark goes last: a folder that was cleared in part is still one of results
+  std::ranges::sort(old, {}, [](const fs::path& path) { return path.filename() == mark; });
+  std::size_t count = 0;
+  for (const char* part : {"motion", "ordinary", "galerkin"}) {
+    count += remove_earlier(folder / part);
+    if (fs::is_empty(folder / part, none) && !none) fs::remove(folder / part, none);
+  }
+  for (const auto& path : old) count += fs::remove(path);
+  return count;
+}
+
+}  // namespace post

@@ -1,0 +1,18 @@
+#pragma once
+#include "post/figures/curve_plot.hpp"
+#include "post/files/summary.hpp"
+#include "post/files/table.hpp"
+
+namespace post {
+
+/// A motion: K1, K2 and K3 of every tip against time by its recommended method, with gaps where a factor is not
+/// resolved, a panel for each that any tip has; the largest deflection; energies. `rows` of factors at `times`;
+/// `history`: the columns of history.csv. `si`: with the units of SI.
+CurvePlot curves_of_motion(const std::string& title, const std::vector<double>& times,
+                           const std::vector<std::vector<Srif>>& rows, const Table& history, bool si);
+
+/// A quasi-static growth: load factor and energies against the length of all cracks; `growth`: the columns of
+/// growth.csv.
+CurvePlot curves_of_growth(const std::string& title, const Table& growth, bool si);
+
+}  // namespace post

@@ -1,0 +1,138 @@
+#include "post/report/printed.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "post/files/summary.hpp"
+
+namespace post {
+namespace {
+
+constexpr double nothing = 1e-6, rounding = 1e-8;  // of the largest factor of a tip
+
+using Text = std::back_insert_iterator<std::string>;
+
+void growth(Text out, const GrowthSummary& growth) {
+  constexpr std::size_t most = 8;
+  std::vector<std::string> lengths;
+  for (std::size_t i = 0; i < std::min(most, growth.lengths.size()); ++i)
+    lengths.push_back(fmt::format("{:.4g}", growth.lengths[i]));
+  if (growth.lengths.size() > most) lengths.push_back(fmt::format("... ({} in all)", growth.lengths.size()));
+  if (lengths.empty()) lengths.push_back("none");
+  fmt::format_to(out, "growth: {}; lengths of the cracks: {}", growth.outcome, fmt::join(lengths, ", "));
+  if (growth.first_load_factor && *growth.first_load_factor > 0)
+    fmt::format_to(out, "; load factor {:.5g} at the first advance, {:.5g} at most", *growth.first_load_factor,
+                   *growth.largest_load_factor);
+  if (growth.spent) fmt::format_to(out, "; energy spent {:.3f} of the fracture energy", *growth.spent);
+  if (growth.largest_speed) fmt::format_to(out, "; largest speed {:.4g}", *growth.largest_speed);
+  fmt::format_to(out, "\n");
+}
+
+/// K1, K2, K3 as they are printed.
+std::array<std::string, 3> texts(const Srif& srif) {
+  const std::array values{srif.K1, srif.K2, srif.K3};
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  std::array<std::string, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double size = std::abs(values[i]);
+    const bool zero =
+        size < rounding * largest || (size < nothing * largest && size <= srif.errors[i].value_or(INFINITY));
+    result[i] = !srif.resolved[i] ? "-" : zero ? "0" : fmt::format("{:.6g}", values[i]);
+  }
+  return result;
+}
+
+std::string in_percent(double error) {
+  return error >= 1 ? "> 100 %" : fmt::format("{:.2g} %", 100 * error);
+}
+
+void row(Text out, const Srif& srif, bool normalized) {
+  constexpr double rough = 0.1;
+  fmt::format_to(out, "{:>4} {:>9.4g} {:>9.4g}", srif.tip, srif.position.x(), srif.position.y());
+  const auto K = texts(srif);
+  for (const auto& text : K) fmt::format_to(out, " {:>13}", text);
+  const std::array F{srif.F1, srif.F2, srif.F3};
+  for (std::size_t i = 0; i < 3 && normalized; ++i)
+    fmt::format_to(out, " {:>9}", K[i] == "-" ? "-" : fmt::format("{:.5f}", K[i] == "0" ? 0 : F[i].value_or(0)));
+  const auto error = srif.estimated_error;
+  fmt::format_to(out, " {:>8}  {}{}\n", error ? in_percent(*error) : "", srif.method,
+                 error && *error >= rough ? "   (rough)" : "");
+}
+
+void factors(Text out, const std::vector<Srif>& srifs, bool si) {
+  const bool normalized = srifs.front().F1.has_value();
+  fmt::format_to(out, "{:>4} {:>9} {:>9} {:>13} {:>13} {:>13}{} {:>8}  method\n", "tip", "x", "y", "K1", "K2", "K3",
+                 normalized ? fmt::format(" {:>9} {:>9} {:>9}", "F1", "F2", "F3") : "", "error");
+  if (si)
+    fmt::format_to(out, "{:>4} {:>9} {:>9} {:>13} {:>13} {:>13}\n", "", "[m]", "[m]", "[N m^1/2]", "[N m^1/2]",
+                   "[N m^-1/2]");
+  const auto recommended = [&](const Srif& one) { return &one == &srifs.front() || (&one)[-1].tip != one.tip; };
+  bool others = false;
+  for (const auto& one : srifs)
+    if (recommended(one))
+      row(out, one, normalized);
+    else
+      others = true;
+  if (others) fmt::format_to(out, "for comparison, by other methods:\n");
+  for (const auto& one : srifs)
+    if (!recommended(one)) row(out, one, normalized);
+  for (const auto& one : srifs)
+    if (one.second && recommended(one))
+      fmt::format_to(out, "tip {}: {} by {} gives K1 {:.6g}, K2 {:.6g}, K3 {:.6g}: {:.2f} % apart\n", one.tip,
+                     one.second->formulation, one.second->method, one.second->K1, one.second->K2, one.second->K3,
+                     100 * one.second->difference);
+}
+
+void peaks(Text out, const std::vector<Peak>& all) {
+  const auto noise = [&](const Peak& peak) {
+    return std::ranges::any_of(all, [&](const Peak& other) {
+      return other.tip == peak.tip && std::abs(peak.value) < nothing * std::abs(other.value);
+    });
+  };
+  fmt::format_to(out, "largest over time:\n");
+  for (const auto& peak : all) {
+    if (noise(peak)) continue;
+    fmt::format_to(out, "{:>4} {:<3} {:>13.6g} at t = {:.6g}\n", peak.tip ? fmt::format("{}", *peak.tip) : "",
+                   peak.tip ? peak.quantity : "|w|", peak.value, peak.time);
+  }
+}
+
+void accuracy(Text out, const AccuracySummary& accuracy) {
+  fmt::format_to(out, "accuracy {:.2g} % asked: {}\n{:>8} {:>10} {:>11} {:>9} {:>16}\n", 100 * accuracy.asked,
+                 accuracy.outcome, "points", "spacing", "tip spacing", "seconds", "estimated error");
+  for (const auto& step : accuracy.path)
+    fmt::format_to(out, "{:>8} {:>10.4g} {:>11.4g} {:>9.2f} {:>16}\n", step.points, step.spacing, step.tip_spacing,
+                   step.seconds, step.error ? fmt::format("{:.2g} %", 100 * *step.error) : "-");
+}
+
+}  // namespace
+
+std::string printed(const Summary& summary, bool si, const std::filesystem::path& folder) {
+  std::string text;
+  const Text out(text);
+  const auto& a = summary.analysis;
+  fmt::format_to(out, "{}: {} ({}), {} points, {} bonds, {} {} in {:.1f} s, {}\n", summary.title, summary.formulation,
+                 summary.formulation_reason, summary.points, summary.bonds,
+                 a.iterations ? *a.iterations : a.steps.value_or(0), a.iterations ? "iterations" : "steps",
+                 summary.seconds.back().second, a.stop_reason);
+  if (summary.accuracy) accuracy(out, *summary.accuracy);
+  if (!summary.srif.empty() && !summary.peaks.empty()) fmt::format_to(out, "at the end of the duration:\n");
+  if (!summary.srif.empty()) factors(out, summary.srif, si);
+  if (!summary.peaks.empty()) peaks(out, summary.peaks);
+  if (!summary.frequencies.empty())
+    fmt::format_to(out, "{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");
+  for (const auto& f : summary.frequencies)
+    fmt::format_to(out, "{:>4} {:>13.6f} {:>13.5f} {:>9.1e}\n", f.mode, f.frequency, f.omega, f.residual);
+  if (summary.growth) growth(out, *summary.growth);
+  for (const auto& warning : summary.warnings) fmt::format_to(out, "warning: {}\n", warning);
+  fmt::format_to(out, "results in {}\n", folder.string());
+  return text;
+}
+
+}  // namespace post

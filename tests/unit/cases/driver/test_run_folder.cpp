@@ -1,0 +1,46 @@
+// The folder that a run writes to: what an earlier run left goes, what is not of a run is not touched.
+#include <catch2/catch.hpp>
+
+#include "cases/driver/run.hpp"
+#include "post/files/summary.hpp"
+#include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string coarse = case_text::with_line(case_text::plain, 9, "spacing = 0.2");
+
+}  // namespace
+
+TEST_CASE("run folder: the second run leaves nothing of the first") {
+  const small_run::TemporaryFolder scratch;
+  const cases::RunOptions options{scratch / "results", true};
+  cases::run(case_text::read(coarse, {"output.probes.a=[0.5,0.5]"}), options);
+  REQUIRE(fs::exists(options.folder / "probes.csv"));
+  REQUIRE(fs::exists(options.folder / "fields.pvd"));
+  std::ofstream(options.folder / "notes.txt") << "mine";
+  cases::run(case_text::read(coarse, {"output.fields=[]"}), options);
+  CHECK(fs::exists(options.folder / "history.csv"));
+  CHECK(fs::exists(options.folder / "notes.txt"));
+  for (const char* name : {"probes.csv", "fields.pvd", "fields_0000.vtu", "state.h5"}) {
+    INFO(name);
+    CHECK_FALSE(fs::exists(options.folder / name));
+  }
+}
+
+TEST_CASE("run folder: a case that is refused leaves the results of an earlier run, and a strange folder is refused") {
+  const small_run::TemporaryFolder scratch;
+  const cases::RunOptions options{scratch / "results", true};
+  cases::run(case_text::read(coarse), options);
+  const auto before = small_run::text_of(options.folder / "summary.json");
+  CHECK_THROWS_AS(cases::run(case_text::read(coarse, {"support=[{kind=\"pinned\",points=[[0,0]]}]"}), options),
+                  cases::CaseError);
+  CHECK(small_run::text_of(options.folder / "summary.json") == before);
+  fs::create_directories(scratch / "home");
+  for (const char* name : {"a", "b", "c", "d"}) std::ofstream(scratch.path() / "home" / name) << "x";
+  CHECK_THROWS_WITH(cases::run(case_text::read(coarse), {scratch / "home", true}),
+                    Catch::Contains("holds a, b, ..., but no results of a run"));
+  CHECK(std::distance(fs::directory_iterator(scratch / "home"), {}) == 4);
+}

@@ -1,0 +1,40 @@
+// Keys that are set and keys that are taken out before a case is read.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/unit/cases/case_text.hpp"
+
+using case_text::plain, case_text::read;
+
+TEST_CASE("overrides: a key that is taken out has its default, a table all of its keys, a list one entry less") {
+  CHECK(read(plain, {"section.shear_correction=0.9", "-section.shear_correction"}).content.section.shear_correction ==
+        Approx(5.0 / 6));
+  CHECK(read(plain, {"-section.thickness", "section.thickness=0.2"}).content.section.thickness == 0.2);
+  CHECK(read(plain + "[srif]\n", {"-srif"}).content.srif == std::nullopt);
+  CHECK(read(plain + "[[load]]\nkind = \"pressure\"\nvalue = 7\n", {"-load[0]"}).content.loads.at(0).value == 7);
+  CHECK(read(plain, {"-geometry.cracks"}).content.cracks.empty());
+}
+
+TEST_CASE("overrides: taking out what is not there, or what must be there, is a problem") {
+  case_text::expect(plain, "--unset srif.window", "srif.window", "is not in the file", {"-srif.window"});
+  case_text::expect(plain, "--unset load[1]", "load[1]", "is not in the file", {"-load[1]"});
+  case_text::expect(plain, "--unset ", "", "is not in the file", {"-"});
+  const auto found = case_text::problems(plain, {"-section.young"});
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].key == "section.young");
+}
+
+TEST_CASE("ends of cracks that are off a hole by rounding are taken to lie on it, with a word") {
+  const std::string hole = "holes = [{ circle = [0.0, 0.0, 0.2] }]\n";
+  const auto with = [&](const std::string& cracks) {
+    return case_text::with_line(plain, 7, hole + "cracks = " + cracks);
+  };
+  const double x = 0.2 * std::cos(1.0), y = 0.2 * std::sin(1.0);
+  const auto five_digits = with("[[[0.10806, 0.16829], [0.4, 0.6]]]");
+  const auto file = read(five_digits);
+  CHECK((file.content.cracks[0][0] - geometry::Point(x, y)).norm() < 1e-5);
+  REQUIRE(file.notes.size() == 1);
+  CHECK_THAT(file.notes[0], Catch::Contains("geometry.cracks[0]: its first point") && Catch::Contains("from hole0"));
+  CHECK(geometry::tips(plate::crack_paths(file.content)).size() == 1);
+  CHECK(read(with("[[[0.11, 0.17], [0.4, 0.6]]]")).notes.empty());  // 0.0025 off: a tip
+}

@@ -1,0 +1,63 @@
+#include "post/report/printed.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "post/files/summary.hpp"
+
+namespace {
+
+post::Srif of(std::size_t tip, const std::string& method, double K1, double K2, double K3, double error) {
+  post::Srif srif;
+  srif.tip = tip, srif.method = method, srif.K1 = K1, srif.K2 = K2, srif.K3 = K3, srif.estimated_error = error;
+  return srif;
+}
+
+post::Summary summary() {
+  post::Summary result;
+  result.seconds = {{"total", 1.5}};
+  result.srif = {of(0, "domain_integral", 2, 3e-11, -0.5, 0.002), of(0, "opening", 1.3, 0, 0, 0.34),
+                 of(1, "domain_integral", 1, 0.5, 1e-5, 0.002)};
+  result.srif[2].resolved[2] = false;
+  return result;
+}
+
+std::size_t place(const std::string& text, const std::string& part) {
+  INFO(text);
+  const auto found = text.find(part);
+  REQUIRE(found != std::string::npos);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("printed: the recommended method of every tip first, the others below as a comparison") {
+  const auto text = post::printed(summary(), false, "there");
+  const auto comparison = place(text, "for comparison");
+  CHECK(text.rfind("domain_integral") < comparison);
+  CHECK(place(text, "opening") > comparison);
+  CHECK(place(text, "34 %  opening   (rough)") > comparison);
+  CHECK(text.find("e-11") == std::string::npos);   // noise is 0
+  CHECK(text.find("1e-05") == std::string::npos);  // not resolved
+  CHECK(text.find("[m]") == std::string::npos);
+  CHECK_THAT(text, Catch::EndsWith("results in there\n"));
+}
+
+TEST_CASE("printed: units of SI, and what is larger than its estimated error is no 0") {
+  auto content = summary();
+  content.srif[0].K2 = 3e-7, content.srif[0].errors[1] = 1e-7;
+  const auto text = post::printed(content, true, "there");
+  CHECK_THAT(text, Catch::Contains("[N m^1/2]") && Catch::Contains("[N m^-1/2]") && Catch::Contains("3e-07"));
+  content.srif.pop_back(), content.srif.erase(content.srif.begin() + 1);
+  CHECK(post::printed(content, true, "there").find("comparison") == std::string::npos);
+}
+
+TEST_CASE("printed: peaks of a motion with their times") {
+  auto content = summary();
+  CHECK(post::printed(content, false, "there").find("over time") == std::string::npos);
+  content.peaks = {{"K1", 1, -2.5, 0.125}, {"K2", 1, 1e-9, 0.5}, {"w", std::nullopt, 0.75, 0.25}};
+  const auto text = post::printed(content, false, "there");
+  CHECK(place(text, "at the end of the duration") < place(text, "largest over time"));
+  CHECK_THAT(text,
+             Catch::Contains("-2.5 at t = 0.125") && Catch::Contains("|w|") && Catch::Contains("0.75 at t = 0.25"));
+  CHECK(text.find("at t = 0.5\n") == std::string::npos);  // noise
+}
