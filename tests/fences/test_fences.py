@@ -193,6 +193,7 @@ class Others(Tree):
 FAULT = "namespace {\nstruct Row { int k; };\n}\ndouble share(int all) {\n  double x = 1.0 + all / 3;\n  return x;\n}\n"
 
 
+@unittest.skipUnless(shutil.which("clang-tidy"), "clang-tidy is not installed: fences.py tidy needs it, tests/run does not")
 class Tidy(Tree):
     def setUp(self):
         super().setUp()
