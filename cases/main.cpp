@@ -105,7 +105,8 @@ int execute(const CLI::App& app, Arguments& a) {
     const auto file = cases::read_case(a.file, overrides(a));
     const auto folder = folder_of(a);
     const auto summary = cases::run(file, {folder, a.quiet});
-    if (!a.quiet) fmt::print("{}", post::printed(summary, file.content.units == "SI", folder));
+    if (!a.quiet)
+      fmt::print("{}", post::printed(summary, file.content.units == "SI", file.content.section.thickness, folder));
   } else if (app.got_subcommand("check")) {
     fmt::print("{}", cases::cost(cases::read_case(a.file, overrides(a))));
   } else if (app.got_subcommand("keys")) {

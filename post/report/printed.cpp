@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "post/files/summary.hpp"
 
@@ -48,11 +49,26 @@ std::array<std::string, 3> texts(const Srif& srif) {
   return result;
 }
 
+/// The largest estimated error of the factors that are resolved, relative to the largest of them; where no errors of
+/// single factors are known, that of all.
+std::optional<double> error_of(const Srif& srif, double thickness) {
+  const std::array values{srif.K1, srif.K2, srif.K3 * thickness};
+  double largest = 0, error = 0;
+  bool known = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!srif.resolved[i]) continue;
+    largest = std::max(largest, std::abs(values[i]));
+    if (!srif.errors[i]) continue;
+    error = std::max(error, *srif.errors[i] * (i == 2 ? thickness : 1)), known = true;
+  }
+  return known && largest > 0 ? error / largest : srif.estimated_error;
+}
+
 std::string in_percent(double error) {
   return error >= 1 ? "> 100 %" : fmt::format("{:.2g} %", 100 * error);
 }
 
-void row(Text out, const Srif& srif, bool normalized) {
+void row(Text out, const Srif& srif, bool normalized, double thickness) {
   constexpr double rough = 0.1;
   fmt::format_to(out, "{:>4} {:>9.4g} {:>9.4g}", srif.tip, srif.position.x(), srif.position.y());
   const auto K = texts(srif);
@@ -60,12 +76,12 @@ void row(Text out, const Srif& srif, bool normalized) {
   const std::array F{srif.F1, srif.F2, srif.F3};
   for (std::size_t i = 0; i < 3 && normalized; ++i)
     fmt::format_to(out, " {:>9}", K[i] == "-" ? "-" : fmt::format("{:.5f}", K[i] == "0" ? 0 : F[i].value_or(0)));
-  const auto error = srif.estimated_error;
+  const auto error = error_of(srif, thickness);
   fmt::format_to(out, " {:>8}  {}{}\n", error ? in_percent(*error) : "", srif.method,
                  error && *error >= rough ? "   (rough)" : "");
 }
 
-void factors(Text out, const std::vector<Srif>& srifs, bool si) {
+void factors(Text out, const std::vector<Srif>& srifs, bool si, double thickness) {
   const bool normalized = srifs.front().F1.has_value();
   fmt::format_to(out, "{:>4} {:>9} {:>9} {:>13} {:>13} {:>13}{} {:>8}  method\n", "tip", "x", "y", "K1", "K2", "K3",
                  normalized ? fmt::format(" {:>9} {:>9} {:>9}", "F1", "F2", "F3") : "", "error");
@@ -76,12 +92,12 @@ void factors(Text out, const std::vector<Srif>& srifs, bool si) {
   bool others = false;
   for (const auto& one : srifs)
     if (recommended(one))
-      row(out, one, normalized);
+      row(out, one, normalized, thickness);
     else
       others = true;
   if (others) fmt::format_to(out, "for comparison, by other methods:\n");
   for (const auto& one : srifs)
-    if (!recommended(one)) row(out, one, normalized);
+    if (!recommended(one)) row(out, one, normalized, thickness);
   for (const auto& one : srifs)
     if (one.second && recommended(one))
       fmt::format_to(out, "tip {}: {} by {} gives K1 {:.6g}, K2 {:.6g}, K3 {:.6g}: {:.2f} % apart\n", one.tip,
@@ -113,7 +129,7 @@ void accuracy(Text out, const AccuracySummary& accuracy) {
 
 }  // namespace
 
-std::string printed(const Summary& summary, bool si, const std::filesystem::path& folder) {
+std::string printed(const Summary& summary, bool si, double thickness, const std::filesystem::path& folder) {
   std::string text;
   const Text out(text);
   const auto& a = summary.analysis;
@@ -123,7 +139,7 @@ std::string printed(const Summary& summary, bool si, const std::filesystem::path
                  summary.seconds.back().second, a.stop_reason);
   if (summary.accuracy) accuracy(out, *summary.accuracy);
   if (!summary.srif.empty() && !summary.peaks.empty()) fmt::format_to(out, "at the end of the duration:\n");
-  if (!summary.srif.empty()) factors(out, summary.srif, si);
+  if (!summary.srif.empty()) factors(out, summary.srif, si, thickness);
   if (!summary.peaks.empty()) peaks(out, summary.peaks);
   if (!summary.frequencies.empty())
     fmt::format_to(out, "{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");

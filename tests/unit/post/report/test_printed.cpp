@@ -31,7 +31,7 @@ std::size_t place(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("printed: the recommended method of every tip first, the others below as a comparison") {
-  const auto text = post::printed(summary(), false, "there");
+  const auto text = post::printed(summary(), false, 0.1, "there");
   const auto comparison = place(text, "for comparison");
   CHECK(text.rfind("domain_integral") < comparison);
   CHECK(place(text, "opening") > comparison);
@@ -45,19 +45,28 @@ TEST_CASE("printed: the recommended method of every tip first, the others below 
 TEST_CASE("printed: units of SI, and what is larger than its estimated error is no 0") {
   auto content = summary();
   content.srif[0].K2 = 3e-7, content.srif[0].errors[1] = 1e-7;
-  const auto text = post::printed(content, true, "there");
+  const auto text = post::printed(content, true, 0.1, "there");
   CHECK_THAT(text, Catch::Contains("[N m^1/2]") && Catch::Contains("[N m^-1/2]") && Catch::Contains("3e-07"));
   content.srif.pop_back(), content.srif.erase(content.srif.begin() + 1);
-  CHECK(post::printed(content, true, "there").find("comparison") == std::string::npos);
+  CHECK(post::printed(content, true, 0.1, "there").find("comparison") == std::string::npos);
 }
 
 TEST_CASE("printed: peaks of a motion with their times") {
   auto content = summary();
-  CHECK(post::printed(content, false, "there").find("over time") == std::string::npos);
+  CHECK(post::printed(content, false, 0.1, "there").find("over time") == std::string::npos);
   content.peaks = {{"K1", 1, -2.5, 0.125}, {"K2", 1, 1e-9, 0.5}, {"w", std::nullopt, 0.75, 0.25}};
-  const auto text = post::printed(content, false, "there");
+  const auto text = post::printed(content, false, 0.1, "there");
   CHECK(place(text, "at the end of the duration") < place(text, "largest over time"));
   CHECK_THAT(text,
              Catch::Contains("-2.5 at t = 0.125") && Catch::Contains("|w|") && Catch::Contains("0.75 at t = 0.25"));
   CHECK(text.find("at t = 0.5\n") == std::string::npos);  // noise
+}
+
+TEST_CASE("printed: the error of a row is of the factors that it has") {
+  auto content = summary();
+  content.srif = {of(0, "domain_integral", 2, 0.5, 40, 3)};
+  content.srif[0].errors = {0.02, 0.05, 120.0};
+  CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains("> 100 %") && Catch::Contains("(rough)"));
+  content.srif[0].resolved[2] = false;
+  CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains(" 2.5 %") && !Catch::Contains("(rough)"));
 }
