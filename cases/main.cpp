@@ -80,9 +80,9 @@ int run_extremes(const Arguments& a) {
   const auto folder = folder_of(a);
   const auto verdicts = cases::run_extremes(extremes, {folder, a.settings, a.only, a.quiet});
   if (verdicts.empty()) throw cases::CaseError({{a.file, "--only", fmt::format("no row contains \"{}\"", a.only)}});
-  const auto missed = std::ranges::count(verdicts, false, &cases::Verdict::holds);
+  const auto missed = std::ranges::count(verdicts, false, &post::Verdict::holds);
   if (!a.quiet || missed > 0)
-    fmt::print("{}\n{}{} of {} oracles hold; results in {}\n", extremes.title, cases::to_text(verdicts),
+    fmt::print("{}\n{}{} of {} oracles hold; results in {}\n", extremes.title, post::to_text(verdicts),
                verdicts.size() - std::size_t(missed), verdicts.size(), folder.string());
   return missed > 0 ? failed_numbers : done;
 }

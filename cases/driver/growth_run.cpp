@@ -5,15 +5,15 @@
 #include "cases/driver/discretised.hpp"
 #include "cases/driver/results.hpp"
 #include "cases/driver/static_solution.hpp"
-#include "cases/report/progress.hpp"
 #include "cases/report/scene.hpp"
-#include "cases/report/words.hpp"
 #include "fracture/growth/quasi_static/bonds.hpp"
 #include "fracture/growth/quasi_static/growing_plate.hpp"
+#include "fracture/growth/words.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "post/files/gate.hpp"
 #include "post/report/curves.hpp"
+#include "post/report/progress.hpp"
 
 namespace cases {
 namespace {
@@ -87,7 +87,7 @@ GrowthRun::GrowthRun(const CaseFile& file, const RunOptions& options) : case_(fi
 
 post::Summary GrowthRun::operator()(bool quiet) {
   const Case& c = case_;
-  Progress progress(quiet, "growth");
+  post::Progress progress(quiet, "growth");
   try {
     grown_ = fracture::grow_quasi_statically(*c.growth, *model_, [&](const fracture::Equilibrium& now) {
       stopwatch_.lap("solve");
@@ -163,7 +163,7 @@ post::Summary GrowthRun::finish() {
   summary.analysis.kind = "static";
   post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), c.analysis.tolerance);
   summary.outcome = "done";
-  const auto words = in_words(grown_.ended, c.growth->by_bonds());
+  const auto words = fracture::in_words(grown_.ended, c.growth->by_bonds());
   if (grown_.ended.how == fracture::End::failed)
     summary.outcome = words, summary.analysis.stop_reason = grown_.ended.detail;
   summary.srif = latest_;

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "cases/driver/run.hpp"
-#include "cases/report/words.hpp"
 #include "fracture/growth/motion/moving_growth.hpp"
+#include "fracture/growth/words.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
@@ -104,8 +104,8 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
     recorder_.table("cracks", record.crack_table());
     recorder_.cracks(record.cracks);
     const auto moved = growth_->moved();
-    summary.growth = post::GrowthSummary{in_words(moved), moved.advances,      {},           {},
-                                         moved.spent,     moved.largest_speed, moved.broken, moved.lengths};
+    summary.growth = post::GrowthSummary{fracture::in_words(moved), moved.advances, {},           {}, moved.spent,
+                                         moved.largest_speed,       moved.broken,   moved.lengths};
     summary.energy.emplace_back("fracture", growth_->fracture_energy());
     if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
     if (residual_) summary.energy.emplace_back("residual", *residual_);

@@ -13,7 +13,6 @@
 #include "cases/driver/static_solution.hpp"
 #include "cases/input/case_file.hpp"
 #include "cases/input/formulations.hpp"
-#include "cases/report/progress.hpp"
 #include "cases/report/scene.hpp"
 #include "fracture/growth/motion/moving_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -23,6 +22,7 @@
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
+#include "post/report/progress.hpp"
 
 namespace cases {
 namespace {
@@ -78,9 +78,9 @@ void solve_static(const Prepared& prepared, Results& results, post::Summary& sum
   const plate::Formulation& plate = *prepared.plate;
   using enum Analysis::Method;
   const auto method = c.analysis.method;
-  Progress progress(quiet, method == adr      ? "adaptive dynamic relaxation"
-                           : method == direct ? "factorisation"
-                                              : "conjugate gradients");
+  post::Progress progress(quiet, method == adr      ? "adaptive dynamic relaxation"
+                                 : method == direct ? "factorisation"
+                                                    : "conjugate gradients");
   const plate::StaticOptions options{c.analysis.tolerance, c.analysis.max_iterations,
                                      [&](std::size_t i, double residual) {
                                        progress.update(std::log(residual) / std::log(c.analysis.tolerance),
@@ -112,7 +112,7 @@ void solve_static(const Prepared& prepared, Results& results, post::Summary& sum
 
 /// Takes the rows and frames of a motion, as far as the step `last`.
 std::function<void(const plate::Instant&)> observer(const Prepared& prepared, std::size_t last, Results& results,
-                                                    post::Summary& summary, Progress& progress,
+                                                    post::Summary& summary, post::Progress& progress,
                                                     plate::Stopwatch& stopwatch) {
   const Case& c = prepared.file.content;
   return [&, last, between = c.analysis.duration / double(last), next_frame = 0.0](const plate::Instant& now) mutable {
@@ -141,7 +141,7 @@ void solve_by_lanczos(const Prepared& prepared, Results& results, post::Summary&
   summary.analysis.method = "lanczos";
   summary.analysis.duration = c.analysis.duration;
   summary.analysis.tolerance = c.analysis.tolerance;
-  Progress progress(quiet, "Lanczos vectors");
+  post::Progress progress(quiet, "Lanczos vectors");
   const auto found = [&](std::size_t vectors, double change) {
     progress.update(std::min(0.9, double(vectors) / 100), fmt::format("{} vectors, change {:.1e}", vectors, change));
   };
@@ -169,7 +169,7 @@ void solve_dynamic(const Prepared& prepared, fracture::MovingGrowth* growth, Res
   summary.analysis.time_step_limit = limit;
   summary.analysis.duration = c.analysis.duration;
 
-  Progress progress(quiet, "central differences");
+  post::Progress progress(quiet, "central differences");
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
   if (c.analysis.start == Analysis::Start::equilibrium) options.start = start_of(c, plate);
   if (c.analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
@@ -183,7 +183,7 @@ void solve_dynamic(const Prepared& prepared, fracture::MovingGrowth* growth, Res
 void solve_frequencies(const Case& c, const plate::Formulation& plate, Results& results, post::Summary& summary,
                        bool quiet, plate::Stopwatch& stopwatch) {
   const auto [low, high] = geometry::bounding_box(c.outline);
-  Progress progress(quiet, "Lanczos iteration");
+  post::Progress progress(quiet, "Lanczos iteration");
   const double usual = 4 * double(c.analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
   std::unique_ptr<plate::Preconditioner> coarser;
   if (plate.offers(plate::Feature::levels) && plate.held())

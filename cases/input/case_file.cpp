@@ -1,10 +1,10 @@
 #include "cases/input/case_file.hpp"
 #include <fstream>
 #include <sstream>
-#include "cases/input/accuracy_path.hpp"
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "post/factors/accuracy_path.hpp"
 
 namespace cases {
 
@@ -82,7 +82,8 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<std::str
   settle_method(content, reading);
   check_case(content, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
-  if (content.srif && content.srif->accuracy) content.discretization = discretization_of(content, 1);
+  if (content.srif && content.srif->accuracy)
+    content.discretization = post::discretization_of(content, content.analysis.kind == Analysis::Kind::dynamic, 1);
   reading.found().content = std::move(content);
   return reading.found();
 }

@@ -79,27 +79,6 @@ toml::table parsed(const std::string& text) {
   }
 }
 
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-/// Edit distance with neighbours exchanged, of a word to every beginning of another.
-std::vector<std::size_t> distances(const std::string& a, const std::string& b) {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i)
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-      if (i == 0 || j == 0) {
-        d[i][j] = i + j;
-        continue;
-      }
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-    }
-  return d.back();
-}
-
 /// Takes a key, or a table with all below it, out of the tree.
 void remove_key(toml::table& root, const std::string& typed, Reading& reading) {
   const auto path = steps(typed);
@@ -144,21 +123,6 @@ void apply_override(toml::table& root, const std::string& setting, Reading& read
     reading.complain({"--set " + typed, dotted(path), "leads nowhere: the file has no such table or list entry"});
   else
     reading.overridden(dotted(made), typed);
-}
-
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
-  std::size_t nearest = word.size() / 3 + 2;  // more edits than this: another word
-  std::string best;
-  for (const auto& candidate : candidates) {
-    const auto d = distances(lower_case(word), lower_case(candidate));
-    std::size_t distance = d.back();
-    if (word.size() > 3) distance = std::min(distance, *std::min_element(d.begin() + 1, d.end()) + 1);
-    if (distance < nearest) {
-      nearest = distance;
-      best = candidate;
-    }
-  }
-  return best.empty() ? "" : fmt::format(" (did you mean '{}'?)", best);
 }
 
 }  // namespace cases

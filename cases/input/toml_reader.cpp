@@ -153,41 +153,4 @@ bool at_or_below(const std::string& key, const std::string& parent) {
   return parent.empty() || key.size() == parent.size() || key[parent.size()] == '.' || key[parent.size()] == '[';
 }
 
-std::string number_text(double x) {
-  return x == 0 ? "0" : fmt::format("{}", x);
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') result += '\\';
-    if (code < 0x20 || code == 0x7f)
-      result += fmt::format("\\u{:04X}", code);
-    else
-      result += c;
-  }
-  return result + '"';
-}
-
-std::string listed(const std::vector<std::string>& words) {
-  std::vector<std::string> marked;
-  for (const auto& word : words) marked.push_back(quoted(word));
-  return fmt::format("{}", fmt::join(marked, ", "));
-}
-
-std::string text_of(const geometry::Point& x) {
-  return fmt::format("[{}, {}]", number_text(x.x()), number_text(x.y()));
-}
-
-std::string text_of(const std::vector<geometry::Point>& points) {
-  std::vector<std::string> texts;
-  for (const auto& point : points) texts.push_back(text_of(point));
-  return fmt::format("[{}]", fmt::join(texts, ", "));
-}
-
-std::string text_of(const std::vector<std::string>& words) {
-  return "[" + listed(words) + "]";
-}
-
 }  // namespace cases

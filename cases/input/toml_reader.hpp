@@ -1,6 +1,7 @@
 #pragma once
 #include <toml++/toml.h>
 #include "cases/input/case_file.hpp"
+#include "plate/model/wording.hpp"
 
 /// Values of a case file that know their key and their place, and complain by themselves.
 namespace cases {
@@ -73,20 +74,14 @@ private:
 /// key cannot be reached.
 void apply_override(toml::table& root, const std::string& setting, Reading& reading);
 
-/// The candidate nearest to a word by edit distance (also to a beginning of a candidate), as
-/// " (did you mean 'x'?)"; empty where none is near.
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
-
 /// Does the key lie at or below another one?
 bool at_or_below(const std::string& key, const std::string& parent);
 
-/// A number as TOML: the shortest text that reads as the same double.
-std::string number_text(double x);
-std::string quoted(const std::string& text);
-std::string listed(const std::vector<std::string>& words);
-std::string text_of(const geometry::Point& x);
-std::string text_of(const std::vector<geometry::Point>& points);
-std::string text_of(const std::vector<std::string>& words);
+using plate::did_you_mean;
+using plate::listed;
+using plate::number_text;
+using plate::quoted;
+using plate::text_of;
 
 /// The file as a tree. Throws CaseError where it is no TOML.
 toml::table parsed(const std::filesystem::path& path);

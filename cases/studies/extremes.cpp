@@ -5,6 +5,10 @@
 namespace cases {
 namespace {
 
+using post::ConservedEnergy;
+using post::EqualValue;
+using post::KnownValue;
+
 template <class T>
 Fields<T> joined(Fields<T> fields, Fields<T> more) {
   fields.insert(fields.end(), more.begin(), more.end());

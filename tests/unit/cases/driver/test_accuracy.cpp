@@ -3,7 +3,7 @@
 
 #include "cases/driver/accuracy.hpp"
 #include "cases/driver/run.hpp"
-#include "cases/input/accuracy_path.hpp"
+#include "post/factors/accuracy_path.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 
@@ -72,7 +72,7 @@ TEST_CASE("accuracy: what ends the search before is said, and the error that was
 
 TEST_CASE("accuracy: lengths follow the sizes of the plate, its tips and holes, whatever the units") {
   const auto of = [](const std::vector<std::string>& settings, double size) {
-    return cases::discretization_of(case_text::read(unmeshed(), settings).content, size);
+    return post::discretization_of(case_text::read(unmeshed(), settings).content, false, size);
   };
   const auto first = of({}, 1), second = of({}, 0.5);
   CHECK(second.spacing == Approx(first.spacing / 2));

@@ -19,7 +19,7 @@ public:
     std::ofstream(folder_ / "t.toml") << rows;
   }
   cases::Extremes read() const { return cases::read_extremes(folder_ / "t.toml"); }
-  std::vector<cases::Verdict> run(const std::string& only = "", const std::vector<std::string>& set = {}) const {
+  std::vector<post::Verdict> run(const std::string& only = "", const std::vector<std::string>& set = {}) const {
     return cases::run_extremes(read(), {folder_ / "out", set, only, true});
   }
   std::filesystem::path csv() const { return folder_ / "out" / "extremes.csv"; }
@@ -60,7 +60,7 @@ TEST_CASE("oracles that hold, and oracles that do not") {
   const auto csv = post::read_csv(table.csv());
   REQUIRE(csv.rows.size() == 10);
   CHECK(csv.rows[1][csv.column("holds")] == post::Cell("no"));
-  CHECK_THAT(cases::to_text(verdicts), Catch::Contains("MISSED") && Catch::Contains("3 iterations"));
+  CHECK_THAT(post::to_text(verdicts), Catch::Contains("MISSED") && Catch::Contains("3 iterations"));
 }
 
 TEST_CASE("only some rows, with overrides that a row's own prevail over") {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "cases/report/words.hpp"
+#include "fracture/growth/words.hpp"
 
 using namespace fracture;
 using Catch::Matchers::Contains;
@@ -72,7 +72,7 @@ Result grown(const Growth& growth, const geometry::Outline& outline, std::vector
     CHECK(std::is_sorted(first, line.advances.end()));
     CHECK(std::is_sorted(line.advances.begin(), first, std::greater()));
   }
-  return {cases::in_words(found.ended, false), tips.advances(), found.ledger, tips.cracks()};
+  return {fracture::in_words(found.ended, false), tips.advances(), found.ledger, tips.cracks()};
 }
 
 struct Way {

@@ -2,7 +2,7 @@
 #include <chrono>
 #include <string>
 
-namespace cases {
+namespace post {
 
 /// Tells how far a run is: a bar on a terminal, a line every ten seconds elsewhere, nothing if quiet.
 class Progress {
@@ -21,4 +21,4 @@ private:
   bool open_ = false;
 };
 
-}  // namespace cases
+}  // namespace post

@@ -1,4 +1,4 @@
-#include "cases/report/words.hpp"
+#include "fracture/growth/words.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>
@@ -10,21 +10,21 @@ TEST_CASE("words: every end of a growth has its own") {
     std::set<std::string> said;
     for (const auto end : {End::no_tip_left, End::cannot_grow, End::no_growth, End::arrested, End::most_advances,
                            End::longest, End::unstable, End::split, End::failed})
-      said.insert(cases::in_words({end, "why"}, by_bonds));
+      said.insert(fracture::in_words({end, "why"}, by_bonds));
     CHECK(said.size() == 9);
     CHECK_FALSE(said.contains(""));
   }
-  CHECK(cases::in_words({End::split, "a piece is not held"}, false) == "the plate split: a piece is not held");
+  CHECK(fracture::in_words({End::split, "a piece is not held"}, false) == "the plate split: a piece is not held");
 }
 
 TEST_CASE("words: what became of a motion") {
   fracture::Moved moved;
-  CHECK(cases::in_words(moved) == "no growth");
+  CHECK(fracture::in_words(moved) == "no growth");
   moved.advances = 3, moved.reached = {"'left'", "crack 1"};
-  CHECK(cases::in_words(moved) == "3 pieces of crack, 'left', crack 1 reached");
+  CHECK(fracture::in_words(moved) == "3 pieces of crack, 'left', crack 1 reached");
   moved = {};
   moved.broken = 7, moved.parts = 2;
-  CHECK(cases::in_words(moved) == "7 bonds broken; the plate split in 2 parts, which move on");
+  CHECK(fracture::in_words(moved) == "7 bonds broken; the plate split in 2 parts, which move on");
   moved.frozen = true;
-  CHECK(cases::in_words(moved) == "7 bonds broken; the plate split in 2 parts");
+  CHECK(fracture::in_words(moved) == "7 bonds broken; the plate split in 2 parts");
 }

@@ -1,12 +1,12 @@
-#include "cases/report/words.hpp"
+#include "fracture/growth/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace cases {
+namespace fracture {
 
-std::string in_words(const fracture::Ended& ended, bool by_bonds) {
-  using enum fracture::End;
+std::string in_words(const Ended& ended, bool by_bonds) {
+  using enum End;
   switch (ended.how) {
     case no_tip_left:
       return "no tip is left";
@@ -30,7 +30,7 @@ std::string in_words(const fracture::Ended& ended, bool by_bonds) {
   return "";
 }
 
-std::string in_words(const fracture::Moved& moved) {
+std::string in_words(const Moved& moved) {
   std::string result;
   if (moved.broken)
     result = *moved.broken == 0 ? "no bond broke" : fmt::format("{} bonds broken", *moved.broken);
@@ -42,4 +42,4 @@ std::string in_words(const fracture::Moved& moved) {
   return result;
 }
 
-}  // namespace cases
+}  // namespace fracture

@@ -1,11 +1,11 @@
-#include "cases/report/progress.hpp"
+#include "post/report/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 #include <algorithm>
 #include <cstdio>
 
-namespace cases {
+namespace post {
 namespace {
 
 double seconds(std::chrono::steady_clock::duration d) {
@@ -47,4 +47,4 @@ void Progress::done() {
   open_ = false;
 }
 
-}  // namespace cases
+}  // namespace post

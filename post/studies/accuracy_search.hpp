@@ -1,0 +1,48 @@
+#pragma once
+#include <functional>
+#include <variant>
+
+#include "post/files/summary.hpp"
+
+namespace plate {
+class Formulation;
+}
+
+namespace post {
+
+class Progress;
+
+/// What one discretisation of a search gives.
+struct AccuracyTrial {
+  const plate::Formulation* plate;
+  std::vector<std::vector<Srif>> rows;  // at all times; of a static case one
+  std::vector<double> truncated;        // of every tip of a plate in motion: LanczosMotion::truncated()
+  double strain_energy;                 // the largest
+  std::size_t vectors;                  // of Lanczos
+};
+
+/// Why a discretisation cannot be had: points that are too coarse may not do where finer ones do.
+struct Unfit {
+  std::string why;
+};
+
+struct AccuracyFound {
+  AccuracySummary summary;                 // without a path where no discretisation could be had
+  std::vector<std::vector<Srif>> refined;  // what all discretisations tend to, for each tip at all times
+};
+
+/// Refines until every factor is known to options.accuracy, or time, memory or sizes end it (theory.md, "To a stated
+/// accuracy"). `solve`: with the lengths of discretization_of() at a size; the plate of a trial lives until the next
+/// one. Throws plate::NumericalError where the first trial does.
+AccuracyFound refine(const SrifOptions& options, const std::function<std::variant<AccuracyTrial, Unfit>(double)>& solve,
+                     Progress& progress);
+
+/// All rows of the search: for each tip what all discretisations tend to, then those of the finest. `truncated`: what
+/// the vectors of the finest leave out of a motion.
+std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<std::vector<double>>& truncated,
+                                       const SrifOptions& options, double thickness);
+
+/// That the accuracy was not reached, and what ended the search.
+std::vector<std::string> distrust_of(const AccuracySummary& found);
+
+}  // namespace post
