@@ -5,6 +5,8 @@
 #include "cases/studies/extremes.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "post/files/table.hpp"
+#include "post/studies/study.hpp"
 
 namespace cases {
 namespace {

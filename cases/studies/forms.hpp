@@ -1,6 +1,6 @@
 #pragma once
 #include "cases/input/keys.hpp"
-#include "post/studies/study.hpp"
+#include "post/studies/quantity.hpp"
 
 /// Forms of the files that run many cases: studies and tables of extremes. Nothing is written from them.
 namespace cases {

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "cases/driver/run.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/whole_file.hpp"
 #include "post/studies/orders.hpp"
 #include "post/studies/plots.hpp"

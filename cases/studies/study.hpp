@@ -1,8 +1,10 @@
 #pragma once
-#include "cases/driver/run.hpp"
 #include "cases/studies/forms.hpp"
+#include "post/studies/study.hpp"
 
 namespace cases {
+
+struct RunOptions;
 
 /// A point of an axis: what is different in its runs.
 struct AxisPoint {

@@ -4,15 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "post/figures/curve.hpp"
 #include "post/figures/plot_axis.hpp"
 #include "post/figures/svg.hpp"
 
 namespace post {
-
-/// Samples of a curve in the order in which they are joined; a value that is not finite leaves a gap.
-struct Curve {
-  std::vector<double> t, y;
-};
 
 /// A reference is thick grey, dashed or dotted, `computed` thin in colour; `plain` is a line, `numbered` a line with
 /// marks, `marks` the marks alone, in the look of the number of the series; `rings` are marks for references, to be

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "post/figures/aligned.hpp"
+#include "post/files/table.hpp"
 
 namespace post {
 namespace {

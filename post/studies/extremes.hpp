@@ -10,6 +10,8 @@
 
 namespace post {
 
+struct Table;
+
 /// A quantity has this value: a closed form, a series, finite elements.
 struct KnownValue {
   Quantity quantity;

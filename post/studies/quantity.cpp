@@ -7,6 +7,9 @@
 #include <cmath>
 #include <functional>
 
+#include "post/files/summary.hpp"
+#include "post/files/table.hpp"
+
 namespace post {
 namespace {
 

@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "post/figures/curve_plot.hpp"
-#include "post/files/summary.hpp"
-#include "post/files/table.hpp"
+#include "post/figures/curve.hpp"
 
 namespace post {
+
+struct Summary;
+struct Table;
 
 /// A number that runs are compared by: K1, K2, K3, F1, F2, F3 of a tip, w, theta_x, theta_y at a probe, or
 /// strain_energy. Has a tip, a probe or neither, as its name asks for.

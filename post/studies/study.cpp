@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "post/figures/aligned.hpp"
+#include "post/files/summary.hpp"
 #include "post/studies/compare.hpp"
 
 namespace post {

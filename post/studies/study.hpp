@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "post/files/table.hpp"
 #include "post/studies/quantity.hpp"
 
 namespace post {
