@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "case_text.hpp"
+#include "cases/driver/run.hpp"
 #include "cases/studies/study.hpp"
 #include "tests/unit/post/small_run.hpp"
 

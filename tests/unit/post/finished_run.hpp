@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "post/files/factor_rows.hpp"
+#include "post/files/summary.hpp"
 #include "post/studies/quantity.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "post/files/table.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 
