@@ -10,6 +10,7 @@
 #include "cases/driver/run.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
+#include "cases/templates/new_case.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
@@ -109,6 +110,8 @@ int execute(const CLI::App& app, Arguments& a) {
       fmt::print("{}", post::printed(summary, file.content.units == "SI", file.content.section.thickness, folder));
   } else if (app.got_subcommand("check")) {
     fmt::print("{}", cases::cost(cases::read_case(a.file, overrides(a))));
+  } else if (app.got_subcommand("new")) {
+    fmt::print("{}", a.key.empty() ? cases::template_menu() : cases::new_case(a.key, a.file));
   } else if (app.got_subcommand("keys")) {
     print_keys(a.key);
   } else if (app.got_subcommand("srif")) {
@@ -194,6 +197,9 @@ int main(int argc, char** argv) {
   run->add_option("--out", a.folder, "folder of the results (default: results/CASE)");
   run->add_flag("--quiet", a.quiet, "no progress and no table");
   add_case(*app.add_subcommand("check", "validate a case and say what it would cost"), a);
+  auto* fresh = app.add_subcommand("new", "write a commented case to begin with; alone: what there is");
+  fresh->add_option("template", a.key, "which");
+  fresh->add_option("file", a.file, "file to write (default: TEMPLATE.toml)");
   app.add_subcommand("keys", "the keys of a case file")->add_option("key", a.key, "only keys that contain this");
   auto* srif = app.add_subcommand("srif", "extract intensity factors again from a finished run");
   srif->add_option("folder", a.folder, "folder of the results")->required();

@@ -97,6 +97,14 @@ void check_probes(const CaseFile& file, const plate::Formulation& plate) {
 
 }  // namespace
 
+void require_memory(const CaseFile& file) {
+  try {
+    plate::require_memory(file.content);
+  } catch (const plate::Refused& error) {
+    throw refused(file, error.reasons());
+  }
+}
+
 plate::Discretised discretised(const CaseFile& file) {
   const Case& c = file.content;
   plate::Discretised result;

@@ -10,6 +10,9 @@ namespace cases {
 /// modes than frequencies are asked for.
 plate::Discretised discretised(const CaseFile& file);
 
+/// Throws CaseError where the machine has not even the memory for the points of a case.
+void require_memory(const CaseFile& file);
+
 /// Cracks that grow by their tips need the energy release rate of each from the start, whatever methods [srif] names.
 /// Tips too near to an edge, a load or another crack for it: CaseError in statics, a warning in motion, where they
 /// stay.

@@ -1,64 +1,96 @@
 #include <fmt/format.h>
 #include <sstream>
 #include "cases/driver/discretised.hpp"
+#include "cases/driver/foretell.hpp"
 #include "cases/driver/results.hpp"
 #include "cases/driver/run.hpp"
-#include "cases/report/scene.hpp"
+#include "cases/driver/second_formulation.hpp"
 #include "geometry/lattice/cloud.hpp"
-#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/solve/motion/dynamics.hpp"
+#include "plate/model/free_memory.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
 
 namespace cases {
 namespace {
 
-std::string dynamic_cost(const CaseFile& file, const plate::Formulation& plate) {
-  if (file.content.analysis.method == Analysis::Method::lanczos)
-    return fmt::format("rows          {} of Lanczos vectors, which take no steps\n", row_grid(file).steps);
-  const auto& constraints = plate.constraints();
-  const double limit = plate::stable_time_step(plate, constraints, plate.mass(file.content.analysis.rotary_inertia));
-  const TimeGrid grid = time_grid(file, limit);
-  return fmt::format("time step     {:.6g} (stable limit {:.6g})\nsteps         {}\n", grid.time_step, limit,
-                     grid.steps);
+constexpr double giga = 1e9;
+
+std::string of_solution(const CaseFile& file, const ForetoldRun& run) {
+  const auto& analysis = file.content.analysis;
+  if (run.time_step > 0)
+    return fmt::format("time step     {:.4g} (stable limit {:.4g})\nsteps         {:.0f}\n", run.time_step,
+                       run.time_limit, run.whole.steps);
+  if (analysis.kind != Analysis::Kind::static_)
+    return fmt::format("solution      Lanczos vectors, about {:.0f}\n", run.costs.iterations);
+  return fmt::format("solution      {}, about {:.0f} iterations{}\n", run.solver.words,
+                     std::max(1.0, run.costs.iterations), file.content.growth ? " an advance" : "");
+}
+
+std::string of_time(const ForetoldRun& run) {
+  std::string text = fmt::format("time          {:.2g} s:", run.costs.total());
+  for (const auto& [stage, seconds] : run.costs.seconds) text += fmt::format(" {} {:.2g},", stage, seconds);
+  text.back() = '\n';
+  if (run.whole.advances > 0)
+    text += fmt::format("advances      up to {:.0f}, {:.2g} s each\n", run.whole.advances,
+                        run.costs.total() / run.whole.advances);
+  return text;
+}
+
+/// The cost of a case whose discretisation is known.
+std::string of_run(const CaseFile& file) {
+  const auto run = foretell(file);
+  std::string text = fmt::format("points        {:.0f}\nbonds         {:.0f}\n", run.points, run.bonds);
+  text += of_solution(file, run) + of_time(run);
+  double bytes = run.bytes, seconds = run.costs.total();
+  if (file.content.srif && file.content.srif->second_formulation) {
+    const auto other = foretell(in_other_formulation(file));
+    bytes += other.bytes, seconds += other.costs.total();
+    text += fmt::format("both ways     {:.2g} s\n", seconds);
+  }
+  const double free = plate::free_memory();
+  text += fmt::format("memory        {:.3g} GB at its peak; {:.3g} GB are free\nfiles         {:.3g} GB\n",
+                      bytes / giga, free / giga, run.costs.files / giga);
+  text += fmt::format("(by runs of a sample of {} points, just now)\n", run.sample_points);
+  if (free > 0 && bytes > free)
+    throw CaseError({{file.place("discretization.spacing"), "discretization.spacing",
+                      fmt::format("{:g} given makes {:.2g} points, which take {:.3g} GB, more than this machine has: "
+                                  "{:.3g} GB are free",
+                                  file.content.discretization.spacing, run.points, bytes / giga, free / giga)}});
+  return text;
+}
+
+/// What the run would refuse or warn of, where the plate is small enough to be made at once.
+std::string of_plate(const CaseFile& file) {
+  auto [plate, warnings, stopwatch] = discretised(file);
+  check_growing_tips(file, *plate, warnings);
+  tip_methods(file, *plate);
+  std::string text = fmt::format("tips          {}\nfictitious    {} points, {} bonds to them\n", plate->tips().size(),
+                                 plate->fictitious_points(), plate->fictitious_bonds());
+  for (const auto& warning : warnings) text += "warning: " + warning + "\n";
+  return text;
 }
 
 }  // namespace
 
 std::string cost(const CaseFile& file) {
+  constexpr double soon_made = 60000;  // points: 0.2 s
   const Case& c = file.content;
-  auto [own, warnings, stopwatch] = discretised(file);
-  const auto& plate = *own;
-  const auto& cloud = plate.cloud();
-  check_growing_tips(file, plate, warnings);
-  tip_methods(file, plate);
-
-  // one product, timed, as the measure of a step
-  plate::State state = plate::State::Zero(3, Eigen::Index(cloud.size()));
-  plate::Forces forces;
-  plate.internal_force(state, forces);
-  stopwatch.lap("first product");
-  plate.internal_force(state, forces);
-  stopwatch.lap("product");
-
-  std::string text = fmt::format(
-      "{}\nformulation   {} ({})\npoints        {} and {} fictitious\nbonds         {} and {} to fictitious points\n",
-      file.content.title, plate.kind().name, file.content.formulation_reason, cloud.plate_points,
-      plate.fictitious_points(), plate.bonds(), plate.fictitious_bonds());
-  text += fmt::format("tips          {}\nset-up        {:.2f} s\none step      {:.2e} s\n", plate.tips().size(),
-                      stopwatch.total() - stopwatch.seconds("product"), stopwatch.seconds("product"));
-  if (file.content.analysis.kind == Analysis::Kind::dynamic) text += dynamic_cost(file, plate);
-  double bytes = 0;
-  for (const auto& part : scene(file.content, plate)) {
-    text += fmt::format("  {:8.0f} bytes per point  {}\n", part.bytes_per_point, part.name);
-    bytes += part.bytes_per_point;
-  }
-  text += fmt::format("memory        {:.3g} GB\n", bytes * double(cloud.plate_points) / 1e9);
+  std::string text =
+      fmt::format("{}\nformulation   {} ({})\n", c.title, c.discretization.formulation->name, c.formulation_reason);
   if (c.srif && c.srif->accuracy)
-    text += "srif.accuracy finds the discretisation: these are the first points of the search\n";
-  for (const auto& warning : warnings) text += "warning: " + warning + "\n";
+    return text +
+           fmt::format(
+               "srif.accuracy finds the discretisation: in {:g} s (accuracy_seconds) at most, with half of the free "
+               "memory, {:.3g} GB, at most; the first points of the search have\n",
+               c.srif->accuracy_seconds, plate::free_memory() / 2 / giga) +
+           of_plate(file);
+  require_memory(file);
+  const double spacing = c.discretization.spacing;
+  const bool made = geometry::area(c.outline) < soon_made * spacing * spacing;
+  text += of_run(file);
+  text += made ? of_plate(file) : "tips, supports and loads are checked by the run: with so many points not here\n";
   return text;
 }
 

@@ -42,8 +42,8 @@ double iterations_with_diagonal(const Problem& problem) {
 }
 
 /// Bytes of the factor of the local plate on every fourth point: measured 220 n log2 n for n = 15,600 to 250,000.
-double factor_bytes(std::size_t points) {
-  const double coarse = double(points) / 4;
+double factor_bytes(double points) {
+  const double coarse = points / 4;
   return 220 * coarse * std::log2(coarse + 2);
 }
 
@@ -134,15 +134,14 @@ std::vector<Share> OrdinaryPlate::interpolation(const Point& at) const {
   return plate::interpolation(near, u);
 }
 
-/// The factor of the two-level plate and the iterations with it cost about as much as 600 iterations with the diagonal.
 ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const {
-  constexpr double worth = 600;
-  const auto two_level_is_faster = [&] {
-    if (may_move()) return false;  // the factor would enlarge the rounding of a motion without resistance
-    return iterations_with_diagonal(problem()) > worth && factor_bytes(points()) < free_memory() / 2;
+  // the factor of two levels would enlarge the rounding of a motion without resistance
+  const auto usual = [&] {
+    return may_move() ? Preconditioning::diagonal : usual_preconditioner_of_bonds(problem(), double(points()));
   };
   using enum Preconditioning;
-  if (wanted == diagonal || (wanted == automatic && !two_level_is_faster())) return {nullptr, "diagonal"};
+  if (wanted == automatic) wanted = usual();
+  if (wanted == diagonal) return {nullptr, "diagonal"};
   if (wanted == local) return {std::make_unique<LocalPlate>(op_, boundary(), section(), discretization()), "local"};
   return {std::make_unique<TwoLevelPlate>(op_, boundary(), section(), discretization()), "two_level"};
 }
@@ -236,6 +235,13 @@ Discretised discretised(const Problem& problem) {
 }
 
 }  // namespace
+
+/// The factor of the two-level plate and the iterations with it cost about as much as 600 iterations with the diagonal.
+Preconditioning usual_preconditioner_of_bonds(const Problem& problem, double points) {
+  constexpr double worth = 600;
+  const bool faster = iterations_with_diagonal(problem) > worth && factor_bytes(points) < free_memory() / 2;
+  return faster ? Preconditioning::two_level : Preconditioning::diagonal;
+}
 
 const FormulationKind ordinary{
     "ordinary",

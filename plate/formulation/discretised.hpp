@@ -19,4 +19,7 @@ struct Discretised {
 /// for so many points. Whether the plate is held is not asked here.
 Discretised discretise(const Problem& problem);
 
+/// Throws Refused where the machine has not even the memory for the points, as discretise() does.
+void require_memory(const Problem& problem);
+
 }  // namespace plate

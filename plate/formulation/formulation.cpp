@@ -118,7 +118,7 @@ std::unique_ptr<Preconditioner> Formulation::factor() const {
   throw std::logic_error("a factor was asked of a formulation that does not offer it");
 }
 
-Discretised discretise(const Problem& problem) {
+void require_memory(const Problem& problem) {
   constexpr double least = 300;  // bytes per point: a million in motion by bonds, nothing written, took 350
   const double spacing = problem.discretization.spacing, points = geometry::area(problem.outline) / (spacing * spacing);
   const double there = free_memory();
@@ -127,6 +127,10 @@ Discretised discretise(const Problem& problem) {
                     fmt::format("{:g} given makes {:.2g} points, which take {:.3g} GB at the very least; {:.3g} GB are "
                                 "free on this machine",
                                 spacing, points, points * least / 1e9, there / 1e9)}});
+}
+
+Discretised discretise(const Problem& problem) {
+  require_memory(problem);
   return problem.discretization.formulation->discretise(problem);
 }
 

@@ -169,12 +169,10 @@ std::unique_ptr<Preconditioner> GalerkinPlate::levels() const {
   return std::make_unique<GalerkinLevels>(op_, constraints(), seen_, std::move(coarser));
 }
 
-/// A plate of few points is solved by its own factor. On a lattice coarser plates cost little; triangles have to be
-/// found anew for each of them (theory.md, "Statics" of the Galerkin plate).
 ChosenPreconditioner GalerkinPlate::preconditioner(Preconditioning wanted) const {
-  const std::size_t few = cells_.graded ? 100000 : 2000;
   if (wanted == Preconditioning::diagonal) return {nullptr, "diagonal"};
-  if (wanted == Preconditioning::automatic && points() <= few) return {factor(), "factor"};
+  if (wanted == Preconditioning::automatic) wanted = usual_preconditioner_of_cells(problem(), double(points()));
+  if (wanted == Preconditioning::automatic) return {factor(), "factor"};
   return {levels(), "levels"};
 }
 
@@ -232,6 +230,14 @@ Discretised discretised(const Problem& problem) {
 }
 
 }  // namespace
+
+/// A plate of few points is solved by its own factor. On a lattice coarser plates cost little; triangles have to be
+/// found anew for each of them (theory.md, "Statics" of the Galerkin plate).
+Preconditioning usual_preconditioner_of_cells(const Problem& problem, double points) {
+  const auto& d = problem.discretization;
+  const double few = d.tip_spacing || d.hole_spacing ? 100000 : 2000;
+  return points <= few ? Preconditioning::automatic : Preconditioning::levels;
+}
 
 const FormulationKind galerkin{
     "galerkin",

@@ -46,6 +46,15 @@ double least_clear_distance(const plate::Problem& c, const std::vector<geometry:
   return result;
 }
 
+double widest_ring(const plate::Problem& c, double wider) {
+  constexpr double widest = 24;
+  const auto paths = plate::crack_paths(c);
+  const auto tips = geometry::tips(paths);
+  if (tips.empty()) return 0;
+  if (c.discretization.tip_spacing) return widest / wider;
+  return std::min(widest, least_clear_distance(c, paths, tips) / (wider * c.discretization.spacing));
+}
+
 bool ringed(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip) {
   const double spacing = c.discretization.spacing_at_tips();
   return !rings(clear_distance(c, paths, tip), spacing, false).empty();

@@ -19,10 +19,10 @@ bool is_study(const fs::path& path) {
   return path.filename().string().starts_with("study_");
 }
 
-/// The TOML files below cases/static, cases/dynamic and cases/growth.
+/// The TOML files below cases/static, cases/dynamic, cases/growth and cases/templates.
 std::vector<fs::path> toml_files(bool studies) {
   std::vector<fs::path> files;
-  for (const char* folder : {"static", "dynamic", "growth"})
+  for (const char* folder : {"static", "dynamic", "growth", "templates"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(PDPLATE_SOURCE_DIR) / "cases" / folder))
       if (entry.path().extension() == ".toml" && is_study(entry.path()) == studies) files.push_back(entry.path());
   std::sort(files.begin(), files.end());

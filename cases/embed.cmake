@@ -1,0 +1,15 @@
+# cmake -DFOLDER=.. -DNAMES=a;b -DHEADER=.. -DFUNCTION=space::name -DOUTPUT=..cpp -P embed.cmake: files as text in a C++ source.
+# FUNCTION() gives them by name; HEADER declares it.
+string(REGEX REPLACE "::.*" "" space ${FUNCTION})
+string(REGEX REPLACE ".*::" "" name ${FUNCTION})
+set(text "#include \"${HEADER}\"\n\nnamespace ${space} {\n\nconst std::map<std::string, std::string_view>& ${name}() {\n")
+string(APPEND text "  static const std::map<std::string, std::string_view> all{\n")
+foreach(file ${NAMES})
+  file(READ ${FOLDER}/${file} bytes HEX)
+  string(LENGTH "${bytes}" digits)
+  math(EXPR length "${digits} / 2")
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "\\\\x\\1" bytes "${bytes}")
+  string(APPEND text "    {\"${file}\", {\"${bytes}\", ${length}}},\n")
+endforeach()
+string(APPEND text "  };\n  return all;\n}\n\n}  // namespace ${space}\n")
+file(WRITE ${OUTPUT} "${text}")

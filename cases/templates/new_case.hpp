@@ -1,0 +1,18 @@
+#pragma once
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace cases {
+
+/// The files of cases/templates by name, as they were when the program was built.
+const std::map<std::string, std::string_view>& templates();
+
+/// What there is to begin with: a name and what it shows, a line each.
+std::string template_menu();
+
+/// Writes the template into a file, by default NAME.toml here, and says what to do with it. Throws CaseError where
+/// there is no such template, or the file exists.
+std::string new_case(const std::string& name, const std::string& file);
+
+}  // namespace cases

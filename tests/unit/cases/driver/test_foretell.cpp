@@ -1,0 +1,59 @@
+#include "cases/driver/foretell.hpp"
+
+#include "cases/driver/run.hpp"
+#include "plate/model/free_memory.hpp"
+#include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+namespace {
+
+const std::string small_plate = case_text::plain + "[srif]\n";
+
+}  // namespace
+
+TEST_CASE("check foretells points, bonds, iterations and files of a run", "[foretell]") {
+  for (const char* way : {"discretization.formulation=ordinary", "discretization.formulation=galerkin"}) {
+    INFO(way);
+    const auto file = case_text::read(small_plate, {"discretization.spacing=0.016", "analysis.preconditioner=diagonal", way});
+    const auto told = cases::foretell(file);
+    const small_run::TemporaryFolder scratch;
+    const auto found = cases::run(file, {scratch / "run", true});
+    CHECK(told.sample_points < found.points / 2);
+    CHECK(told.points == Approx(found.points).epsilon(0.02));
+    CHECK(told.bonds == Approx(found.bonds).epsilon(0.03));
+    CHECK(told.costs.iterations == Approx(double(*found.analysis.iterations)).epsilon(0.25));
+    double files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(scratch / "run")) files += double(entry.file_size());
+    CHECK(told.costs.files == Approx(files).epsilon(0.3));
+    // times of a few tenths of a second on a shared machine: a wide band, tests/benchmarks/check_foretells has the
+    // narrow one
+    CHECK(told.costs.total() > 0.1 * found.seconds.back().second);
+    CHECK(told.costs.total() < 10 * found.seconds.back().second);
+  }
+}
+
+TEST_CASE("check tells the steps of a motion", "[foretell]") {
+  const auto file =
+      case_text::read(small_plate, {"discretization.spacing=0.02", "section.density=1",
+                              "analysis={kind=\"dynamic\", duration=0.02}", "discretization.formulation=ordinary"});
+  const auto told = cases::foretell(file);
+  const small_run::TemporaryFolder scratch;
+  const auto found = cases::run(file, {scratch / "run", true});
+  CHECK(told.time_limit == Approx(*found.analysis.time_step_limit).epsilon(0.02));
+  CHECK(told.whole.steps == Approx(double(*found.analysis.steps)).epsilon(0.1));
+}
+
+TEST_CASE("check refuses at once what the machine has no memory for", "[foretell]") {
+  for (const char* spacing : {"2e-5", "4e-4"}) {
+    const auto file =
+        case_text::read(small_plate, {std::string("discretization.spacing=") + spacing, "analysis.method=direct"});
+    CHECK_THROWS_AS(cases::cost(file), cases::CaseError);
+  }
+}
+
+TEST_CASE("check takes finer samples where coarse ones cannot carry the case", "[foretell]") {
+  const auto file =
+      case_text::read(small_plate, {"discretization.spacing=0.01", "geometry.cracks=[[[-0.06, 0], [0.06, 0]]]"});
+  const auto told = cases::foretell(file);
+  CHECK(told.points == Approx(201 * 201).epsilon(0.02));
+}

@@ -1,0 +1,36 @@
+#include "geometry/cells/point_count.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using geometry::Grading;
+using geometry::Outline;
+using geometry::Polyline;
+
+double counted(const Outline& outline, const std::vector<Polyline>& cracks, double spacing, const Grading& grading) {
+  const auto paths = geometry::crack_paths(outline, cracks, 1e-9);
+  return double(geometry::tessellation(outline, paths, spacing, {}, grading).positions.size());
+}
+
+double expected(const Outline& outline, const std::vector<Polyline>& cracks, double spacing, const Grading& grading) {
+  const auto tips = geometry::tips(geometry::crack_paths(outline, cracks, 1e-9));
+  return geometry::expected_points(outline, tips, spacing, grading);
+}
+
+}  // namespace
+
+TEST_CASE("points of a plate are told before it is made: within a quarter") {
+  const auto plain = geometry::rectangle(-1, -1, 1, 1);
+  auto pierced = plain;
+  pierced.holes.push_back(geometry::Circle{{0.2, 0.1}, 0.3, "hole0"});
+  const std::vector<Polyline> crack{{{-0.8, -0.6}, {-0.3, -0.5}}};
+  for (const auto& outline : {plain, pierced})
+    for (const double spacing : {0.05, 0.1})
+      for (const Grading& grading : {Grading{}, Grading{0.01, {}, 0.2}, Grading{1e-5, {}, 0.3}, Grading{{}, 0.02, 0.2},
+                                     Grading{0.01, 0.02, 0.1}}) {
+        INFO(spacing << " " << grading.at_tips.value_or(0) << " " << grading.at_holes.value_or(0));
+        CHECK(expected(outline, crack, spacing, grading) ==
+              Approx(counted(outline, crack, spacing, grading)).epsilon(0.25));
+      }
+}
