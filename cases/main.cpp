@@ -15,6 +15,7 @@
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
+#include "post/manual/program.hpp"
 #include "post/report/printed.hpp"
 #include "post/studies/compare.hpp"
 #include "post/studies/fatigue.hpp"
@@ -35,13 +36,19 @@ void print_keys(const std::string& wanted) {
   if (shown == 0) throw cases::CaseError({{"keys", wanted, "no key contains this; see pdplate keys"}});
 }
 
+std::vector<post::ManualKey> manual_keys() {
+  std::vector<post::ManualKey> result;
+  for (const auto& key : cases::keys()) result.push_back({key.name, key.unit, key.allowed, key.standard, key.help});
+  return result;
+}
+
 struct Arguments {
   std::string file, folder, key, reference, plot, only;
   std::vector<std::string> settings, removed, methods;
   post::ParisLaw law;
   double load = 1, ratio = 0;
   int threads = 0;
-  bool quiet = false, energy = false;
+  bool quiet = false, energy = false, schema = false;
 };
 
 void add_case(CLI::App& command, Arguments& a) {
@@ -100,6 +107,36 @@ void require_finite(const Arguments& a) {
   if (!problems.empty()) throw cases::CaseError(problems);
 }
 
+/// A command, or the program without one, as the library of its arguments knows it.
+post::Program::Command described(const CLI::App& app) {
+  post::Program::Command result{app.get_name(), app.get_description(), {}, {}};
+  for (const auto* option : app.get_options()) {
+    if (option->get_positional()) {
+      result.arguments.push_back({option->get_name(), option->get_description(), option->get_required()});
+      continue;
+    }
+    std::vector<std::string> names;
+    for (const auto& name : option->get_snames()) names.push_back("-" + name);
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+    const std::string value = option->get_expected_max() > 0 ? option->get_type_name() : "";
+    result.options.push_back({names, value.substr(0, value.find(':')), option->get_description()});
+  }
+  return result;
+}
+
+std::string own_pages(const CLI::App& app, const Arguments& a) {
+  const auto all = described(app);
+  post::Program program{"pdplate", PDPLATE_VERSION, all.about, all.options, {}};
+  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    program.commands.push_back(described(*command));
+  if (app.got_subcommand("manual")) return post::man_page(program, manual_keys());
+  try {
+    return post::completion(a.key, program, manual_keys(), cases::template_names());
+  } catch (const std::invalid_argument& error) {
+    throw cases::CaseError({{"completion", a.key, error.what()}});
+  }
+}
+
 int execute(const CLI::App& app, Arguments& a) {
   if (a.threads > 0) omp_set_num_threads(a.threads);
   if (app.got_subcommand("run")) {
@@ -112,6 +149,10 @@ int execute(const CLI::App& app, Arguments& a) {
     fmt::print("{}", cases::cost(cases::read_case(a.file, overrides(a))));
   } else if (app.got_subcommand("new")) {
     fmt::print("{}", a.key.empty() ? cases::template_menu() : cases::new_case(a.key, a.file));
+  } else if (app.got_subcommand("manual") || app.got_subcommand("completion")) {
+    fmt::print("{}", own_pages(app, a));
+  } else if (app.got_subcommand("keys") && a.schema) {
+    fmt::print("{}", post::schema("A case of PDPlate", manual_keys()));
   } else if (app.got_subcommand("keys")) {
     print_keys(a.key);
   } else if (app.got_subcommand("srif")) {
@@ -183,6 +224,19 @@ void add_fatigue(CLI::App& app, Arguments& a) {
   fatigue->add_option("--ratio", a.ratio, "least over largest load (default 0)")->check(CLI::Range(-10.0, 0.999));
 }
 
+void add_pages(CLI::App& app, Arguments& a) {
+  auto* fresh = app.add_subcommand("new", "write a commented case to begin with; alone: what there is");
+  fresh->add_option("template", a.key, "which");
+  fresh->add_option("file", a.file, "file to write (default: TEMPLATE.toml)");
+  auto* keys = app.add_subcommand("keys", "the keys of a case file");
+  keys->add_option("key", a.key, "only keys that contain this");
+  keys->add_flag("--schema", a.schema, "all keys as a JSON schema, for editors");
+  app.add_subcommand("manual", "this program's page for man, in roff");
+  app.add_subcommand("completion", "completion of commands, options and keys in a shell")
+      ->add_option("shell", a.key, "bash or fish")
+      ->required();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -197,10 +251,7 @@ int main(int argc, char** argv) {
   run->add_option("--out", a.folder, "folder of the results (default: results/CASE)");
   run->add_flag("--quiet", a.quiet, "no progress and no table");
   add_case(*app.add_subcommand("check", "validate a case and say what it would cost"), a);
-  auto* fresh = app.add_subcommand("new", "write a commented case to begin with; alone: what there is");
-  fresh->add_option("template", a.key, "which");
-  fresh->add_option("file", a.file, "file to write (default: TEMPLATE.toml)");
-  app.add_subcommand("keys", "the keys of a case file")->add_option("key", a.key, "only keys that contain this");
+  add_pages(app, a);
   auto* srif = app.add_subcommand("srif", "extract intensity factors again from a finished run");
   srif->add_option("folder", a.folder, "folder of the results")->required();
   srif->add_option("--method", a.methods, "method (default: those of the case)");

@@ -22,13 +22,10 @@ std::string template_menu() {
 
 std::string new_case(const std::string& name, const std::string& file) {
   const auto found = templates().find(name + ending);
-  if (found == templates().end()) {
-    std::vector<std::string> names;
-    for (const auto& one : templates()) names.push_back(one.first.substr(0, one.first.size() - ending.size()));
-    throw CaseError(
-        {{"new", name,
-          fmt::format("no such template{}; there are {}", did_you_mean(name, names), fmt::join(names, ", "))}});
-  }
+  if (found == templates().end())
+    throw CaseError({{"new", name,
+                      fmt::format("no such template{}; there are {}", did_you_mean(name, template_names()),
+                                  fmt::join(template_names(), ", "))}});
   const std::filesystem::path path = file.empty() ? name + ending : file;
   if (std::filesystem::exists(path)) throw CaseError({{"new", path.string(), "exists, and is not overwritten"}});
   post::write_whole(path, std::string(found->second));

@@ -2,11 +2,15 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cases {
 
 /// The files of cases/templates by name, as they were when the program was built.
 const std::map<std::string, std::string_view>& templates();
+
+/// Their names, without ".toml".
+std::vector<std::string> template_names();
 
 /// What there is to begin with: a name and what it shows, a line each.
 std::string template_menu();

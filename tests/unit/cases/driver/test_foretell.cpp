@@ -14,7 +14,8 @@ const std::string small_plate = case_text::plain + "[srif]\n";
 TEST_CASE("check foretells points, bonds, iterations and files of a run", "[foretell]") {
   for (const char* way : {"discretization.formulation=ordinary", "discretization.formulation=galerkin"}) {
     INFO(way);
-    const auto file = case_text::read(small_plate, {"discretization.spacing=0.016", "analysis.preconditioner=diagonal", way});
+    const auto file =
+        case_text::read(small_plate, {"discretization.spacing=0.016", "analysis.preconditioner=diagonal", way});
     const auto told = cases::foretell(file);
     const small_run::TemporaryFolder scratch;
     const auto found = cases::run(file, {scratch / "run", true});
@@ -33,9 +34,9 @@ TEST_CASE("check foretells points, bonds, iterations and files of a run", "[fore
 }
 
 TEST_CASE("check tells the steps of a motion", "[foretell]") {
-  const auto file =
-      case_text::read(small_plate, {"discretization.spacing=0.02", "section.density=1",
-                              "analysis={kind=\"dynamic\", duration=0.02}", "discretization.formulation=ordinary"});
+  const auto file = case_text::read(
+      small_plate, {"discretization.spacing=0.02", "section.density=1", "analysis={kind=\"dynamic\", duration=0.02}",
+                    "discretization.formulation=ordinary"});
   const auto told = cases::foretell(file);
   const small_run::TemporaryFolder scratch;
   const auto found = cases::run(file, {scratch / "run", true});

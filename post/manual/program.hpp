@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace post {
+
+/// A program as its user sees it: commands with what they take.
+struct Program {
+  struct Argument {
+    std::string name, about;
+    bool required = false;
+  };
+  struct Option {
+    std::vector<std::string> names;  // "--set"
+    std::string value, about;        // of the value; empty where there is none
+  };
+  struct Command {
+    std::string name, about;
+    std::vector<Argument> arguments;
+    std::vector<Option> options;
+  };
+  std::string name, version, about;
+  std::vector<Option> options;  // without a command
+  std::vector<Command> commands;
+};
+
+/// A key of its case files.
+struct ManualKey {
+  std::string name, unit, allowed, standard, help;
+};
+
+/// The page for man(1), in roff.
+std::string man_page(const Program& program, const std::vector<ManualKey>& keys);
+
+/// Completion of commands, options, keys behind --set and --unset, files and folders for "bash" or "fish". `templates`
+/// complete what follows "new". Throws std::invalid_argument for any other shell.
+std::string completion(const std::string& shell, const Program& program, const std::vector<ManualKey>& keys,
+                       const std::vector<std::string>& templates);
+
+/// JSON schema (draft-07) of a case file: tables, types, bounds and words as the keys allow them.
+std::string schema(const std::string& title, const std::vector<ManualKey>& keys);
+
+}  // namespace post
