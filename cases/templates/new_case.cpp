@@ -10,6 +10,12 @@ const std::string ending = ".toml", marked = "# shows: ";
 
 }  // namespace
 
+std::vector<std::string> template_names() {
+  std::vector<std::string> names;
+  for (const auto& one : templates()) names.push_back(one.first.substr(0, one.first.size() - ending.size()));
+  return names;
+}
+
 std::string template_menu() {
   std::string text;
   for (const auto& [file, content] : templates()) {

@@ -51,7 +51,7 @@ double widest_ring(const plate::Problem& c, double wider) {
   const auto paths = plate::crack_paths(c);
   const auto tips = geometry::tips(paths);
   if (tips.empty()) return 0;
-  if (c.discretization.tip_spacing) return widest / wider;
+  if (c.discretization.tip_spacing) return widest;
   return std::min(widest, least_clear_distance(c, paths, tips) / (wider * c.discretization.spacing));
 }
 

@@ -23,8 +23,8 @@ double least_clear_distance(const plate::Problem& problem, const std::vector<geo
 /// Does a ring of points fit about the tip, as every energy release rate needs?
 bool ringed(const plate::Problem& problem, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip);
 
-/// The largest radius of the rings about tips whose spacings are `wider` than those of the plate [spacings]. Of graded
-/// points, whose rings hold as many as the spacing lets them, in proportion to that; 0 where no tip is.
+/// The largest radius of the rings about tips whose spacings are `wider` than those of the plate [spacings]; 0 where no
+/// tip is. The rings of graded points hold about as many at any spacing.
 double widest_ring(const plate::Problem& problem, double wider);
 
 /// The methods for every tip of a plate, which must outlive them; at some tips none may work.

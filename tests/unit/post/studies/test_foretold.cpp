@@ -81,7 +81,7 @@ TEST_CASE("foretold: rings about tips grow until they are as wide as they get") 
   for (auto& [stage, seconds] : found.factors->summary.seconds)
     if (stage == "srif") seconds += 0.1;
   const auto costs = post::foretold(found, {1e6, 24, 0, 1, 1, 0.5, 1.5, 0});
-  CHECK(costs.seconds[2].second == Approx(0.1 * 4 + 1e-7 * 1e6));
+  CHECK(costs.seconds[2].second == Approx(0.1 * std::pow(2, 1.25) + 1e-7 * 1e6));
 }
 
 TEST_CASE("foretold: steps and rows of a motion") {
