@@ -34,9 +34,9 @@ TEST_CASE("check foretells points, bonds, iterations and files of a run", "[fore
 }
 
 TEST_CASE("check tells the steps of a motion", "[foretell]") {
-  const auto file = case_text::read(
-      small_plate, {"discretization.spacing=0.02", "section.density=1", "analysis={kind=\"dynamic\", duration=0.02}",
-                    "discretization.formulation=ordinary"});
+  const auto file =
+      case_text::read(case_text::plain, {"discretization.spacing=0.025", "section.density=1",
+                                         "analysis={kind=\"dynamic\", duration=0.02}", "output.history_every=0.01"});
   const auto told = cases::foretell(file);
   const small_run::TemporaryFolder scratch;
   const auto found = cases::run(file, {scratch / "run", true});
