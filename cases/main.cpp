@@ -115,6 +115,8 @@ int execute(const CLI::App& app, Arguments& a) {
     const auto again = std::filesystem::path(a.folder) / "case.resolved.toml";
     fmt::print("{}", post::csv_text(a.energy ? cases::energy_check(cases::read_case(again, {}))
                                              : cases::srif_again(a.folder, a.methods)));
+  } else if (app.got_subcommand("report")) {
+    cases::report_again(a.folder);
   } else if (app.got_subcommand("compare")) {
     const auto rows = post::compare(a.folder, a.reference);
     fmt::print("{}", post::to_text(rows));
@@ -200,6 +202,9 @@ int main(int argc, char** argv) {
   srif->add_option("--method", a.methods, "method (default: those of the case)");
   srif->add_flag("--energy", a.energy,
                  "instead K from the energies of a longer and a shorter crack: two static runs per tip");
+  app.add_subcommand("report", "write report.html of a finished run again")
+      ->add_option("folder", a.folder, "folder of the results")
+      ->required();
   auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();

@@ -11,6 +11,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
+#include "post/report/html/study_report.hpp"
 
 namespace cases {
 namespace {
@@ -60,6 +61,14 @@ std::string cost(const CaseFile& file) {
     text += "srif.accuracy finds the discretisation: these are the first points of the search\n";
   for (const auto& warning : warnings) text += "warning: " + warning + "\n";
   return text;
+}
+
+void report_again(const std::filesystem::path& folder) {
+  if (post::write_report_of_many(folder)) return;
+  if (!std::filesystem::exists(folder / "summary.json"))
+    throw CaseError({{"report", folder.string(),
+                      "holds no summary.json: name the folder of a finished run, study or table of extremes"}});
+  post::write_report(folder, reported(read_case(folder / "case.resolved.toml", {}).content));
 }
 
 post::Table srif_again(const std::filesystem::path& folder, const std::vector<std::string>& methods) {

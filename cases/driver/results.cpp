@@ -44,6 +44,10 @@ post::Recorder recorder_of(const Case& c, const RunOptions& options) {
                          c.analysis.kind == Analysis::Kind::dynamic});
 }
 
+post::ReportedCase reported(const Case& c) {
+  return {c, c.title, c.source, c.units, c.output.probes};
+}
+
 Results::Results(const CaseFile& file, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
                  const RunOptions& options)
     : case_(file.content),
@@ -52,7 +56,10 @@ Results::Results(const CaseFile& file, const plate::Formulation& plate, const st
       recorder_(recorder_of(case_, options)),
       probes_(probes_of(case_, plate)),
       factors_(case_.section.thickness) {
-  if (case_.output.vtk || case_.output.hdf5) recorder_.open(plate.mesh());
+  if (!case_.output.vtk && !case_.output.hdf5) return;
+  const auto mesh = plate.mesh();
+  if (case_.output.reports()) pictures_.open(mesh);
+  recorder_.open(mesh);
 }
 
 void Results::sample(const plate::Instant& now, bool last) {
@@ -80,6 +87,10 @@ void Results::frame(const plate::Instant& now) {
   auto frame = post::frame_of(plate_, now.time, now.step, now.state, case_.output.vtk && !growth_);
   std::optional<plate::Mesh> mesh;
   if (growth_ && case_.output.vtk) mesh = growth_->draw(frame, now.state);
+  if (case_.output.reports()) {
+    if (mesh) pictures_.open(*mesh);
+    pictures_.look(frame);
+  }
   plate::State velocity;
   if (case_.output.hdf5 && case_.analysis.kind == Analysis::Kind::dynamic)
     velocity = now.velocity().leftCols(Eigen::Index(plate_.cloud().plate_points));
@@ -126,7 +137,9 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
                       post::to_svg(post::curves_of_motion(case_.title, times_, factors_.rows(), history, si)));
   if (si) warn(post::distrust_of_deflection(history, case_.section.thickness));
   summary.frequencies = frequencies_;
-  return recorder_.finish(std::move(summary), stopwatch);
+  summary = recorder_.finish(std::move(summary), stopwatch);
+  if (case_.output.reports()) post::write_report(recorder_.folder(), reported(case_), pictures_);
+  return summary;
 }
 
 }  // namespace cases

@@ -1,0 +1,12 @@
+# cmake -DFOLDER=.. -DNAMES=a;b -DOUTPUT=assets.cpp -P embed.cmake: files as text in a C++ source, for post/report/html/assets.hpp
+set(text "#include \"post/report/html/assets.hpp\"\n\nnamespace post {\n\nconst std::map<std::string, std::string_view>& assets() {\n")
+string(APPEND text "  static const std::map<std::string, std::string_view> all{\n")
+foreach(name ${NAMES})
+  file(READ ${FOLDER}/${name} bytes HEX)
+  string(LENGTH "${bytes}" digits)
+  math(EXPR length "${digits} / 2")
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "\\\\x\\1" bytes "${bytes}")
+  string(APPEND text "    {\"${name}\", {\"${bytes}\", ${length}}},\n")
+endforeach()
+string(APPEND text "  };\n  return all;\n}\n\n}  // namespace post\n")
+file(WRITE ${OUTPUT} "${text}")
