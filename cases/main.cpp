@@ -14,6 +14,7 @@
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
+#include "post/report/html/comparison_page.hpp"
 #include "post/report/printed.hpp"
 #include "post/studies/compare.hpp"
 #include "post/studies/fatigue.hpp"
@@ -120,7 +121,11 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("compare")) {
     const auto rows = post::compare(a.folder, a.reference);
     fmt::print("{}", post::to_text(rows));
-    if (!a.plot.empty()) post::write_whole(a.plot, post::to_svg(post::plot(rows, post::title_of(a.folder))));
+    const auto plot = post::plot(rows, post::title_of(a.folder));
+    if (a.plot.ends_with(".html"))
+      post::write_whole(a.plot, post::comparison_page(plot, post::to_text(rows)));
+    else if (!a.plot.empty())
+      post::write_whole(a.plot, post::to_svg(plot));
   } else if (app.got_subcommand("fatigue")) {
     require_finite(a);
     const std::filesystem::path folder(a.folder);
@@ -208,7 +213,7 @@ int main(int argc, char** argv) {
   auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
-  compare->add_option("--plot", a.plot, "file for a plot of the curves (SVG)");
+  compare->add_option("--plot", a.plot, "file for a plot of the curves (SVG), or a page (.html)");
   add_fatigue(app, a);
   auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
   study->add_option("study", a.file, "study file (TOML)")->required();

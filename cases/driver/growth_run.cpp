@@ -184,7 +184,7 @@ post::Summary GrowthRun::finish() {
                     {"fracture", books.fracture},
                     {"released", books.released()}};
   summary = recorder_->finish(std::move(summary), stopwatch_);
-  if (c.output.reports()) post::write_report(recorder_->folder(), reported(c), pictures_);
+  write_report(c, recorder_->folder(), pictures_);
   return summary;
 }
 

@@ -11,6 +11,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
+#include "post/report/html/report.hpp"
 #include "post/report/html/study_report.hpp"
 
 namespace cases {
@@ -68,7 +69,8 @@ void report_again(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / "summary.json"))
     throw CaseError({{"report", folder.string(),
                       "holds no summary.json: name the folder of a finished run, study or table of extremes"}});
-  post::write_report(folder, reported(read_case(folder / "case.resolved.toml", {}).content));
+  const Case c = read_case(folder / "case.resolved.toml", {}).content;
+  post::write_report(folder, {c, c.title, c.source, c.units, c.output.probes});
 }
 
 post::Table srif_again(const std::filesystem::path& folder, const std::vector<std::string>& methods) {

@@ -15,6 +15,7 @@
 #include "post/files/earlier.hpp"
 #include "post/files/gate.hpp"
 #include "post/report/curves.hpp"
+#include "post/report/html/report.hpp"
 #include "post/report/peaks.hpp"
 
 namespace cases {
@@ -44,8 +45,8 @@ post::Recorder recorder_of(const Case& c, const RunOptions& options) {
                          c.analysis.kind == Analysis::Kind::dynamic});
 }
 
-post::ReportedCase reported(const Case& c) {
-  return {c, c.title, c.source, c.units, c.output.probes};
+void write_report(const Case& c, const std::filesystem::path& folder, const post::Pictures& pictures) {
+  if (c.output.reports()) post::write_report(folder, {c, c.title, c.source, c.units, c.output.probes}, pictures);
 }
 
 Results::Results(const CaseFile& file, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
@@ -138,7 +139,7 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   if (si) warn(post::distrust_of_deflection(history, case_.section.thickness));
   summary.frequencies = frequencies_;
   summary = recorder_.finish(std::move(summary), stopwatch);
-  if (case_.output.reports()) post::write_report(recorder_.folder(), reported(case_), pictures_);
+  write_report(case_, recorder_.folder(), pictures_);
   return summary;
 }
 

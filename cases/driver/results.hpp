@@ -3,7 +3,7 @@
 #include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/recorder.hpp"
-#include "post/report/html/report.hpp"
+#include "post/report/html/pictures.hpp"
 
 namespace fracture {
 class MovingGrowth;
@@ -29,8 +29,8 @@ void check_folder(const std::filesystem::path& folder);
 /// A recorder for the results of a case. What an earlier run wrote into its folder goes, and that is said.
 post::Recorder recorder_of(const Case& c, const RunOptions& options);
 
-/// What a report says of a case beside its results; it names the case, which must outlive it.
-post::ReportedCase reported(const Case& c);
+/// Writes report.html into the folder of a run, where the case wants one.
+void write_report(const Case& c, const std::filesystem::path& folder, const post::Pictures& pictures);
 
 /// The results of a run on one plate: rows, factors and frames as the solver goes, then all tables and the summary.
 class Results {

@@ -15,6 +15,11 @@ function factor_plot(name, least) {
     label: `tip ${tip}`, number: tip, x: rows.map(i => srif.time[i]), y: rows.map(i => srif[name][i]),
   }));
   const felt = lines.filter(line => largest(line.y) > least && line.x.length > 1);
+  const most = 3, peaks = data.summary.peaks ?? [];
+  for (const line of felt.length <= most ? [...felt] : []) {
+    const peak = peaks.find(one => one.quantity === name && one.tip === line.number);
+    if (peak) felt.push({ label: `largest: ${shown(peak.value, 5)} at ${shown(peak.time, 4)}`, rings: true, number: line.number, x: [peak.time], y: [peak.value] });
+  }
   return plot({ title: `${name} ${moves ? "in time" : "along the growth"}`, x: steps, y: { label: name, quantity: name }, lines: felt });
 }
 
@@ -50,13 +55,23 @@ function growth_plots() {
   ].filter(one => one);
 }
 
+function reaction_plot() {
+  const reactions = tables.reactions;
+  if (!reactions?.support) return null;
+  const lines = [...grouped(reactions.support, name => name)].filter(([name]) => name !== "loads" && name !== "inertia").map(([name, rows]) => ({
+    label: String(name), x: rows.map(i => reactions.time[i]), y: rows.map(i => reactions.force[i]),
+  }));
+  if (lines.length === 0 || lines[0].x.length < 2) return null;
+  return plot({ title: "Reactions of the supports", x: steps, y: { label: "force", quantity: "force" }, lines: lines.slice(0, 8) });
+}
+
 function curves() {
   const noise = 1e-6 * Math.max(largest(tables.srif?.K1), largest(tables.srif?.K2));
   const drawn_plots = [
     ...growth_plots(),
     ...["K1", "K2", "K3"].map(name => factor_plot(name, noise)),
     moves ? history_plot("Largest deflection", { label: "largest |w|", quantity: "w" }, [["max_abs_w", "largest |w|"]]) : null,
-    ...probe_plots(),
+    ...probe_plots(), reaction_plot(),
     moves ? history_plot("Energies", { label: "energy", quantity: "energy" },
       [["external_work", "work of the loads"], ["strain_energy", "strain"], ["kinetic_energy", "kinetic"], ["fracture_energy", "fracture"]]) : null,
     moves ? history_plot("Balance of the energies", { label: "energy", quantity: "energy" }, [["energy_residual", "not accounted for"]]) : null,

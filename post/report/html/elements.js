@@ -35,6 +35,7 @@ function section(title, ...children) {
   return element("section", { id: title.toLowerCase().replace(/[^a-z0-9]+/g, "-") }, element("h2", {}, title), content);
 }
 
+const screen_note = (...children) => element("p", { class: "note screen" }, ...children);
 const note = (...children) => element("p", { class: "note" }, ...children);
 
 /** A table: `columns` of {title, unit, left}; rows of cells. */

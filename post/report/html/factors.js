@@ -44,6 +44,26 @@ function factor_table(indices, wanted) {
   return table(columns, rows, { class: wanted, "data-table": wanted });
 }
 
+/** What the factors are at the faces of the plate, and how much of the toughness that takes. */
+function faces_table(indices) {
+  const all = data.summary.srif, there = indices.filter(i => all[i].faces);
+  if (there.length === 0) return [];
+  const used = there.some(i => typeof all[i].faces.utilisation === "number"), face = unit("face");
+  const bar = error => (typeof error === "number" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null);
+  const columns = [{ title: "tip" }, ...["K_I", "K_II", "K_III", "K_eq"].map(name => ({ title: ["K", element("sub", {}, name.slice(2))], unit: face })), ...(used ? [{ title: "utilisation" }] : [])];
+  const rows = there.map(i => {
+    const { faces } = all[i], path = `srif[${i}].faces`, size = largest(["K_I", "K_II", "K_III"].map(name => faces[name]));
+    const cell = name => (faces[name] === null ? "not resolved" : Math.abs(faces[name]) < 1e-6 * size ? "0" : value(`${path}.${name}`, 5));
+    const share = faces.utilisation, beyond = share >= 1 ? "rough" : null;
+    return [value(`srif[${i}].tip`), cell("K_I"), cell("K_II"), cell("K_III"), [cell("K_eq"), bar(faces.estimated_error_K_eq)],
+      ...(used ? [element("span", { class: beyond }, value(`${path}.utilisation`, 4), bar(faces.estimated_error_utilisation))] : [])];
+  });
+  const { toughness } = data.summary;
+  return [element("h3", {}, "Stress intensity at the faces"), table(columns, rows, { "data-table": "faces" }),
+    note("I and II at the face z > 0, with the other sign at z < 0; III in the middle plane. eq: of mode 1, with the same energy at the height where that is most.",
+      toughness ? [" Utilisation: this over the toughness ", value("toughness", 4), face ? ` ${face}` : "", "."] : "")];
+}
+
 function second_formulations(indices) {
   return indices.filter(i => data.summary.srif[i].second_formulation).map(i => {
     const one = data.summary.srif[i], second = one.second_formulation, path = `srif[${i}].second_formulation`;
@@ -59,21 +79,23 @@ function factors_section() {
   const second = second_formulations(first);
   return section(moves ? "Intensity factors at the end" : "Intensity factors", factor_table(first, "recommended"),
     note("The method that is recommended for each tip. ± is the estimated error of each factor in its unit; the column error is the largest of them, relative to the largest factor of the tip."),
-    second.length ? element("ul", {}, second) : null,
+    second.length ? element("ul", {}, second) : null, faces_table(first),
     others.length ? folded("For comparison: other methods", factor_table(others, "comparison"),
       note("By other ways from the same solution. They are here to judge by, not to be used in the place of the recommended ones.")) : null,
     folded("What K1, K2 and K3 are", note("K1 = lim √(2r) M", element("sub", {}, "y′y′"), ", K2 = lim √(2r) M", element("sub", {}, "x′y′"), ", K3 = lim √(2r) Q", element("sub", {}, "y′"),
       " straight ahead of the tip, x′ along the crack out of the material it has cut, without a factor π. K1 > 0 opens the face z > 0.")));
 }
 
-function peaks_section() {
-  const peaks = data.summary.peaks;
-  if (!Array.isArray(peaks) || peaks.length === 0) return null;
-  const noise = peak => peak.quantity.startsWith("K") && peaks.some(other => other.tip === peak.tip && Math.abs(peak.value) < 1e-6 * Math.abs(other.value));
-  const timed = peaks.some(peak => peak.time !== undefined), placed = peaks.some(peak => peak.x !== undefined);
-  const columns = [{ title: "quantity", left: true }, { title: "where", left: true }, { title: "largest" }, { title: "", left: true }, ...(timed ? [{ title: "at time", unit: unit("time") }] : [])];
-  const rows = peaks.map((peak, i) => (noise(peak) ? null : [names[peak.quantity] ?? spaced(peak.quantity),
-    peak.tip !== undefined ? `tip ${peak.tip}` : placed && peak.x !== undefined ? `(${shown(peak.x, 3)}, ${shown(peak.y, 3)})` : "anywhere",
-    value(`peaks[${i}].value`), unit(peak.quantity), ...(timed ? [value(`peaks[${i}].time`, 5)] : [])]));
-  return section(moves ? "Largest in time" : "Largest values", table(columns, rows.filter(Boolean), { "data-table": "peaks" }));
+/** Where K, w and stresses are largest: over a motion, or at the end of statics. */
+function largest_section(list, title) {
+  const all = data.summary[list];
+  if (!Array.isArray(all) || all.length === 0) return null;
+  const noise = one => one.quantity.startsWith("K") && all.some(other => other.tip === one.tip && Math.abs(one.value) < 1e-6 * Math.abs(other.value));
+  const timed = all.some(one => one.time !== undefined);
+  const place = (one, i) => (one.tip !== undefined ? `tip ${one.tip}` : one.x === undefined ? "anywhere" : ["(", value(`${list}[${i}].x`, 4), ", ", value(`${list}[${i}].y`, 4), ")"]);
+  const words = one => (one.outside === undefined ? "" : ` no nearer than ${shown(one.outside, 2)} to tips, pins and point forces`);
+  const columns = [{ title: "quantity", left: true }, { title: "largest" }, { title: "", left: true }, ...(timed ? [{ title: "at time", unit: unit("time") }] : []), { title: "where", left: true }];
+  const rows = all.map((one, i) => (noise(one) ? null : [names[one.quantity] ?? spaced(one.quantity), value(`${list}[${i}].value`), unit(one.quantity),
+    ...(timed ? [value(`${list}[${i}].time`, 5)] : []), [place(one, i), words(one)]]));
+  return section(title, table(columns, rows.filter(Boolean), { "data-table": list }));
 }

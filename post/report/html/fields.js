@@ -82,13 +82,17 @@ function overlay(context, frame, map, ratio) {
   }
 }
 
+/** A number to a hundredth of a range. */
+const rounded = (x, range) => (range > 0 ? x.toFixed(Math.max(0, Math.min(6, 2 - Math.floor(Math.log10(range))))).replace(/^-?0(\.0+)?$/, "0").replace("-", "−") : shown(x, 3));
+
+/** The colours with their values, which count by the power of ten that is returned with them. */
 function bar(field) {
-  const canvas = element("canvas", { class: "bar", width: 1, height: 256 }), { from, to, map } = colours_of(field);
+  const canvas = element("canvas", { class: "bar", width: 1, height: 256 }), { from, to, map } = colours_of(field), power = thousand([from, to]);
   const context = canvas.getContext("2d"), image = context.createImageData(1, 256), pixels = new Uint32Array(image.data.buffer);
   for (let i = 0; i < 256; i++) pixels[255 - i] = map[Math.round((i / 255) * (shades - 1))];
   context.putImageData(image, 0, 0);
-  const ticks = [1, 0.75, 0.5, 0.25, 0].map(t => element("span", {}, shown(Number((from + t * (to - from)).toPrecision(3)), 3)));
-  return element("div", { class: "scale" }, canvas, element("div", { class: "ticks" }, ticks));
+  const ticks = [1, 0.75, 0.5, 0.25, 0].map(t => element("span", {}, rounded((from + t * (to - from)) / 10 ** power, (to - from) / 10 ** power)));
+  return { power, shape: element("div", { class: "scale" }, canvas, element("div", { class: "ticks" }, ticks)) };
 }
 
 function frame_words(frame) {
@@ -101,11 +105,11 @@ function frame_words(frame) {
 function field_picture(field, chosen) {
   const canvas = element("canvas", { class: "field", "data-field": field.name }), readout = element("output", {}, ""), when = element("span", {});
   const box = bounds(plate.outline), size = [box.high[0] - box.low[0], box.high[1] - box.low[1]], holder = element("div", { class: "canvas" }, canvas);
-  const quantity = names[field.name] ?? spaced(field.name), of = unit(field.name) ? ` ${unit(field.name)}` : "";
+  const colours = bar(field), quantity = names[field.name] ?? spaced(field.name), of = unit(field.name) ? ` ${unit(field.name)}` : "";
   const [low_share, high_share] = pictures.shares;
   const figure = element("figure", { class: "picture", "data-picture": field.name },
-    element("figcaption", {}, element("b", {}, capital(quantity)), unit(field.name) ? ` [${unit(field.name)}]` : "", " ", when),
-    element("div", { class: "framed" }, holder, bar(field)),
+    element("figcaption", {}, element("b", {}, capital(quantity)), axis_words("", field.name, colours.power), " ", when),
+    element("div", { class: "framed" }, holder, colours.shape),
     element("p", { class: "note" }, readout,
       `${shown(field.least, 4)} to ${shown(field.largest, 4)}${of}${pictures.frames.length > 1 ? " in the last frame" : ""}; ` +
       (field.name === "damage" ? "colours from 0 to the largest." : `colours between the percentiles ${100 * low_share} and ${100 * high_share}.`)));
@@ -118,6 +122,7 @@ function field_picture(field, chosen) {
     const width = size[0] * scale + 2 * pad, height = size[1] * scale + 2 * pad;
     Object.assign(canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
     Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` });
+    colours.shape.style.height = `${height}px`;
     const k = scale * ratio, p = pad * ratio;
     map = ([x, y]) => [p + (x - box.low[0]) * k, p + (box.high[1] - y) * k];
     map.back = (column, row) => [box.low[0] + (column - p) / k, box.high[1] - (row - p) / k];
@@ -150,5 +155,5 @@ function fields_section() {
   const figures = pictures.fields.map(field => field_picture(field, () => frame));
   const several = pictures.frames.length > 1 ? slider(pictures.frames, next => { frame = next; figures.forEach(figure => figure.draw()); }) : null;
   return section("Fields", several, element("div", { class: "grid" }, figures),
-    pictures.frames.length > 1 ? note("Moments are of the last frame. Point at a picture for values.") : note("Point at a picture for values."));
+    pictures.frames.length > 1 ? screen_note("Moments are of the last frame. Point at a picture for values.") : screen_note("Point at a picture for values."));
 }

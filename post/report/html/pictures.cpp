@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "post/report/html/page.hpp"
+#include "post/report/html/raster.hpp"
 
 namespace post {
 namespace {
@@ -65,9 +66,12 @@ struct Pictures::Scale {
   }
 };
 
+Pictures::Pictures() = default;
+Pictures::~Pictures() = default;
+
 void Pictures::open(const Mesh& mesh) {
   raster_.reset();
-  if (!mesh.positions.empty()) raster_.emplace(mesh, pixels_of_last);
+  if (!mesh.positions.empty()) raster_ = std::make_unique<Raster>(mesh, pixels_of_last);
 }
 
 Pictures::Picture Pictures::picture(const Frame& frame) const {

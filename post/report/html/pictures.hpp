@@ -1,16 +1,21 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "post/files/frame.hpp"
-#include "post/report/html/raster.hpp"
 
 namespace post {
+
+class Raster;
 
 /// The fields of a run as pictures for its report: all of the last frame, and w, von Mises stress and damage of a few
 /// before it, spread over the run. However many points and frames there are, the pictures take the same room.
 class Pictures {
 public:
+  Pictures();
+  ~Pictures();
+
   /// The cells of the frames from now on.
   void open(const Mesh& mesh);
   /// Takes what is wanted of a frame.
@@ -41,7 +46,7 @@ private:
   Picture picture(const Frame& frame) const;
   Scale scale_of(const Field& field) const;
 
-  std::optional<Raster> raster_;
+  std::unique_ptr<Raster> raster_;
   std::vector<Picture> earlier_;
   std::optional<Picture> last_;
   std::size_t frames_ = 0, stride_ = 1;

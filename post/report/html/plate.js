@@ -173,6 +173,7 @@ function plate_words() {
     ["Thickness", of(s.thickness, "length")],
     ["Supports", plate.supports.length ? plate.supports.map(one => `${one.kind}${one.points.length ? ` at ${one.points.length} points` : on(one.edges)}`).join("; ") : "none"],
     ["Loads", plate.loads.length ? plate.loads.map(load).join("; ") : "none"],
-    ["Cracks", plate.cracks.length ? `${plate.cracks.length}${grows ? ` at the start (dark), ${cracks_at_end().length} at the end (light)` : ""}, ${tips().size} tips` : "none"],
+    ["Cracks", plate.cracks.length ? `${plate.cracks.length}${grows ? ` at the start (bold), ${cracks_at_end().length} at the end` : ""}` : "none"],
+    ["Tips", [...tips()].map(([number, [x, y]]) => `${number} at (${shown(x, 4)}, ${shown(y, 4)})`).slice(0, 8).join("; ")],
   ]);
 }

@@ -4,7 +4,7 @@
 /** The power of a thousand by which an axis counts. */
 function thousand(values) {
   const size = values.reduce((most, x) => (Number.isFinite(x) ? Math.max(most, Math.abs(x)) : most), 0);
-  if (size === 0 || (size >= 0.1 && size < 1e4)) return 0;
+  if (size === 0 || (size >= 0.01 && size < 1e4)) return 0;
   return 3 * Math.floor(Math.log10(size) / 3);
 }
 
@@ -14,11 +14,23 @@ function axis_words(label, quantity, power) {
   return inside ? `${label} [${inside}]` : label;
 }
 
+/** One to nine of every decade in a range. */
+function decades(low, high) {
+  const result = [];
+  for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power++)
+    for (let i = 1; i < 10; i++) if (i * 10 ** power >= low && i * 10 ** power <= high) result.push(i * 10 ** power);
+  return result;
+}
+
 function axis_of(words, log, power) {
-  const tick = x => (x === null ? "" : log ? (/^1e|^5e|^2e/.test(x.toExponential()) ? shown(x, 2) : "") : shown(Number((x / 10 ** power).toPrecision(6)), 6));
+  const of_decade = (x, wide) => (wide ? /^1e/ : /^[125]e/).test(Number(x.toPrecision(6)).toExponential());
+  const words_of = (_, ticks) => {
+    const shown_ticks = ticks.filter(x => x !== null), wide = log && shown_ticks.at(-1) > 2000 * shown_ticks[0];
+    return ticks.map(x => (x === null || (log && !of_decade(x, wide)) ? "" : shown(Number((x / 10 ** power).toPrecision(6)), 6)));
+  };
   return {
     label: words, labelSize: 22, labelFont: "13px system-ui, sans-serif", font: "12px system-ui, sans-serif", stroke: style("--soft"), size: null,
-    grid: { stroke: style("--grid"), width: 1 }, ticks: { stroke: style("--grid"), width: 1 }, values: (_, ticks) => ticks.map(tick),
+    grid: { stroke: style("--grid"), width: 1 }, ticks: { stroke: style("--grid"), width: 1 }, values: words_of, filter: (_, ticks) => ticks, splits: log ? (_u, _axis, low, high) => decades(low, high) : undefined,
   };
 }
 
@@ -37,7 +49,7 @@ function series_of(line, number, power) {
     label: line.label, stroke: colour, width: line.rings ? 0 : 1.8, dash: line.dash ?? ((line.number ?? number) >= 8 ? [6, 4] : []), spanGaps: false,
     paths: line.rings ? () => null : undefined,
     points: { show: line.points || line.rings || line.x.length < 2, size: line.rings ? 9 : 6, fill: line.rings ? "transparent" : colour, stroke: colour, width: line.rings ? 2 : 1 },
-    value: (_, y) => (y === null || y === undefined ? "–" : shown(y, 5)),
+    value: (_, y) => (y === null || y === undefined ? "" : shown(y, 5)),
   };
 }
 
@@ -58,13 +70,13 @@ function plot({ title, x, y, lines }) {
     const width = Math.max(240, Math.floor(box.clientWidth || 480));
     const axes = [axis_of(axis_words(x.label, x.quantity, power_x), x.log, power_x), axis_of(axis_words(y.label, y.quantity, power_y), y.log, power_y)];
     axes[0].size = 34;
-    axes[1].size = (_, values) => 14 + 7 * Math.max(3, ...(values ?? []).map(text => text?.length ?? 0));
+    axes[1].size = (_, values) => 24 + 7 * Math.max(3, ...(values ?? []).map(text => text?.length ?? 0));
     made = new uPlot({
       width, height: Math.round(Math.min(320, Math.max(220, 0.58 * width))), axes,
       scales: { x: { time: false, distr: x.log ? 3 : 1, range: x.log ? wider : undefined }, y: { distr: y.log ? 3 : 1, range: y.log ? wider : undefined } },
       cursor: { drag: { x: true, y: true, uni: 40 }, points: { size: 8 } },
       legend: { live: true, markers: { width: 2 } },
-      series: [{ label: x.label, value: (_, value) => (value === null ? "–" : shown(value, 5)) }, ...wanted.map((line, i) => series_of(line, i, power_y))],
+      series: [{ label: x.label, value: (_, value) => (value === null ? "" : shown(value, 5)) }, ...wanted.map((line, i) => series_of(line, i, power_y))],
     }, columns_of(wanted), box);
     figure.dataset.drawn = "yes";
   };

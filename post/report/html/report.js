@@ -4,9 +4,9 @@
 function sections() {
   if (data.kind !== "run") return study_sections();
   const curve_plots = plots(curves());
-  return [header(), warnings_section(), plate_section(), factors_section(), peaks_section(), frequencies_section(), growth_section(),
-    curve_plots ? section("Curves", curve_plots, note("Drag over a plot to zoom, double click to go back; the values under the pointer stand below it.")) : null,
-    accuracy_section(), fields_section(), energy_section(), other_section(), cost_section(), case_section()];
+  return [header(), warnings_section(), plate_section(), factors_section(), largest_section("peaks", "Largest in time"), largest_section("extremes", "Largest values"), frequencies_section(), growth_section(),
+    curve_plots ? section("Curves", curve_plots, screen_note("Drag over a plot to zoom, double click to go back; the values under the pointer stand below it.")) : null,
+    accuracy_section(), fields_section(), reactions_section(), energy_section(), other_section(), cost_section(), case_section()];
 }
 
 /** Dark or light as the reader's system wants it, unless the address ends in #dark or #light; paper is light. */
@@ -37,6 +37,17 @@ function start() {
     document.documentElement.classList.remove("paper");
     again();
   });
+  if (location.hash === "#check") requestAnimationFrame(() => requestAnimationFrame(check));
+  else document.documentElement.dataset.state = "drawn";
+}
+
+/** For tests: how many colours there are on each canvas, in data-colours. */
+function check() {
+  for (const canvas of document.querySelectorAll("canvas")) {
+    const { data: pixels } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height), colours = new Set();
+    for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 0) colours.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);
+    canvas.dataset.colours = colours.size;
+  }
   document.documentElement.dataset.state = "drawn";
 }
 

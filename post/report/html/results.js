@@ -61,6 +61,22 @@ function growth_section() {
   ]));
 }
 
+/** What holds the plate, and its balance with the loads. */
+function reactions_section() {
+  const { reactions } = data.summary;
+  if (!reactions?.supports) return null;
+  const parts = ["force", "moment_x", "moment_y"], most = reactions.supports.some(one => one.largest_force !== undefined), size = name => 1e-9 * largest([reactions.loads, ...reactions.supports].map(one => one?.[name]));
+  const cells = (path, one) => parts.map(name => (Math.abs(one[name]) <= size(name) ? "0" : value(`${path}.${name}`)));
+  const rows = reactions.supports.map((one, i) => [one.x === undefined ? one.support : `${one.support} at (${shown(one.x, 4)}, ${shown(one.y, 4)})`, ...cells(`reactions.supports[${i}]`, one),
+    ...(most ? [value(`reactions.supports[${i}].largest_force`), value(`reactions.supports[${i}].time_of_largest_force`, 5)] : [])]);
+  const total = (name, words) => (reactions[name] ? [{ kind: "total", cells: [words, ...cells(`reactions.${name}`, reactions[name]), ...(most ? ["", ""] : [])] }] : []);
+  return section("Reactions and balance", table([{ title: "support", left: true }, { title: "force", unit: unit("force") }, { title: "moment x", unit: unit("moment") }, { title: "moment y", unit: unit("moment") },
+    ...(most ? [{ title: "largest force", unit: unit("force") }, { title: moves ? "at time" : "at advance", unit: moves ? unit("time") : "" }] : [])],
+  [...rows, ...total("sum", "all supports"), ...total("loads", "loads"), ...total("inertia", "mass times acceleration")], { "data-table": "reactions" }),
+  note("On the plate, along w; moments about the x and y axes through the origin. What is left of the balance: ", value("reactions.residual", 2), " of the largest part",
+    reactions.largest_residual === undefined ? "" : [", at most ", value("reactions.largest_residual", 2), " at any time"], "."));
+}
+
 function bars(entries, words) {
   const most = Math.max(...entries.map(([, x]) => x), 1e-300);
   return element("div", { class: "bars" }, entries.map(([name, x, cell]) => element("div", {}, element("span", {}, spaced(name)),
@@ -79,7 +95,7 @@ const case_section = () => (data.case ? section("The case", note("As it was run,
 
 /** What summary.json has that no section above knows. */
 const known = new Set(["title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
-  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "growth", "energy", "scene", "warnings", "version", "digest"]);
+  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "growth", "energy", "scene", "warnings", "version", "digest", "toughness", "extremes", "reactions"]);
 
 function other_section() {
   const others = Object.entries(data.summary).filter(([name]) => !known.has(name));

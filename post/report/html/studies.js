@@ -23,7 +23,8 @@ const order_along = (line, first) => {
   if (!orders) return "";
   const same = k => ["quantity", "place", "srif_method", ...axes.filter(axis => axis !== refined)].every(name => !orders[name] || !csv[name] || orders[name][k] === csv[name][first]);
   const k = [...Array(length_of(orders)).keys()].find(same);
-  return k === undefined || typeof orders.order?.[k] !== "number" ? "" : ` (order ${shown(orders.order[k], 3)})`;
+  const straight = 0.1; // decades
+  return k === undefined || typeof orders.order?.[k] !== "number" || !(orders.misfit?.[k] < straight) ? "" : ` (order ${shown(orders.order[k], 3)})`;
 };
 
 function sorted(line) {
@@ -112,12 +113,21 @@ function extremes_sections() {
   ...[...grouped(rows, i => cell_of("group", i))].map(([group, indices]) => section(capital(String(group)), csv_table(columns, indices.map(k => rows[k]), kind))), links()];
 }
 
+/** A run against reference curves, which are dashed. */
+function comparison_sections() {
+  const panels = data.panels.map(panel => plot({ title: panel.y, x: { label: panel.x }, y: { label: panel.y },
+    lines: panel.series.map((one, i) => ({ ...one, label: one.label || "computed", dash: one.reference ? [7, 5] : [], number: one.reference ? [6, 7, 4][i % 3] : i })) }));
+  return [element("header", {}, element("h1", {}, data.title)), section("Against reference curves", element("pre", {}, data.table), plots(panels),
+    screen_note("Drag over a plot to zoom, double click to go back; the values under the pointer stand below it."))];
+}
+
 function study_sections() {
+  if (data.kind === "comparison") return comparison_sections();
   if (data.kind === "extremes") return extremes_sections();
   const rows = [...Array(length_of(csv)).keys()], columns = Object.keys(csv).filter(name => name !== "reference_source" && name !== "solve_seconds" && (differs(name) || axes.includes(name) || name === "error" || name === "computed"));
   const of_time = plots(error_plots("seconds", { short: "run time", words: "run time [s]" })), of_points = plots(error_plots("points", { short: "points", words: "points of the plate" }));
   const values = plots(axes.flatMap(value_plots));
-  return [...study_header(), of_time ? section("Error against run time", of_time, note("Drag over a plot to zoom, double click to go back.")) : null,
+  return [...study_header(), of_time ? section("Error against run time", of_time, screen_note("Drag over a plot to zoom, double click to go back.")) : null,
     of_points ? section("Error against points", of_points) : null, orders_section(), values ? section("Values along the axes", values) : null,
     section("All runs", rows.length > 60 ? folded(`${rows.length} rows`, csv_table(columns, rows)) : csv_table(columns, rows)), links()];
 }

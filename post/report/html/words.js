@@ -13,7 +13,7 @@ const with_unit = (words, quantity) => (unit(quantity) ? `${words} [${unit(quant
 
 const names = {
   w: "deflection w", von_mises: "von Mises stress, top face", Mxx: "moment Mxx", Myy: "moment Myy", Mxy: "twisting moment Mxy",
-  damage: "damage",
+  damage: "damage", utilisation: "utilisation of the toughness",
 };
 
 const superscripts = text => text.replace(/[-0-9]/g, c => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
