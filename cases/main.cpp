@@ -16,6 +16,7 @@
 #include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
 #include "post/manual/program.hpp"
+#include "post/report/html/comparison_page.hpp"
 #include "post/report/printed.hpp"
 #include "post/studies/compare.hpp"
 #include "post/studies/fatigue.hpp"
@@ -159,10 +160,16 @@ int execute(const CLI::App& app, Arguments& a) {
     const auto again = std::filesystem::path(a.folder) / "case.resolved.toml";
     fmt::print("{}", post::csv_text(a.energy ? cases::energy_check(cases::read_case(again, {}))
                                              : cases::srif_again(a.folder, a.methods)));
+  } else if (app.got_subcommand("report")) {
+    cases::report_again(a.folder);
   } else if (app.got_subcommand("compare")) {
     const auto rows = post::compare(a.folder, a.reference);
     fmt::print("{}", post::to_text(rows));
-    if (!a.plot.empty()) post::write_whole(a.plot, post::to_svg(post::plot(rows, post::title_of(a.folder))));
+    const auto plot = post::plot(rows, post::title_of(a.folder));
+    if (a.plot.ends_with(".html"))
+      post::write_whole(a.plot, post::comparison_page(plot, post::to_text(rows)));
+    else if (!a.plot.empty())
+      post::write_whole(a.plot, post::to_svg(plot));
   } else if (app.got_subcommand("fatigue")) {
     require_finite(a);
     const std::filesystem::path folder(a.folder);
@@ -257,10 +264,13 @@ int main(int argc, char** argv) {
   srif->add_option("--method", a.methods, "method (default: those of the case)");
   srif->add_flag("--energy", a.energy,
                  "instead K from the energies of a longer and a shorter crack: two static runs per tip");
+  app.add_subcommand("report", "write report.html of a finished run again")
+      ->add_option("folder", a.folder, "folder of the results")
+      ->required();
   auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
-  compare->add_option("--plot", a.plot, "file for a plot of the curves (SVG)");
+  compare->add_option("--plot", a.plot, "file for a plot of the curves (SVG), or a page (.html)");
   add_fatigue(app, a);
   auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
   study->add_option("study", a.file, "study file (TOML)")->required();

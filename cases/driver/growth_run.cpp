@@ -43,6 +43,7 @@ private:
   std::unique_ptr<fracture::QuasiStaticBonds> bonds_;
   fracture::QuasiStaticModel* model_ = nullptr;
   std::optional<post::Recorder> recorder_;  // once nothing can be refused any more
+  post::Pictures pictures_;                 // of the report, where one is wanted
   post::Table srifs_{post::srif_columns(), {}};
   std::vector<post::Srif> latest_;
   plate::State state_;  // of the last advance
@@ -135,6 +136,7 @@ void GrowthRun::frame() {
   if (!recorder_->draws()) return;
   auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
   auto mesh = model_->draw(frame, state_);
+  if (case_.output.reports()) pictures_.open(mesh), pictures_.look(frame);
   recorder_->frame(std::move(frame), std::move(mesh), {});
 }
 
@@ -181,7 +183,9 @@ post::Summary GrowthRun::finish() {
                     {"external_work", books.external_work},
                     {"fracture", books.fracture},
                     {"released", books.released()}};
-  return recorder_->finish(std::move(summary), stopwatch_);
+  summary = recorder_->finish(std::move(summary), stopwatch_);
+  write_report(c, recorder_->folder(), pictures_);
+  return summary;
 }
 
 /// The plate as it has grown quasi-statically, a hundredth above the load that is there, and what it does then.

@@ -11,6 +11,8 @@
 #include "plate/model/free_memory.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
+#include "post/report/html/report.hpp"
+#include "post/report/html/study_report.hpp"
 
 namespace cases {
 namespace {
@@ -92,6 +94,15 @@ std::string cost(const CaseFile& file) {
   text += of_run(file);
   text += made ? of_plate(file) : "tips, supports and loads are checked by the run: with so many points not here\n";
   return text;
+}
+
+void report_again(const std::filesystem::path& folder) {
+  if (post::write_report_of_many(folder)) return;
+  if (!std::filesystem::exists(folder / "summary.json"))
+    throw CaseError({{"report", folder.string(),
+                      "holds no summary.json: name the folder of a finished run, study or table of extremes"}});
+  const Case c = read_case(folder / "case.resolved.toml", {}).content;
+  post::write_report(folder, {c, c.title, c.source, c.units, c.output.probes});
 }
 
 post::Table srif_again(const std::filesystem::path& folder, const std::vector<std::string>& methods) {

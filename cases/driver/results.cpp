@@ -15,6 +15,7 @@
 #include "post/files/earlier.hpp"
 #include "post/files/gate.hpp"
 #include "post/report/curves.hpp"
+#include "post/report/html/report.hpp"
 #include "post/report/peaks.hpp"
 
 namespace cases {
@@ -44,6 +45,10 @@ post::Recorder recorder_of(const Case& c, const RunOptions& options) {
                          c.analysis.kind == Analysis::Kind::dynamic});
 }
 
+void write_report(const Case& c, const std::filesystem::path& folder, const post::Pictures& pictures) {
+  if (c.output.reports()) post::write_report(folder, {c, c.title, c.source, c.units, c.output.probes}, pictures);
+}
+
 Results::Results(const CaseFile& file, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
                  const RunOptions& options)
     : case_(file.content),
@@ -52,7 +57,10 @@ Results::Results(const CaseFile& file, const plate::Formulation& plate, const st
       recorder_(recorder_of(case_, options)),
       probes_(probes_of(case_, plate)),
       factors_(case_.section.thickness) {
-  if (case_.output.vtk || case_.output.hdf5) recorder_.open(plate.mesh());
+  if (!case_.output.vtk && !case_.output.hdf5) return;
+  const auto mesh = plate.mesh();
+  if (case_.output.reports()) pictures_.open(mesh);
+  recorder_.open(mesh);
 }
 
 void Results::sample(const plate::Instant& now, bool last) {
@@ -80,6 +88,10 @@ void Results::frame(const plate::Instant& now) {
   auto frame = post::frame_of(plate_, now.time, now.step, now.state, case_.output.vtk && !growth_);
   std::optional<plate::Mesh> mesh;
   if (growth_ && case_.output.vtk) mesh = growth_->draw(frame, now.state);
+  if (case_.output.reports()) {
+    if (mesh) pictures_.open(*mesh);
+    pictures_.look(frame);
+  }
   plate::State velocity;
   if (case_.output.hdf5 && case_.analysis.kind == Analysis::Kind::dynamic)
     velocity = now.velocity().leftCols(Eigen::Index(plate_.cloud().plate_points));
@@ -126,7 +138,9 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
                       post::to_svg(post::curves_of_motion(case_.title, times_, factors_.rows(), history, si)));
   if (si) warn(post::distrust_of_deflection(history, case_.section.thickness));
   summary.frequencies = frequencies_;
-  return recorder_.finish(std::move(summary), stopwatch);
+  summary = recorder_.finish(std::move(summary), stopwatch);
+  write_report(case_, recorder_.folder(), pictures_);
+  return summary;
 }
 
 }  // namespace cases

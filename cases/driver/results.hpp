@@ -3,6 +3,7 @@
 #include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/recorder.hpp"
+#include "post/report/html/pictures.hpp"
 
 namespace fracture {
 class MovingGrowth;
@@ -27,6 +28,9 @@ void check_folder(const std::filesystem::path& folder);
 
 /// A recorder for the results of a case. What an earlier run wrote into its folder goes, and that is said.
 post::Recorder recorder_of(const Case& c, const RunOptions& options);
+
+/// Writes report.html into the folder of a run, where the case wants one.
+void write_report(const Case& c, const std::filesystem::path& folder, const post::Pictures& pictures);
 
 /// The results of a run on one plate: rows, factors and frames as the solver goes, then all tables and the summary.
 class Results {
@@ -56,6 +60,7 @@ private:
   const plate::Formulation& plate_;
   const std::vector<post::TipMethods>& tip_methods_;
   post::Recorder recorder_;
+  post::Pictures pictures_;  // of the report, where one is wanted
   std::vector<post::Probe> probes_;
   post::FactorRows factors_;
   std::vector<double> times_;

@@ -40,4 +40,7 @@ std::string cost(const CaseFile& file);
 /// Throws CaseError or std::runtime_error.
 post::Table srif_again(const std::filesystem::path& folder, const std::vector<std::string>& methods);
 
+/// Writes report.html into the folder of a finished run again. Throws CaseError where it is no such folder.
+void report_again(const std::filesystem::path& folder);
+
 }  // namespace cases

@@ -41,10 +41,13 @@ struct Analysis {
 
 struct Output {
   bool vtk = true, hdf5 = true;
+  std::optional<bool> report;   // absent: where fields are written
   std::optional<double> every;  // dynamic: time between frames; absent: first and last only
   std::optional<double>
       history_every;  // dynamic: time between rows of history, probes and SRIFs; absent: duration / 400
   std::map<std::string, geometry::Point> probes;
+
+  bool reports() const { return report.value_or(vtk || hdf5); }
 };
 
 /// One whole simulation, as plain data: a plate, and what is done with it.

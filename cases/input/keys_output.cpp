@@ -91,6 +91,21 @@ Field<SrifOptions> srif_methods() {
       [](const SrifOptions& options) { return text_of(options.methods); });
 }
 
+Field<SrifOptions> boolean(const std::string& name, bool SrifOptions::*member, const std::string& help) {
+  return value<SrifOptions>(
+      {name, "-", "true or false", "", help},
+      [=](const Value& given, SrifOptions& options) { options.*member = given.boolean().value_or(options.*member); },
+      [=](const SrifOptions& options) { return std::string(options.*member ? "true" : "false"); });
+}
+
+Field<Output> report() {
+  return value<Output>(
+             {"report", "-", "true or false", "", "report.html, a page of results to look at and to hand on"},
+             [](const Value& given, Output& output) { output.report = given.boolean(); },
+             [](const Output& output) { return std::string(output.reports() ? "true" : "false"); })
+      .standard("true where fields are written");
+}
+
 Field<Output> fields() {
   static const Words<int> words{{{"vtk", 0}, {"hdf5", 1}}};
   return value<Output>(
@@ -226,22 +241,12 @@ Fields<SrifOptions> srif_fields() {
       number<S>("skip", "-", &S::skip, {0, 1000000}, "samples next to the tip left out"),
       number<S>("rows", "-", &S::rows, {1, 2},
                 "rows of points on each side: 1 nearest row, 2 extrapolated to the crack"),
-      value<S>(
-          {"richardson", "-", "true or false", "false",
-           "statics: also solve with twice the spacing; the difference counts in the estimated error"},
-          [](const Value& given, S& options) {
-            if (const auto wanted = given.boolean()) options.richardson = *wanted;
-          },
-          [](const S& options) { return std::string(options.richardson ? "true" : "false"); })
+      boolean("richardson", &S::richardson,
+              "statics: also solve with twice the spacing; the difference counts in the estimated error")
           .in({Analysis::Kind::static_}),
-      value<S>(
-          {"second_formulation", "-", "true or false", "false",
-           "also run the case in the other formulation, into a folder of its name within the results; the difference "
-           "counts in the estimated error"},
-          [](const Value& given, S& options) {
-            if (const auto wanted = given.boolean()) options.second_formulation = *wanted;
-          },
-          [](const S& options) { return std::string(options.second_formulation ? "true" : "false"); }),
+      boolean("second_formulation", &S::second_formulation,
+              "also run the case in the other formulation, into a folder of its name within the results; the "
+              "difference counts in the estimated error"),
       number<S>("accuracy", "-", &S::accuracy, {1e-5, 0.2},
                 "find the discretisation by which every factor is known to this share of the largest of K1, K2, K3 "
                 "thickness; "
@@ -272,6 +277,7 @@ Fields<Output> output_fields() {
   using O = Output;
   return {
       fields(),
+      report(),
       number<O>("every", "time", &O::every, positive, "time between frames; absent: first and last only").in_dynamics(),
       number<O>("history_every", "time", &O::history_every, positive,
                 "time between rows of histories, probes and intensity factors")

@@ -6,6 +6,7 @@
 #include "plate/model/numerical_error.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/whole_file.hpp"
+#include "post/report/html/study_report.hpp"
 #include "post/studies/orders.hpp"
 #include "post/studies/plots.hpp"
 
@@ -42,6 +43,7 @@ void write(const Study& study, const post::StudyTable& table, const fs::path& fo
   if (post::refinement(table.rows)) post::write_csv(folder / "orders.csv", post::orders_table(table));
   for (const auto& [name, plot] : post::study_plots(table, titles(study)))
     post::write_whole(folder / name, post::to_svg(plot));
+  post::write_study_report(folder, study.title);
 }
 
 }  // namespace

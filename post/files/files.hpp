@@ -9,6 +9,7 @@ namespace post {
 struct Files {
   std::string (*vtu)(const Mesh& mesh, const Frame& frame);  // the text of a file for ParaView
   std::string (*vtp)(const std::vector<CrackLine>& cracks);
+  Drawn (*read_vtu)(const std::filesystem::path& path);
   std::unique_ptr<StateFile::Open> (*open)(std::filesystem::path path, const Mesh& mesh,
                                            const std::string& resolved_case, const std::string& version);
   StoredRun (*read_run)(const std::filesystem::path& path);

@@ -5,10 +5,12 @@ namespace post {
 
 std::string vtu(const Mesh& mesh, const Frame& frame);
 std::string vtp(const std::vector<CrackLine>& cracks);
+Drawn read_vtu(const std::filesystem::path& path);
 std::unique_ptr<StateFile::Open> open_state_file(std::filesystem::path path, const Mesh& mesh,
                                                  const std::string& resolved_case, const std::string& version);
 StoredRun read_state_file(const std::filesystem::path& path);
 
 }  // namespace post
 
-extern "C" const post::Files pdplate_files{post::vtu, post::vtp, post::open_state_file, post::read_state_file};
+extern "C" const post::Files pdplate_files{post::vtu, post::vtp, post::read_vtu, post::open_state_file,
+                                           post::read_state_file};

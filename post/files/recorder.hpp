@@ -78,6 +78,7 @@ public:
   Summary finish(Summary summary, plate::Stopwatch& stopwatch);
 
   const Table& history() const { return history_; }
+  const std::filesystem::path& folder() const { return options_.folder; }
 
 private:
   void wait_for_frame();

@@ -4,13 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
-#include <system_error>
 
 #include "post/files/whole_file.hpp"
 
@@ -114,16 +110,6 @@ private:
   std::string name_, text_;
   std::size_t position_ = 0, line_ = 1, row_line_ = 1;
 };
-
-std::string read_text(const std::filesystem::path& path) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(file), {});
-  if (!file.is_open() || file.bad()) {
-    throw std::filesystem::filesystem_error("cannot read", path, std::error_code(errno, std::generic_category()));
-  }
-  return text;
-}
 
 std::vector<std::string> header(const CsvReader& reader, const std::vector<Cell>& cells) {
   std::vector<std::string> names;

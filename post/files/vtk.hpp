@@ -20,6 +20,16 @@ private:
   std::vector<double> times_;
 };
 
+/// A frame that was written, and the cells that it is drawn with.
+struct Drawn {
+  Mesh mesh;
+  Frame frame;
+};
+/// The frames that fields.pvd lists, in their order; none without that file.
+std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder);
+/// Throws std::runtime_error where the file is none of ours.
+Drawn read_frame(const std::filesystem::path& path);
+
 /// Cracks as polylines, cracks.vtp: cell data crack (its number), point data advance (at which a vertex was reached).
 struct CrackLine {
   std::vector<Eigen::Vector2d> vertices;  // [length]

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <regex>
 
 #include "post/files/files.hpp"
 #include "post/files/vtk.hpp"
@@ -31,6 +32,20 @@ void VtkSeries::write(const Frame& frame) {
   write_whole(folder_ / file_name(times_.size()), files().vtu(mesh_, frame));
   times_.push_back(frame.time);
   write_whole(folder_ / "fields.pvd", pvd(times_));
+}
+
+std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> frames;
+  if (!std::filesystem::exists(folder / "fields.pvd")) return frames;
+  static const std::regex file("file=\"([^\"]+)\"");
+  const auto text = read_text(folder / "fields.pvd");
+  for (std::sregex_iterator found(text.begin(), text.end(), file), end; found != end; ++found)
+    frames.push_back(folder / (*found)[1].str());
+  return frames;
+}
+
+Drawn read_frame(const std::filesystem::path& path) {
+  return files().read_vtu(path);
 }
 
 void write_crack_lines(const std::filesystem::path& path, const std::vector<CrackLine>& cracks) {

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 namespace post {
@@ -38,6 +39,16 @@ void write_whole(const fs::path& path, const std::function<void(const fs::path&)
 
 void write_whole(const fs::path& path, const std::string& text) {
   write_whole(path, [&](const fs::path& beside) { write_text(beside, text); });
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file.is_open() || file.bad()) {
+    throw std::filesystem::filesystem_error("cannot read", path, std::error_code(errno, std::generic_category()));
+  }
+  return text;
 }
 
 }  // namespace post

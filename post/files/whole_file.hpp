@@ -10,4 +10,7 @@ namespace post {
 void write_whole(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 void write_whole(const std::filesystem::path& path, const std::string& text);
 
+/// All of a file. Throws std::filesystem::filesystem_error where it cannot be read.
+std::string read_text(const std::filesystem::path& path);
+
 }  // namespace post

@@ -157,7 +157,7 @@ std::string folder_name(const std::vector<std::string>& labels, const std::set<s
   std::string name = plain_name(fmt::format("{}", fmt::join(labels, "_")));
   if (name.empty()) name = "run";
   const auto is_file = [](const std::string& text) {
-    return text.ends_with(".csv") || text.ends_with(".svg") || text.ends_with(".partial");
+    return text.ends_with(".csv") || text.ends_with(".svg") || text.ends_with(".html") || text.ends_with(".partial");
   };
   std::string free = name;
   for (int count = 2; taken.contains(free) || is_file(free); ++count) free = fmt::format("{}-{}", name, count);

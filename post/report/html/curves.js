@@ -1,0 +1,97 @@
+"use strict";
+// Curves of a run: factors and energies in time or along a growth, probes, the path to a stated accuracy.
+
+const tables = data.tables ?? {};
+const grows = Boolean(data.summary?.growth), moves = data.summary?.analysis?.kind === "dynamic";
+const steps = moves ? { label: "time", quantity: "time" } : { label: "advance" };
+
+const largest = values => (values ?? []).reduce((most, x) => (Number.isFinite(x) ? Math.max(most, Math.abs(x)) : most), 0);
+
+/** One of K1 to K3 of all tips; what is below `least` is the noise of a symmetric plate. */
+function factor_plot(name, least) {
+  const srif = tables.srif;
+  if (!srif?.[name]) return null;
+  const lines = [...grouped(srif.tip, tip => tip)].map(([tip, rows]) => ({
+    label: `tip ${tip}`, number: tip, x: rows.map(i => srif.time[i]), y: rows.map(i => srif[name][i]),
+  }));
+  const felt = lines.filter(line => largest(line.y) > least && line.x.length > 1);
+  const most = 3, peaks = data.summary.peaks ?? [];
+  for (const line of felt.length <= most ? [...felt] : []) {
+    const peak = peaks.find(one => one.quantity === name && one.tip === line.number);
+    if (peak) felt.push({ label: `largest: ${shown(peak.value, 5)} at ${shown(peak.time, 4)}`, rings: true, number: line.number, x: [peak.time], y: [peak.value] });
+  }
+  return plot({ title: `${name} ${moves ? "in time" : "along the growth"}`, x: steps, y: { label: name, quantity: name }, lines: felt });
+}
+
+function history_plot(title, y, columns, x = null) {
+  const from = x ? x.table : tables.history;
+  const along = x ? from?.[x.column] : from?.time;
+  if (!along || along.length < 2) return null;
+  const lines = columns.filter(([name]) => largest(from[name]) > 0).map(([name, label]) => ({ label, x: along, y: from[name] }));
+  return lines.length === 0 ? null : plot({ title, x: x ?? steps, y, lines });
+}
+
+function probe_plots() {
+  const probes = tables.probes;
+  if (!probes || !moves) return [];
+  const lines = [...grouped(probes.probe, name => name)].map(([name, rows]) => ({
+    label: String(name), x: rows.map(i => probes.time[i]), y: rows.map(i => probes.w[i]),
+  }));
+  if (lines[0].x.length < 2) return [];
+  for (const line of lines) if (line.x.every((x, i) => x === lines[0].x[i])) line.x = lines[0].x;
+  return [plot({ title: "Deflection of the probes", x: steps, y: { label: "w", quantity: "w" }, lines })];
+}
+
+function growth_plots() {
+  const growth = tables.growth;
+  if (!growth?.crack_length || growth.crack_length.length < 2) return [];
+  const length = { label: "length of the cracks", quantity: "length", table: growth, column: "crack_length" };
+  if (moves) return [history_plot("Length of the cracks", { label: "length", quantity: "length" }, [["crack_length", "all cracks"]], { ...steps, table: growth, column: "time" })];
+  return [
+    history_plot("Load against length", { label: "load factor" }, [["load_factor", "load factor"], ["critical_load_factor", "of the next advance"]], length),
+    history_plot("Energies against length", { label: "energy", quantity: "energy" },
+      [["external_work", "work of the loads"], ["strain_energy", "strain"], ["fracture_energy", "fracture"], ["released_energy", "released"]], length),
+    history_plot("Load against displacement", { label: "load factor" }, [["load_factor", "load factor"]], { label: "displacement of the loads", table: growth, column: "displacement" }),
+  ].filter(one => one);
+}
+
+function reaction_plot() {
+  const reactions = tables.reactions;
+  if (!reactions?.support) return null;
+  const lines = [...grouped(reactions.support, name => name)].filter(([name]) => name !== "loads" && name !== "inertia").map(([name, rows]) => ({
+    label: String(name), x: rows.map(i => reactions.time[i]), y: rows.map(i => reactions.force[i]),
+  }));
+  if (lines.length === 0 || lines[0].x.length < 2) return null;
+  return plot({ title: "Reactions of the supports", x: steps, y: { label: "force", quantity: "force" }, lines: lines.slice(0, 8) });
+}
+
+function curves() {
+  const noise = 1e-6 * Math.max(largest(tables.srif?.K1), largest(tables.srif?.K2));
+  const drawn_plots = [
+    ...growth_plots(),
+    ...["K1", "K2", "K3"].map(name => factor_plot(name, noise)),
+    moves ? history_plot("Largest deflection", { label: "largest |w|", quantity: "w" }, [["max_abs_w", "largest |w|"]]) : null,
+    ...probe_plots(), reaction_plot(),
+    moves ? history_plot("Energies", { label: "energy", quantity: "energy" },
+      [["external_work", "work of the loads"], ["strain_energy", "strain"], ["kinetic_energy", "kinetic"], ["fracture_energy", "fracture"]]) : null,
+    moves ? history_plot("Balance of the energies", { label: "energy", quantity: "energy" }, [["energy_residual", "not accounted for"]]) : null,
+  ];
+  return drawn_plots;
+}
+
+/** The discretisations of a stated accuracy. */
+function accuracy_section() {
+  const accuracy = data.summary.accuracy;
+  if (!accuracy) return null;
+  const rows = accuracy.path.map((step, i) => [value(`accuracy.path[${i}].points`, 6, whole(step.points)), value(`accuracy.path[${i}].spacing`, 4),
+    value(`accuracy.path[${i}].tip_spacing`, 4), seconds(step.seconds), percent(step.estimated_error)]);
+  const known = accuracy.path.filter(step => step.estimated_error > 0);
+  return section("Convergence to the stated accuracy",
+    element("p", {}, `Asked for ${percent(accuracy.asked)}: ${accuracy.outcome}`, accuracy.reached !== undefined ? `, estimated error ${percent(accuracy.reached)}.` : "."),
+    known.length > 1 ? plots([plot({
+      title: "Estimated error against points", x: { label: "points", log: true }, y: { label: "estimated error [%]", log: true },
+      lines: [{ label: "estimated", points: true, x: known.map(step => step.points), y: known.map(step => 100 * step.estimated_error) },
+        { label: "asked for", dash: [6, 4], x: known.map(step => step.points), y: known.map(() => 100 * accuracy.asked) }],
+    })]) : null,
+    table([{ title: "points" }, { title: "spacing", unit: unit("length") }, { title: "at tips", unit: unit("length") }, { title: "time" }, { title: "estimated error" }], rows));
+}

@@ -1,0 +1,66 @@
+"use strict";
+// Pieces of the page.
+
+/** An element with attributes and children; null children are left out. */
+function element(name, attributes = {}, ...children) {
+  const result = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes))
+    if (key.startsWith("on")) result.addEventListener(key.slice(2), value);
+    else if (value !== null && value !== undefined) result.setAttribute(key, value);
+  result.append(...children.flat(Infinity).filter(child => child !== null && child !== undefined));
+  return result;
+}
+
+/** The same in SVG. */
+function drawn(name, attributes = {}, ...children) {
+  const result = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) if (value !== null && value !== undefined) result.setAttribute(key, value);
+  result.append(...children.flat(Infinity).filter(child => child !== null && child !== undefined));
+  return result;
+}
+
+/** What stands at a path in summary.json, as in "srif[0].K1". */
+const at = path => path.split(/[.[\]]+/).filter(Boolean).reduce((value, key) => value?.[key], data.summary);
+
+/** A number of summary.json, with its path: the tests compare them. */
+function value(path, digits = 6, text = null) {
+  const x = at(path);
+  return element("span", { class: "number", "data-from": path, "data-value": x ?? "", title: typeof x === "number" ? String(x) : null },
+    text ?? shown(x, digits));
+}
+
+function section(title, ...children) {
+  const content = children.flat(Infinity).filter(child => child !== null && child !== undefined);
+  if (content.length === 0) return null;
+  return element("section", { id: title.toLowerCase().replace(/[^a-z0-9]+/g, "-") }, element("h2", {}, title), content);
+}
+
+const screen_note = (...children) => element("p", { class: "note screen" }, ...children);
+const note = (...children) => element("p", { class: "note" }, ...children);
+
+/** A table: `columns` of {title, unit, left}; rows of cells. */
+function table(columns, rows, attributes = {}) {
+  const head = columns.map(column => element("th", { class: column.left ? "left" : null, scope: "col" }, column.title,
+    column.unit ? element("span", { class: "unit" }, ` ${column.unit}`) : null));
+  const body = rows.map(row => element("tr", { class: row.kind ?? null },
+    (row.cells ?? row).map((cell, i) => element("td", { class: columns[i].left ? "left" : null }, cell ?? "–"))));
+  return element("div", { class: "scroll" }, element("table", attributes, element("thead", {}, element("tr", {}, head)), element("tbody", {}, body)));
+}
+
+/** Names and what they are. */
+function facts(pairs) {
+  return element("dl", { class: "facts" }, pairs.filter(pair => pair && pair[1] !== null && pair[1] !== undefined && pair[1] !== "")
+    .map(([name, ...what]) => element("div", {}, element("dt", {}, name), element("dd", {}, ...what))));
+}
+
+const folded = (title, ...children) => element("details", {}, element("summary", {}, title), ...children);
+
+/** All that is drawn on canvas, drawn again where colours or sizes change. */
+const drawings = [];
+function redraw() {
+  for (const drawing of drawings) drawing();
+}
+
+const style = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+/** Okabe and Ito's colours, that the colour-blind can tell from each other, as the scheme has them. */
+const line_colour = number => style(`--line${number % 8}`);

@@ -1,0 +1,101 @@
+"use strict";
+// Intensity factors: a recommended row per tip with its errors, the other methods folded away as comparison; peaks in time.
+
+const factor_names = ["K1", "K2", "K3"];
+const thickness = data.plate?.section.thickness ?? 1;
+
+/** As the program prints them: what is nothing beside the largest factor of its tip is zero. */
+function factor_words(one, name) {
+  const size = Math.abs(one[name] ?? NaN), most = largest(factor_names.map(key => one[key])), error = one[`estimated_error_${name}`] ?? Infinity;
+  if (one[name] === null || one[name] === undefined) return "not resolved";
+  return size < 1e-8 * most || (size < 1e-6 * most && size <= error) ? "0" : shown(one[name], 6);
+}
+
+/** The largest error of the factors that are resolved, relative to the largest of them. */
+function error_of(one) {
+  const scaled = (name, x) => Math.abs(x) * (name === "K3" ? thickness : 1);
+  const there = factor_names.filter(name => typeof one[name] === "number");
+  const known = there.filter(name => typeof one[`estimated_error_${name}`] === "number");
+  const most = largest(there.map(name => scaled(name, one[name])));
+  if (known.length === 0 || most === 0) return one.estimated_error;
+  return largest(known.map(name => scaled(name, one[`estimated_error_${name}`]))) / most;
+}
+
+function factor_cell(one, path, name) {
+  const error = one[`estimated_error_${name}`], words = factor_words(one, name);
+  const bar = typeof error === "number" && words !== "not resolved" && words !== "0" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null;
+  return [value(`${path}.${name}`, 6, words), bar];
+}
+
+function error_cell(one) {
+  const error = error_of(one);
+  return error === undefined || error === null ? "–" : element("span", { class: error >= 0.1 ? "rough" : null }, percent(error), error >= 0.1 ? " (rough)" : "");
+}
+
+function factor_table(indices, wanted) {
+  const all = data.summary.srif, normalized = factor_names.map((_, i) => `F${i + 1}`).filter(name => indices.some(i => typeof all[i][name] === "number"));
+  const columns = [{ title: "tip" }, { title: "x", unit: unit("length") }, { title: "y", unit: unit("length") }, ...factor_names.map(name => ({ title: name, unit: unit(name) })),
+    ...normalized.map(title => ({ title })), { title: "error" }, { title: "method", left: true }];
+  const rows = indices.map(i => {
+    const one = all[i], path = `srif[${i}]`;
+    return [value(`${path}.tip`), value(`${path}.x`, 4), value(`${path}.y`, 4), ...factor_names.map(name => factor_cell(one, path, name)),
+      ...normalized.map(name => (factor_words(one, name.replace("F", "K")) === "0" ? "0" : value(`${path}.${name}`, 5))), error_cell(one), spaced(one.method)];
+  });
+  return table(columns, rows, { class: wanted, "data-table": wanted });
+}
+
+/** What the factors are at the faces of the plate, and how much of the toughness that takes. */
+function faces_table(indices) {
+  const all = data.summary.srif, there = indices.filter(i => all[i].faces);
+  if (there.length === 0) return [];
+  const used = there.some(i => typeof all[i].faces.utilisation === "number"), face = unit("face");
+  const bar = error => (typeof error === "number" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null);
+  const columns = [{ title: "tip" }, ...["K_I", "K_II", "K_III", "K_eq"].map(name => ({ title: ["K", element("sub", {}, name.slice(2))], unit: face })), ...(used ? [{ title: "utilisation" }] : [])];
+  const rows = there.map(i => {
+    const { faces } = all[i], path = `srif[${i}].faces`, size = largest(["K_I", "K_II", "K_III"].map(name => faces[name]));
+    const cell = name => (faces[name] === null ? "not resolved" : Math.abs(faces[name]) < 1e-6 * size ? "0" : value(`${path}.${name}`, 5));
+    const share = faces.utilisation, beyond = share >= 1 ? "rough" : null;
+    return [value(`srif[${i}].tip`), cell("K_I"), cell("K_II"), cell("K_III"), [cell("K_eq"), bar(faces.estimated_error_K_eq)],
+      ...(used ? [element("span", { class: beyond }, value(`${path}.utilisation`, 4), bar(faces.estimated_error_utilisation))] : [])];
+  });
+  const { toughness } = data.summary;
+  return [element("h3", {}, "Stress intensity at the faces"), table(columns, rows, { "data-table": "faces" }),
+    note("I and II at the face z > 0, with the other sign at z < 0; III in the middle plane. eq: of mode 1, with the same energy at the height where that is most.",
+      toughness ? [" Utilisation: this over the toughness ", value("toughness", 4), face ? ` ${face}` : "", "."] : "")];
+}
+
+function second_formulations(indices) {
+  return indices.filter(i => data.summary.srif[i].second_formulation).map(i => {
+    const one = data.summary.srif[i], second = one.second_formulation, path = `srif[${i}].second_formulation`;
+    return element("li", {}, `Tip ${one.tip}, ${second.formulation} by ${spaced(second.method)}: `, factor_names.map(name => [`${name} `, value(`${path}.${name}`, 6), ", "]),
+      `${percent(second.difference)} apart`);
+  });
+}
+
+function factors_section() {
+  const all = data.summary.srif ?? [];
+  if (all.length === 0) return null;
+  const groups = [...grouped(all, one => one.tip).values()], first = groups.map(rows => rows[0]), others = groups.flatMap(rows => rows.slice(1));
+  const second = second_formulations(first);
+  return section(moves ? "Intensity factors at the end" : "Intensity factors", factor_table(first, "recommended"),
+    note("The method that is recommended for each tip. ± is the estimated error of each factor in its unit; the column error is the largest of them, relative to the largest factor of the tip."),
+    second.length ? element("ul", {}, second) : null, faces_table(first),
+    others.length ? folded("For comparison: other methods", factor_table(others, "comparison"),
+      note("By other ways from the same solution. They are here to judge by, not to be used in the place of the recommended ones.")) : null,
+    folded("What K1, K2 and K3 are", note("K1 = lim √(2r) M", element("sub", {}, "y′y′"), ", K2 = lim √(2r) M", element("sub", {}, "x′y′"), ", K3 = lim √(2r) Q", element("sub", {}, "y′"),
+      " straight ahead of the tip, x′ along the crack out of the material it has cut, without a factor π. K1 > 0 opens the face z > 0.")));
+}
+
+/** Where K, w and stresses are largest: over a motion, or at the end of statics. */
+function largest_section(list, title) {
+  const all = data.summary[list];
+  if (!Array.isArray(all) || all.length === 0) return null;
+  const noise = one => one.quantity.startsWith("K") && all.some(other => other.tip === one.tip && Math.abs(one.value) < 1e-6 * Math.abs(other.value));
+  const timed = all.some(one => one.time !== undefined);
+  const place = (one, i) => (one.tip !== undefined ? `tip ${one.tip}` : one.x === undefined ? "anywhere" : ["(", value(`${list}[${i}].x`, 4), ", ", value(`${list}[${i}].y`, 4), ")"]);
+  const words = one => (one.outside === undefined ? "" : ` no nearer than ${shown(one.outside, 2)} to tips, pins and point forces`);
+  const columns = [{ title: "quantity", left: true }, { title: "largest" }, { title: "", left: true }, ...(timed ? [{ title: "at time", unit: unit("time") }] : []), { title: "where", left: true }];
+  const rows = all.map((one, i) => (noise(one) ? null : [names[one.quantity] ?? spaced(one.quantity), value(`${list}[${i}].value`), unit(one.quantity),
+    ...(timed ? [value(`${list}[${i}].time`, 5)] : []), [place(one, i), words(one)]]));
+  return section(title, table(columns, rows.filter(Boolean), { "data-table": list }));
+}

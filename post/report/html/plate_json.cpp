@@ -1,0 +1,124 @@
+#include "post/report/html/plate_json.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "plate/model/problem.hpp"
+#include "post/report/html/page.hpp"
+
+namespace post {
+namespace {
+
+std::string text_of(const geometry::Point& x) {
+  return json_list({json_number(x.x()), json_number(x.y())});
+}
+
+std::string text_of(const std::vector<geometry::Point>& points) {
+  std::vector<std::string> texts;
+  for (const auto& x : points) texts.push_back(text_of(x));
+  return json_list(texts);
+}
+
+std::string text_of(const std::vector<std::string>& words) {
+  std::vector<std::string> texts;
+  for (const auto& word : words) texts.push_back(json_text(word));
+  return json_list(texts);
+}
+
+std::string text_of(const geometry::Hole& hole) {
+  if (const auto* circle = std::get_if<geometry::Circle>(&hole))
+    return json_object({{"name", json_text(circle->name)},
+                        {"centre", text_of(circle->centre)},
+                        {"radius", json_number(circle->radius)}});
+  const auto& polygon = std::get<geometry::Polygon>(hole);
+  return json_object({{"vertices", text_of(polygon.vertices)}});
+}
+
+std::string words(plate::SupportKind kind) {
+  using enum plate::SupportKind;
+  switch (kind) {
+    case free:
+      return "free";
+    case clamped:
+      return "clamped";
+    case simply_supported:
+      return "simply supported";
+    case simply_supported_hard:
+      return "simply supported, hard";
+    case symmetry:
+      return "symmetry";
+    case clamped_layer:
+      return "clamped in a layer";
+    case simply_supported_layer:
+      return "simply supported in a layer";
+    case simply_supported_hard_layer:
+      return "simply supported in a layer, hard";
+    case pinned:
+      return "pinned";
+  }
+  return "";
+}
+
+std::string words(const plate::History& history) {
+  using enum plate::History::Kind;
+  switch (history.kind) {
+    case step:
+      return "";
+    case ramp:
+      return fmt::format("rising over {:g}", history.rise_time);
+    case sine:
+      return fmt::format("sine of frequency {:g}", history.frequency);
+    case table:
+      return history.table.size() < 2
+                 ? "table in time"
+                 : fmt::format("table in time, {:g} to {:g}", history.table.front().first, history.table.back().first);
+  }
+  return "";
+}
+
+std::string text_of(const plate::Load& load) {
+  static constexpr std::array kinds{"pressure", "edge_moment", "edge_shear", "point_force"};
+  Members members{{"kind", json_text(kinds.at(std::size_t(load.kind)))},
+                  {"value", json_number(load.value)},
+                  {"twist", json_number(load.twist)},
+                  {"edges", text_of(load.edges)},
+                  {"history", json_text(words(load.history))}};
+  if (load.has_tensor)
+    members.emplace_back(
+        "tensor", json_list({json_number(load.tensor[0]), json_number(load.tensor[1]), json_number(load.tensor[2])}));
+  if (load.kind == plate::Load::Kind::point_force) members.emplace_back("position", text_of(load.position));
+  return json_object(members);
+}
+
+template <typename Element, typename Text>
+std::string list_of(const std::vector<Element>& elements, const Text& text) {
+  std::vector<std::string> texts;
+  for (const auto& element : elements) texts.push_back(text(element));
+  return json_list(texts);
+}
+
+}  // namespace
+
+std::string plate_json(const plate::Problem& problem) {
+  const auto edge = [](const geometry::Edge& e) {
+    return json_object({{"name", json_text(e.name)}, {"from", text_of(e.from)}, {"to", text_of(e.to)}});
+  };
+  const auto support = [](const plate::Support& s) {
+    return json_object(
+        {{"kind", json_text(words(s.kind))}, {"edges", text_of(s.edges)}, {"points", text_of(s.points)}});
+  };
+  const auto& s = problem.section;
+  return json_object({{"outline", text_of(problem.outline.outer.vertices)},
+                      {"edges", list_of(geometry::straight_edges(problem.outline), edge)},
+                      {"holes", list_of(problem.outline.holes, [](const auto& hole) { return text_of(hole); })},
+                      {"cracks", list_of(problem.cracks, [](const auto& crack) { return text_of(crack); })},
+                      {"supports", list_of(problem.supports, support)},
+                      {"loads", list_of(problem.loads, [](const auto& load) { return text_of(load); })},
+                      {"section", json_object({{"young", json_number(s.young)},
+                                               {"poisson", json_number(s.poisson)},
+                                               {"thickness", json_number(s.thickness)},
+                                               {"density", json_number(s.density)}})}});
+}
+
+}  // namespace post

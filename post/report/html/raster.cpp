@@ -1,0 +1,79 @@
+#include "post/report/html/raster.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace post {
+namespace {
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Lower left and upper right corner of the points and of the half cells about them.
+std::pair<geometry::Point, geometry::Point> box(const plate::Mesh& mesh) {
+  geometry::Point low = mesh.positions.front(), high = low;
+  for (const auto& x : mesh.positions) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  const geometry::Point half = geometry::Point::Constant(mesh.spacing / 2);
+  return {low - half, high + half};
+}
+
+}  // namespace
+
+Raster::Raster(const plate::Mesh& mesh, std::size_t pixels) {
+  const auto [low, high] = box(mesh);
+  const geometry::Point size = high - low;
+  low_ = low;
+  pitch_ = std::sqrt(size.x() * size.y() / double(pixels));
+  pitch_ = std::max(pitch_, size.maxCoeff() / double(pixels));  // of a plate as thin as a line
+  columns_ = std::size_t(std::ceil(size.x() / pitch_)), rows_ = std::size_t(std::ceil(size.y() / pitch_));
+  sources_.resize(columns_ * rows_);
+  for (const auto& q : mesh.quads) draw(mesh, {q[0], q[1], q[2]}), draw(mesh, {q[0], q[2], q[3]});
+  for (const auto& t : mesh.triangles) draw(mesh, t);
+  constexpr double reach = 0.8;  // spacings: from the last points to the corner of a cell
+  widen(std::size_t(std::ceil(reach * mesh.spacing / pitch_)) + 1);
+}
+
+void Raster::draw(const plate::Mesh& mesh, const Triangle& triangle) {
+  std::array<Eigen::Vector2d, 3> x;  // in pixels
+  for (std::size_t i = 0; i < 3; ++i) x[i] = (mesh.positions[triangle[i]] - low_) / pitch_;
+  const Eigen::Vector2d to_b = x[1] - x[0], to_c = x[2] - x[0];
+  const double area = cross(to_b, to_c);
+  if (area == 0) return;
+  const Eigen::Vector2d least = x[0].cwiseMin(x[1]).cwiseMin(x[2]), most = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
+  constexpr double middle = 0.5, slack = 1e-9;  // a pixel between two triangles belongs to one of them at least
+  const auto from = [](double at) { return std::ptrdiff_t(std::ceil(std::max(at - middle, 0.0))); };
+  const auto to = [](double at, std::size_t size) {
+    return std::min(std::ptrdiff_t(at - middle), std::ptrdiff_t(size) - 1);
+  };
+  for (auto j = from(least.y()); j <= to(most.y(), rows_); ++j)
+    for (auto i = from(least.x()); i <= to(most.x(), columns_); ++i) {
+      const Eigen::Vector2d at = Eigen::Vector2d(double(i) + middle, double(j) + middle) - x[0];
+      const double of_b = cross(at, to_c) / area, of_c = cross(to_b, at) / area;
+      if (of_b < -slack || of_c < -slack || of_b + of_c > 1 + slack) continue;
+      sources_[std::size_t(j) * columns_ + std::size_t(i)] = {triangle[0], triangle[1], triangle[2], float(of_b),
+                                                              float(of_c)};
+    }
+}
+
+void Raster::widen(std::size_t rings) {
+  std::vector<std::size_t> front, next;
+  for (std::size_t k = 0; k < sources_.size(); ++k)
+    if (sources_[k].a != nowhere) front.push_back(k);
+  for (std::size_t ring = 0; ring < rings; ++ring) {
+    next.clear();
+    const auto take = [&](std::size_t from, std::size_t to) {
+      if (sources_[to].a == nowhere) sources_[to] = sources_[from], next.push_back(to);
+    };
+    for (const auto k : front) {
+      const auto column = k % columns_, row = k / columns_;
+      if (column > 0) take(k, k - 1);
+      if (column + 1 < columns_) take(k, k + 1);
+      if (row > 0) take(k, k - columns_);
+      if (row + 1 < rows_) take(k, k + columns_);
+    }
+    std::swap(front, next);
+  }
+}
+
+}  // namespace post

@@ -1,0 +1,60 @@
+"use strict";
+// Puts the page together. The root's data-state says how far it is: loading, drawn, or failed and why.
+
+function sections() {
+  if (data.kind !== "run") return study_sections();
+  const curve_plots = plots(curves());
+  return [header(), warnings_section(), plate_section(), factors_section(), largest_section("peaks", "Largest in time"), largest_section("extremes", "Largest values"), frequencies_section(), growth_section(),
+    curve_plots ? section("Curves", curve_plots, screen_note("Drag over a plot to zoom, double click to go back; the values under the pointer stand below it.")) : null,
+    accuracy_section(), fields_section(), reactions_section(), energy_section(), other_section(), cost_section(), case_section()];
+}
+
+/** Dark or light as the reader's system wants it, unless the address ends in #dark or #light; paper is light. */
+function scheme() {
+  const wanted = location.hash.slice(1), dark = wanted === "dark" || (wanted !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
+  document.documentElement.dataset.scheme = dark && !document.documentElement.classList.contains("paper") ? "dark" : "light";
+}
+
+function start() {
+  scheme();
+  document.getElementById("report").replaceChildren(...sections().filter(Boolean));
+  redraw();
+  const again = () => (scheme(), redraw());
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", again);
+  addEventListener("hashchange", again);
+  let width = innerWidth, waiting = 0;
+  addEventListener("resize", () => {
+    if (innerWidth === width) return;
+    width = innerWidth;
+    clearTimeout(waiting);
+    waiting = setTimeout(redraw, 150);
+  });
+  addEventListener("beforeprint", () => {
+    document.documentElement.classList.add("paper");
+    again();
+  });
+  addEventListener("afterprint", () => {
+    document.documentElement.classList.remove("paper");
+    again();
+  });
+  if (location.hash === "#check") requestAnimationFrame(() => requestAnimationFrame(check));
+  else document.documentElement.dataset.state = "drawn";
+}
+
+/** For tests: how many colours there are on each canvas, in data-colours. */
+function check() {
+  for (const canvas of document.querySelectorAll("canvas")) {
+    const { data: pixels } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height), colours = new Set();
+    for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 0) colours.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);
+    canvas.dataset.colours = colours.size;
+  }
+  document.documentElement.dataset.state = "drawn";
+}
+
+try {
+  start();
+} catch (error) {
+  document.documentElement.dataset.state = "failed";
+  document.getElementById("report").append(element("p", { class: "warnings" }, `This report could not be drawn: ${error}`));
+  throw error;
+}

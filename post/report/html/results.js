@@ -1,0 +1,116 @@
+"use strict";
+// What was run, warnings, energies, frequencies, growth, stages and memory.
+
+function header() {
+  const s = data.summary, a = s.analysis, failed = s.outcome !== "done";
+  const solved = a.iterations !== undefined ? `${whole(a.iterations)} iterations` : a.steps !== undefined ? `${whole(a.steps)} steps` : "";
+  return element("header", {}, element("h1", {}, data.title || s.title || "Untitled case"), data.source ? note(data.source) : null,
+    facts([
+      ["Outcome", element("b", { class: failed ? "failed" : "done" }, failed ? s.outcome : s.growth ? `done: ${s.growth.outcome}` : "done")],
+      ["Analysis", `${a.kind}, ${spaced(a.method)}${a.preconditioner ? ` with ${spaced(a.preconditioner)}` : ""}${solved ? `, ${solved}` : ""}${a.stop_reason && !failed ? `: ${a.stop_reason}` : ""}`],
+      ["Formulation", s.formulation === "galerkin" ? "Galerkin plate" : s.formulation === "ordinary" ? "bonds over a horizon" : s.formulation, ` (${s.formulation_reason})`],
+      ["Plate", value("points", 6, whole(s.points)), ` points, spacing ${shown(s.spacing, 4)}${unit("length") ? ` ${unit("length")}` : ""}, ${whole(s.bonds)} bonds`],
+      ["Time", value("seconds.total", 3, seconds(s.seconds.total)), `, ${bytes(s.peak_memory_bytes)} of memory`],
+      ["Units", si ? "SI" : "those of the case, any that are consistent"],
+      ["Program", `pdplate ${s.version}, settings ${s.digest}`],
+    ]));
+}
+
+function warnings_section() {
+  const { warnings } = data.summary;
+  if (!warnings || warnings.length === 0) return null;
+  const items = warnings.map((_, i) => element("li", {}, value(`warnings[${i}]`)));
+  const most = 6;
+  return element("section", { class: "warnings", id: "warnings" }, element("h2", {}, warnings.length === 1 ? "A warning" : `${warnings.length} warnings`),
+    element("ul", {}, items.slice(0, most)), items.length > most ? folded(`${items.length - most} more`, element("ul", {}, items.slice(most))) : null);
+}
+
+function plate_section() {
+  return section("The plate", element("div", { class: "sides" }, element("figure", { class: "drawing" }, plate_drawing()), plate_words()));
+}
+
+const energy_names = {
+  strain: "strain energy", kinetic: "kinetic energy", external_work: "work of the loads", fracture: "fracture energy", released: "released as the crack ran",
+  residual: "not accounted for", frozen: "left in pieces without bonds",
+};
+
+function energy_section() {
+  const { energy } = data.summary, entries = Object.keys(energy ?? {});
+  if (entries.length === 0) return null;
+  const work = Math.abs(energy.external_work ?? 0);
+  return section(moves ? "Energies at the end" : "Energies", table([{ title: "energy", left: true }, { title: "value", unit: unit("energy") }, { title: "of the work" }],
+    entries.map(name => [energy_names[name] ?? spaced(name), value(`energy.${name}`), work > 0 ? `${shown((100 * energy[name]) / work, 4)} %` : "–"]), { "data-table": "energy" }));
+}
+
+function frequencies_section() {
+  const { frequencies } = data.summary;
+  if (!frequencies) return null;
+  return section("Frequencies", table([{ title: "mode" }, { title: "frequency", unit: unit("frequency") }, { title: "ω", unit: si ? "1/s" : "" }, { title: "residual" }],
+    frequencies.map((_, i) => [value(`frequencies[${i}].mode`), value(`frequencies[${i}].frequency`, 7), value(`frequencies[${i}].omega`, 7), value(`frequencies[${i}].residual`, 2)]), { "data-table": "frequencies" }));
+}
+
+function growth_section() {
+  const { growth } = data.summary;
+  if (!growth) return null;
+  const of = (name, words, quantity, digits = 5) => (growth[name] === undefined ? null : [words, value(`growth.${name}`, digits), unit(quantity) ? ` ${unit(quantity)}` : ""]);
+  const lengths = growth.lengths ?? [], most = 12;
+  return section("Growth of the cracks", facts([
+    ["How it ended", growth.outcome], of("advances", "Advances"), of("first_load_factor", "Load factor at the first advance"), of("largest_load_factor", "Largest load factor"),
+    of("spent", "Energy taken over the fracture energy"), of("largest_speed", "Largest speed", "speed"), of("broken_bonds", "Broken bonds"),
+    ["Lengths of the cracks", lengths.slice(0, most).map((_, i) => [i ? ", " : "", value(`growth.lengths[${i}]`, 4)]), lengths.length > most ? `, ... (${lengths.length} in all)` : "", lengths.length && unit("length") ? ` ${unit("length")}` : ""],
+  ]));
+}
+
+/** What holds the plate, and its balance with the loads. */
+function reactions_section() {
+  const { reactions } = data.summary;
+  if (!reactions?.supports) return null;
+  const parts = ["force", "moment_x", "moment_y"], most = reactions.supports.some(one => one.largest_force !== undefined), size = name => 1e-9 * largest([reactions.loads, ...reactions.supports].map(one => one?.[name]));
+  const cells = (path, one) => parts.map(name => (Math.abs(one[name]) <= size(name) ? "0" : value(`${path}.${name}`)));
+  const rows = reactions.supports.map((one, i) => [one.x === undefined ? one.support : `${one.support} at (${shown(one.x, 4)}, ${shown(one.y, 4)})`, ...cells(`reactions.supports[${i}]`, one),
+    ...(most ? [value(`reactions.supports[${i}].largest_force`), value(`reactions.supports[${i}].time_of_largest_force`, 5)] : [])]);
+  const total = (name, words) => (reactions[name] ? [{ kind: "total", cells: [words, ...cells(`reactions.${name}`, reactions[name]), ...(most ? ["", ""] : [])] }] : []);
+  return section("Reactions and balance", table([{ title: "support", left: true }, { title: "force", unit: unit("force") }, { title: "moment x", unit: unit("moment") }, { title: "moment y", unit: unit("moment") },
+    ...(most ? [{ title: "largest force", unit: unit("force") }, { title: moves ? "at time" : "at advance", unit: moves ? unit("time") : "" }] : [])],
+  [...rows, ...total("sum", "all supports"), ...total("loads", "loads"), ...total("inertia", "mass times acceleration")], { "data-table": "reactions" }),
+  note("On the plate, along w; moments about the x and y axes through the origin. What is left of the balance: ", value("reactions.residual", 2), " of the largest part",
+    reactions.largest_residual === undefined ? "" : [", at most ", value("reactions.largest_residual", 2), " at any time"], "."));
+}
+
+function bars(entries, words) {
+  const most = Math.max(...entries.map(([, x]) => x), 1e-300);
+  return element("div", { class: "bars" }, entries.map(([name, x, cell]) => element("div", {}, element("span", {}, spaced(name)),
+    element("span", { class: "track" }, element("span", { style: `width:${(100 * Math.max(0, x)) / most}%` })), element("span", {}, cell ?? words(x)))));
+}
+
+function cost_section() {
+  const s = data.summary, stages = Object.entries(s.seconds).filter(([name]) => name !== "total");
+  return section("Time and memory", element("p", {}, "In total ", value("seconds.total", 4, seconds(s.seconds.total)), "; ", value("peak_memory_bytes", 4, bytes(s.peak_memory_bytes)), " of memory at most."),
+    bars(stages.map(([name, x]) => [name, x, value(`seconds.${name}`, 3, seconds(x))]), seconds),
+    s.scene?.length ? folded("Parts of the program that this case uses", table([{ title: "part", left: true }, { title: "bytes per point" }, { title: "share of the time" }],
+      s.scene.map((part, i) => [spaced(part.name), value(`scene[${i}].bytes_per_point`, 4), `${shown(100 * part.time_share, 2)} %`]))) : null);
+}
+
+const case_section = () => (data.case ? section("The case", note("As it was run, with all defaults: running it gives the same result."), folded("case.resolved.toml", element("pre", {}, data.case))) : null);
+
+/** What summary.json has that no section above knows. */
+const known = new Set(["title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
+  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "growth", "energy", "scene", "warnings", "version", "digest", "toughness", "extremes", "reactions"]);
+
+function other_section() {
+  const others = Object.entries(data.summary).filter(([name]) => !known.has(name));
+  const cell = (path, what) => (typeof what === "number" ? value(path) : typeof what === "object" && what !== null ? nested(path, what) : String(what));
+  const nested = (path, what) => {
+    const list = Array.isArray(what);
+    if (list && what.length > 0 && what.every(one => typeof one === "object" && one !== null)) {
+      const columns = [...new Set(what.flatMap(Object.keys))];
+      return table(columns.map(title => ({ title: spaced(title) })), what.map((one, i) => columns.map(name => (one[name] === undefined ? "" : cell(`${path}[${i}].${name}`, one[name])))));
+    }
+    if (list) return what.map((one, i) => [i ? ", " : "", cell(`${path}[${i}]`, one)]);
+    return facts(Object.entries(what).map(([name, one]) => [capital(spaced(name)), cell(`${path}.${name}`, one)]));
+  };
+  return section("Further results", others.map(([name, what]) => [element("h3", {}, capital(spaced(name))), element("div", {}, nested_or_text(what, name))]));
+  function nested_or_text(what, name) {
+    return typeof what === "object" && what !== null ? nested(name, what) : cell(name, what);
+  }
+}

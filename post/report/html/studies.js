@@ -1,0 +1,133 @@
+"use strict";
+// Studies: errors against run time and points, values along the axes, orders; tables of extremes with their verdicts.
+
+const csv = data.study ?? data.extremes ?? {};
+const length_of = columns => Math.max(0, ...Object.values(columns ?? {}).map(column => column.length));
+const cell_of = (name, i) => csv[name]?.[i] ?? null;
+
+const axes = (data.axes ?? []).filter(axis => csv[axis]);
+const number_in = label => (typeof label === "number" ? label : label !== null && label !== "" && Number.isFinite(Number(label)) ? Number(label) : null);
+const differs = name => new Set(csv[name] ?? []).size > 1;
+const refined = data.along ?? axes.at(-1) ?? null;
+
+/** Rows of a quantity at a place, in lines: one for each combination of the axes but one, and of the methods. */
+function lines_along(rows, axis) {
+  const others = axes.filter(name => name !== axis && differs(name)), methods = new Set(rows.map(i => cell_of("srif_method", i))).size > 1;
+  const label = i => [...others.map(name => (number_in(cell_of(name, i)) === null ? cell_of(name, i) : `${name} ${shown(number_in(cell_of(name, i)), 4)}`)),
+    methods ? spaced(cell_of("srif_method", i) ?? "first method") : null].filter(Boolean).join(", ");
+  return [...grouped(rows, label)].map(([name, indices]) => ({ name, rows: indices.map(k => rows[k]) }));
+}
+
+const order_along = (line, first) => {
+  const { orders } = data;
+  if (!orders) return "";
+  const same = k => ["quantity", "place", "srif_method", ...axes.filter(axis => axis !== refined)].every(name => !orders[name] || !csv[name] || orders[name][k] === csv[name][first]);
+  const k = [...Array(length_of(orders)).keys()].find(same);
+  const straight = 0.1; // decades
+  return k === undefined || typeof orders.order?.[k] !== "number" || !(orders.misfit?.[k] < straight) ? "" : ` (order ${shown(orders.order[k], 3)})`;
+};
+
+function sorted(line) {
+  const order = line.x.map((_, i) => i).filter(i => Number.isFinite(line.x[i]) && Number.isFinite(line.y[i])).sort((a, b) => line.x[a] - line.x[b]);
+  return { ...line, x: order.map(i => line.x[i]), y: order.map(i => line.y[i]) };
+}
+
+const described = (quantity, place) => `${quantity}${place ? ` at ${place}` : ""}`;
+const look_numbers = new Map();
+const look = name => (look_numbers.has(name) || look_numbers.set(name, look_numbers.size), look_numbers.get(name));
+
+function quantities() {
+  const rows = [...Array(length_of(csv)).keys()].filter(i => cell_of("quantity", i));
+  return [...grouped(rows, i => described(cell_of("quantity", i), cell_of("place", i)))].map(([name, indices]) => ({ name, rows: indices.map(k => rows[k]) }));
+}
+
+function error_plots(column, label) {
+  return quantities().map(({ name, rows }) => {
+    const lines = lines_along(rows, refined).map(line => sorted({
+      label: `${line.name || "error"}${order_along(line, line.rows[0])}`, number: look(line.name), points: true, x: line.rows.map(i => cell_of(column, i)),
+      y: line.rows.map(i => (cell_of("error", i) ? 100 * Math.abs(cell_of("error", i)) : NaN)),
+    })).filter(line => line.x.length > 0);
+    return lines.length === 0 ? null : plot({ title: `Error of ${name} against ${label.short}`, x: { label: label.words, log: true }, y: { label: "|error| [%]", log: true }, lines });
+  });
+}
+
+function value_plots(axis) {
+  const places = [...new Set((csv[axis] ?? []).map(number_in))];
+  if (places.length < 2 || places.includes(null)) return [];
+  const log = Math.min(...places) > 0 && Math.max(...places) > 20 * Math.min(...places);
+  return quantities().map(({ name, rows }) => {
+    const lines = lines_along(rows, axis).map(line => sorted({ label: line.name || "computed", number: look(line.name), points: true,
+      x: line.rows.map(i => number_in(cell_of(axis, i))), y: line.rows.map(i => cell_of("computed", i)) })).filter(line => line.x.length > 1);
+    if (lines.length === 0) return null;
+    const known = grouped(rows, i => `${cell_of(axis, i)} ${cell_of("reference", i)}`), first = [...known.values()].map(k => rows[k[0]]).filter(i => typeof cell_of("reference", i) === "number");
+    if (first.length) lines.push(sorted({ label: "reference", rings: true, number: 6, x: first.map(i => number_in(cell_of(axis, i))), y: first.map(i => cell_of("reference", i)) }));
+    return plot({ title: `${name} against ${axis}`, x: { label: axis, log }, y: { label: name }, lines });
+  });
+}
+
+const cell_words = (name, x) => (x === null ? "–" : typeof x !== "number" ? String(x) : name === "error" || name === "estimated_error" ? `${shown(100 * x, 3)} %` : name.includes("seconds") ? shown(x, 3) : shown(x, 6));
+
+/** A cell of study.csv or extremes.csv, with its place: the tests compare them. */
+function csv_cell(name, i) {
+  const x = cell_of(name, i);
+  return element("span", { class: "number", "data-cell": `${name}[${i}]`, "data-value": x ?? "" }, cell_words(name, x));
+}
+
+function csv_table(columns, rows, kind = () => null) {
+  const words = columns.some(name => (csv[name] ?? []).some(x => typeof x === "string"));
+  return table(columns.map(name => ({ title: spaced(name), left: words && (csv[name] ?? []).some(x => typeof x === "string") })),
+    rows.map(i => ({ kind: kind(i), cells: columns.map(name => csv_cell(name, i)) })), { "data-table": data.kind });
+}
+
+const links = () => (data.runs?.length ? section("Reports of the runs", element("ul", { class: "links" },
+  data.runs.map(name => element("li", {}, element("a", { href: `${encodeURIComponent(name)}/report.html` }, name))))) : null);
+
+function orders_section() {
+  const { orders } = data;
+  if (!orders?.order) return null;
+  const columns = Object.keys(orders).filter(name => new Set(orders[name]).size > 1 || ["quantity", "against", "order", "misfit", "runs"].includes(name));
+  return section("Fitted orders", table(columns.map(name => ({ title: spaced(name), left: typeof orders[name].find(x => x !== null) === "string" })),
+    orders.order.map((_, i) => columns.map(name => (typeof orders[name][i] === "number" ? shown(orders[name][i], 3) : orders[name][i])))),
+    note("The slope of log |error| over the log of the length by least squares. misfit: rms distance from the line, in decades; where it is not well below 1, the order means nothing."));
+}
+
+function study_header() {
+  const count = length_of(csv), runs = grouped([...Array(count).keys()], i => axes.map(axis => cell_of(axis, i)).join("\n"));
+  const took = [...runs.values()].reduce((sum, rows) => sum + (cell_of("seconds", rows[0]) ?? 0), 0), messages = (csv.message ?? []).filter(Boolean);
+  return [element("header", {}, element("h1", {}, data.title), facts([
+    ["Study", `${runs.size} runs, ${seconds(took)} in total`],
+    ["Axes", axes.map(axis => `${axis}: ${[...new Set(csv[axis])].slice(0, 8).map(x => (typeof x === "number" ? shown(x, 4) : x)).join(", ")}${new Set(csv[axis]).size > 8 ? ", ..." : ""}`).join("; ")],
+    ["Quantities", listed(quantities().map(one => one.name).slice(0, 12))],
+    ["Largest error", csv.error ? percent(largest(csv.error)) : null],
+  ])), messages.length ? element("section", { class: "warnings" }, element("h2", {}, `${messages.length} messages`), element("ul", {}, [...new Set(messages)].slice(0, 8).map(text => element("li", {}, text)))) : null];
+}
+
+function extremes_sections() {
+  const count = length_of(csv), rows = [...Array(count).keys()], missed = rows.filter(i => cell_of("holds", i) !== "yes");
+  const columns = ["row", "oracle", "computed", "expected", "deviation", "allowed", "holds", "seconds", "message"].filter(name => csv[name]);
+  const kind = i => (cell_of("holds", i) === "yes" ? null : "missed");
+  return [element("header", {}, element("h1", {}, data.title), facts([
+    ["Outcome", element("b", { class: missed.length ? "failed" : "done" }, `${count - missed.length} of ${count} oracles hold`)],
+    ["Cases", `${new Set(csv.row).size} in ${new Set(csv.group).size} groups`],
+  ])), missed.length ? element("section", { class: "warnings" }, element("h2", {}, "Missed"), csv_table(columns, missed)) : null,
+  ...[...grouped(rows, i => cell_of("group", i))].map(([group, indices]) => section(capital(String(group)), csv_table(columns, indices.map(k => rows[k]), kind))), links()];
+}
+
+/** A run against reference curves, which are dashed. */
+function comparison_sections() {
+  const panels = data.panels.map(panel => plot({ title: panel.y, x: { label: panel.x }, y: { label: panel.y },
+    lines: panel.series.map((one, i) => ({ ...one, label: one.label || "computed", dash: one.reference ? [7, 5] : [], number: one.reference ? [6, 7, 4][i % 3] : i })) }));
+  return [element("header", {}, element("h1", {}, data.title)), section("Against reference curves", element("pre", {}, data.table), plots(panels),
+    screen_note("Drag over a plot to zoom, double click to go back; the values under the pointer stand below it."))];
+}
+
+function study_sections() {
+  if (data.kind === "comparison") return comparison_sections();
+  if (data.kind === "extremes") return extremes_sections();
+  const rows = [...Array(length_of(csv)).keys()], columns = Object.keys(csv).filter(name => name !== "reference_source" && name !== "solve_seconds" && (differs(name) || axes.includes(name) || name === "error" || name === "computed"));
+  const of_time = plots(error_plots("seconds", { short: "run time", words: "run time [s]" })), of_points = plots(error_plots("points", { short: "points", words: "points of the plate" }));
+  const values = plots(axes.flatMap(value_plots));
+  return [...study_header(), of_time ? section("Error against run time", of_time, screen_note("Drag over a plot to zoom, double click to go back.")) : null,
+    of_points ? section("Error against points", of_points) : null, orders_section(), values ? section("Values along the axes", values) : null,
+    section("All runs", rows.length > 60 ? folded(`${rows.length} rows`, csv_table(columns, rows)) : csv_table(columns, rows)), links()];
+}

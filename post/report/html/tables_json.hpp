@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "post/files/table.hpp"
+
+namespace post {
+
+/// A table as JSON, a list per column; a column without any cell is left out. Of more than `most` rows every n-th is
+/// kept, and those where a column is largest or least.
+std::string table_json(const Table& table, std::size_t most = 1500);
+
+/// The rows of srif.csv by the recommended method: the first of each time and tip.
+Table recommended(const Table& srifs);
+
+/// Only these columns, as far as they are there.
+Table columns_of(const Table& table, const std::vector<std::string>& names);
+
+}  // namespace post

@@ -1,0 +1,52 @@
+"use strict";
+// The data of the report, and how numbers, units and names are written.
+const data = JSON.parse(document.getElementById("data").textContent);
+const si = data.units === "SI";
+
+const units = {
+  K1: "N √m", K2: "N √m", K3: "N/√m", w: "m", von_mises: "Pa", Mxx: "N", Myy: "N", Mxy: "N", Qx: "N/m", Qy: "N/m",
+  stress: "Pa", length: "m", time: "s", energy: "J", force: "N", moment: "N m", pressure: "Pa", frequency: "Hz",
+  speed: "m/s", face: "Pa √m", G: "N/m", density: "kg/m³", shear: "N/m", edge_moment: "N", edge_shear: "N/m", point_force: "N",
+};
+const unit = quantity => (si && units[quantity]) || "";
+const with_unit = (words, quantity) => (unit(quantity) ? `${words} [${unit(quantity)}]` : words);
+
+const names = {
+  w: "deflection w", von_mises: "von Mises stress, top face", Mxx: "moment Mxx", Myy: "moment Myy", Mxy: "twisting moment Mxy",
+  damage: "damage", utilisation: "utilisation of the toughness",
+};
+
+const superscripts = text => text.replace(/[-0-9]/g, c => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
+
+/** A number with so many digits; very large and very small ones with a power of ten. */
+function shown(x, digits = 6) {
+  if (x === null || x === undefined || Number.isNaN(x)) return "–";
+  if (typeof x !== "number") return String(x);
+  if (x === 0) return "0";
+  if (!Number.isFinite(x)) return x > 0 ? "∞" : "−∞";
+  const size = Math.abs(x);
+  const plain = size >= 1e-3 && size < 10 ** Math.max(6, digits);
+  const [mantissa, power] = x.toExponential(digits - 1).split("e");
+  const trimmed = text => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
+  const text = plain ? trimmed(Number(x.toPrecision(digits)).toString()) : `${trimmed(mantissa)}·10${superscripts(String(Number(power)))}`;
+  return text.replace("-", "−");
+}
+
+const percent = x => (x === null || x === undefined ? "–" : x >= 1 ? "> 100 %" : `${shown(100 * x, 2)} %`);
+const seconds = x => (x < 0.0995 ? `${shown(1000 * x, 2)} ms` : x < 120 ? `${shown(x, 3)} s` : x < 7200 ? `${shown(x / 60, 3)} min` : `${shown(x / 3600, 3)} h`);
+const bytes = x => (x < 1e6 ? `${shown(x / 1e3, 3)} kB` : x < 1e9 ? `${shown(x / 1e6, 3)} MB` : `${shown(x / 1e9, 3)} GB`);
+const whole = x => x.toLocaleString("en-US");
+const spaced = name => name.replaceAll("_", " ");
+const listed = words => (words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`);
+const capital = text => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** Indices of a list by a key, in order of appearance. */
+function grouped(list, key) {
+  const groups = new Map();
+  list.forEach((element, i) => {
+    const name = key(element, i);
+    if (!groups.has(name)) groups.set(name, []);
+    groups.get(name).push(i);
+  });
+  return groups;
+}

@@ -1,0 +1,75 @@
+"""A page as a browser shows it: Debian's chromium without a window."""
+import html.parser
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+
+
+def chromium():
+    """The program, or nothing where it is not installed."""
+    return os.environ.get("PDPLATE_CHROMIUM") or shutil.which("chromium")
+
+
+def run(page, *options, seconds=60):
+    with tempfile.TemporaryDirectory(prefix="pdplate_browser_") as profile:
+        command = [chromium(), "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--disable-extensions",
+                   "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                   f"--user-data-dir={profile}", "--enable-logging=stderr", "--virtual-time-budget=4000", *options, page]
+        return subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=True)
+
+
+class Element:
+    def __init__(self, name, attributes):
+        self.name, self.attributes, self.text = name, attributes, ""
+
+    def __getitem__(self, name):
+        return self.attributes.get(name)
+
+
+class Reader(html.parser.HTMLParser):
+    """All elements with their text, which is that of those inside too."""
+    VOID = {"meta", "input", "br", "link", "img", "hr", "path", "line", "circle"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.elements, self.open = [], []
+        self.feed(text)
+
+    def handle_starttag(self, name, attributes):
+        self.elements.append(Element(name, dict(attributes)))
+        if name not in self.VOID:
+            self.open.append(self.elements[-1])
+
+    def handle_startendtag(self, name, attributes):
+        self.elements.append(Element(name, dict(attributes)))
+
+    def handle_endtag(self, name):
+        while name not in self.VOID and self.open and self.open.pop().name != name:
+            pass
+
+    def handle_data(self, text):
+        if not any(one.name in ("script", "style") for one in self.open):
+            for one in self.open:
+                one.text += text
+
+
+class Page:
+    """What is left of a page once its scripts have run. `#check` has it count the colours on each canvas."""
+    def __init__(self, path):
+        ran = run(f"file://{path}#check", "--dump-dom")
+        self.elements = Reader(ran.stdout).elements
+        self.complaints = [line for line in ran.stderr.splitlines() if re.search(r":(ERROR|WARNING|INFO):CONSOLE", line)]
+        self.text = next(one.text for one in self.elements if one.name == "body")
+
+    def root(self):
+        return next(one for one in self.elements if one.name == "html")
+
+    def having(self, attribute):
+        return [one for one in self.elements if one[attribute] is not None]
+
+
+def screenshot(path, picture, width, height, scheme="light"):
+    """A picture of the page, for people to look at."""
+    run(f"file://{path}#{scheme}", f"--screenshot={picture}", f"--window-size={width},{height}", "--hide-scrollbars")
