@@ -82,7 +82,6 @@ GrowthRun::GrowthRun(const CaseFile& file, const RunOptions& options) : case_(fi
     model_ = tips_.get();
   }
   recorder_.emplace(recorder_of(c, options));
-  recorder_->open();
 }
 
 post::Summary GrowthRun::operator()(bool quiet) {
@@ -142,7 +141,7 @@ post::Summary GrowthRun::finish() {
   const Case& c = case_;
   const bool solved = state_.cols() > 0;
   if (solved && !framed_) frame();
-  if (solved)
+  if (solved && recorder_->stores())
     recorder_->final_state(model_->plate().mesh(),
                            post::frame_of(model_->plate(), double(advance_), advance_, state_, false));
   if (tips_ || c.srif) recorder_->table("srif", srifs_);
@@ -151,7 +150,7 @@ post::Summary GrowthRun::finish() {
   recorder_->table("tips", record.tips);
   recorder_->table("cracks", record.crack_table());
   recorder_->cracks(record.cracks);
-  if (recorder_->draws())
+  if (recorder_->plots())
     recorder_->picture("curves", post::to_svg(post::curves_of_growth(c.title, record.growth, c.units == "SI")));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   post::Summary summary;
@@ -210,7 +209,7 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
   auto summary = growth(options.quiet);
   if (growth.grown().ended.how == fracture::End::unstable &&
       file.content.growth->unstable == fracture::Growth::Unstable::move)
-    run(in_motion(file, growth), {options.folder / "motion", options.quiet});
+    run(in_motion(file, growth), options.part("motion"));
   return summary;
 }
 

@@ -11,6 +11,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
+#include "post/files/hdf5/state_file.hpp"
 
 namespace cases {
 namespace {

@@ -14,6 +14,8 @@
 #include "post/factors/plate_factors.hpp"
 #include "post/files/earlier.hpp"
 #include "post/files/gate.hpp"
+#include "post/files/sinks/folder.hpp"
+#include "post/files/sinks/kept_sink.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/peaks.hpp"
 
@@ -23,6 +25,11 @@ std::vector<post::Probe> probes_of(const Case& c, const plate::Formulation& plat
   std::vector<post::Probe> result;
   for (const auto& [name, x] : c.output.probes) result.push_back({name, x, plate.interpolation(x)});
   return result;
+}
+
+RunOptions RunOptions::part(const std::string& name) const {
+  if (kept) kept->parts[name].wants_fields = kept->wants_fields;
+  return {folder / name, quiet, kept ? &kept->parts[name] : nullptr};
 }
 
 void check_folder(const std::filesystem::path& folder) {
@@ -36,12 +43,19 @@ void check_folder(const std::filesystem::path& folder) {
 }
 
 post::Recorder recorder_of(const Case& c, const RunOptions& options) {
+  auto resolved = resolved_toml(c);
+  if (options.kept) {
+    options.kept->resolved = resolved;
+    options.kept->wants_fields = options.kept->wants_fields && (c.output.vtk || c.output.hdf5);
+    return {std::make_unique<post::KeptSink>(*options.kept), std::move(resolved), PDPLATE_VERSION};
+  }
   const auto& folder = options.folder;
   const auto removed = post::remove_earlier(folder);
   if (removed > 0 && !options.quiet)
     fmt::print(stderr, "{}: removed {} files of an earlier run\n", folder.string(), removed);
-  return post::Recorder({folder, resolved_toml(c), PDPLATE_VERSION, c.output.vtk, c.output.hdf5,
-                         c.analysis.kind == Analysis::Kind::dynamic});
+  auto sink = std::make_unique<post::Folder>(post::FolderOptions{
+      folder, resolved, PDPLATE_VERSION, c.output.vtk, c.output.hdf5, c.analysis.kind == Analysis::Kind::dynamic});
+  return {std::move(sink), std::move(resolved), PDPLATE_VERSION};
 }
 
 Results::Results(const CaseFile& file, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
@@ -52,7 +66,7 @@ Results::Results(const CaseFile& file, const plate::Formulation& plate, const st
       recorder_(recorder_of(case_, options)),
       probes_(probes_of(case_, plate)),
       factors_(case_.section.thickness) {
-  if (case_.output.vtk || case_.output.hdf5) recorder_.open(plate.mesh());
+  if (recorder_.draws() || recorder_.stores()) recorder_.open(plate.mesh());
 }
 
 void Results::sample(const plate::Instant& now, bool last) {
@@ -76,12 +90,12 @@ void Results::sample(const plate::Instant& now, bool last) {
 }
 
 void Results::frame(const plate::Instant& now) {
-  if (!case_.output.vtk && !case_.output.hdf5) return;
-  auto frame = post::frame_of(plate_, now.time, now.step, now.state, case_.output.vtk && !growth_);
+  if (!recorder_.draws() && !recorder_.stores()) return;
+  auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_);
   std::optional<plate::Mesh> mesh;
-  if (growth_ && case_.output.vtk) mesh = growth_->draw(frame, now.state);
+  if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state);
   plate::State velocity;
-  if (case_.output.hdf5 && case_.analysis.kind == Analysis::Kind::dynamic)
+  if (recorder_.stores() && case_.analysis.kind == Analysis::Kind::dynamic)
     velocity = now.velocity().leftCols(Eigen::Index(plate_.cloud().plate_points));
   recorder_.frame(std::move(frame), std::move(mesh), std::move(velocity));
 }
@@ -121,7 +135,7 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   const bool moves = case_.analysis.kind == Analysis::Kind::dynamic, si = case_.units == "SI";
   const auto& history = recorder_.history();
   if (moves && !growth_) summary.peaks = post::peaks(times_, factors_.rows(), history);
-  if (moves && recorder_.draws())
+  if (moves && recorder_.plots())
     recorder_.picture("curves",
                       post::to_svg(post::curves_of_motion(case_.title, times_, factors_.rows(), history, si)));
   if (si) warn(post::distrust_of_deflection(history, case_.section.thickness));
