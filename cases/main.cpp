@@ -198,7 +198,9 @@ bool set_waiting() {
   return setenv("OMP_WAIT_POLICY", "passive", 1) == 0;
 }
 
-#ifdef PDPLATE_OWN_OPENMP
+#if defined PDPLATE_LIBRARY  // the launcher has done it (cases/package/launcher.cpp)
+void wait_without_spinning(char**) {}
+#elif defined PDPLATE_OWN_OPENMP
 /// Before the constructors of the OpenMP library, which is part of the program.
 [[gnu::constructor(101)]] void wait_without_spinning() {
   set_waiting();
@@ -246,12 +248,17 @@ void add_pages(CLI::App& app, Arguments& a) {
 
 }  // namespace
 
+#ifdef PDPLATE_LIBRARY
+extern "C" [[gnu::visibility("default")]] int pdplate_main(int argc, char** argv) {
+#else
 int main(int argc, char** argv) {
+#endif
   wait_without_spinning(argv);
   keep_memory();
   CLI::App app("Cracked Mindlin plates in ordinary state-based peridynamics");
   app.require_subcommand(1);
-  app.set_version_flag("--version", "pdplate " PDPLATE_VERSION, "print the version and exit");
+  app.set_version_flag("--version", "pdplate " PDPLATE_VERSION ", kernels " PDPLATE_KERNELS,
+                       "print the version and exit");
   Arguments a;
   auto* run = app.add_subcommand("run", "run a case");
   add_case(*run, a);

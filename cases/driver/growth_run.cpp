@@ -43,7 +43,8 @@ private:
   std::unique_ptr<fracture::QuasiStaticBonds> bonds_;
   fracture::QuasiStaticModel* model_ = nullptr;
   std::optional<post::Recorder> recorder_;  // once nothing can be refused any more
-  post::Pictures pictures_;                 // of the report, where one is wanted
+  std::optional<std::filesystem::path> report_;  // its folder, where one is wanted
+  post::Pictures pictures_;                      // for it
   post::Table srifs_{post::srif_columns(), {}};
   std::vector<post::Srif> latest_;
   plate::State state_;  // of the last advance
@@ -83,7 +84,7 @@ GrowthRun::GrowthRun(const CaseFile& file, const RunOptions& options) : case_(fi
     model_ = tips_.get();
   }
   recorder_.emplace(recorder_of(c, options));
-  recorder_->open();
+  report_ = report_folder(c, options);
 }
 
 post::Summary GrowthRun::operator()(bool quiet) {
@@ -136,7 +137,7 @@ void GrowthRun::frame() {
   if (!recorder_->draws()) return;
   auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
   auto mesh = model_->draw(frame, state_);
-  if (case_.output.reports()) pictures_.open(mesh), pictures_.look(frame);
+  if (report_) pictures_.open(mesh), pictures_.look(frame);
   recorder_->frame(std::move(frame), std::move(mesh), {});
 }
 
@@ -144,7 +145,7 @@ post::Summary GrowthRun::finish() {
   const Case& c = case_;
   const bool solved = state_.cols() > 0;
   if (solved && !framed_) frame();
-  if (solved)
+  if (solved && recorder_->stores())
     recorder_->final_state(model_->plate().mesh(),
                            post::frame_of(model_->plate(), double(advance_), advance_, state_, false));
   if (tips_ || c.srif) recorder_->table("srif", srifs_);
@@ -153,7 +154,7 @@ post::Summary GrowthRun::finish() {
   recorder_->table("tips", record.tips);
   recorder_->table("cracks", record.crack_table());
   recorder_->cracks(record.cracks);
-  if (recorder_->draws())
+  if (recorder_->plots())
     recorder_->picture("curves", post::to_svg(post::curves_of_growth(c.title, record.growth, c.units == "SI")));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   post::Summary summary;
@@ -184,7 +185,7 @@ post::Summary GrowthRun::finish() {
                     {"fracture", books.fracture},
                     {"released", books.released()}};
   summary = recorder_->finish(std::move(summary), stopwatch_);
-  write_report(c, recorder_->folder(), pictures_);
+  if (report_) write_report(c, *report_, pictures_);
   return summary;
 }
 
@@ -214,7 +215,7 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
   auto summary = growth(options.quiet);
   if (growth.grown().ended.how == fracture::End::unstable &&
       file.content.growth->unstable == fracture::Growth::Unstable::move)
-    run(in_motion(file, growth), {options.folder / "motion", options.quiet});
+    run(in_motion(file, growth), options.part("motion"));
   return summary;
 }
 

@@ -11,6 +11,7 @@
 #include "plate/model/free_memory.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
+#include "post/files/hdf5/state_file.hpp"
 #include "post/report/html/report.hpp"
 #include "post/report/html/study_report.hpp"
 

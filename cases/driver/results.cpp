@@ -14,6 +14,8 @@
 #include "post/factors/plate_factors.hpp"
 #include "post/files/earlier.hpp"
 #include "post/files/gate.hpp"
+#include "post/files/sinks/folder.hpp"
+#include "post/files/sinks/kept_sink.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/html/report.hpp"
 #include "post/report/peaks.hpp"
@@ -24,6 +26,11 @@ std::vector<post::Probe> probes_of(const Case& c, const plate::Formulation& plat
   std::vector<post::Probe> result;
   for (const auto& [name, x] : c.output.probes) result.push_back({name, x, plate.interpolation(x)});
   return result;
+}
+
+RunOptions RunOptions::part(const std::string& name) const {
+  if (kept) kept->parts[name].wants_fields = kept->wants_fields;
+  return {folder / name, quiet, kept ? &kept->parts[name] : nullptr};
 }
 
 void check_folder(const std::filesystem::path& folder) {
@@ -37,16 +44,28 @@ void check_folder(const std::filesystem::path& folder) {
 }
 
 post::Recorder recorder_of(const Case& c, const RunOptions& options) {
+  auto resolved = resolved_toml(c);
+  if (options.kept) {
+    options.kept->resolved = resolved;
+    options.kept->wants_fields = options.kept->wants_fields && (c.output.vtk || c.output.hdf5);
+    return {std::make_unique<post::KeptSink>(*options.kept), std::move(resolved), PDPLATE_VERSION};
+  }
   const auto& folder = options.folder;
   const auto removed = post::remove_earlier(folder);
   if (removed > 0 && !options.quiet)
     fmt::print(stderr, "{}: removed {} files of an earlier run\n", folder.string(), removed);
-  return post::Recorder({folder, resolved_toml(c), PDPLATE_VERSION, c.output.vtk, c.output.hdf5,
-                         c.analysis.kind == Analysis::Kind::dynamic});
+  auto sink = std::make_unique<post::Folder>(post::FolderOptions{
+      folder, resolved, PDPLATE_VERSION, c.output.vtk, c.output.hdf5, c.analysis.kind == Analysis::Kind::dynamic});
+  return {std::move(sink), std::move(resolved), PDPLATE_VERSION};
+}
+
+std::optional<std::filesystem::path> report_folder(const Case& c, const RunOptions& options) {
+  if (options.kept || !c.output.reports()) return std::nullopt;
+  return options.folder;
 }
 
 void write_report(const Case& c, const std::filesystem::path& folder, const post::Pictures& pictures) {
-  if (c.output.reports()) post::write_report(folder, {c, c.title, c.source, c.units, c.output.probes}, pictures);
+  post::write_report(folder, {c, c.title, c.source, c.units, c.output.probes}, pictures);
 }
 
 Results::Results(const CaseFile& file, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
@@ -55,11 +74,12 @@ Results::Results(const CaseFile& file, const plate::Formulation& plate, const st
       plate_(plate),
       tip_methods_(methods),
       recorder_(recorder_of(case_, options)),
+      report_(report_folder(case_, options)),
       probes_(probes_of(case_, plate)),
       factors_(case_.section.thickness) {
-  if (!case_.output.vtk && !case_.output.hdf5) return;
+  if (!recorder_.draws() && !recorder_.stores()) return;
   const auto mesh = plate.mesh();
-  if (case_.output.reports()) pictures_.open(mesh);
+  if (report_) pictures_.open(mesh);
   recorder_.open(mesh);
 }
 
@@ -84,16 +104,16 @@ void Results::sample(const plate::Instant& now, bool last) {
 }
 
 void Results::frame(const plate::Instant& now) {
-  if (!case_.output.vtk && !case_.output.hdf5) return;
-  auto frame = post::frame_of(plate_, now.time, now.step, now.state, case_.output.vtk && !growth_);
+  if (!recorder_.draws() && !recorder_.stores()) return;
+  auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_);
   std::optional<plate::Mesh> mesh;
-  if (growth_ && case_.output.vtk) mesh = growth_->draw(frame, now.state);
-  if (case_.output.reports()) {
+  if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state);
+  if (report_) {
     if (mesh) pictures_.open(*mesh);
     pictures_.look(frame);
   }
   plate::State velocity;
-  if (case_.output.hdf5 && case_.analysis.kind == Analysis::Kind::dynamic)
+  if (recorder_.stores() && case_.analysis.kind == Analysis::Kind::dynamic)
     velocity = now.velocity().leftCols(Eigen::Index(plate_.cloud().plate_points));
   recorder_.frame(std::move(frame), std::move(mesh), std::move(velocity));
 }
@@ -133,13 +153,13 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   const bool moves = case_.analysis.kind == Analysis::Kind::dynamic, si = case_.units == "SI";
   const auto& history = recorder_.history();
   if (moves && !growth_) summary.peaks = post::peaks(times_, factors_.rows(), history);
-  if (moves && recorder_.draws())
+  if (moves && recorder_.plots())
     recorder_.picture("curves",
                       post::to_svg(post::curves_of_motion(case_.title, times_, factors_.rows(), history, si)));
   if (si) warn(post::distrust_of_deflection(history, case_.section.thickness));
   summary.frequencies = frequencies_;
   summary = recorder_.finish(std::move(summary), stopwatch);
-  write_report(case_, recorder_.folder(), pictures_);
+  if (report_) write_report(case_, *report_, pictures_);
   return summary;
 }
 

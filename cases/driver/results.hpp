@@ -29,7 +29,10 @@ void check_folder(const std::filesystem::path& folder);
 /// A recorder for the results of a case. What an earlier run wrote into its folder goes, and that is said.
 post::Recorder recorder_of(const Case& c, const RunOptions& options);
 
-/// Writes report.html into the folder of a run, where the case wants one.
+/// Where report.html goes; nothing where none is wanted.
+std::optional<std::filesystem::path> report_folder(const Case& c, const RunOptions& options);
+
+/// Writes report.html into the folder of a finished run.
 void write_report(const Case& c, const std::filesystem::path& folder, const post::Pictures& pictures);
 
 /// The results of a run on one plate: rows, factors and frames as the solver goes, then all tables and the summary.
@@ -60,7 +63,8 @@ private:
   const plate::Formulation& plate_;
   const std::vector<post::TipMethods>& tip_methods_;
   post::Recorder recorder_;
-  post::Pictures pictures_;  // of the report, where one is wanted
+  std::optional<std::filesystem::path> report_;  // its folder, where one is wanted
+  post::Pictures pictures_;                      // for it
   std::vector<post::Probe> probes_;
   post::FactorRows factors_;
   std::vector<double> times_;

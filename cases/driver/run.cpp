@@ -289,7 +289,7 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
     results.factors().coarser(coarser_srifs(file, prepared.warnings)), stopwatch.lap("srif");
   if (second) {
     const auto name = second->file.content.discretization.formulation->name;
-    results.factors().second(name, run_second(*second, {options.folder / name, options.quiet}));
+    results.factors().second(name, run_second(*second, options.part(name)));
     second.reset();
     stopwatch.lap("second_formulation");
   }

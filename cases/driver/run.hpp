@@ -4,6 +4,7 @@
 #include <vector>
 
 namespace post {
+struct Kept;
 struct Summary;
 struct Table;
 }  // namespace post
@@ -15,6 +16,10 @@ struct CaseFile;
 struct RunOptions {
   std::filesystem::path folder;  // results go here; made if it does not exist
   bool quiet = false;
+  post::Kept* kept = nullptr;  // results go here instead, and no file is written
+
+  /// Of a run that belongs to another one.
+  RunOptions part(const std::string& name) const;
 };
 
 /// The steps of a dynamic run.

@@ -30,15 +30,21 @@ std::string contents(const std::filesystem::path& path) {
 
 }  // namespace
 
-toml::table parsed(const std::filesystem::path& path) {
-  const std::string text = contents(path);
+namespace {
+
+toml::table parsed_text(const std::string& text, const std::string& name) {
   try {
-    return toml::parse(text, path.string());
+    return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
     const auto at = error.source().begin;
-    throw CaseError(
-        {{fmt::format("{}:{}:{}", path.string(), at.line, at.column), "", std::string(error.description())}});
+    throw CaseError({{fmt::format("{}:{}:{}", name, at.line, at.column), "", std::string(error.description())}});
   }
+}
+
+}  // namespace
+
+toml::table parsed(const std::filesystem::path& path) {
+  return parsed_text(contents(path), path.string());
 }
 
 namespace {
@@ -66,8 +72,9 @@ std::string CaseFile::place(const std::string& key) const {
   }
 }
 
-CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  toml::table root = parsed(path);
+namespace {
+
+CaseFile case_of(toml::table root, const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   Reading reading(path.string());
   for (const auto& setting : overrides) apply_override(root, setting, reading);
   reading.kind = kind_of(root);
@@ -86,6 +93,16 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<std::str
     content.discretization = post::discretization_of(content, content.analysis.kind == Analysis::Kind::dynamic, 1);
   reading.found().content = std::move(content);
   return reading.found();
+}
+
+}  // namespace
+
+CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  return case_of(parsed(path), path, overrides);
+}
+
+CaseFile read_case_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+  return case_of(parsed_text(text, name), name, overrides);
 }
 
 std::string resolved_toml(const Case& content) {

@@ -54,6 +54,9 @@ struct CaseFile {
 /// CaseError.
 CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides);
 
+/// The same of text; `name` stands for the file.
+CaseFile read_case_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides);
+
 /// The whole case with all defaults as TOML: reading it gives the same case.
 std::string resolved_toml(const Case& content);
 

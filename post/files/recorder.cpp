@@ -5,7 +5,6 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "post/files/gate.hpp"
-#include "post/files/whole_file.hpp"
 
 namespace post {
 namespace {
@@ -33,7 +32,8 @@ Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, c
   return frame;
 }
 
-Recorder::Recorder(RecorderOptions options) : options_(std::move(options)) {
+Recorder::Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version)
+    : sink_(std::move(sink)), resolved_(std::move(resolved)), version_(std::move(version)) {
   history_.columns = {"time",
                       "step",
                       "strain_energy",
@@ -48,24 +48,6 @@ Recorder::Recorder(RecorderOptions options) : options_(std::move(options)) {
                       "displacement"};
   probes_.columns = {"time", "probe", "x", "y", "w", "theta_x", "theta_y"};
   frequencies_.columns = {"mode", "frequency", "omega", "residual"};
-  std::filesystem::create_directories(options_.folder);
-  write_whole(options_.folder / "case.resolved.toml", options_.resolved);
-}
-
-void Recorder::open(const plate::Mesh& mesh) {
-  if (options_.vtk) vtk_.emplace(options_.folder, mesh);
-  if (options_.hdf5) hdf5_.emplace(options_.folder / "state.h5", mesh, options_.resolved, options_.version);
-}
-
-void Recorder::open() {
-  if (options_.vtk) vtk_.emplace(options_.folder, plate::Mesh{});
-}
-
-void Recorder::final_state(const plate::Mesh& mesh, const Frame& frame) {
-  wait_for_frame();
-  if (!options_.hdf5) return;
-  hdf5_.emplace(options_.folder / "state.h5", mesh, options_.resolved, options_.version);
-  hdf5_->write(frame, nullptr);
 }
 
 void Recorder::row(const Sample& s, const std::vector<Probe>& probes, std::size_t plate_points) {
@@ -93,49 +75,26 @@ void Recorder::mode(const Frequency& one) {
 }
 
 void Recorder::frame(Frame frame, std::optional<plate::Mesh> mesh, plate::State velocity) {
-  if (!vtk_ && !hdf5_) return;
-  wait_for_frame();
-  if (mesh && vtk_) vtk_->remesh(std::move(*mesh));
-  writing_ = std::async(std::launch::async, [this, frame = std::move(frame), velocity = std::move(velocity)] {
-    if (vtk_) vtk_->write(frame);
-    if (hdf5_) hdf5_->write(frame, options_.velocities ? &velocity : nullptr);
-  });
-}
-
-void Recorder::wait_for_frame() {
-  if (writing_.valid()) writing_.get();
-}
-
-void Recorder::cracks(const std::vector<CrackLine>& lines) {
-  if (options_.vtk) write_crack_lines(options_.folder / "cracks.vtp", lines);
-}
-
-void Recorder::picture(const std::string& name, const std::string& svg) {
-  write_whole(options_.folder / (name + ".svg"), svg);
+  sink_->frame(std::move(frame), std::move(mesh), std::move(velocity));
 }
 
 Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
-  std::vector<std::pair<std::string, const Table*>> tables;
+  Sink::Tables tables;
   if (frequencies_.rows.empty() && summary.analysis.kind != "frequencies")
     tables.emplace_back("history", &history_);
   else
     tables.emplace_back("frequencies", &frequencies_);
   if (!probes_.rows.empty()) tables.emplace_back("probes", &probes_);
   for (const auto& [name, table] : tables_) tables.emplace_back(name, &table);
-  for (const auto& [name, table] : tables) write_csv(options_.folder / (name + ".csv"), *table);
-  wait_for_frame();
-  if (hdf5_) {
-    for (const auto& [name, table] : tables) hdf5_->write(name, *table);
-    hdf5_->close();
-  }
+  sink_->tables(tables);
   stopwatch.lap("output");
-  summary.version = options_.version;
-  summary.digest = digest(options_.resolved);
+  summary.version = version_;
+  summary.digest = digest(resolved_);
   summary.seconds = stopwatch.seconds();
   summary.seconds.emplace_back("total", stopwatch.total());
   for (auto& part : summary.scene) part.time_share = stopwatch.seconds(part.stage) / stopwatch.total();
   summary.peak_memory_bytes = peak_memory_bytes();
-  write_whole(options_.folder / "summary.json", to_json(summary));
+  sink_->summary(to_json(summary));
   return summary;
 }
 

@@ -1,28 +1,16 @@
 #pragma once
-#include <filesystem>
-#include <future>
+#include <memory>
 
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/stopwatch.hpp"
-#include "post/files/frame.hpp"
-#include "post/files/hdf5/state_file.hpp"
+#include "post/files/sinks/sink.hpp"
 #include "post/files/summary.hpp"
-#include "post/files/table.hpp"
-#include "post/files/vtk.hpp"
 
 namespace plate {
 class Formulation;
 }
 
 namespace post {
-
-/// What a recorder writes, and where to.
-struct RecorderOptions {
-  std::filesystem::path folder;
-  std::string resolved, version;  // the whole case as text; of the program
-  bool vtk = true, hdf5 = true;
-  bool velocities = false;  // in state.h5
-};
 
 /// A row of history.csv: one instant. What does not exist in an analysis stays empty.
 struct Sample {
@@ -45,34 +33,35 @@ struct Probe {
   std::vector<plate::Share> shares;
 };
 
-/// The results of a run as they come: rows in memory, frames at once, and everything whole at the end, also after a
-/// failure. Nothing that is not asked for is computed.
+/// The results of a run as they come: rows are kept, frames go on to the sink at once, and everything whole at the end,
+/// also after a failure. Nothing that is not asked for is computed.
 class Recorder {
 public:
-  /// Makes the folder and writes the case into it.
-  explicit Recorder(RecorderOptions options);
+  /// `resolved`: the whole case as text; `version` of the program.
+  Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version);
 
-  /// The cells that are drawn, and the points of the states in state.h5, which are those of all frames.
-  void open(const plate::Mesh& mesh);
-  /// Frames are drawn with cells of their own, and state.h5 holds one state, given to final_state().
-  void open();
-  void final_state(const plate::Mesh& mesh, const Frame& frame);
+  /// The cells that are drawn, and the points of the states in state.h5, which are those of all frames. Without it
+  /// frames are drawn with cells of their own, and state.h5 holds one state, given to final_state().
+  void open(const plate::Mesh& mesh) { sink_->open(mesh); }
+  void final_state(const plate::Mesh& mesh, const Frame& frame) { sink_->final_state(mesh, frame); }
 
   /// A row of history.csv and of probes.csv. Throws plate::NumericalError where a number is not finite.
   void row(const Sample& sample, const std::vector<Probe>& probes, std::size_t plate_points);
   /// A row of frequencies.csv.
   void mode(const Frequency& mode);
 
-  bool draws() const { return options_.vtk; }
-  /// A frame for ParaView, with other cells where they are given, and for HDF5; written while the solver goes on. What
-  /// went wrong with a frame is thrown with the next one, or by finish().
+  bool draws() const { return sink_->draws(); }
+  bool stores() const { return sink_->stores(); }
+  bool plots() const { return sink_->plots(); }
+  /// A frame, with other cells where they are given. What went wrong with it is thrown with the next one, or by
+  /// finish().
   void frame(Frame frame, std::optional<plate::Mesh> mesh, plate::State velocity);
 
   /// Another table, NAME.csv.
   void table(const std::string& name, Table content) { tables_.emplace_back(name, std::move(content)); }
-  void cracks(const std::vector<CrackLine>& lines);
+  void cracks(const std::vector<CrackLine>& lines) { sink_->cracks(lines); }
   /// NAME.svg.
-  void picture(const std::string& name, const std::string& svg);
+  void picture(const std::string& name, const std::string& svg) { sink_->plot(name, svg); }
 
   /// Writes the tables and, last, the summary; returns it complete.
   Summary finish(Summary summary, plate::Stopwatch& stopwatch);
@@ -81,14 +70,10 @@ public:
   const std::filesystem::path& folder() const { return options_.folder; }
 
 private:
-  void wait_for_frame();
-
-  RecorderOptions options_;
-  std::optional<VtkSeries> vtk_;
-  std::optional<StateFile> hdf5_;
+  std::unique_ptr<Sink> sink_;
+  std::string resolved_, version_;
   Table history_, probes_, frequencies_;
   std::vector<std::pair<std::string, Table>> tables_;
-  std::future<void> writing_;  // of the last frame; ends before what it writes to
 };
 
 }  // namespace post

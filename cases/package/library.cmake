@@ -1,0 +1,29 @@
+# libpdplate.so: all that computes, in one piece that is compiled with one set of flags. No type of a library that lays out its
+# memory by the instruction set (Eigen) crosses its border. OpenMP is the system's: its archive is for programs alone.
+find_library(GMP_LIBRARY gmp REQUIRED)
+find_library(MPFR_LIBRARY mpfr REQUIRED)
+add_library(pdplate_door OBJECT cases/python/door.cpp)
+target_link_libraries(pdplate_door PRIVATE cases)
+target_compile_definitions(pdplate_door PRIVATE PDPLATE_VERSION="${PROJECT_VERSION}" PDPLATE_KERNELS="${PDPLATE_KERNELS}")
+add_library(pdplate_library SHARED cases/package/standard_streams.cpp)
+foreach(part geometry plate post fracture cases pdplate_door $<$<BOOL:${PDPLATE_PACKAGE}>:pdplate_main>)
+  target_sources(pdplate_library PRIVATE $<TARGET_OBJECTS:${part}>)
+endforeach()
+set_target_properties(pdplate_library PROPERTIES OUTPUT_NAME pdplate INSTALL_RPATH "$ORIGIN")
+target_link_options(pdplate_library PRIVATE -fopenmp -Wl,--exclude-libs,ALL -Wl,-z,defs -Wl,--wrap=stdout -Wl,--wrap=stderr)
+target_link_libraries(pdplate_library PRIVATE ${CHOLMOD_IN_LIBRARY} ${GMP_LIBRARY} ${MPFR_LIBRARY} fmt::fmt ${TOML_LIBRARY} m
+                      pthread ${CMAKE_DL_LIBS})
+add_dependencies(pdplate_library pdplate_files)
+
+# The Python module pdplate, of Debian's interpreter.
+if(PDPLATE_PYTHON)
+  set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Debian's interpreter")
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+  find_package(pybind11 REQUIRED)
+  set(python_folder ${PROJECT_BINARY_DIR}/python/pdplate)
+  pybind11_add_module(pdplate_python MODULE NO_EXTRAS cases/python/module.cpp)
+  set_target_properties(pdplate_python PROPERTIES OUTPUT_NAME _door LIBRARY_OUTPUT_DIRECTORY ${python_folder})
+  target_include_directories(pdplate_python PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(pdplate_python PRIVATE pdplate_library)
+  configure_file(cases/python/pdplate/__init__.py ${python_folder}/__init__.py COPYONLY)
+endif()

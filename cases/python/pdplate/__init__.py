@@ -1,0 +1,144 @@
+"""PDPlate from Python: cracked Mindlin plates in peridynamics, with results as numpy arrays and no files.
+
+    import pdplate
+    result = pdplate.run("plate.toml", overrides={"discretization.spacing": 0.01})
+    result = pdplate.run({"section": {"young": 1000.0, ...}, "geometry": {...}, ...})
+    result.factors[0]["K1"], result.w, result.history["time"]
+
+A case is the path of a case file, or a dict of the same form: pdplate.keys() has the table of its keys. Overrides map dotted keys
+to values; None takes a key out. A case that is wrong raises CaseError, with all its problems, before anything is computed; numbers
+that fail raise NumericalError, whose `result` holds what was good until then. Other threads run on during a computation."""
+import json as _json
+import os as _os
+
+import numpy as _np
+
+_os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # read as OpenMP is loaded: threads that wait sleep
+from pdplate import _door  # noqa: E402
+
+__version__, kernels = _door.version()  # of the program; the instruction set that the processor was found to have
+__all__ = ["run", "check", "keys", "Result", "CaseError", "NumericalError", "kernels"]
+
+
+class CaseError(ValueError):
+    """What is wrong with a case; `problems`: a list of (place, key, what)."""
+
+    def __init__(self, message, problems):
+        super().__init__(message)
+        self.problems = problems
+
+
+class NumericalError(ArithmeticError):
+    """Numbers that failed; `result`: what was good until then."""
+
+    def __init__(self, message, result):
+        super().__init__(message)
+        self.result = result
+
+
+class Frame:
+    """The fields of one instant, advance or mode: `time`, `points` (n, 2), `w` (n,), `theta` (n, 2), `moments` (n, 3: Mxx, Myy, Mxy),
+    `shear` (n, 2: Qx, Qy), `von_mises` (top face), `damage`, `cut`, `area`; cells `quads` (., 4) and `triangles` (., 3)."""
+
+    def __init__(self, raw):
+        self.time, self.points, self.w, self.theta = raw["time"], raw["x"], raw["w"], raw["theta"]
+        self.moments, self.shear, self.von_mises = raw["moments"], raw["shear"], raw["von_mises"]
+        self.damage, self.cut, self.area = raw["damage"], raw["cut"], raw["area"]
+        self.quads, self.triangles = raw["quads"], raw["triangles"]
+
+
+class Result:
+    """What a run gives.
+
+    summary      as summary.json: a dict
+    factors      its entries of `srif`: dicts, the recommended method of each tip first
+    tables       name -> column -> array, as the .csv files: history, srif, probes, frequencies, growth, tips, cracks; nan where a cell
+                 is empty; columns of words are lists
+    frames       a list of Frame; points, w, theta, moments, shear, von_mises, damage are those of the last one
+    cracks       with growth, the cracks at the end: arrays (n, 2)
+    parts        further runs: "motion" after a growth, or the other formulation
+    resolved     the whole case with its defaults, as TOML"""
+
+    def __init__(self, raw):
+        self.summary = _json.loads(raw["summary"]) if raw["summary"] else {}
+        self.factors = self.summary.get("srif", [])
+        self.tables, self.cracks, self.resolved = raw["tables"], raw["cracks"], raw["resolved"]
+        self.frames = [Frame(frame) for frame in raw["frames"]]
+        self.parts = {name: Result(part) for name, part in raw["parts"].items()}
+
+    def __getattr__(self, name):
+        if name in ("points", "w", "theta", "moments", "shear", "von_mises", "damage", "cut", "area", "quads", "triangles"):
+            if not self.frames:
+                raise AttributeError(f"{name}: the run kept no fields")
+            return getattr(self.frames[-1], name)
+        if name in ("history", "probes", "growth", "tips"):
+            return self.tables.get(name)
+        raise AttributeError(name)
+
+    @property
+    def frequencies(self):
+        """Of the modes [1/time], ascending."""
+        return self.tables["frequencies"]["frequency"] if "frequencies" in self.tables else _np.array([])
+
+    def K(self, tip=0, method=None):
+        """Factors of a tip in time, or over the advances of a growth, by its recommended method: arrays time, K1, K2, K3."""
+        table = self.tables["srif"]
+        if method is None:
+            method = next(entry["method"] for entry in self.factors if entry["tip"] == tip)
+        rows = (table["tip"] == tip) & (_np.array(table["method"]) == method)
+        return {name: table[name][rows] for name in ("time", "K1", "K2", "K3", "estimated_error")}
+
+    def __repr__(self):
+        return f"<pdplate.Result {self.summary.get('title', '')!r}: {self.summary.get('outcome', 'failed')}>"
+
+
+def _toml(value):
+    """A value as TOML, in one line."""
+    if isinstance(value, (bool, _np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return _json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, (int, _np.integer)):
+        return str(int(value))
+    if isinstance(value, (float, _np.floating)):
+        return repr(float(value))
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_toml(str(key))} = {_toml(one)}" for key, one in value.items()) + "}"
+    if isinstance(value, (list, tuple, _np.ndarray)):
+        return "[" + ", ".join(_toml(one) for one in value) + "]"
+    raise TypeError(f"{value!r}: a case is made of numbers, words, booleans, lists and dicts")
+
+
+def _source(case, overrides):
+    settings = [f"-{key}" if value is None else f"{key}={_toml(value)}" for key, value in (overrides or {}).items()]
+    if isinstance(case, dict):
+        return "", "".join(f"{_toml(str(key))} = {_toml(value)}\n" for key, value in case.items()), settings
+    return _os.fspath(case), "", settings
+
+
+def _call(function, *arguments):
+    try:
+        return function(*arguments)
+    except _door.Wrong as error:
+        message, problems = error.args
+        raise CaseError(message, [tuple(problem) for problem in problems]) from None
+
+
+def run(case, overrides=None, *, fields=True, threads=0):
+    """Runs a case and gives its Result. `fields`: keep frames, which `output.every` spaces in motion; `threads`: 0 for all."""
+    raw, failure = _call(_door.run, *_source(case, overrides), fields, threads)
+    result = Result(raw)
+    if failure:
+        raise NumericalError(failure, result)
+    return result
+
+
+def check(case, overrides=None):
+    """Validates a case and says what its run would cost, as text."""
+    return _call(_door.check, *_source(case, overrides))
+
+
+def keys(containing=""):
+    """The keys of a case: dicts of name, unit, allowed, default, meaning."""
+    names = ("name", "unit", "allowed", "default", "meaning")
+    return [dict(zip(names, key)) for key in _door.keys() if containing in key[0]]

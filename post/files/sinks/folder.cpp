@@ -1,0 +1,59 @@
+#include "post/files/sinks/folder.hpp"
+
+#include "post/files/whole_file.hpp"
+
+namespace post {
+
+Folder::Folder(FolderOptions options) : options_(std::move(options)) {
+  std::filesystem::create_directories(options_.folder);
+  write_whole(options_.folder / "case.resolved.toml", options_.resolved);
+}
+
+void Folder::open(const Mesh& mesh) {
+  if (options_.vtk) vtk_.emplace(options_.folder, mesh);
+  if (options_.hdf5) hdf5_.emplace(options_.folder / "state.h5", mesh, options_.resolved, options_.version);
+}
+
+void Folder::frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) {
+  if (!options_.vtk && !hdf5_) return;
+  wait_for_frame();
+  if (options_.vtk && !vtk_) vtk_.emplace(options_.folder, Mesh{});
+  if (mesh && vtk_) vtk_->remesh(std::move(*mesh));
+  writing_ = std::async(std::launch::async, [this, frame = std::move(frame), velocity = std::move(velocity)] {
+    if (vtk_) vtk_->write(frame);
+    if (hdf5_) hdf5_->write(frame, options_.velocities ? &velocity : nullptr);
+  });
+}
+
+void Folder::final_state(const Mesh& mesh, const Frame& frame) {
+  wait_for_frame();
+  if (!options_.hdf5) return;
+  hdf5_.emplace(options_.folder / "state.h5", mesh, options_.resolved, options_.version);
+  hdf5_->write(frame, nullptr);
+}
+
+void Folder::wait_for_frame() {
+  if (writing_.valid()) writing_.get();
+}
+
+void Folder::cracks(const std::vector<CrackLine>& lines) {
+  if (options_.vtk) write_crack_lines(options_.folder / "cracks.vtp", lines);
+}
+
+void Folder::plot(const std::string& name, const std::string& svg) {
+  write_whole(options_.folder / (name + ".svg"), svg);
+}
+
+void Folder::tables(const Tables& tables) {
+  for (const auto& [name, table] : tables) write_csv(options_.folder / (name + ".csv"), *table);
+  wait_for_frame();
+  if (!hdf5_) return;
+  for (const auto& [name, table] : tables) hdf5_->write(name, *table);
+  hdf5_->close();
+}
+
+void Folder::summary(const std::string& json) {
+  write_whole(options_.folder / "summary.json", json);
+}
+
+}  // namespace post

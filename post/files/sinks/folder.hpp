@@ -1,0 +1,45 @@
+#pragma once
+#include <filesystem>
+#include <future>
+
+#include "post/files/hdf5/state_file.hpp"
+#include "post/files/sinks/sink.hpp"
+
+namespace post {
+
+/// What is written into a folder.
+struct FolderOptions {
+  std::filesystem::path folder;
+  std::string resolved, version;  // the whole case as text; of the program
+  bool vtk = true, hdf5 = true;
+  bool velocities = false;  // in state.h5
+};
+
+/// The results of a run as files. A frame is written while the solver goes on: what went wrong with it is thrown with
+/// the next one, or with the tables.
+class Folder : public Sink {
+public:
+  /// Makes the folder and writes the case into it.
+  explicit Folder(FolderOptions options);
+
+  bool draws() const override { return options_.vtk; }
+  bool stores() const override { return options_.hdf5; }
+  bool plots() const override { return options_.vtk; }
+  void open(const Mesh& mesh) override;
+  void frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) override;
+  void final_state(const Mesh& mesh, const Frame& frame) override;
+  void cracks(const std::vector<CrackLine>& lines) override;
+  void plot(const std::string& name, const std::string& svg) override;
+  void tables(const Tables& tables) override;
+  void summary(const std::string& json) override;
+
+private:
+  void wait_for_frame();
+
+  FolderOptions options_;
+  std::optional<VtkSeries> vtk_;
+  std::optional<StateFile> hdf5_;
+  std::future<void> writing_;  // of the last frame; ends before what it writes to
+};
+
+}  // namespace post

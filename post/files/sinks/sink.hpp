@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "post/files/frame.hpp"
+#include "post/files/table.hpp"
+#include "post/files/vtk.hpp"
+
+namespace post {
+
+/// Where the results of a run go as a recorder gets them: a folder, or memory.
+class Sink {
+public:
+  using Tables = std::vector<std::pair<std::string, const Table*>>;  // name, rows
+
+  virtual ~Sink() = default;
+
+  /// Are frames with resultants and cells wanted?
+  virtual bool draws() const = 0;
+  /// Are states wanted to go on from?
+  virtual bool stores() const = 0;
+  /// Are plots wanted?
+  virtual bool plots() const = 0;
+
+  /// The points and cells of all frames that bring none of their own, and the points of what is stored.
+  virtual void open(const Mesh& mesh) = 0;
+  /// With cells of its own where they are given.
+  virtual void frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) = 0;
+  /// The state of a run whose points are not the same throughout.
+  virtual void final_state(const Mesh& mesh, const Frame& frame) = 0;
+  virtual void cracks(const std::vector<CrackLine>& lines) = 0;
+  /// A drawing or a page: NAME.svg
+  virtual void plot(const std::string& name, const std::string& svg) = 0;
+  /// All tables; no frame comes after them.
+  virtual void tables(const Tables& tables) = 0;
+  /// The last.
+  virtual void summary(const std::string& json) = 0;
+};
+
+}  // namespace post
