@@ -106,8 +106,10 @@ void Recorder::wait_for_frame() {
   if (writing_.valid()) writing_.get();
 }
 
-void Recorder::cracks(const std::vector<CrackLine>& lines) {
-  if (options_.vtk) write_crack_lines(options_.folder / "cracks.vtp", lines);
+void Recorder::cracks(Cracks cracks, const std::vector<Srif>& factors) {
+  if (!options_.vtk) return;
+  set_factors(cracks, factors);
+  write_cracks(options_.folder / "cracks.vtp", cracks);
 }
 
 void Recorder::picture(const std::string& name, const std::string& svg) {

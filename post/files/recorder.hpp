@@ -8,7 +8,7 @@
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
-#include "post/files/vtk.hpp"
+#include "post/files/vtk/series.hpp"
 
 namespace plate {
 class Formulation;
@@ -70,7 +70,8 @@ public:
 
   /// Another table, NAME.csv.
   void table(const std::string& name, Table content) { tables_.emplace_back(name, std::move(content)); }
-  void cracks(const std::vector<CrackLine>& lines);
+  /// cracks.vtp, where fields are for ParaView.
+  void cracks(Cracks cracks, const std::vector<Srif>& factors);
   /// NAME.svg.
   void picture(const std::string& name, const std::string& svg);
 
