@@ -138,6 +138,7 @@ void GrowthRun::frame() {
   auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
   auto mesh = model_->draw(frame, state_);
   if (report_) pictures_.open(mesh), pictures_.look(frame);
+  post::set_factors(*frame.cracks, latest_);
   recorder_->frame(std::move(frame), std::move(mesh), {});
 }
 
@@ -153,7 +154,7 @@ post::Summary GrowthRun::finish() {
   recorder_->table("growth", record.growth);
   recorder_->table("tips", record.tips);
   recorder_->table("cracks", record.crack_table());
-  recorder_->cracks(record.cracks);
+  recorder_->cracks(record.cracks, latest_);
   if (recorder_->plots())
     recorder_->picture("curves", post::to_svg(post::curves_of_growth(c.title, record.growth, c.units == "SI")));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());

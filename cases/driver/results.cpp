@@ -107,7 +107,7 @@ void Results::frame(const plate::Instant& now) {
   if (!recorder_.draws() && !recorder_.stores()) return;
   auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_);
   std::optional<plate::Mesh> mesh;
-  if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state);
+  if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state, factors_.last());
   if (report_) {
     if (mesh) pictures_.open(*mesh);
     pictures_.look(frame);
@@ -129,12 +129,13 @@ void Results::mode(std::size_t number, const plate::Mode& mode) {
 
 post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch) {
   if (!tip_methods_.empty()) recorder_.table("srif", factors_.table(times_));
+  auto cracks = post::given_cracks(plate_.paths());
   if (growth_) {
     const auto& record = growth_->record();
     recorder_.table("growth", record.growth);
     recorder_.table("tips", record.tips);
     recorder_.table("cracks", record.crack_table());
-    recorder_.cracks(record.cracks);
+    cracks = record.cracks;
     const auto moved = growth_->moved();
     summary.growth = post::GrowthSummary{fracture::in_words(moved), moved.advances, {},           {}, moved.spent,
                                          moved.largest_speed,       moved.broken,   moved.lengths};
@@ -143,6 +144,7 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
     if (residual_) summary.energy.emplace_back("residual", *residual_);
   }
   summary.srif = factors_.last();
+  if (growth_ || !cracks.lines.empty()) recorder_.cracks(cracks, summary.srif);
   const auto warn = [&](const std::vector<std::string>& what) {
     summary.warnings.insert(summary.warnings.end(), what.begin(), what.end());
   };

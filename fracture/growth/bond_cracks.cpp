@@ -72,7 +72,8 @@ void BondCracks::find_lines() {
 bool BondCracks::broke(const std::vector<LoadedBond>& bonds, double time) {
   const auto before = graph_.sides();
   for (const auto& [bond, demand] : bonds)
-    if (const auto& p = lattice_[bond[0]], &q = lattice_[bond[1]]; neighbours(p, q)) graph_.part(p, q, time);
+    if (const auto& p = lattice_[bond[0]], &q = lattice_[bond[1]]; neighbours(p, q))
+      if (graph_.part(p, q, time)) grown_.part(p, q, time);
   broken_ += bonds.size();
   return graph_.sides() > before;
 }
@@ -80,6 +81,28 @@ bool BondCracks::broke(const std::vector<LoadedBond>& bonds, double time) {
 std::vector<geometry::CrackPath> BondCracks::paths() const {
   std::vector<geometry::CrackPath> result;
   for (const auto& line : lines_) result.push_back({line.vertices, line.front, line.back});
+  return result;
+}
+
+std::vector<geometry::CrackPath> BondCracks::cuts() const {
+  constexpr double bridged = 1.5;  // spacings from the end of a given crack to where the first bond beside it broke
+  const auto place = [&](const geometry::CrackGraph::Corner& corner) {
+    return units_.from_lattice(geometry::Point(corner[0], corner[1]));
+  };
+  auto result = given_;
+  const auto tips = geometry::tips(given_);
+  std::vector<geometry::Polyline> bridges(tips.size());
+  for (const auto& [from, to] : grown_.runs()) {
+    result.push_back({{place(from), place(to)}, geometry::End::tip, geometry::End::tip});
+    for (std::size_t i = 0; i < tips.size(); ++i)
+      for (const auto& x : result.back().vertices) {
+        const double away = (x - tips[i].position).norm();
+        const double least = bridges[i].empty() ? bridged * units_.spacing : geometry::length(bridges[i]);
+        if (away < least) bridges[i] = {tips[i].position, x};
+      }
+  }
+  for (auto& bridge : bridges)
+    if (!bridge.empty()) result.push_back({std::move(bridge), geometry::End::tip, geometry::End::tip});
   return result;
 }
 
@@ -139,9 +162,10 @@ void BondCracks::look(double time, Record& record, double advance) {
   }
 }
 
-std::vector<post::CrackLine> BondCracks::drawn() const {
-  std::vector<post::CrackLine> result;
-  for (const auto& line : lines_) result.push_back({line.vertices, line.times});
+post::Cracks BondCracks::drawn() const {
+  post::Cracks result;
+  for (const auto& line : lines_) result.lines.push_back({line.vertices, line.times});
+  for (const auto& one : tips_) result.tips.push_back({one.number, one.tip.crack, one.tip.position});
   return result;
 }
 

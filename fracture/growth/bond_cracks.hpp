@@ -32,6 +32,9 @@ public:
   /// Lines in the units of the case, and all of them as cracks.
   const std::vector<geometry::GraphLine>& lines() const { return lines_; }
   std::vector<geometry::CrackPath> paths() const;
+  /// Where the plate is parted: the cracks as they were given, and since then the sides between the cells of points
+  /// that have parted, which lines are off by up to a spacing.
+  std::vector<geometry::CrackPath> cuts() const;
   const std::vector<BondTip>& tips() const { return tips_; }
   /// Those of cracks of eight spacings at least, whose intensity factors mean something.
   std::vector<std::pair<std::size_t, geometry::Tip>> tips_of_cracks() const;
@@ -43,7 +46,7 @@ public:
   std::size_t broken() const { return broken_; }
 
   /// As they are to be written.
-  std::vector<post::CrackLine> drawn() const;
+  post::Cracks drawn() const;
 
 private:
   void find_lines();
@@ -57,7 +60,7 @@ private:
   std::vector<int> cells_;                // per corner of the box about the plate: cells of the plate about it
   geometry::CrackGraph::Corner low_{0, 0};
   int columns_ = 0, rows_ = 0;
-  geometry::CrackGraph graph_;
+  geometry::CrackGraph graph_, grown_;  // all; without those of the given cracks
   std::vector<geometry::GraphLine> lines_;
   std::vector<BondTip> tips_;
   std::size_t first_sides_ = 0, seen_ = 0, broken_ = 0;

@@ -34,10 +34,10 @@ void Record::add(const TipRow& row) {
 
 post::Table Record::crack_table() const {
   post::Table result{{"crack", "vertex", "x", "y", "advance", "time"}, {}};
-  for (std::size_t c = 0; c < cracks.size(); ++c)
-    for (std::size_t i = 0; i < cracks[c].vertices.size(); ++i) {
-      const auto& x = cracks[c].vertices[i];
-      const post::Cell when(cracks[c].advances[i]), none;
+  for (std::size_t c = 0; c < cracks.lines.size(); ++c)
+    for (std::size_t i = 0; i < cracks.lines[c].vertices.size(); ++i) {
+      const auto& x = cracks.lines[c].vertices[i];
+      const post::Cell when(cracks.lines[c].advances[i]), none;
       result.rows.push_back({double(c), double(i), x.x(), x.y(), in_motion ? none : when, in_motion ? when : none});
     }
   return result;

@@ -3,7 +3,7 @@
 
 #include "fracture/growth/quasi_static/load.hpp"
 #include "post/files/table.hpp"
-#include "post/files/vtk.hpp"
+#include "post/files/vtk/crack_lines.hpp"
 
 namespace fracture {
 
@@ -41,7 +41,7 @@ struct Record {
   void add(const TipRow& row);
 
   post::Table growth, tips;
-  std::vector<post::CrackLine> cracks;  // with the advance, or in motion the time, at which every vertex was reached
+  post::Cracks cracks;  // with the advance, or in motion the time, at which every vertex was reached
   bool in_motion = false;
 
   /// The vertices of all cracks.

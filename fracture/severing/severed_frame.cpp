@@ -2,10 +2,12 @@
 #include "plate/bonds/mesh.hpp"
 #include "plate/bonds/resultants.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/model/problem.hpp"
 
 namespace fracture {
 
-plate::Mesh SeveredPlate::draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start) const {
+plate::Mesh SeveredPlate::draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start,
+                               const std::vector<geometry::CrackPath>& cracks) const {
   const auto& first = base_.families();
   const auto& shapes = base_.shapes();
   const auto& cloud = boundary_.cloud;
@@ -18,7 +20,7 @@ plate::Mesh SeveredPlate::draw(post::Frame& frame, const plate::State& state, co
   };
   for (std::size_t k = 0; k < frame.damage.size(); ++k)
     if (families_[k].size() < first[k].size()) frame.damage[k] = 1 - weight(families_, k) / weight(first, k);
-  return plate::mesh(boundary_, families_, start.cut(), start.section().thickness);
+  return plate::mesh(boundary_, start.problem().outline, cracks, start.cut(), start.section().thickness);
 }
 
 }  // namespace fracture

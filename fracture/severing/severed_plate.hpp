@@ -57,9 +57,9 @@ public:
 
   /// As the tips of its cracks see it now. This must outlive it.
   std::shared_ptr<const plate::TipView> tip_view() const;
-  /// The cells between points that still see each other; sets the frame's resultants and damage. `start`: the plate
-  /// before.
-  plate::Mesh draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start) const;
+  /// The cells, cut along the cracks; sets the frame's resultants and damage. `start`: the plate before.
+  plate::Mesh draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start,
+                   const std::vector<geometry::CrackPath>& cracks) const;
   /// Families as they are after all severings.
   const geometry::Families& families() const { return families_; }
   const plate::FamilyOperator& base() const { return base_; }

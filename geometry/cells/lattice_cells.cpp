@@ -10,7 +10,6 @@
 namespace geometry {
 namespace {
 
-constexpr double clearance = 0.6;  // spacings between a lattice point and a curve that does not run through it
 constexpr std::int32_t none = -1;
 
 /// Does the segment pass through the open square from `low` to low + (1, 1)?
@@ -30,7 +29,7 @@ bool enters_square(const Point& a, const Point& b, const Point& low) {
 
 class Builder {
 public:
-  explicit Builder(const Curves& curves) : curves_(curves) {
+  Builder(const Curves& curves, double clearance) : curves_(curves), clearance_(clearance) {
     const Point size = bounding_box(curves.outline).second;
     columns_ = long(std::ceil(size.x())), rows_ = long(std::ceil(size.y()));
     place_.assign(std::size_t((columns_ + 1) * (rows_ + 1)), none);
@@ -75,7 +74,7 @@ private:
       about(a, b, 1.5, columns_, rows_, [&](long i, long j) {
         const double away = distance_to_segment(a, b, Point(double(i), double(j)));
         char& state = near_[vertex(i, j)];
-        if (away < clearance)
+        if (away < clearance_)
           state = 2;
         else if (is_edge)
           state = std::max<char>(state, 1);
@@ -211,6 +210,7 @@ private:
   }
 
   const Curves& curves_;
+  const double clearance_;
   long columns_, rows_;              // of cells
   std::vector<std::int32_t> place_;  // per lattice point: which point, or none
   std::vector<char> near_, square_;  // per lattice point; per cell
@@ -222,8 +222,8 @@ private:
 
 }  // namespace
 
-Cells lattice_cells(const Curves& curves) {
-  return Builder(curves).cells();
+Cells lattice_cells(const Curves& curves, double clearance) {
+  return Builder(curves, clearance).cells();
 }
 
 }  // namespace geometry

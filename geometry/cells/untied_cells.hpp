@@ -12,10 +12,27 @@ struct Cells {
   std::vector<Curves::Piece> pieces;
 };
 
-/// Squares of the lattice where nothing disturbs it, triangles elsewhere.
-Cells lattice_cells(const Curves& curves);
+/// Calls visit(corners, count) for every cell; the corners may be changed.
+template <typename Some, typename Visit>
+void for_cells(Some& cells, const Visit& visit) {
+  for (auto& square : cells.squares) visit(square.data(), std::size_t(4));
+  for (auto& triangle : cells.triangles) visit(triangle.data(), std::size_t(3));
+}
+
+/// The same for both directions.
+inline std::uint64_t side_between(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t(a < b ? a : b) << 32 | (a < b ? b : a);
+}
+
+/// Squares of the lattice where nothing disturbs it, triangles elsewhere. `clearance`: between a lattice point and a
+/// curve that does not run through it; nearer ones are left out [spacings].
+Cells lattice_cells(const Curves& curves, double clearance);
 
 /// Triangles all over, of the size that is wanted, in rings about the tips.
 Cells graded_cells(const Curves& curves, const Sizing& sizing, const std::vector<Point>& tips);
+
+/// Gives every part of the cells about a point on a curve, as cracks part them, its own point, and leaves out points
+/// without cells; returns for every point the one that it comes from.
+std::vector<std::uint32_t> part(Cells& cells);
 
 }  // namespace geometry

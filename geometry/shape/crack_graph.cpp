@@ -63,11 +63,28 @@ void keep(const std::vector<Corner>& corners, std::size_t first, std::size_t las
 
 }  // namespace
 
-void CrackGraph::part(const Point& p, const Point& q, double time) {
+bool CrackGraph::part(const Point& p, const Point& q, double time) {
   // the side between the cells of p and q is the cross of the bond through its middle
   const Point middle = (p + q) / 2, half{std::abs(q.y() - p.y()) / 2, std::abs(q.x() - p.x()) / 2};
   const auto corner = [](const Point& x) { return Corner{int(std::lround(x.x())), int(std::lround(x.y()))}; };
-  times_.try_emplace({corner(middle - half), corner(middle + half)}, time);
+  return times_.try_emplace({corner(middle - half), corner(middle + half)}, time).second;
+}
+
+std::vector<CrackGraph::Side> CrackGraph::runs() const {
+  std::vector<Side> result;
+  std::map<Side, std::size_t> ending;  // the last side of every run
+  for (const auto& [side, time] : times_) {
+    const auto& [from, to] = side;
+    const Corner before{2 * from[0] - to[0], 2 * from[1] - to[1]};
+    const auto found = ending.find({before, from});
+    const auto run = found == ending.end() ? result.size() : found->second;
+    if (run == result.size())
+      result.push_back(side);
+    else
+      result[run].second = to;
+    ending[side] = run;
+  }
+  return result;
 }
 
 std::vector<GraphLine> CrackGraph::lines(const std::function<bool(const Corner&)>& inside, std::size_t least) const {

@@ -21,16 +21,19 @@ class CrackGraph {
 public:
   using Corner = std::array<int, 2>;  // lattice units
 
-  /// Parts two points at a distance of one spacing [lattice units].
-  void part(const Point& p, const Point& q, double time);
+  using Side = std::pair<Corner, Corner>;  // lower corner first
+
+  /// Parts two points at a distance of one spacing [lattice units]. False where they were parted before.
+  bool part(const Point& p, const Point& q, double time);
   std::size_t sides() const { return times_.size(); }
+  /// All sides, those that follow each other on a straight line as one.
+  std::vector<Side> runs() const;
 
   /// Lines between tips, mouths and junctions. Spurs and lone pieces of fewer than `least` sides are left out. A corner
   /// is a mouth where `inside` is false: not all four cells about it are of the plate.
   std::vector<GraphLine> lines(const std::function<bool(const Corner&)>& inside, std::size_t least = 3) const;
 
 private:
-  using Side = std::pair<Corner, Corner>;  // lower corner first
   std::map<Side, double> times_;
 };
 

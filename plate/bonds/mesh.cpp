@@ -1,60 +1,53 @@
 #include "plate/bonds/mesh.hpp"
 
 #include <algorithm>
-#include "geometry/lattice/cell_index.hpp"
+#include <stdexcept>
+#include "geometry/cells/drawn_cells.hpp"
+#include "plate/formulation/interpolation.hpp"
 
 namespace plate {
 namespace {
 
-bool bonded(const geometry::Families& families, std::uint32_t k, std::uint32_t j) {
-  return families[k].find(j) < families[k].size();
-}
-
-bool all_bonded(const geometry::Families& families, const std::vector<std::uint32_t>& corners) {
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (!bonded(families, corners[i], corners[j])) return false;
-  return true;
-}
-
-/// The quadrilateral of a square of four points, or the triangle of three of them, where bonds join them.
-void add_cell(Mesh& mesh, const geometry::Families& families, const geometry::CellIndex& cells,
-              const geometry::Point& lower_left) {
-  std::vector<std::uint32_t> corners;  // counter-clockwise
-  for (const geometry::Point& step : {geometry::Point(0, 0), {1, 0}, {1, 1}, {0, 1}})
-    if (const auto corner = cells.at(lower_left + step)) corners.push_back(*corner);
-  if (corners.size() == 4 && all_bonded(families, corners)) {
-    mesh.quads.push_back({corners[0], corners[1], corners[2], corners[3]});
-    return;
+/// Weights of the points that a corner sees. Points nearly on one line extend no linear field across it: then the mean.
+Mesh::Corner corner(const geometry::DrawnCells::Corner& from, const Boundary& boundary) {
+  constexpr double largest = 3;  // weight; beside a straight edge 1.5
+  const geometry::Point at = boundary.cloud.units.to_units(from.position);
+  std::vector<std::pair<std::uint32_t, geometry::Point>> near;
+  for (const auto k : from.seen) near.emplace_back(k, boundary.lattice[k]);
+  Mesh::Corner result{from.position, {}};
+  double sum = 0;
+  for (const auto& share : interpolation(near, at)) {
+    const double mean = 1 / ((boundary.lattice[share.point] - at).squaredNorm() + 1e-6);
+    result.sources.push_back({share.point, share.weight, mean});
+    sum += mean;
   }
-  for (std::size_t without = corners.size(); without-- > 0 && corners.size() >= 3;) {
-    auto three = corners;
-    if (corners.size() == 4) three.erase(three.begin() + std::ptrdiff_t(without));
-    if (!all_bonded(families, three)) continue;
-    mesh.triangles.push_back({three[0], three[1], three[2]});
-    return;
-  }
+  for (auto& source : result.sources) source.mean /= sum;
+  const auto is_large = [](const Mesh::Source& source) { return std::abs(source.linear) > largest; };
+  if (std::ranges::any_of(result.sources, is_large))
+    for (auto& source : result.sources) source.linear = source.mean;
+  return result;
 }
 
 }  // namespace
 
-Mesh mesh(const Boundary& boundary, const geometry::Families& families, std::vector<double> cut, double thickness) {
-  const std::size_t count = boundary.cloud.plate_points;
-  Mesh result;
-  result.positions.assign(boundary.cloud.positions.begin(), boundary.cloud.positions.begin() + std::ptrdiff_t(count));
-  result.areas.assign(boundary.cloud.areas.begin(), boundary.cloud.areas.begin() + std::ptrdiff_t(count));
-  result.cut = std::move(cut);
-  result.spacing = boundary.cloud.units.spacing;
-  result.thickness = thickness;
-
-  const std::vector<geometry::Point> lattice(boundary.lattice.begin(),
-                                             boundary.lattice.begin() + std::ptrdiff_t(count));
-  const geometry::CellIndex cells(lattice);
-  for (std::uint32_t k = 0; k < count; ++k) {
-    add_cell(result, families, cells, lattice[k]);
-    // a square whose lower left point is missing belongs to its lower right one
-    const geometry::Point left = lattice[k] - geometry::Point(1, 0);
-    if (!cells.at(left)) add_cell(result, families, cells, left);
+Mesh mesh(const Boundary& boundary, const geometry::Outline& outline, const std::vector<geometry::CrackPath>& cracks,
+          std::vector<double> cut, double thickness) {
+  const auto count = std::ptrdiff_t(boundary.cloud.plate_points);
+  const auto& [units, positions, areas, plate_points] = boundary.cloud;
+  Mesh result{{positions.begin(), positions.begin() + count},
+              {areas.begin(), areas.begin() + count},
+              std::move(cut),
+              {},
+              {},
+              units.spacing,
+              thickness};
+  try {
+    auto cells =
+        geometry::drawn_cells(outline, cracks, units, {boundary.lattice.begin(), boundary.lattice.begin() + count});
+    for (const auto& one : cells.corners) result.corners.push_back(corner(one, boundary));
+    result.quads = std::move(cells.squares), result.triangles = std::move(cells.triangles);
+  } catch (const std::invalid_argument&) {
+  } catch (const std::logic_error&) {
   }
   return result;
 }

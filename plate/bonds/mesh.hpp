@@ -4,8 +4,9 @@
 
 namespace plate {
 
-/// The points of the plate, and quadrilaterals and triangles between neighbouring lattice points whose sides are all
-/// bonds: a crack appears as a gap one cell wide.
-Mesh mesh(const Boundary& boundary, const geometry::Families& families, std::vector<double> cut, double thickness);
+/// The points of the plate, squares between them, and triangles up to edges, holes and cracks (geometry::drawn_cells).
+/// `cracks` [length]. Points alone where edges and cracks are too close to each other for cells.
+Mesh mesh(const Boundary& boundary, const geometry::Outline& outline, const std::vector<geometry::CrackPath>& cracks,
+          std::vector<double> cut, double thickness);
 
 }  // namespace plate

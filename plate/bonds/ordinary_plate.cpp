@@ -89,7 +89,7 @@ public:
     return plate::resultants(state, op_.families(), op_.shapes(), cloud().areas, cloud().plate_points, section());
   }
   std::vector<Share> interpolation(const Point& at) const override;
-  Mesh mesh() const override { return plate::mesh(boundary(), op_.families(), cut(), section().thickness); }
+  Mesh mesh() const override { return plate::mesh(boundary(), problem().outline, paths(), cut(), section().thickness); }
   std::vector<double> cut_at(const StartOfCracks& start) const override { return start.cut; }
   std::unique_ptr<TipView> tip_view() const override {
     return std::make_unique<BondView>(cloud(), op_.families(), op_.shapes(), section(), discretization());

@@ -8,12 +8,25 @@ namespace plate {
 
 /// What is drawn of a plate: its points and the cells between them.
 struct Mesh {
-  std::vector<geometry::Point> positions;           // [length]
-  std::vector<double> areas;                        // [length^2]
-  std::vector<double> cut;                          // share of each point's full family severed by cracks and edges
-  std::vector<std::array<std::uint32_t, 4>> quads;  // of neighbouring points that see each other
+  std::vector<geometry::Point> positions;  // [length]
+  std::vector<double> areas;               // [length^2]
+  std::vector<double> cut;                 // share of each point's full family severed by cracks and edges
+  /// Cells of points, and of corners after them, counter-clockwise; at a crack each face has its own.
+  std::vector<std::array<std::uint32_t, 4>> quads;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   double spacing = 0, thickness = 0;  // [length]
+
+  /// A corner of cells on an edge or a crack where there is no point, and the points that give its values: linear ones
+  /// for displacements, a mean for what is derived from them.
+  struct Source {
+    std::uint32_t point;
+    double linear, mean;
+  };
+  struct Corner {
+    geometry::Point position;  // [length]
+    std::vector<Source> sources;
+  };
+  std::vector<Corner> corners = {};
 };
 
 }  // namespace plate

@@ -1,6 +1,6 @@
 #pragma once
 #include "post/files/hdf5/state_file.hpp"
-#include "post/files/vtk.hpp"
+#include "post/files/vtk/series.hpp"
 
 namespace post {
 
@@ -8,7 +8,7 @@ namespace post {
 /// system maps the fifty libraries behind it in 20 ms, as long as a small plate takes to be solved.
 struct Files {
   std::string (*vtu)(const Mesh& mesh, const Frame& frame);  // the text of a file for ParaView
-  std::string (*vtp)(const std::vector<CrackLine>& cracks);
+  std::string (*vtp)(const Cracks& cracks);
   Drawn (*read_vtu)(const std::filesystem::path& path);
   std::unique_ptr<StateFile::Open> (*open)(std::filesystem::path path, const Mesh& mesh,
                                            const std::string& resolved_case, const std::string& version);

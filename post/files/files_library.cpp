@@ -4,7 +4,7 @@
 namespace post {
 
 std::string vtu(const Mesh& mesh, const Frame& frame);
-std::string vtp(const std::vector<CrackLine>& cracks);
+std::string vtp(const Cracks& cracks);
 Drawn read_vtu(const std::filesystem::path& path);
 std::unique_ptr<StateFile::Open> open_state_file(std::filesystem::path path, const Mesh& mesh,
                                                  const std::string& resolved_case, const std::string& version);

@@ -6,6 +6,7 @@
 #include "plate/formulation/mesh.hpp"
 #include "plate/formulation/resultants.hpp"
 #include "plate/model/state.hpp"
+#include "post/files/vtk/crack_lines.hpp"
 
 namespace post {
 
@@ -17,7 +18,8 @@ struct Frame {
   std::size_t step = 0;
   plate::State state;  // w, theta_x, theta_y
   plate::Resultants resultants;
-  std::vector<double> damage;  // 1 - intact weight / weight at the start; all zero without growth
+  std::vector<double> damage;         // 1 - intact weight / weight at the start; all zero without growth
+  std::optional<Cracks> cracks = {};  // where they change
 };
 
 }  // namespace post

@@ -78,6 +78,12 @@ void Recorder::frame(Frame frame, std::optional<plate::Mesh> mesh, plate::State 
   sink_->frame(std::move(frame), std::move(mesh), std::move(velocity));
 }
 
+void Recorder::cracks(Cracks cracks, const std::vector<Srif>& factors) {
+  if (!draws()) return;
+  set_factors(cracks, factors);
+  sink_->cracks(cracks);
+}
+
 Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
   Sink::Tables tables;
   if (frequencies_.rows.empty() && summary.analysis.kind != "frequencies")

@@ -59,7 +59,8 @@ public:
 
   /// Another table, NAME.csv.
   void table(const std::string& name, Table content) { tables_.emplace_back(name, std::move(content)); }
-  void cracks(const std::vector<CrackLine>& lines) { sink_->cracks(lines); }
+  /// Where fields are wanted.
+  void cracks(Cracks cracks, const std::vector<Srif>& factors);
   /// NAME.svg.
   void picture(const std::string& name, const std::string& svg) { sink_->plot(name, svg); }
 

@@ -38,7 +38,8 @@ class NumericalError(ArithmeticError):
 
 class Frame:
     """The fields of one instant, advance or mode: `time`, `points` (n, 2), `w` (n,), `theta` (n, 2), `moments` (n, 3: Mxx, Myy, Mxy),
-    `shear` (n, 2: Qx, Qy), `von_mises` (top face), `damage`, `cut`, `area`; cells `quads` (., 4) and `triangles` (., 3)."""
+    `shear` (n, 2: Qx, Qy), `von_mises` (top face), `damage`, `cut`, `area`; cells `quads` (., 4) and `triangles` (., 3).
+    After the points stand the corners of cells on edges and cracks, where `area` is 0."""
 
     def __init__(self, raw):
         self.time, self.points, self.w, self.theta = raw["time"], raw["x"], raw["w"], raw["theta"]

@@ -21,6 +21,7 @@ private:
   bool broke(const std::vector<LoadedBond>& bonds, double time);
   Tips tips() const override { return cracks_.tips_of_cracks(); }
   std::vector<geometry::CrackPath> paths() const override { return cracks_.paths(); }
+  std::vector<geometry::CrackPath> cuts() const override { return cracks_.cuts(); }
 
   BondLimits limits_;
   BondCheck check_;

@@ -28,8 +28,12 @@ public:
   /// Factors of the tips where they are now, by the methods that are wanted; none of tips beside edges and other
   /// cracks.
   std::vector<post::Srif> factors(const plate::State& state) const;
-  /// The cells between points that still see each other; sets the frame's resultants and damage.
-  plate::Mesh draw(post::Frame& frame, const plate::State& state) const { return plate_.draw(frame, state, start_); }
+  /// The cells, cut along the cracks; sets the frame's resultants, damage and cracks. `factors`: of the tips.
+  plate::Mesh draw(post::Frame& frame, const plate::State& state, const std::vector<post::Srif>& factors) {
+    frame.cracks = record().cracks;
+    post::set_factors(*frame.cracks, factors);
+    return plate_.draw(frame, state, start_, cuts());
+  }
   virtual const Record& record() = 0;
   virtual Moved moved() const = 0;
 
@@ -39,6 +43,8 @@ protected:
   virtual plate::Changes& severing() = 0;
   virtual Tips tips() const = 0;
   virtual std::vector<geometry::CrackPath> paths() const = 0;
+  /// Where the plate is parted.
+  virtual std::vector<geometry::CrackPath> cuts() const { return paths(); }
   /// What both kinds have to say.
   Moved moved_so_far() const;
 

@@ -15,13 +15,13 @@ const Record& MovingTips::record() {
   record_.in_motion = true;
   double length = 0, spent = 0;
   for (const auto& path : start_.paths()) {
-    record_.cracks.push_back({path.vertices, std::vector<double>(path.vertices.size(), 0)});
+    record_.cracks.lines.push_back({path.vertices, std::vector<double>(path.vertices.size(), 0)});
     length += geometry::length(path.vertices);
   }
   for (std::size_t i = 0; i < cracks_.pieces().size(); ++i) {
     const auto& piece = cracks_.pieces()[i];
     const geometry::Point step = piece.to - piece.from;
-    auto& [vertices, times] = record_.cracks[piece.crack];
+    auto& [vertices, times] = record_.cracks.lines[piece.crack];
     vertices.insert(piece.at_back ? vertices.end() : vertices.begin(), piece.to);
     times.insert(piece.at_back ? times.end() : times.begin(), piece.end);
     TipRow tip{double(i), piece.end, double(piece.tip), double(piece.crack), piece.to.x(), piece.to.y()};
@@ -37,6 +37,7 @@ const Record& MovingTips::record() {
     row.crack_length = length, row.tips = piece.tips, row.fracture_energy = spent;
     record_.add(row);
   }
+  for (const auto& [number, tip] : cracks_.tips()) record_.cracks.tips.push_back({number, tip.crack, tip.position});
   return record_;
 }
 

@@ -144,7 +144,8 @@ std::optional<std::vector<post::Srif>> QuasiStaticBonds::factors(double factor) 
 }
 
 plate::Mesh QuasiStaticBonds::draw(post::Frame& frame, const plate::State& state) const {
-  return plate_.draw(frame, state, start_);
+  frame.cracks = record_.cracks;
+  return plate_.draw(frame, state, start_, cracks_.cuts());
 }
 
 std::vector<double> QuasiStaticBonds::lengths() const {

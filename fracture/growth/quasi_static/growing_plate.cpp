@@ -126,6 +126,7 @@ plate::Mesh GrowingPlate::draw(post::Frame& frame, const plate::State& state) co
   for (std::size_t k = 0; k < first.size(); ++k)
     frame.damage[k] = first[k] < 1 ? 1 - (1 - plate.cut()[k]) / (1 - first[k]) : 0;
   mesh.cut = first;
+  frame.cracks = record_.cracks;
   return mesh;
 }
 

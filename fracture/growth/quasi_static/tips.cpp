@@ -23,7 +23,7 @@ QuasiStaticTips::QuasiStaticTips(const Growth& growth, const plate::Section& sec
       spacing_(spacing),
       toughness_(growth.fracture_energy * section.thickness),
       cracks_(std::move(cracks)) {
-  for (const auto& crack : cracks_) record_.cracks.push_back({crack, std::vector<double>(crack.size(), 0)});
+  for (const auto& crack : cracks_) record_.cracks.lines.push_back({crack, std::vector<double>(crack.size(), 0)});
 }
 
 bool QuasiStaticTips::may_grow(const LoadedTip& tip) const {
@@ -111,7 +111,7 @@ void QuasiStaticTips::choose(const Equilibrium& state) {
 void QuasiStaticTips::draw_cracks(double advance) {
   const double tolerance = geometry::tolerance(outline_);
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    auto& [vertices, advances] = record_.cracks[c];
+    auto& [vertices, advances] = record_.cracks.lines[c];
     auto crack = cracks_[c];
     for (int end = 0; end < 2; ++end) {  // back, then front
       auto next = crack.size() - 1;      // the first vertex beyond the line
@@ -123,6 +123,7 @@ void QuasiStaticTips::draw_cracks(double advance) {
       std::ranges::reverse(advances);
     }
   }
+  record_.cracks.tips = post::given_cracks(geometry::crack_paths(outline_, cracks_, tolerance)).tips;
 }
 
 const Record& QuasiStaticTips::record() {

@@ -36,8 +36,8 @@ void Folder::wait_for_frame() {
   if (writing_.valid()) writing_.get();
 }
 
-void Folder::cracks(const std::vector<CrackLine>& lines) {
-  if (options_.vtk) write_crack_lines(options_.folder / "cracks.vtp", lines);
+void Folder::cracks(const Cracks& cracks) {
+  write_cracks(options_.folder / "cracks.vtp", cracks);
 }
 
 void Folder::plot(const std::string& name, const std::string& svg) {

@@ -4,6 +4,7 @@
 
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/sinks/sink.hpp"
+#include "post/files/vtk/series.hpp"
 
 namespace post {
 
@@ -28,7 +29,7 @@ public:
   void open(const Mesh& mesh) override;
   void frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) override;
   void final_state(const Mesh& mesh, const Frame& frame) override;
-  void cracks(const std::vector<CrackLine>& lines) override;
+  void cracks(const Cracks& cracks) override;
   void plot(const std::string& name, const std::string& svg) override;
   void tables(const Tables& tables) override;
   void summary(const std::string& json) override;

@@ -1,5 +1,7 @@
 #include "post/files/sinks/kept_sink.hpp"
 
+#include "post/files/vertices.hpp"
+
 namespace post {
 namespace {
 
@@ -16,6 +18,10 @@ Kept::Array array(const std::vector<Eigen::Vector2d>& points) {
   return result;
 }
 
+Eigen::Map<const Eigen::RowVectorXd> row(const std::vector<double>& values) {
+  return {values.data(), Eigen::Index(values.size())};
+}
+
 template <typename Cells>
 std::vector<std::uint32_t> flat(const Cells& cells) {
   std::vector<std::uint32_t> result;
@@ -29,21 +35,25 @@ void KeptSink::frame(Frame frame, std::optional<Mesh> mesh, plate::State) {
   if (mesh) mesh_ = std::move(*mesh);
   auto& [time, arrays, quads, triangles] = kept_.frames.emplace_back();
   time = frame.time;
-  arrays = {{"x", array(mesh_.positions)},
-            {"area", {mesh_.areas}},
-            {"cut", {mesh_.cut}},
-            {"damage", {std::move(frame.damage)}},
-            {"w", array(frame.state.row(0))},
-            {"theta", array(frame.state.bottomRows<2>())},
-            {"moments", array(frame.resultants.moments)},
-            {"shear", array(frame.resultants.shear)},
-            {"von_mises", array(frame.resultants.von_mises.transpose())}};
+  const auto linear = [&](const auto& rows) { return array(at_vertices(mesh_, rows, &Mesh::Source::linear)); };
+  const auto mean = [&](const auto& rows) { return array(at_vertices(mesh_, rows, &Mesh::Source::mean)); };
+  auto areas = mesh_.areas;
+  areas.resize(areas.size() + mesh_.corners.size(), 0);
+  arrays = {{"x", array(vertices(mesh_))},
+            {"area", {std::move(areas)}},
+            {"cut", mean(row(mesh_.cut))},
+            {"damage", mean(row(frame.damage))},
+            {"w", linear(frame.state.row(0))},
+            {"theta", linear(frame.state.bottomRows<2>())},
+            {"moments", mean(frame.resultants.moments)},
+            {"shear", mean(frame.resultants.shear)},
+            {"von_mises", mean(frame.resultants.von_mises.transpose())}};
   quads = flat(mesh_.quads);
   triangles = flat(mesh_.triangles);
 }
 
-void KeptSink::cracks(const std::vector<CrackLine>& lines) {
-  for (const auto& line : lines) kept_.cracks.push_back(array(line.vertices));
+void KeptSink::cracks(const Cracks& cracks) {
+  for (const auto& line : cracks.lines) kept_.cracks.push_back(array(line.vertices));
 }
 
 void KeptSink::tables(const Tables& tables) {

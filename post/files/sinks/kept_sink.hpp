@@ -15,7 +15,7 @@ public:
   void open(const Mesh& mesh) override { mesh_ = mesh; }
   void frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) override;
   void final_state(const Mesh&, const Frame&) override {}
-  void cracks(const std::vector<CrackLine>& lines) override;
+  void cracks(const Cracks& cracks) override;
   void plot(const std::string&, const std::string&) override {}
   void tables(const Tables& tables) override;
   void summary(const std::string& json) override { kept_.summary = json; }

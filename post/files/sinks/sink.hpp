@@ -6,7 +6,6 @@
 
 #include "post/files/frame.hpp"
 #include "post/files/table.hpp"
-#include "post/files/vtk.hpp"
 
 namespace post {
 
@@ -30,7 +29,8 @@ public:
   virtual void frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) = 0;
   /// The state of a run whose points are not the same throughout.
   virtual void final_state(const Mesh& mesh, const Frame& frame) = 0;
-  virtual void cracks(const std::vector<CrackLine>& lines) = 0;
+  /// Lines and tips, with the factors that are known; where frames are wanted.
+  virtual void cracks(const Cracks& cracks) = 0;
   /// A drawing or a page: NAME.svg
   virtual void plot(const std::string& name, const std::string& svg) = 0;
   /// All tables; no frame comes after them.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "post/files/vertices.hpp"
 #include "post/report/html/page.hpp"
 #include "post/report/html/raster.hpp"
 
@@ -70,25 +71,27 @@ Pictures::Pictures() = default;
 Pictures::~Pictures() = default;
 
 void Pictures::open(const Mesh& mesh) {
+  mesh_ = mesh;
   raster_.reset();
   if (!mesh.positions.empty()) raster_ = std::make_unique<Raster>(mesh, pixels_of_last);
 }
 
 Pictures::Picture Pictures::picture(const Frame& frame) const {
   Picture result{frames_, frame.time, raster_->columns(), raster_->rows(), raster_->pitch(), raster_->corner(), {}};
-  const auto add = [&](const char* name, const auto& values) {
-    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-    result.fields.push_back({name, raster_->pixels(values), *least, *largest});
+  constexpr auto linear = &Mesh::Source::linear, mean = &Mesh::Source::mean;
+  const auto add = [&](const char* name, const Eigen::RowVectorXd& values, CornerWeight weight) {
+    result.fields.push_back({name, raster_->pixels(at_vertices(mesh_, values, weight).reshaped()), values.minCoeff(),
+                             values.maxCoeff()});
   };
-  add("w", frame.state.row(0));
+  add("w", frame.state.row(0), linear);
   const auto& [moments, shear, von_mises] = frame.resultants;
   if (von_mises.size() > 0) {
-    add("von_mises", von_mises);
-    add("Mxx", moments.row(0));
-    add("Myy", moments.row(1));
-    add("Mxy", moments.row(2));
+    add("von_mises", von_mises.transpose(), mean);
+    add("Mxx", moments.row(0), mean);
+    add("Myy", moments.row(1), mean);
+    add("Mxy", moments.row(2), mean);
   }
-  if (std::ranges::any_of(frame.damage, [](double damage) { return damage > 0; })) add("damage", frame.damage);
+  if (std::ranges::any_of(frame.damage, [](double damage) { return damage > 0; })) add("damage", Eigen::Map<const Eigen::RowVectorXd>(frame.damage.data(), Eigen::Index(frame.damage.size())), mean);
   return result;
 }
 

@@ -46,6 +46,7 @@ private:
   Picture picture(const Frame& frame) const;
   Scale scale_of(const Field& field) const;
 
+  Mesh mesh_;
   std::unique_ptr<Raster> raster_;
   std::vector<Picture> earlier_;
   std::optional<Picture> last_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/files/vertices.hpp"
+
 namespace post {
 namespace {
 
@@ -10,33 +12,32 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Lower left and upper right corner of the points and of the half cells about them.
-std::pair<geometry::Point, geometry::Point> box(const plate::Mesh& mesh) {
-  geometry::Point low = mesh.positions.front(), high = low;
-  for (const auto& x : mesh.positions) low = low.cwiseMin(x), high = high.cwiseMax(x);
-  const geometry::Point half = geometry::Point::Constant(mesh.spacing / 2);
-  return {low - half, high + half};
+/// Lower left and upper right corner.
+std::pair<geometry::Point, geometry::Point> box(const std::vector<geometry::Point>& points) {
+  geometry::Point low = points.front(), high = low;
+  for (const auto& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  return {low, high};
 }
 
 }  // namespace
 
 Raster::Raster(const plate::Mesh& mesh, std::size_t pixels) {
-  const auto [low, high] = box(mesh);
+  const auto points = vertices(mesh);
+  const auto [low, high] = box(points);
   const geometry::Point size = high - low;
   low_ = low;
   pitch_ = std::sqrt(size.x() * size.y() / double(pixels));
   pitch_ = std::max(pitch_, size.maxCoeff() / double(pixels));  // of a plate as thin as a line
   columns_ = std::size_t(std::ceil(size.x() / pitch_)), rows_ = std::size_t(std::ceil(size.y() / pitch_));
   sources_.resize(columns_ * rows_);
-  for (const auto& q : mesh.quads) draw(mesh, {q[0], q[1], q[2]}), draw(mesh, {q[0], q[2], q[3]});
-  for (const auto& t : mesh.triangles) draw(mesh, t);
-  constexpr double reach = 0.8;  // spacings: from the last points to the corner of a cell
-  widen(std::size_t(std::ceil(reach * mesh.spacing / pitch_)) + 1);
+  for (const auto& q : mesh.quads) draw(points, {q[0], q[1], q[2]}), draw(points, {q[0], q[2], q[3]});
+  for (const auto& t : mesh.triangles) draw(points, t);
+  widen();
 }
 
-void Raster::draw(const plate::Mesh& mesh, const Triangle& triangle) {
+void Raster::draw(const std::vector<geometry::Point>& points, const Triangle& triangle) {
   std::array<Eigen::Vector2d, 3> x;  // in pixels
-  for (std::size_t i = 0; i < 3; ++i) x[i] = (mesh.positions[triangle[i]] - low_) / pitch_;
+  for (std::size_t i = 0; i < 3; ++i) x[i] = (points[triangle[i]] - low_) / pitch_;
   const Eigen::Vector2d to_b = x[1] - x[0], to_c = x[2] - x[0];
   const double area = cross(to_b, to_c);
   if (area == 0) return;
@@ -56,23 +57,18 @@ void Raster::draw(const plate::Mesh& mesh, const Triangle& triangle) {
     }
 }
 
-void Raster::widen(std::size_t rings) {
-  std::vector<std::size_t> front, next;
-  for (std::size_t k = 0; k < sources_.size(); ++k)
-    if (sources_[k].a != nowhere) front.push_back(k);
-  for (std::size_t ring = 0; ring < rings; ++ring) {
-    next.clear();
-    const auto take = [&](std::size_t from, std::size_t to) {
-      if (sources_[to].a == nowhere) sources_[to] = sources_[from], next.push_back(to);
+void Raster::widen() {
+  const auto inside = sources_;
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    if (inside[k].a != nowhere) continue;
+    const auto column = k % columns_, row = k / columns_;
+    const auto take = [&](std::size_t from) {
+      if (inside[from].a != nowhere) sources_[k] = inside[from];
     };
-    for (const auto k : front) {
-      const auto column = k % columns_, row = k / columns_;
-      if (column > 0) take(k, k - 1);
-      if (column + 1 < columns_) take(k, k + 1);
-      if (row > 0) take(k, k - columns_);
-      if (row + 1 < rows_) take(k, k + columns_);
-    }
-    std::swap(front, next);
+    if (column > 0) take(k - 1);
+    if (column + 1 < columns_) take(k + 1);
+    if (row > 0) take(k - columns_);
+    if (row + 1 < rows_) take(k + columns_);
   }
 }
 

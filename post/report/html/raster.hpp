@@ -6,9 +6,8 @@
 
 namespace post {
 
-/// The cells of a plate as pixels, however many points it has: which three points a pixel has its value from. Pixels
-/// just beyond the cells, where the points of a lattice end half a spacing before edges and cracks, have that of the
-/// nearest pixel inside.
+/// The cells of a plate as pixels, however many points it has: which three vertices a pixel has its value from. Pixels
+/// whose middle is just beyond the cells have that of a neighbour inside.
 class Raster {
 public:
   /// About so many pixels, square.
@@ -19,7 +18,7 @@ public:
   double pitch() const { return pitch_; }                 // [length]
   const geometry::Point& corner() const { return low_; }  // lower left, of the first pixel [length]
 
-  /// Values of points, an array or one row of a matrix, as values of pixels, row by row from below; not a number where
+  /// Values of the vertices of the mesh, an array or one row of a matrix, as values of pixels, row by row from below; not a number where
   /// there is no plate.
   template <typename Values>
   std::vector<float> pixels(const Values& values) const {
@@ -44,8 +43,8 @@ private:
   };
   using Triangle = std::array<std::uint32_t, 3>;
 
-  void draw(const plate::Mesh& mesh, const Triangle& triangle);
-  void widen(std::size_t rings);
+  void draw(const std::vector<geometry::Point>& points, const Triangle& triangle);
+  void widen();
 
   geometry::Point low_;
   double pitch_;

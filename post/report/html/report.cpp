@@ -2,7 +2,7 @@
 
 #include "plate/model/problem.hpp"
 #include "post/files/table.hpp"
-#include "post/files/vtk.hpp"
+#include "post/files/vtk/series.hpp"
 #include "post/files/whole_file.hpp"
 #include "post/report/html/page.hpp"
 #include "post/report/html/plate_json.hpp"

@@ -19,7 +19,7 @@ TEST_CASE("record: what a growth does not have stays empty, and each row has a c
 
 TEST_CASE("record: vertices of cracks by advance, or by time in motion") {
   fracture::Record record;
-  record.cracks = {{{{0, 0}, {1, 0}}, {0, 4}}};
+  record.cracks.lines = {{{{0, 0}, {1, 0}}, {0, 4}}};
   CHECK(record.crack_table().rows[1][4] == post::Cell(4.0));
   CHECK(record.crack_table().rows[1][5] == post::Cell());
   record.in_motion = true;

@@ -88,3 +88,15 @@ TEST_CASE("crack graph: short spurs and single sides are no cracks; a closed cra
   CHECK(lines[0].vertices.size() == 4);
   CHECK(lines[0].length >= 1 + std::sqrt(2));
 }
+
+TEST_CASE("crack graph: sides that follow each other are one run, and parting twice counts once") {
+  CrackGraph graph;
+  for (const double x : {0.5, 1.5, 2.5, 5.5}) CHECK(graph.part({x, 0.5}, {x, 1.5}, 1));
+  for (const double y : {1.5, 2.5}) CHECK(graph.part({2.5, y}, {3.5, y}, 2));
+  CHECK_FALSE(graph.part({1.5, 0.5}, {1.5, 1.5}, 3));
+  const auto runs = graph.runs();
+  REQUIRE(runs.size() == 3);
+  CHECK(runs[0] == CrackGraph::Side{{0, 1}, {3, 1}});
+  CHECK(runs[1] == CrackGraph::Side{{3, 1}, {3, 3}});
+  CHECK(runs[2] == CrackGraph::Side{{5, 1}, {6, 1}});
+}

@@ -63,7 +63,7 @@ Result grown(const Growth& growth, const geometry::Outline& outline, std::vector
   FormulaTips tips(growth, outline, std::move(cracks), std::move(solve));
   const auto found = grow_quasi_statically(growth, tips, [&](const Equilibrium& state) { observe(state, tips); });
   for (std::size_t c = 0; c < tips.cracks().size(); ++c) {  // what is drawn is what has grown, the last piece too
-    const auto& line = tips.record().cracks.at(c);
+    const auto& line = tips.record().cracks.lines.at(c);
     CHECK(line.vertices.front() == tips.cracks()[c].front());
     CHECK(line.vertices.back() == tips.cracks()[c].back());
     CHECK(geometry::length(line.vertices) == Approx(geometry::length(tips.cracks()[c])));

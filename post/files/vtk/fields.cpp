@@ -12,7 +12,8 @@
 
 #include <stdexcept>
 
-#include "post/files/xml_text.hpp"
+#include "post/files/vertices.hpp"
+#include "post/files/vtk/xml_text.hpp"
 
 namespace post {
 namespace {
@@ -30,16 +31,15 @@ void insert(vtkUnstructuredGrid& grid, int type, const Cells& cells, std::vector
 }
 
 void insert_points_and_cells(vtkUnstructuredGrid& grid, const Mesh& mesh) {
+  const auto all = vertices(mesh);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.positions.size()));
-  for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
-    points->SetPoint(static_cast<vtkIdType>(k), mesh.positions[k].x(), mesh.positions[k].y(), 0);
-  }
+  points->SetNumberOfPoints(static_cast<vtkIdType>(all.size()));
+  for (std::size_t k = 0; k < all.size(); ++k) points->SetPoint(static_cast<vtkIdType>(k), all[k].x(), all[k].y(), 0);
   grid.SetPoints(points);
   grid.AllocateExact(static_cast<vtkIdType>(mesh.quads.size() + mesh.triangles.size()),
                      static_cast<vtkIdType>(4 * mesh.quads.size() + 3 * mesh.triangles.size()));
-  std::vector<bool> used(mesh.positions.size(), false);
+  std::vector<bool> used(all.size(), false);
   insert(grid, VTK_QUAD, mesh.quads, used);
   insert(grid, VTK_TRIANGLE, mesh.triangles, used);
   for (std::size_t k = 0; k < used.size(); ++k) {
@@ -48,18 +48,21 @@ void insert_points_and_cells(vtkUnstructuredGrid& grid, const Mesh& mesh) {
   }
 }
 
-/// Copies one row per component and one column per point; throws where the points are not those of the grid.
+/// Copies one row per component and one column per point, and finds those of corners; throws where the points are not
+/// those of the mesh.
 template <typename Rows>
-void add_point_data(vtkUnstructuredGrid& grid, const char* name, const Eigen::MatrixBase<Rows>& rows) {
-  if (rows.cols() != grid.GetNumberOfPoints()) {
-    throw std::invalid_argument(
-        fmt::format("{} has {} values for {} points", name, rows.cols(), grid.GetNumberOfPoints()));
-  }
+void add_point_data(vtkUnstructuredGrid& grid, const Mesh& mesh, const char* name, CornerWeight weight,
+                    const Eigen::MatrixBase<Rows>& rows) {
+  const auto points = static_cast<Eigen::Index>(mesh.positions.size());
+  if (rows.cols() != points)
+    throw std::invalid_argument(fmt::format("{} has {} values for {} points", name, rows.cols(), points));
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(static_cast<int>(rows.rows()));
-  array->SetNumberOfTuples(rows.cols());
-  Eigen::Map<Eigen::MatrixXd>(array->GetPointer(0), rows.rows(), rows.cols()) = rows;
+  array->SetNumberOfTuples(grid.GetNumberOfPoints());
+  Eigen::Map<Eigen::MatrixXd> values(array->GetPointer(0), rows.rows(), grid.GetNumberOfPoints());
+  values.leftCols(points) = rows;
+  continue_to_corners(mesh, values, weight);
   grid.GetPointData()->AddArray(array);
 }
 
@@ -69,19 +72,23 @@ Eigen::Map<const Eigen::RowVectorXd> row(const std::vector<double>& values) {
 
 void insert_fields(vtkUnstructuredGrid& grid, const Mesh& mesh, const Frame& frame) {
   const plate::Resultants& resultants = frame.resultants;
-  add_point_data(grid, "w", frame.state.row(0));
-  add_point_data(grid, "theta", frame.state.bottomRows<2>());
-  add_point_data(grid, "damage", row(frame.damage));
-  add_point_data(grid, "cut", row(mesh.cut));
-  add_point_data(grid, "Mxx", resultants.moments.row(0));
-  add_point_data(grid, "Myy", resultants.moments.row(1));
-  add_point_data(grid, "Mxy", resultants.moments.row(2));
-  add_point_data(grid, "Qx", resultants.shear.row(0));
-  add_point_data(grid, "Qy", resultants.shear.row(1));
-  add_point_data(grid, "von_mises", resultants.von_mises.transpose());
+  const auto add = [&](const char* name, CornerWeight weight, const auto& rows) {
+    add_point_data(grid, mesh, name, weight, rows);
+  };
+  constexpr auto linear = &Mesh::Source::linear, mean = &Mesh::Source::mean;
+  add("w", linear, frame.state.row(0));
+  add("theta", linear, frame.state.bottomRows<2>());
+  add("damage", mean, row(frame.damage));
+  add("cut", mean, row(mesh.cut));
+  add("Mxx", mean, resultants.moments.row(0));
+  add("Myy", mean, resultants.moments.row(1));
+  add("Mxy", mean, resultants.moments.row(2));
+  add("Qx", mean, resultants.shear.row(0));
+  add("Qy", mean, resultants.shear.row(1));
+  add("von_mises", mean, resultants.von_mises.transpose());
   Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, frame.state.cols());
   displacement.row(2) = frame.state.row(0);
-  add_point_data(grid, "displacement", displacement);
+  add("displacement", linear, displacement);
 
   vtkNew<vtkDoubleArray> time;
   time->SetName("TimeValue");

@@ -4,17 +4,21 @@
 #include <regex>
 
 #include "post/files/files.hpp"
-#include "post/files/vtk.hpp"
+#include "post/files/vtk/series.hpp"
 #include "post/files/whole_file.hpp"
 
 namespace post {
 namespace {
 
-std::string file_name(std::size_t frame) {
+std::string fields(std::size_t frame) {
   return fmt::format("fields_{:04}.vtu", frame);
 }
 
-std::string pvd(const std::vector<double>& times) {
+std::string cracks(std::size_t frame) {
+  return fmt::format("cracks_{:04}.vtp", frame);
+}
+
+std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame)) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"{}\">\n  <Collection>\n",
       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
@@ -29,9 +33,12 @@ std::string pvd(const std::vector<double>& times) {
 VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh) : folder_(std::move(folder)), mesh_(std::move(mesh)) {}
 
 void VtkSeries::write(const Frame& frame) {
-  write_whole(folder_ / file_name(times_.size()), files().vtu(mesh_, frame));
+  const auto number = times_.size();
+  write_whole(folder_ / fields(number), files().vtu(mesh_, frame));
+  if (frame.cracks) write_whole(folder_ / cracks(number), files().vtp(*frame.cracks));
   times_.push_back(frame.time);
-  write_whole(folder_ / "fields.pvd", pvd(times_));
+  write_whole(folder_ / "fields.pvd", pvd(times_, fields));
+  if (frame.cracks) write_whole(folder_ / "cracks.pvd", pvd(times_, cracks));
 }
 
 std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder) {
@@ -48,7 +55,7 @@ Drawn read_frame(const std::filesystem::path& path) {
   return files().read_vtu(path);
 }
 
-void write_crack_lines(const std::filesystem::path& path, const std::vector<CrackLine>& cracks) {
+void write_cracks(const std::filesystem::path& path, const Cracks& cracks) {
   write_whole(path, files().vtp(cracks));
 }
 

@@ -11,7 +11,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "post/files/vtk.hpp"
+#include "post/factors/srif.hpp"
+#include "post/files/vtk/series.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/unit/post/xml.hpp"
 
@@ -82,23 +83,76 @@ TEST_CASE("fields.pvd lists every frame with its time") {
   CHECK(folder.entries() == 3);
 }
 
+TEST_CASE("corners of cells take their values from the points that they name") {
+  const TemporaryFolder folder;
+  const post::Frame frame = small_run::frame(0, 0);
+  post::Mesh mesh = small_run::mesh();
+  mesh.corners = {{{3, 4}, {{1, 1.5, 0.25}, {4, -0.5, 0.75}}}};
+  mesh.triangles.push_back({4, 6, 3});
+  post::VtkSeries(folder.path(), mesh).write(frame);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName((folder / "fields_0000.vtu").c_str());
+  reader->Update();
+  vtkUnstructuredGrid& grid = *reader->GetOutput();
+  REQUIRE(grid.GetNumberOfPoints() == 7);
+  CHECK(grid.GetPoint(6)[1] == 4);
+  const Eigen::RowVectorXd w = frame.state.row(0), M = frame.resultants.moments.row(1);
+  CHECK(values(grid, "w")(0, 6) == Approx(1.5 * w[1] - 0.5 * w[4]));
+  CHECK(values(grid, "displacement")(2, 6) == Approx(1.5 * w[1] - 0.5 * w[4]));
+  CHECK(values(grid, "Myy")(0, 6) == Approx(0.25 * M[1] + 0.75 * M[4]));
+  CHECK(values(grid, "w").leftCols(6) == w);
+}
+
+TEST_CASE("cracks that change are a series beside the fields") {
+  const TemporaryFolder folder;
+  post::VtkSeries series(folder.path(), small_run::mesh());
+  for (const double time : {0.0, 0.5}) {
+    auto frame = small_run::frame(time, 0);
+    frame.cracks = post::Cracks{{{{{0, 0}, {1, time}}, {0, time}}}, {}};
+    series.write(frame);
+  }
+  CHECK_THAT(text_of(folder / "cracks.pvd"), Catch::Contains("timestep=\"0.5\" part=\"0\" file=\"cracks_0001.vtp\""));
+  CHECK(folder.entries() == 6);
+}
+
 TEST_CASE("cracks come back from their vtp file") {
   const TemporaryFolder folder;
-  post::write_crack_lines(folder / "cracks.vtp",
-                          {{{{0, 1.0 / 3}, {2, 3}}, {0, 4}}, {{{5, 6}, {7, 8}, {9, 1e-17}}, {1, 2, 3}}});
+  post::Cracks cracks{{{{{0, 1.0 / 3}, {2, 3}}, {0, 4}}, {{{5, 6}, {7, 8}, {9, 1e-17}}, {1, 2, 3}}},
+                      {{7, 1, {9, 1e-17}, {}}, {3, 0, {2, 3}, {}}}};
+  post::Srif first, second;
+  first.tip = second.tip = 3;
+  first.K1 = 0.25, first.K2 = -1, first.resolved[2] = false, second.K1 = 5;
+  post::set_factors(cracks, {first, second});
+  post::write_cracks(folder / "cracks.vtp", cracks);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName((folder / "cracks.vtp").c_str());
   reader->Update();
   vtkPolyData& lines = *reader->GetOutput();
 
-  REQUIRE(lines.GetNumberOfPoints() == 5);
+  REQUIRE(lines.GetNumberOfPoints() == 7);
   CHECK(lines.GetPoint(0)[1] == 1.0 / 3);
   CHECK(lines.GetPoint(4)[1] == 1e-17);
   REQUIRE(lines.GetNumberOfLines() == 2);
-  CHECK(lines.GetCell(1)->GetNumberOfPoints() == 3);
-  CHECK(lines.GetCell(1)->GetPointId(0) == 2);
-  CHECK(lines.GetCellData()->GetArray("crack")->GetComponent(1, 0) == 1);
-  CHECK(lines.GetPointData()->GetArray("advance")->GetComponent(1, 0) == 4);
+  REQUIRE(lines.GetNumberOfVerts() == 2);
+  CHECK(lines.GetCell(3)->GetNumberOfPoints() == 3);  // VTK counts vertices first
+  CHECK(lines.GetCell(3)->GetPointId(0) == 2);
+  const auto of_cell = [&](const char* name, int i) { return lines.GetCellData()->GetArray(name)->GetComponent(i, 0); };
+  const auto of_point = [&](const char* name, int i) {
+    return lines.GetPointData()->GetArray(name)->GetComponent(i, 0);
+  };
+  CHECK(of_cell("tip", 0) == 7);
+  CHECK(of_cell("crack", 0) == 1);
+  CHECK(of_cell("crack", 3) == 1);
+  CHECK(of_cell("tip", 3) == -1);
+  CHECK(of_point("advance", 1) == 4);
+  CHECK(lines.GetCell(1)->GetPointId(0) == 6);
+  CHECK(lines.GetPoint(6)[0] == 2);
+  CHECK(of_point("tip", 6) == 3);
+  CHECK(of_point("K1", 6) == 0.25);
+  CHECK(of_point("K2", 6) == -1);
+  CHECK(std::isnan(of_point("K3", 6)));
+  CHECK(std::isnan(of_point("K1", 5)));
+  CHECK(std::isnan(of_point("K1", 0)));
 }
 
 TEST_CASE("what ParaView reads is well-formed XML") {
@@ -106,8 +160,8 @@ TEST_CASE("what ParaView reads is well-formed XML") {
   CHECK(xml::fault(std::string("<a>\0</a>", 8)) == "not well-formed (invalid token) in line 1");
   const TemporaryFolder folder;
   post::VtkSeries(folder.path(), small_run::mesh()).write(small_run::frame(0.25, 3));
-  post::write_crack_lines(folder / "cracks.vtp", {{{{0, 1}, {2, 3}}, {0, 4}}});
-  post::write_crack_lines(folder / "none.vtp", {});
+  post::write_cracks(folder / "cracks.vtp", {{{{{0, 1}, {2, 3}}, {0, 4}}}, {{0, 0, {2, 3}, {}}}});
+  post::write_cracks(folder / "none.vtp", {});
   REQUIRE(folder.entries() == 4);
   for (const char* name : {"fields_0000.vtu", "fields.pvd", "cracks.vtp", "none.vtp"}) {
     INFO(name);

@@ -1,4 +1,4 @@
-#include "post/files/xml_text.hpp"
+#include "post/files/vtk/xml_text.hpp"
 
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
@@ -15,8 +15,9 @@ std::string xml_text(vtkXMLWriter& writer, const std::string& what) {
   silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   writer.AddObserver(vtkCommand::ErrorEvent, silent);
   writer.SetDataModeToBinary();
-  writer.SetCompressorTypeToZLib();
-  writer.SetCompressionLevel(1);
+  // zlib's fastest level takes 2.4 times as long for files of three quarters the size, as numbers hardly shrink
+  writer.SetCompressorTypeToLZ4();
+  writer.SetCompressionLevel(9);
   writer.WriteToOutputStringOn();
   if (writer.Write() == 0 || writer.GetErrorCode() != vtkErrorCode::NoError)
     throw std::runtime_error(fmt::format("VTK cannot write the {}: error {}", what, writer.GetErrorCode()));

@@ -6,7 +6,8 @@ namespace post {
 
 /// Frames for ParaView: fields_NNNN.vtu (binary, compressed) and fields.pvd, which lists them with their times and is
 /// written anew with each frame. Point data: w, theta (2 components), damage, cut, Mxx, Myy, Mxy, Qx, Qy, von_mises,
-/// displacement (3 components: 0, 0, w).
+/// displacement (3 components: 0, 0, w); after the points of the plate come the corners of its cells on edges and
+/// cracks. Where cracks change, cracks_NNNN.vtp and cracks.pvd beside them.
 class VtkSeries {
 public:
   VtkSeries(std::filesystem::path folder, Mesh mesh);
@@ -30,11 +31,8 @@ std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder
 /// Throws std::runtime_error where the file is none of ours.
 Drawn read_frame(const std::filesystem::path& path);
 
-/// Cracks as polylines, cracks.vtp: cell data crack (its number), point data advance (at which a vertex was reached).
-struct CrackLine {
-  std::vector<Eigen::Vector2d> vertices;  // [length]
-  std::vector<double> advances;           // per vertex
-};
-void write_crack_lines(const std::filesystem::path& path, const std::vector<CrackLine>& cracks);
+/// cracks.vtp: lines, and tips as vertices. Cell data: crack and tip, their numbers; tip is -1 at a line. Point
+/// data: advance (at which a vertex was reached), tip; K1, K2, K3 at tips, where they are known, else not a number.
+void write_cracks(const std::filesystem::path& path, const Cracks& cracks);
 
 }  // namespace post
