@@ -13,8 +13,9 @@ constexpr double of_diagonal = 0.5;  // iterations follow the side over the spac
 // of time: a factor of the whole from 2,500 to 40,000 points, one of a quarter of them, coarser plates
 constexpr double of_factor = 1.4, of_short_horizon = 1.25, of_two_levels = 1.08, of_levels = 1.05;
 
-/// Bytes while a factor is made, measured 3,770 to 4,220 n log2 n with bonds (10,000 and 40,000 points), 780 to 920 of
-/// cells (10,000 to 47,000), 300 with a short horizon (40,000), 1,225 and 1,308 n for two levels (40,000 and 160,000).
+/// Bytes while a factor is made, measured 3,770 to 4,220 n log2 n with bonds over 3 spacings (10,000 and 40,000
+/// points), 780 to 920 of cells (10,000 to 47,000), 300 with a short horizon (40,000), 1,225 and 1,308 n for two levels
+/// (40,000 and 160,000).
 double bytes_of_factor(double per_point, double points) {
   return per_point * points * std::log2(points + 2);
 }
@@ -31,13 +32,14 @@ UsualSolver usual_solver(const Problem& problem, StaticMethod method, Preconditi
   using enum Preconditioning;
   if (method == StaticMethod::adr)
     return {method, automatic, "adaptive dynamic relaxation", of_diagonal, 1 + of_diagonal};
-  const bool bonds = problem.discretization.formulation == &ordinary;
+  const auto& d = problem.discretization;
+  const bool bonds = d.formulation == &ordinary;
   const UsualSolver own_factor{StaticMethod::direct,
                                automatic,
                                "factor of the plate",
                                0,
                                of_factor,
-                               bytes_of_factor(bonds ? 4000 : 850, points)};
+                               bytes_of_factor(bonds ? 440 * d.horizon_ratio * d.horizon_ratio : 850, points)};
   if (method == StaticMethod::direct) return own_factor;
   if (wanted == automatic)
     wanted = bonds ? usual_preconditioner_of_bonds(problem, points) : usual_preconditioner_of_cells(problem, points);
@@ -51,8 +53,7 @@ UsualSolver usual_solver(const Problem& problem, StaticMethod method, Preconditi
     case two_level:
       return {method, wanted, "conjugate gradients, two levels", 0, of_two_levels, bytes_of_factor(88 * 4, points / 4)};
     case levels:
-      return {method, wanted,    "conjugate gradients, coarser plates",
-              0,      of_levels, bytes_of_levels(problem.discretization, points)};
+      return {method, wanted, "conjugate gradients, coarser plates", 0, of_levels, bytes_of_levels(d, points)};
   }
   return own_factor;
 }
