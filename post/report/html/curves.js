@@ -66,10 +66,11 @@ function reaction_plot() {
 }
 
 function curves() {
-  const noise = 1e-6 * Math.max(largest(tables.srif?.K1), largest(tables.srif?.K2));
+  const h = data.plate.section.thickness, most = Math.max(largest(tables.srif?.K1), largest(tables.srif?.K2), h * largest(tables.srif?.K3));
+  const noise = { K1: 1e-3 * most, K2: 1e-3 * most, K3: (1e-3 * most) / h }; // less is no more than that of a symmetric plate
   const drawn_plots = [
     ...growth_plots(),
-    ...["K1", "K2", "K3"].map(name => factor_plot(name, noise)),
+    ...["K1", "K2", "K3"].map(name => factor_plot(name, noise[name])),
     moves ? history_plot("Largest deflection", { label: "largest |w|", quantity: "w" }, [["max_abs_w", "largest |w|"]]) : null,
     ...probe_plots(), reaction_plot(),
     moves ? history_plot("Energies", { label: "energy", quantity: "energy" },

@@ -24,7 +24,7 @@ function error_of(one) {
 function factor_cell(one, path, name) {
   const error = one[`estimated_error_${name}`], words = factor_words(one, name);
   const bar = typeof error === "number" && words !== "not resolved" && words !== "0" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null;
-  return [value(`${path}.${name}`, 6, words), bar];
+  return [element("span", { class: bar && error > Math.abs(one[name]) ? "within" : null }, value(`${path}.${name}`, 6, words)), bar];
 }
 
 function error_cell(one) {
@@ -90,7 +90,8 @@ function factors_section() {
 function largest_section(list, title) {
   const all = data.summary[list];
   if (!Array.isArray(all) || all.length === 0) return null;
-  const noise = one => one.quantity.startsWith("K") && all.some(other => other.tip === one.tip && Math.abs(one.value) < 1e-6 * Math.abs(other.value));
+  const size = one => Math.abs(one.value) * (one.quantity === "K3" ? thickness : 1), is_factor = one => /^K[123]$/.test(one.quantity);
+  const noise = one => is_factor(one) && all.some(other => is_factor(other) && other.tip === one.tip && size(one) < 1e-5 * size(other));
   const timed = all.some(one => one.time !== undefined);
   const place = (one, i) => (one.tip !== undefined ? `tip ${one.tip}` : one.x === undefined ? "anywhere" : ["(", value(`${list}[${i}].x`, 4), ", ", value(`${list}[${i}].y`, 4), ")"]);
   const words = one => (one.outside === undefined ? "" : ` no nearer than ${shown(one.outside, 2)} to tips, pins and point forces`);

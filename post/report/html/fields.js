@@ -142,18 +142,21 @@ function field_picture(field, chosen) {
   return figure;
 }
 
-function slider(frames, show) {
-  const words = element("output", {}, frame_words(frames.at(-1)));
-  const input = element("input", { type: "range", min: 0, max: frames.length - 1, step: 1, value: frames.length - 1, "aria-label": "frame",
+function slider(frames, first, show) {
+  const words = element("output", {}, frame_words(first));
+  const input = element("input", { type: "range", min: 0, max: frames.length - 1, step: 1, value: frames.indexOf(first), "aria-label": "frame",
     oninput: () => { words.textContent = frame_words(frames[input.value]); show(frames[input.value]); } });
   return element("label", { class: "slider" }, "Frame ", input, " ", words);
 }
 
 function fields_section() {
   if (!pictures) return null;
-  let frame = pictures.frames.at(-1);
-  const figures = pictures.fields.map(field => field_picture(field, () => frame));
-  const several = pictures.frames.length > 1 ? slider(pictures.frames, next => { frame = next; figures.forEach(figure => figure.draw()); }) : null;
+  const modes = data.summary.analysis.kind === "frequencies";
+  let frame = modes ? pictures.frames[0] : pictures.frames.at(-1);
+  const wanted = modes ? pictures.fields.filter(field => pictures.frames[0].data[field.name]) : pictures.fields;
+  const figures = wanted.map(field => field_picture(field, () => frame));
+  const several = pictures.frames.length > 1 ? slider(pictures.frames, frame, next => { frame = next; figures.forEach(figure => figure.draw()); }) : null;
   return section("Fields", several, element("div", { class: "grid" }, figures),
-    pictures.frames.length > 1 ? screen_note("Moments are of the last frame. Point at a picture for values.") : screen_note("Point at a picture for values."));
+    modes ? note("The largest |w| of each mode is scaled to 1, and stresses with it.") : null,
+    screen_note(`${several && !modes ? "Moments are of the last frame. " : ""}Point at a picture for values.`));
 }
