@@ -146,16 +146,17 @@ class View:
         self.stated = "{:g}th to {:g}th percentile of the area".format(*percentiles) if robust else "all values"
         if robust:
             self.stated = self.stated.replace("2th", "2nd").replace("3th", "3rd").replace("1th", "1st")
+        simple._DisableFirstRenderCameraReset()
         self.view = simple.GetActiveViewOrCreate("RenderView")
         self.view.ViewSize = list(size)
         self.view.OrientationAxesVisibility = 0
         self.view.UseColorPaletteForBackground = 0
         self.view.Background = [1, 1, 1]
-        self.plate(what, unit, parts_at_zero, edges)
+        self.plate(what, unit, parts_at_zero, edges, size)
         self.overlay(size)
         self.camera(direction)
 
-    def plate(self, what, unit, parts_at_zero, edges):
+    def plate(self, what, unit, parts_at_zero, edges, size):
         warped = simple.WarpByVector(registrationName="plate", Input=self.results.reader, Vectors=["POINTS", "displacement"], ScaleFactor=self.scale)
         shown = simple.Show(warped, self.view)
         name, _, part = self.field.partition("_")
@@ -173,7 +174,7 @@ class View:
         si = self.results.case.get("units") == "SI" and unit and unit != "1"
         bar.Title, bar.ComponentTitle = f"{what} [{unit}]" if si else what, ""
         bar.TitleColor = bar.LabelColor = [0, 0, 0]
-        bar.TitleFontSize, bar.LabelFontSize = 18, 16
+        bar.TitleFontSize, bar.LabelFontSize = (20, 18) if size[0] > 800 else (12, 11)
         bar.Orientation, bar.WindowLocation, bar.ScalarBarLength = "Vertical", "Any Location", 0.6
         bar.Position = [0.87, 0.2]
         bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.3g", "%.3g"
@@ -182,7 +183,7 @@ class View:
     def overlay(self, size):
         self.text = simple.Text(registrationName="caption")
         shown = simple.Show(self.text, self.view)
-        shown.Color, shown.FontSize = [0, 0, 0], 16
+        shown.Color, shown.FontSize = [0, 0, 0], 18 if size[0] > 800 else 14
         shown.WindowLocation, shown.Position, shown.Justification = "Any Location", [0.015, 0.015], "Left"
         self.producer = None
         if self.results.cracks is None:
@@ -193,7 +194,7 @@ class View:
         shown.SetRepresentationType("Surface")
         shown.DiffuseColor = shown.AmbientColor = [0.85, 0.05, 0.1]
         shown.Ambient, shown.Diffuse = 1, 0
-        shown.LineWidth, shown.PointSize, shown.RenderPointsAsSpheres = 2.5, 10 * size[0] / 1500, 1
+        shown.LineWidth, shown.PointSize, shown.RenderPointsAsSpheres = (2.5, 10, 1) if size[0] > 800 else (1.5, 5, 1)
 
     def crack_data(self, time):
         cracks, grid = fetched(self.results.cracks, time), self.results.grid(time)
@@ -226,7 +227,7 @@ class View:
         view.CameraViewUp = list(up)
         simple.GetActiveCamera().SetClippingRange(0.1 * self.length, 30 * self.length)
 
-    def go_to(self, time):
+    def go_to(self, time, caption=None):
         simple.GetAnimationScene().AnimationTime = time
         self.view.ViewTime = time
         if self.producer:
@@ -235,7 +236,7 @@ class View:
         grows = "growth" in self.results.case
         when = {"frequencies": f"mode {time:g}", "dynamic": f"t = {time:.4g}"}.get(analysis, f"advance {time:g}" if grows else "")
         parts = [when, f"deflection times {self.scale:.3g}" if self.scale else "flat", f"colours: {self.stated}"]
-        self.text.Text = self.results.title() + "\n" + ", ".join(part for part in parts if part)
+        self.text.Text = caption or self.results.title() + "\n" + ", ".join(part for part in parts if part)
         simple.Render(self.view)
 
     def save(self, path):

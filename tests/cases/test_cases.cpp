@@ -82,8 +82,9 @@ void check_files(const fs::path& folder, const cases::Case& c) {
   CHECK(fs::exists(folder / "frequencies.csv") == frequencies);
   const bool at_rest = c.analysis.kind == cases::Analysis::Kind::static_;
   CHECK(fs::exists(folder / "srif.csv") == (c.srif || (c.growth && at_rest)));
-  for (const char* name : {"growth.csv", "tips.csv", "cracks.csv", "cracks.vtp"})
+  for (const char* name : {"growth.csv", "tips.csv", "cracks.csv", "cracks.pvd"})
     CHECK(fs::exists(folder / name) == c.growth.has_value());
+  CHECK(fs::exists(folder / "cracks.vtp") == (c.growth || !c.cracks.empty()));
   CHECK(fs::exists(folder / "probes.csv") == !c.output.probes.empty());
   CHECK(text_of(folder / "summary.json").find("\"outcome\": \"done\"") != std::string::npos);
 }
