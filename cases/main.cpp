@@ -191,14 +191,16 @@ int execute(const CLI::App& app, Arguments& a) {
   return done;
 }
 
+#ifndef PDPLATE_LIBRARY  // else the launcher does it (cases/package/launcher.cpp)
 /// Threads that wait must sleep, not spin: with one of two cores busy a static run took 5.1 s spinning and 3.7 s
 /// sleeping; one force evaluation alone took the same. The OpenMP library reads its setting before main.
 bool set_waiting() {
   if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return false;
   return setenv("OMP_WAIT_POLICY", "passive", 1) == 0;
 }
+#endif
 
-#if defined PDPLATE_LIBRARY  // the launcher has done it (cases/package/launcher.cpp)
+#if defined PDPLATE_LIBRARY
 void wait_without_spinning(char**) {}
 #elif defined PDPLATE_OWN_OPENMP
 /// Before the constructors of the OpenMP library, which is part of the program.
