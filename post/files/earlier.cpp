@@ -13,7 +13,7 @@ constexpr auto mark = "case.resolved.toml";  // the first file of every run
 bool is_result(const std::string& name) {
   static const std::regex names(
       R"((case\.resolved\.toml|summary\.json|state\.h5|fields\.pvd|fields_\d{4,}\.vtu|cracks\.vtp|curves\.svg|)"
-      R"((history|probes|frequencies|srif|growth|tips|cracks)\.csv)(\.partial)?)");
+      R"((history|probes|reactions|frequencies|srif|growth|tips|cracks)\.csv)(\.partial)?)");
   return std::regex_match(name, names);
 }
 
