@@ -39,39 +39,39 @@ std::string key_of(const plate::Refusal& refusal) {
   return "";
 }
 
-CaseError refused(const CaseFile& file, const std::vector<plate::Refusal>& reasons) {
-  std::vector<Problem> problems;
+void refuse(const CaseFile& file, const std::vector<plate::Refusal>& reasons, std::vector<Problem>& problems) {
   for (const auto& one : reasons) problems.push_back({file.place(key_of(one)), key_of(one), one.what});
-  return CaseError(problems);
 }
 
 /// In motion a plate may move as it is; that pieces do is worth a word.
-void check_held(const CaseFile& file, const plate::Formulation& plate, std::vector<std::string>& warnings) {
+void check_held(const CaseFile& file, const plate::Formulation& plate, std::vector<std::string>& warnings,
+                std::vector<Problem>& problems) {
   const auto found = plate::loose(plate);
   if (found.empty()) return;
-  if (file.content.analysis.finds_equilibrium()) throw refused(file, found);
+  if (file.content.analysis.finds_equilibrium()) return refuse(file, found, problems);
   if (plate.pieces().size() > 1 && !plate.held())
     for (const auto& one : found) warnings.push_back(one.what);
 }
 
-void check_two_level(const CaseFile& file, const plate::Formulation& plate) {
+void check_two_level(const CaseFile& file, const plate::Formulation& plate, std::vector<Problem>& problems) {
   if (plate.may_move() && file.content.analysis.preconditioner == plate::Preconditioning::two_level)
-    throw CaseError({{file.place("analysis.preconditioner"), "analysis.preconditioner",
-                      "\"two_level\" needs a plate without motions that nothing resists, and parts of this one hang by "
-                      "bonds along one line; choose \"diagonal\""}});
+    problems.push_back({file.place("analysis.preconditioner"), "analysis.preconditioner",
+                        "\"two_level\" needs a plate without motions that nothing resists, and parts of this one hang "
+                        "by bonds along one line; choose \"diagonal\""});
 }
 
-void check_modes(const CaseFile& file, const plate::Formulation& plate) {
+void check_modes(const CaseFile& file, const plate::Formulation& plate, std::vector<Problem>& problems) {
   if (file.content.analysis.kind != Analysis::Kind::frequencies) return;
   const auto most = std::size_t((plate.mass().array() > 0).count()) / 4;
   if (file.content.analysis.modes > most)
-    throw CaseError({{file.place("analysis.modes"), "analysis.modes",
-                      fmt::format("{} given, must be at most {}, a quarter of the plate's degrees of freedom",
-                                  file.content.analysis.modes, most)}});
+    problems.push_back({file.place("analysis.modes"), "analysis.modes",
+                        fmt::format("{} given, must be at most {}, a quarter of the plate's degrees of freedom",
+                                    file.content.analysis.modes, most)});
 }
 
 /// Pins alone hold a plate by their triangle; each acts up to 0.7 of a spacing beside its place.
-void check_pins(const CaseFile& file, const plate::Formulation& plate, std::vector<std::string>& warnings) {
+void check_pins(const CaseFile& file, const plate::Formulation& plate, std::vector<std::string>& warnings,
+                std::vector<Problem>& problems) {
   constexpr double least = 1, few = 5;  // spacings
   const auto wide = plate.width_of_pins();
   if (!wide || file.content.analysis.kind != Analysis::Kind::static_) return;
@@ -80,19 +80,18 @@ void check_pins(const CaseFile& file, const plate::Formulation& plate, std::vect
       "to 0.7 spacings from its place",
       *wide);
   if (*wide < least)
-    throw CaseError({{file.place("support"), "support", said + ": refine, or choose formulation = \"galerkin\""}});
-  if (*wide < few) warnings.push_back(said + ": deflections may be far off");
+    problems.push_back({file.place("support"), "support", said + ": refine, or choose formulation = \"galerkin\""});
+  else if (*wide < few)
+    warnings.push_back(said + ": deflections may be far off");
 }
 
 /// Probes that have no points about them.
-void check_probes(const CaseFile& file, const plate::Formulation& plate) {
-  std::vector<Problem> problems;
+void check_probes(const CaseFile& file, const plate::Formulation& plate, std::vector<Problem>& problems) {
   for (const auto& [name, x] : file.content.output.probes) try {
       plate.interpolation(x);
     } catch (const plate::Refused& error) {
       problems.push_back({file.place("output.probes." + name), "output.probes." + name, error.what()});
     }
-  if (!problems.empty()) throw CaseError(problems);
 }
 
 }  // namespace
@@ -108,19 +107,22 @@ void require_memory(const CaseFile& file) {
 plate::Discretised discretised(const CaseFile& file) {
   const Case& c = file.content;
   plate::Discretised result;
+  std::vector<Problem> problems;
   try {
     result = plate::discretise(c);
   } catch (const plate::Refused& error) {
-    throw refused(file, error.reasons());
+    refuse(file, error.reasons(), problems);
+    throw CaseError(problems);
   }
   auto& warnings = result.warnings;
   warnings.insert(warnings.begin(), file.notes.begin(), file.notes.end());
   const auto& plate = *result.plate;
-  check_modes(file, plate);
-  check_pins(file, plate, warnings);
-  check_held(file, plate, warnings);
-  check_two_level(file, plate);
-  check_probes(file, plate);
+  check_modes(file, plate, problems);
+  check_pins(file, plate, warnings, problems);
+  check_held(file, plate, warnings, problems);
+  check_two_level(file, plate, problems);
+  check_probes(file, plate, problems);
+  if (!problems.empty()) throw CaseError(problems);
   for (auto& some :
        {plate.distrust(c.srif.has_value()), plate::distrust_of_rotary_inertia(plate, c.analysis.rotary_inertia),
         c.growth ? fracture::distrust_of_bonds(*c.growth, plate) : std::vector<std::string>(),

@@ -4,16 +4,16 @@
 
 #include "cases/driver/discretised.hpp"
 #include "cases/driver/results.hpp"
-#include "cases/driver/static_solution.hpp"
 #include "cases/report/scene.hpp"
 #include "fracture/growth/quasi_static/bonds.hpp"
 #include "fracture/growth/quasi_static/growing_plate.hpp"
 #include "fracture/growth/words.hpp"
-#include "plate/formulation/preconditioner.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "post/files/gate.hpp"
+#include "post/report/conclusion.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/progress.hpp"
+#include "post/report/reactions.hpp"
 
 namespace cases {
 namespace {
@@ -45,6 +45,7 @@ private:
   std::optional<post::Recorder> recorder_;  // once nothing can be refused any more
   std::optional<std::filesystem::path> report_;  // its folder, where one is wanted
   post::Pictures pictures_;                      // for it
+  post::ReactionRows reactions_;
   post::Table srifs_{post::srif_columns(), {}};
   std::vector<post::Srif> latest_;
   plate::State state_;  // of the last advance
@@ -120,6 +121,7 @@ void GrowthRun::observe(const fracture::Equilibrium& now) {
   post::Sample row{time, now.advance, state_, now.ledger.strain, 0, now.ledger.external_work, now.ledger.fracture};
   row.released_energy = now.ledger.released(), row.load_factor = now.factor, row.displacement = now.displacement;
   recorder_->row(row, probes_of(case_, plate), plate.cloud().plate_points);
+  reactions_.add(time, plate, model_->forces(), state_, now.factor);
   if (auto factors = model_->factors(now.factor)) {
     post::require_finite(*factors, when);
     post::append(srifs_, time, *factors);
@@ -150,6 +152,7 @@ post::Summary GrowthRun::finish() {
     recorder_->final_state(model_->plate().mesh(),
                            post::frame_of(model_->plate(), double(advance_), advance_, state_, false));
   if (tips_ || c.srif) recorder_->table("srif", srifs_);
+  if (!reactions_.empty()) recorder_->table("reactions", reactions_.table());
   const auto& record = model_->record();
   recorder_->table("growth", record.growth);
   recorder_->table("tips", record.tips);
@@ -170,7 +173,7 @@ post::Summary GrowthRun::finish() {
   const auto words = fracture::in_words(grown_.ended, c.growth->by_bonds());
   if (grown_.ended.how == fracture::End::failed)
     summary.outcome = words, summary.analysis.stop_reason = grown_.ended.detail;
-  summary.srif = latest_;
+  post::conclude(summary, {c.section, c.srif, c.units == "SI", recorder_->history(), reactions_, latest_});
   auto& growth = summary.growth.emplace();
   growth.outcome = words;
   growth.advances = model_->advances();

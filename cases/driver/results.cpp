@@ -16,9 +16,9 @@
 #include "post/files/gate.hpp"
 #include "post/files/sinks/folder.hpp"
 #include "post/files/sinks/kept_sink.hpp"
+#include "post/report/conclusion.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/html/report.hpp"
-#include "post/report/peaks.hpp"
 
 namespace cases {
 
@@ -76,7 +76,9 @@ Results::Results(const CaseFile& file, const plate::Formulation& plate, const st
       recorder_(recorder_of(case_, options)),
       report_(report_folder(case_, options)),
       probes_(probes_of(case_, plate)),
-      factors_(case_.section.thickness) {
+      factors_(case_.section.thickness),
+      reactions_(plate, case_.analysis.rotary_inertia, case_.analysis.method == Analysis::Method::lanczos),
+      extremes_(plate) {
   if (!recorder_.draws() && !recorder_.stores()) return;
   const auto mesh = plate.mesh();
   if (report_) pictures_.open(mesh);
@@ -94,6 +96,8 @@ void Results::sample(const plate::Instant& now, bool last) {
     growth_->look(now.time);
   }
   recorder_.row(row, probes_, plate_.cloud().plate_points);
+  reactions_.add(now, growth_ ? growth_->plate() : plate_);
+  if (!growth_) extremes_.row(now);
   times_.push_back(now.time);
   const auto factors = [&]() -> std::vector<post::Srif> {
     if (growth_) return growth_->factors(now.state);
@@ -112,6 +116,7 @@ void Results::frame(const plate::Instant& now) {
     if (mesh) pictures_.open(*mesh);
     pictures_.look(frame);
   }
+  if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);
   plate::State velocity;
   if (recorder_.stores() && case_.analysis.kind == Analysis::Kind::dynamic)
     velocity = now.velocity().leftCols(Eigen::Index(plate_.cloud().plate_points));
@@ -143,23 +148,22 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
     if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
     if (residual_) summary.energy.emplace_back("residual", *residual_);
   }
-  summary.srif = factors_.last();
-  if (growth_ || !cracks.lines.empty()) recorder_.cracks(cracks, summary.srif);
-  const auto warn = [&](const std::vector<std::string>& what) {
-    summary.warnings.insert(summary.warnings.end(), what.begin(), what.end());
-  };
-  warn(post::left_out(plate_.tips(), tip_methods_));
-  warn(post::distrust_of_factors(summary.srif, factors_.largest(), case_.section.thickness, plate_.remedy()));
-  warn(factors_.distrust());
-  summary.accuracy = accuracy_;
+  if (growth_ || !cracks.lines.empty()) recorder_.cracks(cracks, factors_.last());
+  if (!reactions_.empty()) recorder_.table("reactions", reactions_.table());
   const bool moves = case_.analysis.kind == Analysis::Kind::dynamic, si = case_.units == "SI";
   const auto& history = recorder_.history();
-  if (moves && !growth_) summary.peaks = post::peaks(times_, factors_.rows(), history);
   if (moves && recorder_.plots())
     recorder_.picture("curves",
                       post::to_svg(post::curves_of_motion(case_.title, times_, factors_.rows(), history, si)));
-  if (si) warn(post::distrust_of_deflection(history, case_.section.thickness));
+  summary.accuracy = accuracy_;
   summary.frequencies = frequencies_;
+  post::conclude(summary, {case_.section, case_.srif, si, history, reactions_, factors_.last()});
+  if (!growth_) post::look_for_largest(summary, case_.section, extremes_, times_, factors_.rows());
+  for (const auto& some :
+       {post::left_out(plate_.tips(), tip_methods_),
+        post::distrust_of_factors(summary.srif, factors_.largest(), case_.section.thickness, plate_.remedy()),
+        factors_.distrust(), post::tips_that_grow(summary)})
+    summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
   summary = recorder_.finish(std::move(summary), stopwatch);
   if (report_) write_report(case_, *report_, pictures_);
   return summary;

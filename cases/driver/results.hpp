@@ -3,7 +3,9 @@
 #include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/recorder.hpp"
+#include "post/report/extremes.hpp"
 #include "post/report/html/pictures.hpp"
+#include "post/report/reactions.hpp"
 
 namespace fracture {
 class MovingGrowth;
@@ -67,6 +69,8 @@ private:
   post::Pictures pictures_;                      // for it
   std::vector<post::Probe> probes_;
   post::FactorRows factors_;
+  post::ReactionRows reactions_;
+  post::Extremes extremes_;
   std::vector<double> times_;
   std::vector<post::Frequency> frequencies_;
   std::optional<post::AccuracySummary> accuracy_;

@@ -17,7 +17,6 @@
 #include "fracture/growth/motion/moving_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/preconditioner.hpp"
-#include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -27,20 +26,7 @@
 namespace cases {
 namespace {
 
-/// Work of loads that grow slowly from zero.
-double slow_work(const plate::Formulation& plate, const plate::State& state) {
-  double work = 0;
-  for (const auto& load : plate.loads()) work += load.forces.cwiseProduct(state).sum() / 2;
-  return work;
-}
-
-std::vector<plate::Forces> forces_of(const plate::Formulation& plate) {
-  std::vector<plate::Forces> result;
-  for (const auto& load : plate.loads()) result.push_back(load.forces);
-  return result;
-}
-
-/// At rest under the loads of time 0.
+/// The equilibrium under the loads of time 0.
 plate::State start_of(const Case& c, const plate::Formulation& plate) {
   const auto load = plate.first_load();
   if (load.isZero(0)) return {};
@@ -95,8 +81,8 @@ void solve_static(const Prepared& prepared, Results& results, post::Summary& sum
   if (result.factor_bytes > 0)
     summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate.cloud().plate_points), 0});
   post::describe(summary.analysis, result.method, solution, c.analysis.tolerance);
-  post::require_finite(solution.state, "at rest");
-  const double work = slow_work(plate, solution.state);
+  post::require_finite(solution.state, "in equilibrium");
+  const double work = post::slow_work(plate, solution.state);
   const double strain = plate.strain_energy(solution.state);
   const plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, -2 * work};
   results.sample(end, true);
@@ -130,7 +116,8 @@ std::function<void(const plate::Instant&)> observer(const Prepared& prepared, st
     summary.energy = {
         {"strain", results.strain_energy()}, {"kinetic", now.kinetic_energy}, {"external_work", now.external_work}};
     if (is_last && !post::moves(now.state, now.external_work))
-      post::require_motion(*prepared.plate, forces_of(*prepared.plate), now.state, now.external_work, summary.warnings);
+      post::require_motion(*prepared.plate, post::forces_of(*prepared.plate), now.state, now.external_work,
+                           summary.warnings);
   };
 }
 
@@ -174,6 +161,7 @@ void solve_dynamic(const Prepared& prepared, fracture::MovingGrowth* growth, Res
   if (c.analysis.start == Analysis::Start::equilibrium) options.start = start_of(c, plate);
   if (c.analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
   if (growth) options.changes = &growth->changes();
+  options.held_forces = true;
   plate::central_differences(growth ? growth->plate() : plate, constraints, plate.mass(c.analysis.rotary_inertia),
                              plate.loads(), options,
                              observer(prepared, grid.steps, results, summary, progress, stopwatch));

@@ -45,7 +45,7 @@ public:
   void general_images();
   void outermost_rows();
   void layers();
-  void pins(const std::vector<Support>& supports);
+  void pins();
 
 private:
   void add(const Point& u, double area, FictitiousPoint what) {
@@ -198,6 +198,7 @@ void Builder::follow(std::uint32_t k, const Side& side) {
   const bool outermost = side.circle ? (u + step - side.centre).norm() <= side.radius
                                      : geometry::meet(u, u + step, side.edge.from, side.edge.to);
   if (!outermost) return;
+  b_.holds.push_back({k, holder(b_.holders, side.name), false});
   const auto inner = cells_.at(u - step);
   const double own = side.inside(u), further = inner ? side.inside(b_.lattice[*inner]) : 0;
   if (inner && further > own)
@@ -239,10 +240,13 @@ void Builder::layers() {
   }
 }
 
-void Builder::pins(const std::vector<Support>& supports) {
-  for (const auto& support : supports)
-    for (const auto& point : support.points)
-      b_.constraints.fix(static_cast<std::uint32_t>(3 * geometry::nearest_plate_point(b_.cloud, point)));
+void Builder::pins() {
+  for (std::uint32_t pin = 0; pin < b_.holders.size(); ++pin)
+    if (const auto& at = b_.holders[pin].position) {
+      const auto k = static_cast<std::uint32_t>(geometry::nearest_plate_point(b_.cloud, *at));
+      b_.constraints.fix(3 * k);
+      b_.holds.push_back({k, pin, false});
+    }
 }
 
 }  // namespace
@@ -253,13 +257,14 @@ Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const
   for (const auto& x : cloud.positions) result.lattice.push_back(cloud.units.to_lattice(x));
   result.cloud = std::move(cloud);
   result.sides = sides_of(outline, supports);
+  result.holders = holders_of(supports);
   for (const auto& side : result.sides)
     if (mirrors(side.kind) && !side.along_lattice())
       result.warnings.push_back("edge '" + side.name +
                                 "' does not lie on a boundary between lattice cells: it is held by points outside that "
                                 "follow their nearest image, which is less accurate than mirror images");
   Builder builder(result, discretization.horizon_ratio, discretization.spacing);
-  builder.pins(supports);
+  builder.pins();
   builder.outermost_rows();
   builder.mirror_images();
   builder.general_images();

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 #include "geometry/lattice/families.hpp"
@@ -35,6 +36,19 @@ struct FictitiousPoint {
   bool exact = false;  // the exact mirror image of a point of the plate
 };
 
+/// What reactions are booked to: all edges of one name, or a pinned point.
+struct Holder {
+  std::string name;  // of the edges; pin0, pin1, ... in the order of the case
+  SupportKind kind = SupportKind::free;
+  std::optional<geometry::Point> position;  // of a pinned point [length]
+};
+
+/// Who holds a point of the plate: its deflection, or its rotations.
+struct Hold {
+  std::uint32_t point, holder;
+  bool rotations;
+};
+
 /// How the supports act: fictitious points beyond the edges, degrees of freedom that follow others or are zero.
 /// Mirror images (clamped: rotations odd, w odd with the lever of the rotation; simply supported hard: w and psi_s odd;
 /// symmetry: psi_n odd; psi_n, psi_s: rotation along the normal and along the edge) where an edge lies along the
@@ -48,6 +62,8 @@ struct Boundary {
   std::vector<FictitiousPoint> fictitious;  // cloud.positions[plate_points + i]
   Constraints constraints;                  // resolved
   std::vector<char> active;                 // points that store energy
+  std::vector<Holder> holders;
+  std::vector<Hold> holds;  // of points of the plate; a fictitious point is held by its sides
   std::vector<std::string> warnings;
 
   bool is_plate(std::uint32_t k) const { return k < cloud.plate_points; }
@@ -60,5 +76,11 @@ struct Boundary {
 
 /// The edges and circles of an outline, and how the supports hold them.
 std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports);
+
+/// Every edge that is held, by its name, and every pinned point.
+std::vector<Holder> holders_of(const std::vector<Support>& supports);
+
+/// The number of the holder of edges; that of holders where there is none.
+std::uint32_t holder(const std::vector<Holder>& holders, const std::string& name);
 
 }  // namespace plate

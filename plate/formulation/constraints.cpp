@@ -55,6 +55,7 @@ void Constraints::resolve() {
   held_ = fixed_;
   for (const Tie& tie : ties_) held_.push_back(tie.follower);
   std::sort(held_.begin(), held_.end());
+  held_.erase(std::unique(held_.begin(), held_.end()), held_.end());
   zero_.clear();
   for (const auto dof : fixed_) zero_.push_back({dof % 3, dof / 3});
   followers_ = sums(ties_, false), leaders_ = sums(ties_, true);
@@ -116,6 +117,25 @@ void Constraints::impose(Values<float>& state) const {
 
 void Constraints::impose_absolute(State& state) const {
   impose_with(state, [](double factor) { return std::abs(factor); });
+}
+
+namespace {
+
+template <typename Real>
+Eigen::VectorXd picked(const Values<Real>& forces, const std::vector<std::uint32_t>& dofs) {
+  Eigen::VectorXd result{Eigen::Index(dofs.size())};
+  for (std::size_t i = 0; i < dofs.size(); ++i) result[Eigen::Index(i)] = double(at_dof(forces, dofs[i]));
+  return result;
+}
+
+}  // namespace
+
+Eigen::VectorXd Constraints::on_held(const Forces& forces) const {
+  return picked(forces, held_);
+}
+
+Eigen::VectorXd Constraints::on_held(const Values<float>& forces) const {
+  return picked(forces, held_);
 }
 
 template <typename Real, typename Weight>

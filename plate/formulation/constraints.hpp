@@ -30,6 +30,10 @@ public:
   const std::vector<Tie>& ties() const { return ties_; }  // ascending by follower
   const std::vector<std::uint32_t>& fixed() const { return fixed_; }
   bool held(std::uint32_t dof) const;
+  const std::vector<std::uint32_t>& held() const { return held_; }  // fixed or tied, ascending
+  /// Forces on what is held, in that order, before they are carried over.
+  Eigen::VectorXd on_held(const Forces& forces) const;
+  Eigen::VectorXd on_held(const Values<float>& forces) const;
 
   void impose(State& state) const;  // u = P q
   void impose(Values<float>& state) const;

@@ -61,10 +61,15 @@ Inertia::Inertia(const Section& section, const geometry::Tessellation& cells, co
 
 Forces Inertia::operator()(const State& state) const {
   if (!constraints_) return diagonal_.cwiseProduct(state);
+  Forces result = whole(state);
+  constraints_->fold(result);
+  return result;
+}
+
+Forces Inertia::whole(const State& state) const {
   Forces result(3, state.cols());
   for (Eigen::Index i = 0; i < 3; ++i)
     result.row(i) = (i == 0 ? translation_ : rotation_) * (areas_ * state.row(i).transpose()).transpose();
-  constraints_->fold(result);
   return result;
 }
 

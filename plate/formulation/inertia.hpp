@@ -27,6 +27,8 @@ public:
 
   /// P^T M u of u = P q [3 x points].
   Forces operator()(const State& state) const;
+  /// M u, not carried over to the free degrees of freedom; only of cells.
+  Forces whole(const State& state) const;
 
 private:
   Forces diagonal_;                    // or, of cells:

@@ -48,4 +48,21 @@ std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<S
   return sides;
 }
 
+std::vector<Holder> holders_of(const std::vector<Support>& supports) {
+  std::vector<Holder> holders;
+  std::size_t pins = 0;
+  for (const auto& support : supports) {
+    if (support.kind == SupportKind::free) continue;
+    for (const auto& name : support.edges)
+      if (holder(holders, name) == holders.size()) holders.push_back({name, support.kind, std::nullopt});
+    for (const auto& x : support.points) holders.push_back({"pin" + std::to_string(pins++), support.kind, x});
+  }
+  return holders;
+}
+
+std::uint32_t holder(const std::vector<Holder>& holders, const std::string& name) {
+  const auto found = std::ranges::find_if(holders, [&](const Holder& h) { return !h.position && h.name == name; });
+  return std::uint32_t(found - holders.begin());
+}
+
 }  // namespace plate

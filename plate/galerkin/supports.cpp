@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace plate {
 namespace {
@@ -13,6 +14,7 @@ using geometry::Point;
 struct Held {
   bool w = false;
   std::vector<Point> directions;
+  std::set<std::uint32_t> holders_of_w, holders_of_psi;
 };
 
 /// Adds a direction; one within 30 degrees of another, as those of the pieces of a circle, is merged with it.
@@ -25,9 +27,11 @@ void add_direction(std::vector<Point>& directions, const Point& d) {
   directions.push_back(d);
 }
 
-void hold(Held& held, SupportKind kind, const Point& normal) {
+void hold(Held& held, SupportKind kind, std::uint32_t holder, const Point& normal) {
   const Point along(-normal.y(), normal.x());
   held.w = held.w || kind != SupportKind::symmetry;
+  if (kind != SupportKind::symmetry) held.holders_of_w.insert(holder);
+  if (kind != SupportKind::simply_supported) held.holders_of_psi.insert(holder);
   if (kind == SupportKind::clamped || kind == SupportKind::symmetry) add_direction(held.directions, normal);
   if (kind == SupportKind::clamped || kind == SupportKind::simply_supported_hard) add_direction(held.directions, along);
 }
@@ -58,24 +62,27 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
   result.sides = sides_of(outline, supports);
   result.active.assign(cells.positions.size(), 1);
 
-  std::map<std::string, SupportKind> kind_of;
-  for (const auto& support : supports)
-    for (const auto& edge : support.edges) kind_of[edge] = support.kind;
+  result.holders = holders_of(supports);
   std::map<std::uint32_t, Held> held;
   for (const auto& border : cells.borders) {
     if (border.edge == geometry::Curves::crack) continue;
-    const auto support = kind_of.find(cells.names[std::size_t(border.edge)]);
-    if (support == kind_of.end() || support->second == SupportKind::free) continue;
+    const auto by = holder(result.holders, cells.names[std::size_t(border.edge)]);
+    if (by == result.holders.size()) continue;
     const Point along = (cells.positions[border.to] - cells.positions[border.from]).normalized();
-    for (const auto k : {border.from, border.to}) hold(held[k], support->second, {along.y(), -along.x()});
+    for (const auto k : {border.from, border.to}) hold(held[k], result.holders[by].kind, by, {along.y(), -along.x()});
   }
-  for (const auto& [k, what] : held) impose(result.constraints, k, what);
-  for (const auto& support : supports)
-    for (const auto& x : support.points) {
-      const auto nearest = geometry::nearest_plate_point(result.cloud, x);
-      for (std::uint32_t k = 0; k < cells.positions.size(); ++k)
-        if (cells.positions[k] == cells.positions[nearest]) result.constraints.fix(3 * k);
-    }
+  for (const auto& [k, what] : held) {
+    impose(result.constraints, k, what);
+    for (const auto by : what.holders_of_w) result.holds.push_back({k, by, false});
+    for (const auto by : what.holders_of_psi) result.holds.push_back({k, by, true});
+  }
+  for (std::uint32_t pin = 0; pin < result.holders.size(); ++pin) {
+    if (!result.holders[pin].position) continue;
+    const auto nearest = geometry::nearest_plate_point(result.cloud, *result.holders[pin].position);
+    for (std::uint32_t k = 0; k < cells.positions.size(); ++k)
+      if (cells.positions[k] == cells.positions[nearest])
+        result.constraints.fix(3 * k), result.holds.push_back({k, pin, false});
+  }
   result.constraints.resolve();
   return result;
 }

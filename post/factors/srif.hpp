@@ -27,6 +27,7 @@ struct SrifOptions {
   bool second_formulation = false;  // ... and from a run in the other formulation of the plate
   std::optional<double> accuracy;   // find the discretisation that gives every factor to this share of the largest
   double accuracy_seconds = 600;    // ... as far as it is expected to be found in this time
+  std::optional<double> toughness;  // K_Ic: what utilisations refer to
   std::optional<Normalization> normalize;
   std::optional<double> half_length;  // the a of the normalisation
 };
@@ -94,5 +95,18 @@ void compare_with(Srif& srif, const Srif& other, const std::string& formulation,
 
 /// F1, F2, F3 where the options give a normalisation.
 void normalize(Srif& srif, const SrifOptions& options, double thickness);
+
+/// Stress intensity factors lim sqrt(2 pi r) times stress of one tip, those that are resolved [force length^(-3/2)]:
+/// K_I and K_II at the face z > 0, with the other sign at z < 0, and K_III in the middle plane (theory (69)).
+struct FaceFactors {
+  std::array<std::optional<double>, 3> K;
+  /// Of the mode 1 that takes the same energy at the height where that is most: a face or the middle plane (theory
+  /// (70)).
+  std::optional<double> equivalent;
+  std::optional<double> error;                           // estimated, of `equivalent`
+  std::optional<double> utilisation, utilisation_error;  // over the toughness, where that is given
+};
+
+FaceFactors at_faces(const Srif& srif, const plate::Section& section, std::optional<double> toughness);
 
 }  // namespace post

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 
 namespace post {
@@ -33,6 +34,18 @@ void require_finite(const plate::State& state, const std::string& when) {
         throw plate::NumericalError(fmt::format("the displacement of point {} is not finite {}", k, when));
     throw plate::NumericalError(fmt::format("the displacements are too large for double precision {}", when));
   }
+}
+
+double slow_work(const plate::Formulation& plate, const plate::State& state) {
+  double work = 0;
+  for (const auto& load : plate.loads()) work += load.forces.cwiseProduct(state).sum() / 2;
+  return work;
+}
+
+std::vector<plate::Forces> forces_of(const plate::Formulation& plate) {
+  std::vector<plate::Forces> result;
+  for (const auto& load : plate.loads()) result.push_back(load.forces);
+  return result;
 }
 
 bool moves(const plate::State& state, double work) {

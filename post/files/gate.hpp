@@ -14,6 +14,11 @@ void require_finite(const std::vector<Srif>& factors, const std::string& when);
 /// Displacements of all points.
 void require_finite(const plate::State& state, const std::string& when);
 
+/// Work of loads that grow slowly from zero.
+double slow_work(const plate::Formulation& plate, const plate::State& state);
+/// Of every load at factor 1.
+std::vector<plate::Forces> forces_of(const plate::Formulation& plate);
+
 /// Is the state not zero, and the work [energy] of the loads not so small that digits of it are lost?
 bool moves(const plate::State& state, double work);
 

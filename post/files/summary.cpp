@@ -66,11 +66,51 @@ Json json_of(const Srif& srif) {
   return json;
 }
 
-Json json_of(const Peak& peak) {
+Json json_of(const FaceFactors& faces) {
+  constexpr std::array names{"K_I", "K_II", "K_III"};
+  Json json;
+  for (std::size_t i = 0; i < 3; ++i) json[names[i]] = faces.K[i] ? Json(*faces.K[i]) : Json();
+  json["K_eq"] = faces.equivalent ? Json(*faces.equivalent) : Json();
+  add(json, "estimated_error_K_eq", faces.error);
+  add(json, "utilisation", faces.utilisation);
+  add(json, "estimated_error_utilisation", faces.utilisation_error);
+  return json;
+}
+
+/// `moves`: at a time.
+Json json_of(const Peak& peak, bool moves) {
   Json json{{"quantity", peak.quantity}};
   add(json, "tip", peak.tip);
   json["value"] = peak.value;
-  json["time"] = peak.time;
+  if (peak.position) json["x"] = peak.position->x(), json["y"] = peak.position->y();
+  add(json, "outside", peak.outside);
+  if (moves) json["time"] = peak.time;
+  return json;
+}
+
+Json json_of(const Wrench& wrench) {
+  return {{"force", wrench.force}, {"moment_x", wrench.moment_x}, {"moment_y", wrench.moment_y}};
+}
+
+/// `rows`: there may be more than one.
+Json json_of(const ReactionSummary& reactions, bool rows) {
+  Json json;
+  if (rows) json["time"] = reactions.time;
+  json["supports"] = Json::array();
+  for (std::size_t i = 0; i < reactions.holders.size(); ++i) {
+    const auto& [name, kind, position] = reactions.holders[i];
+    Json one{{"support", name}};
+    if (position) one["x"] = position->x(), one["y"] = position->y();
+    one.update(json_of(reactions.balance.supports[i]));
+    if (rows)
+      one["largest_force"] = reactions.largest[i].force, one["time_of_largest_force"] = reactions.largest[i].time;
+    json["supports"].push_back(std::move(one));
+  }
+  json["sum"] = json_of(reactions.balance.sum());
+  json["loads"] = json_of(reactions.balance.loads);
+  if (const auto& inertia = reactions.balance.inertia) json["inertia"] = json_of(*inertia);
+  json["residual"] = reactions.balance.residual;
+  if (rows) json["largest_residual"] = reactions.largest_residual;
   return json;
 }
 
@@ -118,6 +158,19 @@ Json list_of(const std::vector<Element>& elements) {
   return json;
 }
 
+Json json_of(const std::vector<Peak>& peaks, bool moves) {
+  Json json = Json::array();
+  for (const auto& peak : peaks) json.push_back(json_of(peak, moves));
+  return json;
+}
+
+/// The factors, each with what it is at the faces.
+Json json_of(const std::vector<Srif>& srifs, const std::vector<FaceFactors>& faces) {
+  Json json = list_of(srifs);
+  for (std::size_t i = 0; i < std::min(srifs.size(), faces.size()); ++i) json[i]["faces"] = json_of(faces[i]);
+  return json;
+}
+
 Json json_of(const AccuracySummary& accuracy) {
   Json json{{"asked", accuracy.asked}};
   add(json, "reached", accuracy.reached);
@@ -155,8 +208,14 @@ std::string to_json(const Summary& summary) {
   json["analysis"] = json_of(summary.analysis);
   json["seconds"] = json_of(summary.seconds);
   json["peak_memory_bytes"] = summary.peak_memory_bytes;
-  json["srif"] = list_of(summary.srif);
-  if (!summary.peaks.empty()) json["peaks"] = list_of(summary.peaks);
+  json["srif"] = json_of(summary.srif, summary.faces);
+  add(json, "toughness", summary.toughness);
+  if (!summary.peaks.empty()) json["peaks"] = json_of(summary.peaks, true);
+  if (!summary.extremes.empty()) json["extremes"] = json_of(summary.extremes, false);
+  if (const auto& reactions = summary.reactions)
+    json["reactions"] = json_of(*reactions, summary.growth || summary.analysis.kind == "dynamic");
+  if (summary.deflection_over_thickness)
+    json["sanity"] = {{"deflection_over_thickness", *summary.deflection_over_thickness}};
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);
   if (summary.analysis.kind == "frequencies") json["frequencies"] = list_of(summary.frequencies);
   if (summary.growth) json["growth"] = json_of(*summary.growth);

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 #include <vector>
+#include "post/balance/balance.hpp"
 #include "post/factors/accuracy.hpp"
 
 namespace plate {
@@ -26,11 +27,26 @@ struct Frequency {
   double residual = 0;
 };
 
-/// The largest value of a motion, with its sign: K1, K2, K3 of a tip, or the deflection w of any point.
+/// The largest value of a run, with its sign: K1, K2, K3 or the utilisation of a tip, the deflection w or the von Mises
+/// stress of any point.
 struct Peak {
   std::string quantity;
   std::optional<std::size_t> tip;
-  double value = 0, time = 0;
+  double value = 0, time = 0;               // in motion
+  std::optional<geometry::Point> position;  // of the point
+  std::optional<double> outside;            // no nearer than this to tips, pins and point forces [length]
+};
+
+/// What edges and pins do to the plate, and its balance with the loads.
+struct ReactionSummary {
+  struct Largest {
+    double time, force;
+  };
+  std::vector<plate::Holder> holders;
+  double time = 0;               // of the last row; quasi-static growth: the number of the advance
+  Balance balance;               // at this time
+  double largest_residual = 0;   // of all rows
+  std::vector<Largest> largest;  // force of every holder, of all rows
 };
 
 /// How a growth of cracks ended.
@@ -73,7 +89,12 @@ struct Summary {
   std::vector<std::pair<std::string, double>> seconds;  // geometry, families, parameters, solve, srif, output, total
   std::size_t peak_memory_bytes = 0;
   std::vector<Srif> srif;
+  std::vector<FaceFactors> faces;                      // of every entry of srif
+  std::optional<double> toughness;                     // of the case
   std::vector<Peak> peaks;                             // of a motion
+  std::vector<Peak> extremes;                          // in statics
+  std::optional<ReactionSummary> reactions;            // of a plate that is held
+  std::optional<double> deflection_over_thickness;     // the largest of the run
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it
   std::vector<Frequency> frequencies;                  // of a frequency analysis
   std::optional<GrowthSummary> growth;                 // of a case with growth

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "post/files/summary.hpp"
+#include "post/report/conclusion.hpp"
 
 namespace post {
 namespace {
@@ -35,15 +36,14 @@ void growth(Text out, const GrowthSummary& growth) {
 }
 
 /// K1, K2, K3 as they are printed.
-std::array<std::string, 3> texts(const Srif& srif) {
+std::array<std::string, 3> texts(const Srif& srif, double thickness) {
   const std::array values{srif.K1, srif.K2, srif.K3};
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
+  const double largest = largest_factor(srif, thickness);
   std::array<std::string, 3> result;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double size = std::abs(values[i]);
+    const double size = std::abs(values[i]), moment = i == 2 ? size * thickness : size;
     const bool zero =
-        size < rounding * largest || (size < nothing * largest && size <= srif.errors[i].value_or(INFINITY));
+        moment < rounding * largest || (moment < nothing * largest && size <= srif.errors[i].value_or(INFINITY));
     result[i] = !srif.resolved[i] ? "-" : zero ? "0" : fmt::format("{:.6g}", values[i]);
   }
   return result;
@@ -71,7 +71,7 @@ std::string in_percent(double error) {
 void row(Text out, const Srif& srif, bool normalized, double thickness) {
   constexpr double rough = 0.1;
   fmt::format_to(out, "{:>4} {:>9.4g} {:>9.4g}", srif.tip, srif.position.x(), srif.position.y());
-  const auto K = texts(srif);
+  const auto K = texts(srif, thickness);
   for (const auto& text : K) fmt::format_to(out, " {:>13}", text);
   const std::array F{srif.F1, srif.F2, srif.F3};
   for (std::size_t i = 0; i < 3 && normalized; ++i)
@@ -105,17 +105,62 @@ void factors(Text out, const std::vector<Srif>& srifs, bool si, double thickness
                      100 * one.second->difference);
 }
 
-void peaks(Text out, const std::vector<Peak>& all) {
-  const auto noise = [&](const Peak& peak) {
-    return std::ranges::any_of(all, [&](const Peak& other) {
-      return other.tip == peak.tip && std::abs(peak.value) < nothing * std::abs(other.value);
-    });
+/// The factors at the faces, of recommended methods.
+void faces(Text out, const Summary& summary, bool si) {
+  fmt::format_to(out, "at the faces, K_III in the middle plane{}:\n{:>4} {:>13} {:>13} {:>13} {:>13}{}\n",
+                 si ? " [Pa m^1/2]" : "", "tip", "K_I", "K_II", "K_III", "K_eq",
+                 summary.toughness ? " of toughness" : "");
+  for (std::size_t i = 0; i < summary.faces.size(); ++i) {
+    const auto tip = summary.srif[i].tip;
+    if (i > 0 && summary.srif[i - 1].tip == tip) continue;
+    const auto& one = summary.faces[i];
+    const auto text = [&](const std::optional<double>& value) {
+      if (!value) return std::string("-");
+      return std::abs(*value) < nothing * one.equivalent.value_or(0) ? "0" : fmt::format("{:.5g}", *value);
+    };
+    fmt::format_to(out, "{:>4} {:>13} {:>13} {:>13} {:>13}", tip, text(one.K[0]), text(one.K[1]), text(one.K[2]),
+                   text(one.equivalent));
+    if (one.utilisation)
+      fmt::format_to(out, " {:>8.3g}{}", *one.utilisation,
+                     one.utilisation_error ? fmt::format(" +- {:.2g}", *one.utilisation_error) : "");
+    fmt::format_to(out, "\n");
+  }
+}
+
+void reactions(Text out, const ReactionSummary& reactions, bool si) {
+  constexpr std::size_t most = 12;
+  const auto& [holders, time, balance, largest_residual, largest] = reactions;
+  double size = std::abs(balance.loads.force);
+  for (const auto& one : balance.supports) size = std::max(size, std::abs(one.force));
+  const auto force = [&](const Wrench& wrench) {
+    return std::abs(wrench.force) < nothing * size ? "0" : fmt::format("{:.5g}", wrench.force);
   };
-  fmt::format_to(out, "largest over time:\n");
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < std::min(most, holders.size()); ++i)
+    texts.push_back(fmt::format("{} {}", holders[i].name, force(balance.supports[i])));
+  if (holders.size() > most) texts.push_back(fmt::format("... ({} in all)", holders.size()));
+  fmt::format_to(out, "reactions along w{}: {}; loads {}{}; balanced to {:.1e}\n", si ? " [N]" : "",
+                 fmt::join(texts, ", "), force(balance.loads),
+                 balance.inertia ? fmt::format(", inertia {}", force(*balance.inertia)) : "", balance.residual);
+}
+
+/// In motion with their times, in statics without.
+void peaks(Text out, const std::vector<Peak>& all, bool moves, double thickness) {
+  const auto moment = [&](const Peak& peak) { return std::abs(peak.value) * (peak.quantity == "K3" ? thickness : 1); };
+  const auto noise = [&](const Peak& peak) {
+    return peak.quantity.starts_with('K') && std::ranges::any_of(all, [&](const Peak& other) {
+             return other.quantity.starts_with('K') && other.tip == peak.tip && moment(peak) < nothing * moment(other);
+           });
+  };
+  fmt::format_to(out, "largest{}:\n", moves ? " over time" : "");
   for (const auto& peak : all) {
     if (noise(peak)) continue;
-    fmt::format_to(out, "{:>4} {:<3} {:>13.6g} at t = {:.6g}\n", peak.tip ? fmt::format("{}", *peak.tip) : "",
-                   peak.tip ? peak.quantity : "|w|", peak.value, peak.time);
+    const auto name = peak.quantity == "w" ? "|w|" : peak.quantity == "von_mises" ? "von Mises" : peak.quantity;
+    fmt::format_to(out, "{:>4} {:<11} {:>13.6g}", peak.tip ? fmt::format("{}", *peak.tip) : "", name, peak.value);
+    if (moves) fmt::format_to(out, " at t = {:.6g}", peak.time);
+    if (peak.position) fmt::format_to(out, " at ({:.4g}, {:.4g})", peak.position->x(), peak.position->y());
+    if (peak.outside) fmt::format_to(out, ", no nearer than {:.3g} to tips, pins and point forces", *peak.outside);
+    fmt::format_to(out, "\n");
   }
 }
 
@@ -140,12 +185,19 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   if (summary.accuracy) accuracy(out, *summary.accuracy);
   if (!summary.srif.empty() && !summary.peaks.empty()) fmt::format_to(out, "at the end of the duration:\n");
   if (!summary.srif.empty()) factors(out, summary.srif, si, thickness);
-  if (!summary.peaks.empty()) peaks(out, summary.peaks);
+  if (!summary.faces.empty() && (si || summary.toughness)) faces(out, summary, si);
+  if (summary.reactions) reactions(out, *summary.reactions, si);
+  if (!summary.peaks.empty()) peaks(out, summary.peaks, true, thickness);
+  if (!summary.extremes.empty()) peaks(out, summary.extremes, false, thickness);
   if (!summary.frequencies.empty())
     fmt::format_to(out, "{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");
   for (const auto& f : summary.frequencies)
     fmt::format_to(out, "{:>4} {:>13.6f} {:>13.5f} {:>9.1e}\n", f.mode, f.frequency, f.omega, f.residual);
   if (summary.growth) growth(out, *summary.growth);
+  if (const auto share = summary.deflection_over_thickness; share && !si && *share > small_deflection)
+    fmt::format_to(
+        out, "the largest deflection is {:.2g} thicknesses: small deflections, if it is the plate's own, are left\n",
+        *share);
   for (const auto& warning : summary.warnings) fmt::format_to(out, "warning: {}\n", warning);
   fmt::format_to(out, "results in {}\n", folder.string());
   return text;

@@ -37,6 +37,8 @@ QuasiStaticBonds::QuasiStaticBonds(const Growth& growth, const plate::Formulatio
   cracks_.look(0, record_, 0);
 }
 
+QuasiStaticBonds::~QuasiStaticBonds() = default;
+
 Loaded QuasiStaticBonds::solve() {
   const bool broken = plate_.broken().points() > 0;
   if (auto free = broken ? free_pieces() : ""; !free.empty()) return {std::move(free), 0, 0, {}};

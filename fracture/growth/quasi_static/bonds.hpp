@@ -15,6 +15,7 @@ public:
   QuasiStaticBonds(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
                    const plate::StaticOptions& options);
 
+  ~QuasiStaticBonds() override;
   Loaded solve() override;
   void choose(const Equilibrium& state) override;
   void advance(double factor) override;
@@ -25,6 +26,7 @@ public:
 
   const plate::Formulation& plate() const override { return start_; }
   const plate::State& state() const override { return state_; }
+  const plate::Operator& forces() const override { return plate_; }
   const plate::StaticSolution& solution() const override { return solution_; }
   std::optional<std::vector<post::Srif>> factors(double factor) override;
   plate::Mesh draw(post::Frame& frame, const plate::State& state) const override;

@@ -96,7 +96,7 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", solved.method,
                                             solution.stop_reason, solution.residual, solver_.options.tolerance));
-  post::require_finite(solution.state, "at rest");
+  post::require_finite(solution.state, "in equilibrium");
   auto factors = post::srifs(plate, options_of_factors_, methods, solution.state);
   post::require_finite(factors, "under the whole load");
   stopwatch_.lap("srif");

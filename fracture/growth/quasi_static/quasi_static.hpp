@@ -45,9 +45,10 @@ public:
   virtual bool longest() const = 0;            // have cracks the largest length that was asked for?
 
   // What is seen of it.
-  virtual const plate::Formulation& plate() const = 0;        // of the last solution
-  virtual const plate::State& state() const = 0;              // of it, under the whole load
-  virtual const plate::StaticSolution& solution() const = 0;  // how it was found, without its state
+  virtual const plate::Formulation& plate() const = 0;               // of the last solution
+  virtual const plate::State& state() const = 0;                     // of it, under the whole load
+  virtual const plate::Operator& forces() const { return plate(); }  // as it is now
+  virtual const plate::StaticSolution& solution() const = 0;         // how it was found, without its state
   /// Intensity factors under a share of the load; none where they have not been found anew.
   virtual std::optional<std::vector<post::Srif>> factors(double factor) = 0;
   /// The cells between points that are whole, and what the frame shows beside the state.

@@ -151,7 +151,44 @@ void require_finite(const State& state, std::size_t step, double time) {
                          ", first at point " + std::to_string(first));
 }
 
-/// `internal_force(state, force)` in the number Real, folded.
+/// What those who observe see of a step; all that is given must outlive it. `force`: folded.
+template <typename Real>
+Instant seen(const Step& now, const Values<Real>& force, double work, const Masses& masses,
+             const Constraints& constraints) {
+  const Eigen::Index points = now.state.cols();
+  const double dt = now.time_step;
+  // velocity at the full step: half a step on from the one before, none at the start
+  const double half = now.step == 0 ? 0 : dt / 2;
+  const auto acceleration = [&force](const PointClass& one, std::size_t c, Eigen::Index i) {
+    return (double(force.data()[i]) + one.load[c]) * one.inverse_mass[c];
+  };
+  const auto [kinetic, product, potential,
+              strain] = masses.sum<4>(points, [&](const PointClass& one, std::size_t c, Eigen::Index i) {
+    const double a = acceleration(one, c, i), v = now.velocity.data()[i] + half * a, change = dt / 2 * a;
+    return std::array<double, 4>{one.mass[c] * v * v / 2, one.mass[c] * (v * v - change * change) / 2,
+                                 one.load[c] * now.state.data()[i], -double(force.data()[i]) * now.state.data()[i] / 2};
+  });
+  // `first` and `share` of the acceleration
+  const auto combined = [&masses, &constraints, acceleration, points](State first, double share) {
+    masses.for_each(points, [&](const PointClass& one, std::size_t c, Eigen::Index begin, std::uint32_t length) {
+      for (Eigen::Index i = begin; i < begin + length; ++i) first.data()[i] += share * acceleration(one, c, i);
+    });
+    constraints.impose(first);
+    return first;
+  };
+  return {now.step,
+          now.time,
+          now.state,
+          [combined, &velocity = now.velocity, half] { return combined(velocity, half); },
+          kinetic,
+          work,
+          strain,
+          product - potential,
+          [combined, points] { return combined(State::Zero(3, points), 1); },
+          {}};
+}
+
+/// `internal_force(state, force)` in the number Real.
 template <typename Real, typename InternalForce>
 void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, Eigen::Index points,
            const DynamicOptions& options, const std::function<void(const Instant&)>& observe) {
@@ -164,34 +201,20 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     const double time = static_cast<double>(step) * dt;
     const Step now{step, time, dt, state, velocity};
     if (options.changes) options.changes->before_force(now);
+    const bool observed = step % options.observe_every == 0 || step == options.steps;
     internal_force(state, force);
+    std::optional<Eigen::VectorXd> held_force;
+    if (observed && options.held_forces) held_force = constraints.on_held(force);
+    constraints.fold(force);
     if constexpr (std::is_same_v<Real, double>)
       if (options.changes) options.changes->after_force(now, force);
     if (masses.varies()) masses.at(time);
-    const bool observed = step % options.observe_every == 0 || step == options.steps;
     const double work = observed || masses.varies() ? masses.work(time, state) : 0;
     if (observed) {
-      // velocity at the full step: half a step on from the one before, none at the start
-      const double half = step == 0 ? 0 : dt / 2;
-      const auto acceleration = [&](const PointClass& one, std::size_t c, Eigen::Index i) {
-        return (double(force.data()[i]) + one.load[c]) * one.inverse_mass[c];
-      };
-      const auto [kinetic, product, potential, strain] =
-          masses.sum<4>(points, [&](const PointClass& one, std::size_t c, Eigen::Index i) {
-            const double a = acceleration(one, c, i), v = velocity.data()[i] + half * a, change = dt / 2 * a;
-            return std::array<double, 4>{one.mass[c] * v * v / 2, one.mass[c] * (v * v - change * change) / 2,
-                                         one.load[c] * state.data()[i], -double(force.data()[i]) * state.data()[i] / 2};
-          });
       require_finite(state, step, time);
-      const auto full_step = [&] {
-        State result = velocity;
-        masses.for_each(points, [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
-          for (Eigen::Index i = first; i < first + length; ++i) result.data()[i] += half * acceleration(one, c, i);
-        });
-        constraints.impose(result);
-        return result;
-      };
-      observe({step, time, state, full_step, kinetic, work, strain, product - potential});
+      auto instant = seen(now, force, work, masses, constraints);
+      instant.held_force = std::move(held_force);
+      observe(instant);
     }
     if (step == options.steps) return;
     const double share = step == 0 ? dt / 2 : dt;
@@ -219,10 +242,7 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
   const auto points = mass.cols();
   mass.resize(3, 0);
   if (!options.single) {
-    const auto internal_force = [&](const State& state, Forces& force) {
-      plate.internal_force(state, force);
-      constraints.fold(force);
-    };
+    const auto internal_force = [&](const State& state, Forces& force) { plate.internal_force(state, force); };
     return steps<double>(internal_force, constraints, std::move(masses), points, options, observe);
   }
   Values<float> rounded(3, points);
@@ -230,7 +250,6 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
 #pragma omp parallel for simd schedule(static)
     for (Eigen::Index i = 0; i < state.size(); ++i) rounded.data()[i] = float(state.data()[i]);
     options.single(rounded, force);
-    constraints.fold(force);
   };
   steps<float>(internal_force, constraints, std::move(masses), points, options, observe);
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include "plate/formulation/operator.hpp"
 #include "plate/model/state.hpp"
 
@@ -23,6 +24,9 @@ struct Instant {
   double strain_energy;
   /// v(n-1/2) M v(n+1/2) / 2 - f u: with the strain energy, what central differences conserve under constant loads.
   double discrete_energy = 0;
+  std::function<State()> acceleration = {};  // as velocity; none in statics
+  /// Internal force on what is held (Constraints::on_held()), where it is at hand.
+  std::optional<Eigen::VectorXd> held_force = {};
 };
 
 /// A step of a motion, as those who change the plate see it. Before the force they may change state and velocity too.
@@ -50,6 +54,7 @@ struct DynamicOptions {
   std::function<void(const Values<float>&, Values<float>&)> single = {};
   /// In double precision only.
   Changes* changes = nullptr;
+  bool held_forces = false;  // for those who observe
   /// At rest at time 0, under loads that have grown slowly: their work until then counts. Empty: zero.
   State start = {};
 };

@@ -164,12 +164,14 @@ void LanczosMotion::observe(std::size_t rows, const std::function<void(const Ins
       const double time = time_of(first + std::size_t(i));
       const State state = Eigen::Map<const State>(states.col(i).data(), 3, points_);
       if (!state.allFinite()) throw NumericalError("the state is not finite at time " + std::to_string(time));
-      const auto velocity = [&]() -> State {
-        const VectorXd all = shapes_ * then.velocities();
+      const auto combined = [&](const VectorXd& of_modes) -> State {
+        const VectorXd all = shapes_ * of_modes;
         return Eigen::Map<const State>(all.data(), 3, points_);
       };
+      const auto velocity = [&] { return combined(then.velocities()); };
+      const auto acceleration = [&] { return combined(then.accelerations(time)); };
       see({first + std::size_t(i), time, state, velocity, then.kinetic_energy(), then.work(), then.strain_energy(),
-           then.kinetic_energy() + then.potential(time)});
+           then.kinetic_energy() + then.potential(time), acceleration});
     }
   }
 }

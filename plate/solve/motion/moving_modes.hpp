@@ -18,6 +18,7 @@ public:
 
   const Eigen::VectorXd& amplitudes() const { return y_; }
   const Eigen::VectorXd& velocities() const { return v_; }
+  Eigen::VectorXd accelerations(double time) const { return shares_ * factors(time) - squares_.cwiseProduct(y_); }
   double work() const { return work_; }
   double strain_energy() const { return squares_.dot(y_.cwiseAbs2()) / 2; }
   double kinetic_energy() const { return v_.squaredNorm() / 2; }

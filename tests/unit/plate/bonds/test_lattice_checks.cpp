@@ -75,6 +75,13 @@ TEST_CASE("loads, pins and probes where no point is are refused") {
   refuses({"geometry.outline={polygon=[[-1,-1],[1,-1],[1,-0.4]]}", "geometry.cracks=[]", left,
            "output.probes={far=[-0.99,-0.999], near=[0.5,-0.8]}"},
           "output.probes.far", "spacings from the nearest point of the lattice");
+  keys.clear();  // together with what else the points show
+  for (const auto& problem :
+       checked({"geometry.outline={polygon=[[-1,-1],[1,-1],[1,-0.4]]}", "geometry.cracks=[]",
+                "support=[{kind=\"pinned\",points=[[0.5,-0.8],[0.9,-0.9]]}]", "output.probes={far=[-0.99,-0.999]}"})
+           .problems)
+    keys.push_back(problem.key);
+  CHECK(keys == std::vector<std::string>{"support", "output.probes.far"});
 }
 
 TEST_CASE("bonds cannot hold a plate on less than a spacing of an edge") {

@@ -25,7 +25,8 @@ TEST_CASE("numbers that are not finite do not pass, and are named") {
   plate::State state = plate::State::Ones(3, 7);
   CHECK_NOTHROW(post::require_finite(state, ""));
   state(2, 4) = std::nan("");
-  CHECK_THROWS_WITH(post::require_finite(state, "at rest"), Catch::Contains("point 4 is not finite at rest"));
+  CHECK_THROWS_WITH(post::require_finite(state, "in equilibrium"),
+                    Catch::Contains("point 4 is not finite in equilibrium"));
   state(2, 4) = -INFINITY;
   CHECK_THROWS_AS(post::require_finite(state, ""), plate::NumericalError);
 }

@@ -1,5 +1,6 @@
 #include "post/report/printed.hpp"
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "post/files/summary.hpp"
@@ -54,11 +55,14 @@ TEST_CASE("printed: units of SI, and what is larger than its estimated error is 
 TEST_CASE("printed: peaks of a motion with their times") {
   auto content = summary();
   CHECK(post::printed(content, false, 0.1, "there").find("over time") == std::string::npos);
-  content.peaks = {{"K1", 1, -2.5, 0.125}, {"K2", 1, 1e-9, 0.5}, {"w", std::nullopt, 0.75, 0.25}};
+  content.peaks = {{"K1", 1, -2.5, 0.125, {}, {}},
+                   {"K2", 1, 1e-9, 0.5, {}, {}},
+                   {"utilisation", 1, 1e-8, 0.375, {}, {}},
+                   {"w", std::nullopt, 0.75, 0.25, geometry::Point(3, 4), {}}};
   const auto text = post::printed(content, false, 0.1, "there");
   CHECK(place(text, "at the end of the duration") < place(text, "largest over time"));
-  CHECK_THAT(text,
-             Catch::Contains("-2.5 at t = 0.125") && Catch::Contains("|w|") && Catch::Contains("0.75 at t = 0.25"));
+  CHECK_THAT(text, Catch::Contains("-2.5 at t = 0.125") && Catch::Contains("|w|") &&
+                       Catch::Contains("0.75 at t = 0.25 at (3, 4)") && Catch::Contains("at t = 0.375\n"));
   CHECK(text.find("at t = 0.5\n") == std::string::npos);  // noise
 }
 
@@ -69,4 +73,45 @@ TEST_CASE("printed: the error of a row is of the factors that it has") {
   CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains("> 100 %") && Catch::Contains("(rough)"));
   content.srif[0].resolved[2] = false;
   CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains(" 2.5 %") && !Catch::Contains("(rough)"));
+}
+
+TEST_CASE("printed: whether K3 is nothing depends on K3 times the thickness, not on the unit of length") {
+  auto content = summary();
+  content.srif = {of(0, "domain_integral", 2, 1, 5e-5, 0.002)};
+  content.srif[0].errors = {0.002, 0.002, 1e-3};
+  for (const double thickness : {0.01, 0.1, 1.0}) {
+    content.srif[0].K3 = 1e-7 / thickness;  // 5e-8 of K1
+    CHECK_THAT(post::printed(content, false, thickness, "there"),
+               !Catch::Contains(fmt::format("{:g}", 1e-7 / thickness)));
+    content.srif[0].K3 = 1e-3 / thickness;
+    CHECK_THAT(post::printed(content, false, thickness, "there"),
+               Catch::Contains(fmt::format("{:g}", 1e-3 / thickness)));
+  }
+}
+
+TEST_CASE(
+    "printed: factors at the faces in SI units or with a toughness, reactions with their balance, the deflection") {
+  auto content = summary();
+  const plate::Section section{1, 0.3, 0.1, 5.0 / 6, 0};
+  for (const auto& srif : content.srif) content.faces.push_back(post::at_faces(srif, section, std::nullopt));
+  CHECK(post::printed(content, false, 0.1, "there").find("K_I") == std::string::npos);
+  CHECK_THAT(post::printed(content, true, 0.1, "there"),
+             Catch::Contains("[Pa m^1/2]") && Catch::Contains("2127") && !Catch::Contains("toughness"));
+  content.toughness = 4000;
+  for (std::size_t i = 0; i < 3; ++i) content.faces[i] = post::at_faces(content.srif[i], section, 4000.0);
+  CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains("0.532") && Catch::Contains("of toughness"));
+
+  content.reactions =
+      post::ReactionSummary{{{"left", plate::SupportKind::clamped, {}}, {"pin0", {}, geometry::Point(1, 2)}},
+                            0,
+                            {{{-3, 0, 0}, {1e-12, 0, 0}}, {3, 0, 0}, {}, 2e-9},
+                            2e-9,
+                            {}};
+  CHECK_THAT(post::printed(content, true, 0.1, "there"),
+             Catch::Contains("reactions along w [N]: left -3, pin0 0; loads 3; balanced to 2.0e-09"));
+  content.deflection_over_thickness = 0.4;
+  CHECK_THAT(post::printed(content, false, 0.1, "there"), !Catch::Contains("thicknesses"));
+  content.deflection_over_thickness = 6e8;
+  CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains("6e+08 thicknesses"));
+  CHECK_THAT(post::printed(content, true, 0.1, "there"), !Catch::Contains("thicknesses"));  // a warning says it
 }

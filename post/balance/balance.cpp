@@ -1,0 +1,127 @@
+#include "post/balance/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace post {
+namespace {
+
+using geometry::Point;
+
+Wrench operator*(double factor, const Wrench& w) {
+  return {factor * w.force, factor * w.moment_x, factor * w.moment_y};
+}
+
+/// The size of a wrench about `centre`, as a force at the distance `arm`.
+double size(const Wrench& w, const Point& centre, double arm) {
+  return std::max(std::abs(w.force),
+                  std::hypot(w.moment_x - centre.y() * w.force, w.moment_y + centre.x() * w.force) / arm);
+}
+
+/// Beside a mirror plane the other edge goes on: what stands beyond both is of that edge.
+std::vector<int> sides_that_hold(const plate::Boundary& boundary, const plate::FictitiousPoint& point) {
+  const auto mirror = [&](int side) { return boundary.sides[std::size_t(side)].kind == plate::SupportKind::symmetry; };
+  const auto [one, other] = point.sides;
+  if (other < 0) return {one};
+  if (mirror(one) != mirror(other)) return {mirror(one) ? other : one};
+  return {one, other};
+}
+
+/// The holders of every degree of freedom that is held.
+std::map<std::uint32_t, std::vector<std::uint32_t>> holders_by_dof(const plate::Boundary& boundary) {
+  std::map<std::uint32_t, std::vector<std::uint32_t>> result;
+  const auto add = [&](std::uint32_t dof, std::uint32_t holder) {
+    if (!boundary.constraints.held(dof)) return;
+    auto& all = result[dof];
+    if (std::ranges::find(all, holder) == all.end()) all.push_back(holder);
+  };
+  for (const auto& hold : boundary.holds)
+    for (std::uint32_t c = hold.rotations ? 1 : 0; c < (hold.rotations ? 3U : 1U); ++c)
+      add(3 * hold.point + c, hold.holder);
+  for (std::size_t i = 0; i < boundary.fictitious.size(); ++i)
+    for (const int side : sides_that_hold(boundary, boundary.fictitious[i])) {
+      const auto by = plate::holder(boundary.holders, boundary.sides[std::size_t(side)].name);
+      for (std::uint32_t c = 0; c < 3; ++c) add(std::uint32_t(3 * (boundary.cloud.plate_points + i)) + c, by);
+    }
+  return result;
+}
+
+}  // namespace
+
+Wrench& Wrench::operator+=(const Wrench& other) {
+  force += other.force, moment_x += other.moment_x, moment_y += other.moment_y;
+  return *this;
+}
+
+Wrench wrench(const Point& at, std::size_t component, double value) {
+  if (component == 1) return {0, value, 0};
+  if (component == 2) return {0, 0, value};
+  return {value, value * at.y(), -value * at.x()};
+}
+
+Wrench Balance::sum() const {
+  Wrench result;
+  for (const auto& one : supports) result += one;
+  return result;
+}
+
+void Applied::add(double factor, const Applied& other) {
+  sum += factor * other.sum;
+  size += std::abs(factor) * other.size;
+  held += factor * other.held;
+}
+
+Supports::Supports(const plate::Boundary& boundary) : boundary_(&boundary) {
+  const auto& positions = boundary.cloud.positions;
+  const auto& held = boundary.constraints.held();
+  const auto holders = holders_by_dof(boundary);
+  const auto& ties = boundary.constraints.ties();  // ascending by follower, as what is held
+  auto tie = ties.begin();
+  for (std::uint32_t i = 0; i < held.size(); ++i) {
+    const auto dof = held[i];
+    Wrench unit = wrench(positions[dof / 3], dof % 3, 1);
+    for (; tie != ties.end() && tie->follower == dof; ++tie)
+      unit += wrench(positions[tie->leader / 3], tie->leader % 3, -tie->factor);
+    const auto& all = holders.at(dof);
+    for (const auto holder : all) shares_.push_back({holder, i, 1.0 / double(all.size()) * unit});
+  }
+  Point low = positions.front(), high = low;
+  for (const auto& x : positions) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  centre_ = (low + high) / 2, arm_ = (high - low).norm() / 2;
+}
+
+Applied Supports::nothing() const {
+  return {{}, 0, Eigen::VectorXd::Zero(Eigen::Index(boundary_->constraints.held().size()))};
+}
+
+Applied Supports::applied(const plate::Forces& forces) const {
+  Applied result{{}, 0, boundary_->constraints.on_held(forces)};
+  const auto& positions = boundary_->cloud.positions;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    const auto force = forces.col(Eigen::Index(k));
+    for (std::size_t c = 0; c < 3; ++c) result.sum += wrench(positions[k], c, force[Eigen::Index(c)]);
+    result.size += std::abs(force[0]) + std::hypot(force[1], force[2]) / arm_;
+  }
+  return result;
+}
+
+Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia) const {
+  Balance result{std::vector<Wrench>(boundary_->holders.size()), loads.sum, {}, 0};
+  Eigen::VectorXd reaction = -internal - loads.held;
+  if (inertia) reaction += inertia->held;
+  for (const auto& [holder, i, unit] : shares_) result.supports[holder] += reaction[i] * unit;
+  Wrench left = result.sum();
+  left += loads.sum;
+  double largest = loads.size;
+  for (const auto& one : result.supports) largest = std::max(largest, size(one, centre_, arm_));
+  if (inertia) {
+    result.inertia = inertia->sum;
+    left += -1 * inertia->sum;
+    largest = std::max(largest, size(inertia->sum, centre_, arm_));
+  }
+  result.residual = largest > 0 ? size(left, centre_, arm_) / largest : 0;
+  return result;
+}
+
+}  // namespace post

@@ -1,0 +1,68 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "plate/formulation/boundary.hpp"
+
+namespace post {
+
+/// A force along w and the moments about the x and y axes through the origin; sums of nodal forces.
+struct Wrench {
+  double force = 0;                   // [force]
+  double moment_x = 0, moment_y = 0;  // [force length], as theta_x and theta_y turn
+
+  Wrench& operator+=(const Wrench& other);
+};
+
+/// Of the nodal force `value`, conjugate to w (component 0) or a rotation (1, 2), at a place.
+Wrench wrench(const geometry::Point& at, std::size_t component, double value);
+
+/// What supports do to a plate at an instant (theory (67), (68)).
+struct Balance {
+  std::vector<Wrench> supports;   // by every holder
+  Wrench loads;                   // that act
+  std::optional<Wrench> inertia;  // of a motion: mass times acceleration
+  /// What is left of loads and reactions less inertia, relative to the sum of the sizes of all nodal loads or to the
+  /// largest reaction or the inertia, whichever is most; moments over half the diagonal of the plate.
+  double residual = 0;
+
+  Wrench sum() const;  // of the supports
+};
+
+/// Nodal forces as the balance sees them.
+struct Applied {
+  Wrench sum;
+  double size = 0;       // sum of the sizes of all, couples over half the diagonal of the plate [force]
+  Eigen::VectorXd held;  // on what is held
+
+  void add(double factor, const Applied& other);
+};
+
+/// The reactions of a plate by edges and pins, from what its forces leave on what is held. What two hold together, as
+/// the point at a corner of two edges, is shared equally between them.
+class Supports {
+public:
+  /// `boundary` must outlive this.
+  explicit Supports(const plate::Boundary& boundary);
+
+  Applied nothing() const;
+  /// Not carried over to the free degrees of freedom.
+  Applied applied(const plate::Forces& forces) const;
+  /// `internal`: force -K u on what is held; `loads`: that act; `inertia`: mass times acceleration, in motion.
+  Balance balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia) const;
+
+private:
+  /// What a unit of force on a degree of freedom that is held does to its holder, with what its leaders take.
+  struct Share {
+    std::uint32_t holder, held;  // number among those that are held
+    Wrench unit;
+  };
+
+  const plate::Boundary* boundary_;
+  std::vector<Share> shares_;
+  geometry::Point centre_{0, 0};
+  double arm_ = 0;  // half the diagonal of the plate
+};
+
+}  // namespace post

@@ -1,0 +1,39 @@
+#include "post/factors/srif.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace post {
+namespace {
+
+/// A norm: that of the errors bounds what they do to that of the factors.
+double equivalent(const std::array<double, 3>& K, double poisson) {
+  return std::max(std::hypot(K[0], K[1]), std::abs(K[2]) / std::sqrt(1 - poisson));
+}
+
+}  // namespace
+
+FaceFactors at_faces(const Srif& srif, const plate::Section& section, std::optional<double> toughness) {
+  const double h = section.thickness, root = std::sqrt(std::numbers::pi);
+  const double bending = root * 6 / (h * h), shear = root * 3 / (2 * h);
+  const std::array factor{bending, bending, shear}, own{srif.K1, srif.K2, srif.K3};
+  FaceFactors result;
+  std::array<double, 3> K{}, errors{};
+  bool any = false, known = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!srif.resolved[i]) continue;
+    result.K[i] = K[i] = factor[i] * own[i];
+    any = true, known = known && srif.errors[i];
+    errors[i] = factor[i] * srif.errors[i].value_or(0);
+  }
+  if (!any) return result;
+  result.equivalent = equivalent(K, section.poisson);
+  if (known) result.error = equivalent(errors, section.poisson);
+  if (!toughness) return result;
+  result.utilisation = *result.equivalent / *toughness;
+  if (known) result.utilisation_error = *result.error / *toughness;
+  return result;
+}
+
+}  // namespace post

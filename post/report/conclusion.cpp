@@ -1,0 +1,67 @@
+#include "post/report/conclusion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "post/files/summary.hpp"
+#include "post/files/table.hpp"
+#include "post/report/extremes.hpp"
+#include "post/report/peaks.hpp"
+#include "post/report/reactions.hpp"
+
+namespace post {
+namespace {
+
+std::optional<double> largest_deflection(const Table& history) {
+  std::optional<double> largest;
+  const auto column = history.column("max_abs_w");
+  for (const auto& row : history.rows) largest = std::max(largest.value_or(0), std::get<double>(row[column]));
+  return largest;
+}
+
+}  // namespace
+
+void conclude(Summary& summary, Found found) {
+  summary.srif = std::move(found.factors);
+  if (found.options) summary.toughness = found.options->toughness;
+  for (const auto& srif : summary.srif) summary.faces.push_back(at_faces(srif, found.section, summary.toughness));
+  summary.reactions = found.reactions.summary();
+  if (const auto w = largest_deflection(found.history)) {
+    summary.deflection_over_thickness = *w / found.section.thickness;
+    if (found.si && *summary.deflection_over_thickness > small_deflection)
+      summary.warnings.push_back(fmt::format(
+          "the largest deflection, {:.3g} m, is {:.2g} thicknesses: small deflections are left, a real plate "
+          "stretches and bends less; look at units and loads if this is a surprise",
+          *w, *summary.deflection_over_thickness));
+  }
+}
+
+void look_for_largest(Summary& summary, const plate::Section& section, const Extremes& extremes,
+                      const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows) {
+  auto found = extremes.found();
+  if (summary.analysis.kind != "dynamic") {
+    summary.extremes = std::move(found);
+    return;
+  }
+  summary.peaks = peaks(times, rows, section, summary.toughness);
+  for (auto& peak : found) summary.peaks.push_back(std::move(peak));
+}
+
+std::vector<std::string> tips_that_grow(const Summary& summary) {
+  std::vector<std::string> result;
+  const auto say = [&](std::size_t tip, double utilisation, const std::string& when) {
+    if (utilisation >= 1)
+      result.push_back(fmt::format("tip {}: the equivalent K is {:.3g} times the toughness{}: the crack grows", tip,
+                                   utilisation, when));
+  };
+  for (const auto& peak : summary.peaks)
+    if (peak.quantity == "utilisation") say(*peak.tip, peak.value, fmt::format(" at t = {:.4g}", peak.time));
+  if (!summary.peaks.empty()) return result;
+  for (std::size_t i = 0; i < summary.srif.size(); ++i)
+    if (const auto tip = summary.srif[i].tip; i == 0 || summary.srif[i - 1].tip != tip)
+      say(tip, summary.faces[i].utilisation.value_or(0), "");
+  return result;
+}
+
+}  // namespace post

@@ -1,0 +1,91 @@
+#include "post/report/reactions.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "plate/formulation/formulation.hpp"
+#include "plate/formulation/inertia.hpp"
+#include "plate/model/history.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "post/files/summary.hpp"
+
+namespace post {
+namespace {
+
+Eigen::VectorXd on_held(const plate::Formulation& plate, const plate::Operator& forces, const plate::State& state) {
+  plate::Forces internal;
+  forces.internal_force(state, internal);
+  return plate.constraints().on_held(internal);
+}
+
+/// Mass times acceleration of every degree of freedom, held or not.
+std::function<plate::Forces(const plate::State&)> inertial_force(const plate::Formulation& plate, double rotary,
+                                                                 bool of_cells) {
+  if (of_cells)
+    return [inertia = std::make_shared<plate::Inertia>(plate.inertia(rotary))](const plate::State& acceleration) {
+      return inertia->whole(acceleration);
+    };
+  return [mass = plate::mass(plate.section(), plate.cloud().areas, plate.boundary().active, {}, rotary)](
+             const plate::State& acceleration) -> plate::Forces { return mass.cwiseProduct(acceleration); };
+}
+
+}  // namespace
+
+ReactionRows::ReactionRows(const plate::Formulation& plate, double rotary, bool mass_of_cells)
+    : holders_(plate.boundary().holders), plate_(&plate), rotary_(rotary), mass_of_cells_(mass_of_cells) {}
+
+void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces) {
+  if (holders_.empty()) return;
+  if (!now.acceleration) return add(now.time, *plate_, forces, now.state, 1);
+  if (!supports_) {
+    supports_.emplace(plate_->boundary());
+    for (const auto& load : plate_->loads()) loads_.push_back(supports_->applied(load.forces));
+    inertial_force_ = inertial_force(*plate_, rotary_, mass_of_cells_);
+  }
+  auto loads = supports_->nothing();
+  for (std::size_t i = 0; i < loads_.size(); ++i)
+    loads.add(plate::factor(plate_->loads()[i].history, now.time), loads_[i]);
+  const auto inertia = supports_->applied(inertial_force_(now.acceleration()));
+  const auto internal = now.held_force ? *now.held_force : on_held(*plate_, forces, now.state);
+  balances_.emplace_back(now.time, supports_->balance(internal, loads, &inertia));
+}
+
+void ReactionRows::add(double time, const plate::Formulation& plate, const plate::Operator& forces,
+                       const plate::State& state, double share) {
+  holders_ = plate.boundary().holders;
+  if (holders_.empty()) return;
+  const Supports supports(plate.boundary());
+  auto loads = supports.nothing();
+  loads.add(share, supports.applied(plate.total_load()));
+  balances_.emplace_back(time, supports.balance(on_held(plate, forces, state), loads, nullptr));
+}
+
+Table ReactionRows::table() const {
+  Table table{{"time", "support", "x", "y", "force", "moment_x", "moment_y", "residual"}, {}};
+  for (const auto& [time, balance] : balances_) {
+    const auto row = [&, t = time](const std::string& name, const std::optional<geometry::Point>& x, const Wrench& w) {
+      table.rows.push_back({t, name, x ? Cell(x->x()) : Cell(), x ? Cell(x->y()) : Cell(), w.force, w.moment_x,
+                            w.moment_y, balance.residual});
+    };
+    for (std::size_t i = 0; i < holders_.size(); ++i) row(holders_[i].name, holders_[i].position, balance.supports[i]);
+    row("loads", std::nullopt, balance.loads);
+    if (balance.inertia) row("inertia", std::nullopt, *balance.inertia);
+  }
+  return table;
+}
+
+std::optional<ReactionSummary> ReactionRows::summary() const {
+  if (balances_.empty()) return std::nullopt;
+  ReactionSummary result{holders_, balances_.back().first, balances_.back().second, 0, {}};
+  for (std::size_t i = 0; i < holders_.size(); ++i) {
+    const auto size = [&](const auto& row) { return std::abs(row.second.supports[i].force); };
+    const auto& most = *std::ranges::max_element(balances_, {}, size);
+    result.largest.push_back({most.first, most.second.supports[i].force});
+  }
+  for (const auto& [time, balance] : balances_)
+    result.largest_residual = std::max(result.largest_residual, balance.residual);
+  return result;
+}
+
+}  // namespace post

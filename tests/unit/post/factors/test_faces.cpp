@@ -1,0 +1,82 @@
+// What moment and shear intensity factors are at the faces of the plate.
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "post/factors/srif.hpp"
+
+namespace {
+
+const plate::Section section{200e9, 0.3, 0.02, 5.0 / 6, 0};
+
+post::Srif of(double K1, double K2, double K3) {
+  post::Srif srif;
+  srif.K1 = K1, srif.K2 = K2, srif.K3 = K3;
+  srif.errors = {std::abs(K1) / 100, std::abs(K2) / 20, std::abs(K3) / 10};
+  return srif;
+}
+
+/// K_I, K_II, K_III at the height z: linear bending stress, parabolic shear stress.
+std::array<double, 3> at_height(const post::FaceFactors& faces, double z) {
+  const double s = 2 * z / section.thickness;
+  return {*faces.K[0] * s, *faces.K[1] * s, *faces.K[2] * (1 - s * s)};
+}
+
+const std::vector<std::array<double, 3>> modes{{3, 0, 0}, {0, -2, 0}, {0, 0, 50}, {-1, 2, 40}, {1, 0.5, 300}};
+
+}  // namespace
+
+TEST_CASE("faces: the energy over the thickness is that of the moment and shear intensity factors") {
+  const double h = section.thickness, E = section.young, nu = section.poisson;
+  for (const auto& [K1, K2, K3] : modes) {
+    const auto faces = post::at_faces(of(K1, K2, K3), section, std::nullopt);
+    double sum = 0;
+    constexpr int slices = 2000;
+    for (int i = 0; i < slices; ++i) {
+      const auto K = at_height(faces, h * ((i + 0.5) / slices - 0.5));
+      sum += (K[0] * K[0] + K[1] * K[1] + (1 + nu) * K[2] * K[2]) / E * h / slices;
+    }
+    const double pi = std::numbers::pi;  // theory (50)
+    const double G = 12 * pi / (E * h * h * h) * (K1 * K1 + K2 * K2) + pi * (1 + nu) / (5.0 / 6 * E * h) * K3 * K3;
+    CHECK(sum == Approx(G).epsilon(1e-5));  // measured: 3e-7, the slices
+  }
+}
+
+TEST_CASE("faces: the equivalent K is the largest at any height, and its error a bound") {
+  for (const auto& [K1, K2, K3] : modes) {
+    const auto srif = of(K1, K2, K3);
+    const auto faces = post::at_faces(srif, section, 2e6);
+    double largest = 0;
+    for (int i = 0; i <= 1000; ++i) {
+      const auto K = at_height(faces, section.thickness * (i / 1000.0 - 0.5));
+      largest = std::max(largest, std::sqrt(K[0] * K[0] + K[1] * K[1] + K[2] * K[2] / (1 - section.poisson)));
+    }
+    CHECK(*faces.equivalent == Approx(largest).epsilon(1e-12));
+    CHECK(*faces.utilisation == Approx(largest / 2e6).epsilon(1e-12));
+    for (const double a : {-1, 1})
+      for (const double b : {-1, 1})
+        for (const double c : {-1, 1}) {
+          const auto other = post::at_faces(
+              of(K1 + a * *srif.errors[0], K2 + b * *srif.errors[1], K3 + c * *srif.errors[2]), section, 2e6);
+          CHECK(std::abs(*other.equivalent - *faces.equivalent) <= *faces.error * (1 + 1e-12));
+          CHECK(std::abs(*other.utilisation - *faces.utilisation) <= *faces.utilisation_error * (1 + 1e-12));
+        }
+  }
+}
+
+TEST_CASE("faces: a plate in pure bending has the K of its face's stress; what is not resolved is left out") {
+  // K1 = M sqrt(a): the stress 6 M / h^2 at the face of a crack of half length a has K_I = stress sqrt(pi a)
+  const double M = 7, a = 0.3, h = section.thickness;
+  auto srif = of(M * std::sqrt(a), 1, 2);
+  CHECK(*post::at_faces(srif, section, {}).K[0] == Approx(6 * M / (h * h) * std::sqrt(std::numbers::pi * a)));
+  srif.resolved = {true, false, false};
+  srif.errors[1].reset();
+  const auto some = post::at_faces(srif, section, {});
+  CHECK_FALSE(some.K[1]);
+  CHECK_FALSE(some.K[2]);
+  CHECK(*some.equivalent == *some.K[0]);
+  CHECK(*some.error == Approx(*some.K[0] / 100));
+  CHECK_FALSE(some.utilisation);
+  srif.resolved = {false, false, false};
+  CHECK_FALSE(post::at_faces(srif, section, 1.0).equivalent);
+  CHECK_FALSE(post::at_faces(srif, section, 1.0).utilisation);
+}

@@ -1,0 +1,59 @@
+// What all summaries say alike: factors at the faces, cracks that would grow, deflections beyond the theory.
+#include "post/report/conclusion.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "post/files/summary.hpp"
+#include "post/files/table.hpp"
+#include "post/report/reactions.hpp"
+
+namespace {
+
+const plate::Section section{1, 0.3, 0.1, 5.0 / 6, 0};
+
+post::Srif of(std::size_t tip, double K1) {
+  post::Srif srif;
+  srif.tip = tip, srif.K1 = K1;
+  srif.errors = {0.01, 0.01, 0.01};
+  return srif;
+}
+
+post::Summary concluded(double deflection, bool si, std::optional<double> toughness) {
+  post::SrifOptions options;
+  options.toughness = toughness;
+  const std::optional<post::SrifOptions> given = options;
+  const post::Table history{{"time", "max_abs_w"}, {{0.0, 0.0}, {0.5, deflection}, {1.0, deflection / 2}}};
+  post::Summary summary;
+  post::conclude(summary, {section, given, si, history, {}, {of(0, 1), of(0, 50), of(1, -2)}});
+  return summary;
+}
+
+}  // namespace
+
+TEST_CASE("conclusion: deflections beyond half a thickness are warned of in SI units, and stated in all") {
+  for (const double w : {0.0, 0.049, 0.051, 4e7})
+    for (const bool si : {false, true}) {
+      const auto summary = concluded(w, si, std::nullopt);
+      CHECK(*summary.deflection_over_thickness == Approx(w / 0.1));
+      CHECK(summary.warnings.size() == (si && w > 0.05 ? 1 : 0));
+    }
+  CHECK_THAT(concluded(6e7, true, std::nullopt).warnings.at(0),
+             Catch::Contains("6e+08 thicknesses: small deflections are left"));
+  const std::optional<post::SrifOptions> none;
+  post::Summary frequencies;
+  post::conclude(frequencies, {section, none, true, {{"time", "max_abs_w"}, {}}, {}, {}});
+  CHECK_FALSE(frequencies.deflection_over_thickness);
+  CHECK_FALSE(frequencies.reactions);
+}
+
+TEST_CASE("conclusion: tips that reach the toughness by their recommended method, or at any time of a motion") {
+  auto summary = concluded(0, false, 1500.0);  // K_I = 1063, 2127
+  REQUIRE(summary.faces.size() == 3);
+  CHECK(*summary.faces[2].utilisation == Approx(std::sqrt(M_PI) * 600 * 2 / 1500));
+  CHECK(post::tips_that_grow(summary) ==
+        std::vector<std::string>{"tip 1: the equivalent K is 1.42 times the toughness: the crack grows"});
+  CHECK(post::tips_that_grow(concluded(0, false, std::nullopt)).empty());
+  summary.peaks = {{"K1", 0, 7, 0, {}, {}}, {"utilisation", 0, 1, 0.25, {}, {}}, {"utilisation", 1, 0.99, 0.5, {}, {}}};
+  CHECK(post::tips_that_grow(summary) ==
+        std::vector<std::string>{"tip 0: the equivalent K is 1 times the toughness at t = 0.25: the crack grows"});
+}
