@@ -18,13 +18,14 @@
 #include "post/manual/program.hpp"
 #include "post/report/html/comparison_page.hpp"
 #include "post/report/printed.hpp"
+#include "post/studies/advice.hpp"
 #include "post/studies/compare.hpp"
 #include "post/studies/fatigue.hpp"
 #include "post/studies/orders.hpp"
 
 namespace {
 
-enum ExitCode { done = 0, wrong_case = 2, failed_numbers = 3, failed_machine = 4 };
+enum ExitCode { done = 0, beyond_tolerance = 1, wrong_case = 2, failed_numbers = 3, failed_machine = 4 };
 
 void print_keys(const std::string& wanted) {
   std::size_t shown = 0;
@@ -44,12 +45,13 @@ std::vector<post::ManualKey> manual_keys() {
 }
 
 struct Arguments {
-  std::string file, folder, key, reference, plot, only;
-  std::vector<std::string> settings, removed, methods;
+  std::string file, folder, key, reference, plot, only, json;
+  std::vector<std::string> settings, removed, methods, tolerances;
+  std::optional<double> within;
   post::ParisLaw law;
   double load = 1, ratio = 0;
   int threads = 0;
-  bool quiet = false, energy = false, schema = false;
+  bool quiet = false, energy = false, schema = false, again = false;
 };
 
 void add_case(CLI::App& command, Arguments& a) {
@@ -74,14 +76,36 @@ std::filesystem::path folder_of(const Arguments& a) {
 int run_study(const Arguments& a) {
   const auto study = cases::read_study(a.file);
   const auto folder = folder_of(a);
-  const auto outcome = cases::run_study(study, {folder, a.quiet});
+  const auto outcome = cases::run_study(study, {folder, a.quiet, a.again});
   if (!a.quiet) {
     fmt::print("{}\n{}", study.title, post::to_text(outcome.table));
     if (!post::orders(outcome.table).empty()) fmt::print("\nfitted orders\n{}", post::orders_text(outcome.table));
+    fmt::print("\nseconds by stage\n{}", post::costs_text(outcome.table));
+    for (const auto& sentence : post::advice(outcome.table)) fmt::print("{}\n", sentence);
     fmt::print("results in {}\n", folder.string());
   }
+  if (outcome.killed > 0) return failed_machine;
   if (outcome.failed_numbers > 0) return failed_numbers;
   return outcome.wrong_cases > 0 ? wrong_case : done;
+}
+
+int run_comparison(const Arguments& a) {
+  post::Tolerances tolerances;
+  try {
+    tolerances = post::tolerances(a.tolerances, a.within);
+  } catch (const std::invalid_argument& error) {
+    throw cases::CaseError({{"compare", "--tolerance", error.what()}});
+  }
+  const auto rows = post::compare(a.folder, a.reference);
+  const auto above = post::exceeded(rows, tolerances);
+  fmt::print("{}{}", post::to_text(rows), post::to_text(above));
+  const auto plot = post::plot(rows, post::title_of(a.folder));
+  if (a.plot.ends_with(".html"))
+    post::write_whole(a.plot, post::comparison_page(plot, post::to_text(rows)));
+  else if (!a.plot.empty())
+    post::write_whole(a.plot, post::to_svg(plot));
+  if (!a.json.empty()) post::write_whole(a.json, post::to_json(rows, above));
+  return above.empty() ? done : beyond_tolerance;
 }
 
 int run_extremes(const Arguments& a) {
@@ -163,13 +187,7 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("report")) {
     cases::report_again(a.folder);
   } else if (app.got_subcommand("compare")) {
-    const auto rows = post::compare(a.folder, a.reference);
-    fmt::print("{}", post::to_text(rows));
-    const auto plot = post::plot(rows, post::title_of(a.folder));
-    if (a.plot.ends_with(".html"))
-      post::write_whole(a.plot, post::comparison_page(plot, post::to_text(rows)));
-    else if (!a.plot.empty())
-      post::write_whole(a.plot, post::to_svg(plot));
+    return run_comparison(a);
   } else if (app.got_subcommand("fatigue")) {
     require_finite(a);
     const std::filesystem::path folder(a.folder);
@@ -280,11 +298,16 @@ int main(int argc, char** argv) {
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
   compare->add_option("--plot", a.plot, "file for a plot of the curves (SVG), or a page (.html)");
+  compare->add_option("--json", a.json, "file for all numbers (JSON)");
+  compare->add_option("--tolerance", a.tolerances, "exit code 1 above: l2=0.01, max, peak, peak_time, shift (relative)")
+      ->allow_extra_args(false);
+  compare->add_option("--within", a.within, "the same tolerance for all of these")->check(CLI::NonNegativeNumber);
   add_fatigue(app, a);
   auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
   study->add_option("study", a.file, "study file (TOML)")->required();
   study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");
   study->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::PositiveNumber);
+  study->add_flag("--again", a.again, "make runs anew that are done already");
   study->add_flag("--quiet", a.quiet, "no lines on runs that succeed and no table");
   auto* extremes = app.add_subcommand("extremes", "cases at the edge of what can be computed, each against its oracle");
   extremes->add_option("table", a.file, "table of extremes (TOML)")->required();

@@ -6,7 +6,6 @@
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/files/table.hpp"
-#include "post/report/html/study_report.hpp"
 #include "post/studies/study.hpp"
 
 namespace cases {
@@ -76,7 +75,6 @@ std::vector<post::Verdict> run_extremes(const Extremes& extremes, const ExtremeO
     const auto found = post::verdicts(row, run, runs);
     verdicts.insert(verdicts.end(), found.begin(), found.end());
     post::write_csv(options.folder / "extremes.csv", post::table(verdicts));
-    post::write_extremes_report(options.folder, extremes.title);
     if (!options.quiet)
       fmt::print(stderr, "[{}/{}] {}: {}, {:.1f} s\n", runs.size(), wanted.size(), row.title,
                  std::ranges::all_of(found, &post::Verdict::holds) ? "holds" : "MISSED", run.seconds);

@@ -2,7 +2,7 @@
 
 #include "plate/formulation/formulation.hpp"
 
-#include "cases/studies/keys.hpp"
+#include "cases/studies/study.hpp"
 #include "post/studies/orders.hpp"
 
 namespace cases {
@@ -70,8 +70,22 @@ void check_references(const Study& study, Reading& reading) {
   }
 }
 
+/// Why a run of the case has no such quantity of the whole plate; empty where it has.
+std::string lacking_whole(const Case& c, const std::string& name) {
+  const auto kind = c.analysis.kind;
+  if (name == "frequency") return kind == Analysis::Kind::frequencies ? "" : "the case has no frequencies";
+  if (kind == Analysis::Kind::frequencies) return "the case has frequencies only";
+  if (name.ends_with("_peak") && (kind != Analysis::Kind::dynamic || c.growth))
+    return "peaks in time are of dynamic cases without growth";
+  if (name == "crack_length" && !c.growth) return "the case has no [growth]";
+  if (name == "largest_load_factor" && !(c.growth && kind == Analysis::Kind::static_))
+    return "the case has no quasi-static growth";
+  return "";
+}
+
 /// Why a run of the case has no such quantity; empty where it has.
 std::string lacking(const Case& c, const post::Quantity& quantity) {
+  if (auto why = lacking_whole(c, quantity.name); !why.empty()) return why;
   if (quantity.probe && !c.output.probes.contains(*quantity.probe))
     return fmt::format("the case has no probe \"{}\"", *quantity.probe);
   if (!quantity.tip) return "";
@@ -132,16 +146,28 @@ private:
       }
       return;
     }
-    run.wanted = post::wanted(study_.references, study_.axis_names(), run.labels, [&](std::size_t i, bool needed) {
-      const auto& reference = study_.references[i];
-      const std::string key = element("reference", i), lack = lacking(run.file.content, reference.quantity);
-      const bool is_static = run.file.content.analysis.kind == Analysis::Kind::static_;
-      const bool is_curve = std::holds_alternative<post::KnownCurve>(reference.known);
-      if (needed && !lack.empty()) complain({reading_.found().place(key), key, lack}, run);
-      if (needed && is_curve && is_static)
-        complain({reading_.found().place(key), key, "the case is static, so it has no history for a curve"}, run);
-      return lack.empty();
-    });
+    std::vector<post::Quantity> listed;
+    for (std::size_t i = 0; i < study_.quantities.size(); ++i) {
+      const auto& quantity = study_.quantities[i].quantity;
+      const auto key = element("quantities", i), lack = lacking(run.file.content, quantity);
+      if (lack.empty())
+        listed.push_back(quantity);
+      else
+        complain({reading_.found().place(key), key, lack}, run);
+    }
+    run.wanted =
+        post::wanted(listed, study_.references, study_.axis_names(), run.labels, [&](std::size_t i, bool needed) {
+          const auto& reference = study_.references[i];
+          const std::string key = element("reference", i), lack = lacking(run.file.content, reference.quantity);
+          const bool is_static = run.file.content.analysis.kind == Analysis::Kind::static_;
+          const bool is_curve = std::holds_alternative<post::KnownCurve>(reference.known);
+          if (needed && !lack.empty()) complain({reading_.found().place(key), key, lack}, run);
+          if (needed && is_curve && !post::has_history(reference.quantity.name))
+            complain({reading_.found().place(key), key, "is one number, and has no curve in time"}, run);
+          if (needed && is_curve && is_static)
+            complain({reading_.found().place(key), key, "the case is static, so it has no history for a curve"}, run);
+          return lack.empty();
+        });
     study_.runs.push_back(std::move(run));
   }
 
@@ -167,7 +193,7 @@ Study read_study(const fs::path& path) {
   Reading reading(path.string());
   Study study;
   study.title = path.stem().string();
-  read_fields(study_fields(), Value(root, "", reading), study);
+  read_fields(study_fields(), Value(root, "", reading), static_cast<StudyPlan&>(study));
   check_axes(study, reading);
   if (reading.sound("axis")) check_references(study, reading);
   if (reading.sound("axis") && reading.sound("case") && reading.sound("set")) Runs(study, reading).read();

@@ -1,5 +1,5 @@
 #pragma once
-#include "cases/input/keys.hpp"
+#include "cases/input/keys_forms.hpp"
 #include "post/studies/quantity.hpp"
 
 /// Forms of the files that run many cases: studies and tables of extremes. Nothing is written from them.
@@ -63,14 +63,24 @@ Fields<T> quantity_fields() {
     else if (tip)
       object.quantity.tip = static_cast<std::size_t>(*tip);
   };
+  const auto read_mode = [](const Value& given, T& object) {
+    const auto mode = given.number();
+    if (mode && (*mode < 1 || *mode > 1e6 || *mode != std::floor(*mode)))
+      given.refuse("the number of a mode, from 1");
+    else if (mode)
+      object.quantity.mode = static_cast<std::size_t>(*mode);
+  };
   const auto read_probe = [](const Value& given, T& object) { object.quantity.probe = given.text(); };
   return {choice<T, std::string>("quantity", name, words, "").required(),
           entry<T>("tip", "the number of a crack tip, from 0", read_tip)
               .required()
-              .with(of_kind("tip", "quantity = K1 ... F3")),
+              .with(of_kind("tip", "quantity = K1 ... F3, K1_peak ... K3_peak")),
           entry<T>("probe", "the name of a probe", read_probe)
               .required()
-              .with(of_kind("probe", "quantity = w, theta_x or theta_y"))};
+              .with(of_kind("probe", "quantity = w, theta_x or theta_y")),
+          entry<T>("mode", "the number of a mode, from 1", read_mode)
+              .required()
+              .with(of_kind("mode", "quantity = frequency"))};
 }
 
 }  // namespace cases

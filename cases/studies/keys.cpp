@@ -1,4 +1,5 @@
-#include "cases/studies/keys.hpp"
+#include "cases/studies/plan.hpp"
+#include "post/files/table.hpp"
 
 namespace cases {
 namespace {
@@ -118,14 +119,23 @@ Fields<Axis> axis_fields() {
           tables<Axis, AxisPoint>("point", Layout::block, &Axis::points, point).with(has_no_key)};
 }
 
+/// The keys of a quantity, with the method of factors.
+template <class T>
+Fields<T> asked_fields() {
+  const Condition<T> has_method{"quantity", "quantity = K1 ... F3", [](const T& object) {
+                                  const auto& name = object.quantity.name;
+                                  return post::kind_of_place(name) == "tip" && post::has_history(name);
+                                }};
+  auto fields = quantity_fields<T>();
+  fields.push_back(word<T>(
+                       "method", [](auto& object) -> auto& { return object.quantity.method; })
+                       .with(has_method));
+  return fields;
+}
+
 Fields<Reference> reference_fields() {
-  const Condition<Reference> of_tip{"quantity", "quantity = K1 ... F3",
-                                    [](const Reference& r) { return post::kind_of_place(r.quantity.name) == "tip"; }};
-  Fields<Reference> fields = quantity_fields<Reference>();
+  Fields<Reference> fields = asked_fields<Reference>();
   const Fields<Reference> others{
-      word<Reference>(
-          "method", [](auto& r) -> auto& { return r.quantity.method; })
-          .with(of_tip),
       entry<Reference>("where", "", read_where),
       entry<Reference>("value", "a number", read_value),
       entry<Reference>("scale", "a number above 0", read_scale).with({"value", "value", has_value}),
@@ -141,14 +151,17 @@ Fields<Reference> reference_fields() {
 
 }  // namespace
 
-Fields<Study> study_fields() {
-  return {
-      word<Study>("title", &Study::title),
-      word<Study>("source", &Study::source),
-      case_file<Study>(),
-      settings<Study>(),
-      tables<Study, Axis>("axis", Layout::block, &Study::axes, axis_fields()),
-      tables<Study, Reference>("reference", Layout::block, &Study::references, reference_fields(), check_reference)};
+Fields<StudyPlan> study_fields() {
+  return {word<StudyPlan>("title", &StudyPlan::title),
+          word<StudyPlan>("source", &StudyPlan::source),
+          case_file<StudyPlan>(),
+          settings<StudyPlan>(),
+          tables<StudyPlan, Axis>("axis", Layout::block, &StudyPlan::axes, axis_fields()),
+          number<StudyPlan>("repeats", "-", &StudyPlan::repeats, {1, 1000}, ""),
+          tables<StudyPlan, StudyPlan::Listed>("quantities", Layout::block, &StudyPlan::quantities,
+                                               asked_fields<StudyPlan::Listed>()),
+          tables<StudyPlan, Reference>("reference", Layout::block, &StudyPlan::references, reference_fields(),
+                                       check_reference)};
 }
 
 }  // namespace cases

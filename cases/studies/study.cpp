@@ -4,11 +4,16 @@
 
 #include "cases/driver/run.hpp"
 #include "plate/model/numerical_error.hpp"
-#include "post/files/summary.hpp"
+#include "post/files/digest.hpp"
+#include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
 #include "post/report/html/study_report.hpp"
+#include "post/studies/advice.hpp"
 #include "post/studies/orders.hpp"
 #include "post/studies/plots.hpp"
+#include "post/studies/runs/isolated.hpp"
+#include "post/studies/runs/ledger.hpp"
+#include "post/studies/runs/read_summary.hpp"
 
 namespace cases {
 namespace {
@@ -40,15 +45,59 @@ post::StudyTitles titles(const Study& study) {
 
 void write(const Study& study, const post::StudyTable& table, const fs::path& folder) {
   post::write_csv(folder / "study.csv", post::table(table));
+  post::write_whole(folder / "study.json", post::to_json(study.title, table));
   if (post::refinement(table.rows)) post::write_csv(folder / "orders.csv", post::orders_table(table));
   for (const auto& [name, plot] : post::study_plots(table, titles(study)))
     post::write_whole(folder / name, post::to_svg(plot));
   post::write_study_report(folder, study.title);
 }
 
+post::Ended run_once(const CaseFile& file, const fs::path& folder) {
+  return post::isolated([&]() -> post::Ended {
+    try {
+      run(file, {folder, true});
+      return {"done"};
+    } catch (const CaseError& error) {
+      return {"refused", error.what()};
+    } catch (const plate::NumericalError& error) {
+      return {"failed", error.what()};
+    }
+  });
+}
+
+/// What became of a run: what the ledger has of it, or what it comes to now. Throws where the machine fails.
+post::RunRecord record_of(const StudyRun& run, std::size_t repeats, const fs::path& folder, post::Ledger& ledger) {
+  post::RunRecord record{run.folder, post::digest(resolved_toml(run.file.content)), PDPLATE_VERSION, "done"};
+  const auto summary = folder / run.folder / "summary.json";
+  if (const auto known = ledger.done(record, repeats); known && post::read_summary(summary)) return *known;
+  ledger.forget(run.folder);
+  std::vector<std::vector<std::pair<std::string, double>>> seconds;
+  for (std::size_t i = 0; i < repeats && record.outcome == "done"; ++i) {
+    const auto ended = run_once(run.file, folder / run.folder);
+    if (ended.outcome == "broken") throw std::runtime_error(ended.message);
+    record.outcome = ended.outcome, record.message = ended.message;
+    if (const auto found = post::read_summary(summary); found && ended.outcome == "done")
+      seconds.push_back(found->seconds);
+  }
+  record.cost = post::cost_of(seconds);
+  ledger.put(record);
+  return record;
+}
+
+std::vector<post::StudyRow> rows_of(const StudyRun& run, const post::RunRecord& record, const fs::path& folder) {
+  auto row = bare_row(run);
+  row.outcome = record.outcome;
+  row.message = record.message;
+  auto summary = post::read_summary(folder / run.folder / "summary.json");
+  if (record.outcome != "done" || !summary) return {row};
+  summary->seconds = record.cost.seconds;
+  if (record.cost.repeats > 1) row.seconds_min = record.cost.least, row.seconds_max = record.cost.most;
+  return post::study_rows(row, run.wanted, *summary, folder / run.folder);
+}
+
 }  // namespace
 
-std::vector<std::string> Study::axis_names() const {
+std::vector<std::string> StudyPlan::axis_names() const {
   std::vector<std::string> names;
   for (const auto& axis : axes) names.push_back(axis.name);
   return names;
@@ -62,23 +111,19 @@ post::StudyRow bare_row(const StudyRun& run) {
   return row;
 }
 
-StudyOutcome run_study(const Study& study, const RunOptions& options) {
+StudyOutcome run_study(const Study& study, const StudyOptions& options) {
   StudyOutcome outcome{{study.axis_names(), {}}};
-  auto& [table, wrong_cases, failed_numbers] = outcome;
+  auto& table = outcome.table;
   fs::create_directories(options.folder);
+  if (options.again) fs::remove(options.folder / "runs.csv");
+  post::Ledger ledger(options.folder / "runs.csv");
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const auto& run = study.runs[i];
-    std::vector<post::StudyRow> rows{bare_row(run)};
-    try {
-      const fs::path folder = options.folder / run.folder;
-      rows = post::study_rows(rows.front(), run.wanted, cases::run(run.file, {folder, true}), folder);
-    } catch (const CaseError& error) {
-      ++wrong_cases;
-      rows.front().message = error.what();
-    } catch (const plate::NumericalError& error) {
-      ++failed_numbers;
-      rows.front().message = error.what();
-    }
+    const auto record = record_of(run, study.repeats, options.folder, ledger);
+    outcome.wrong_cases += record.outcome == "refused";
+    outcome.failed_numbers += record.outcome == "failed";
+    outcome.killed += record.outcome == "killed";
+    const auto rows = rows_of(run, record, options.folder);
     table.rows.insert(table.rows.end(), rows.begin(), rows.end());
     post::refer_to_finest(table);
     write(study, table, options.folder);

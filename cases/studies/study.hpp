@@ -1,22 +1,8 @@
 #pragma once
-#include "cases/studies/forms.hpp"
-#include "post/studies/study.hpp"
+#include "cases/input/case_file.hpp"
+#include "cases/studies/plan.hpp"
 
 namespace cases {
-
-struct RunOptions;
-
-/// A point of an axis: what is different in its runs.
-struct AxisPoint {
-  std::string label;
-  std::optional<std::filesystem::path> case_file;
-  std::vector<Setting> set;
-};
-
-struct Axis {
-  std::string name, key;  // key: of the short form, which gives the values of one key; otherwise empty
-  std::vector<AxisPoint> points;
-};
 
 /// One run of a study: one point of every axis.
 struct StudyRun {
@@ -26,17 +12,9 @@ struct StudyRun {
   std::vector<post::Wanted> wanted;  // in the order in which the references first name them
 };
 
-/// Many runs of one case, or of a few, for error against run time: all combinations of the points of the axes, the
-/// first axis outermost.
-struct Study {
-  std::string title, source;
-  std::optional<std::filesystem::path> case_file;
-  std::vector<Setting> set;  // of all runs
-  std::vector<Axis> axes;
-  std::vector<post::Reference> references;
+/// A plan with the runs that it asks for.
+struct Study : StudyPlan {
   std::vector<StudyRun> runs;
-
-  std::vector<std::string> axis_names() const;
 };
 
 /// The row of a run before it has run: labels, spacing, horizon.
@@ -47,14 +25,21 @@ post::StudyRow bare_row(const StudyRun& run);
 /// Throws CaseError with all problems of the study file and of all cases.
 Study read_study(const std::filesystem::path& path);
 
-struct StudyOutcome {
-  post::StudyTable table;
-  std::size_t wrong_cases = 0, failed_numbers = 0;  // runs that ended in CaseError, in plate::NumericalError
+struct StudyOptions {
+  std::filesystem::path folder;  // one folder per run, and the tables
+  bool quiet = false;
+  bool again = false;  // makes runs anew that are done already
 };
 
-/// Runs a study: each run into a folder of its own; study.csv, orders.csv and the plots after every run. What fails
-/// becomes a row with its message; other errors (disk full) end the study. A line per run, unless quiet; failures are
-/// always said.
-StudyOutcome run_study(const Study& study, const RunOptions& options);
+struct StudyOutcome {
+  post::StudyTable table;
+  std::size_t wrong_cases = 0, failed_numbers = 0, killed = 0;  // runs by what ended them
+};
+
+/// Runs a study: each run in a process and into a folder of its own, unless it is done already, with the same settings
+/// and by the same program; study.csv, study.json, orders.csv, runs.csv and the plots after every run. A run that is
+/// refused, fails or is killed becomes a row with its message; other errors (disk full) end the study. A line per run,
+/// unless quiet; failures are always said.
+StudyOutcome run_study(const Study& study, const StudyOptions& options);
 
 }  // namespace cases

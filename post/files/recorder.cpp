@@ -4,17 +4,11 @@
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "post/files/digest.hpp"
 #include "post/files/gate.hpp"
 
 namespace post {
 namespace {
-
-/// 64-bit FNV-1a of a text, as hexadecimal: the same settings have the same digest on every machine.
-std::string digest(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const unsigned char c : text) hash = (hash ^ c) * 1099511628211ULL;
-  return fmt::format("{:016x}", hash);
-}
 
 Cell cell(const std::optional<double>& value) {
   return value ? Cell(*value) : Cell();

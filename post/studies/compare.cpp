@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -12,6 +13,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "plate/model/wording.hpp"
+#include "post/figures/aligned.hpp"
 #include "post/files/table.hpp"
 #include "post/studies/quantity.hpp"
 
@@ -32,32 +35,6 @@ std::string word(const Cell& cell) {
 
 bool has(const Table& table, const std::string& name) {
   return std::ranges::find(table.columns, name) != table.columns.end();
-}
-
-void check(const std::vector<double>& t, const std::vector<double>& y, const char* which) {
-  if (t.size() != y.size())
-    throw std::invalid_argument(fmt::format("{}: {} times, {} values", which, t.size(), y.size()));
-  if (t.empty()) throw std::invalid_argument(fmt::format("{}: no samples", which));
-  if (!std::ranges::is_sorted(t)) throw std::invalid_argument(fmt::format("{}: time goes back", which));
-}
-
-double interpolated(const std::vector<double>& t, const std::vector<double>& y, double time) {
-  const auto above = static_cast<std::size_t>(std::ranges::lower_bound(t, time) - t.begin());
-  if (above == 0) return y.front();
-  const double share = (time - t[above - 1]) / (t[above] - t[above - 1]);
-  return y[above - 1] + share * (y[above] - y[above - 1]);
-}
-
-struct Extremum {
-  double time = 0, value = 0;
-};
-
-Extremum peak(const std::vector<double>& t, const std::vector<double>& y, double from, double to) {
-  Extremum result;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    if (t[i] >= from && t[i] <= to && std::abs(y[i]) > std::abs(result.value)) result = {t[i], y[i]};
-  }
-  return result;
 }
 
 struct Place {
@@ -153,33 +130,6 @@ std::string legend(const ComparedQuantity& row) {
 
 }  // namespace
 
-Comparison compare(const std::vector<double>& t, const std::vector<double>& y, const std::vector<double>& reference_t,
-                   const std::vector<double>& reference_y) {
-  check(t, y, "computed");
-  check(reference_t, reference_y, "reference");
-  const double from = std::max(t.front(), reference_t.front()), to = std::min(t.back(), reference_t.back());
-  Comparison result;
-  double differences = 0, squares = 0;
-  for (std::size_t i = 0; i < reference_t.size(); ++i) {
-    if (reference_t[i] < from || reference_t[i] > to) continue;
-    const double difference = interpolated(t, y, reference_t[i]) - reference_y[i];
-    differences += difference * difference;
-    squares += reference_y[i] * reference_y[i];
-    ++result.samples;
-  }
-  if (result.samples < 2) throw std::invalid_argument(fmt::format("{} samples in common", result.samples));
-  if (squares == 0) throw std::invalid_argument("the reference is zero where the curves overlap");
-  const Extremum computed = peak(t, y, from, to), reference = peak(reference_t, reference_y, from, to);
-  result.relative_rms = std::sqrt(differences / squares);
-  result.rms_of_peak = std::sqrt(differences / static_cast<double>(result.samples)) / std::abs(reference.value);
-  result.peak_error = (computed.value - reference.value) / reference.value;
-  result.peak_computed = computed.value;
-  result.peak_reference = reference.value;
-  result.time_of_peak_computed = computed.time;
-  result.time_of_peak_reference = reference.time;
-  return result;
-}
-
 std::vector<ComparedQuantity> compare(const std::filesystem::path& results, const std::filesystem::path& reference) {
   const Table curves = read_csv(reference);
   if (!has(curves, "t")) throw std::runtime_error(reference.string() + ": no column t, so it holds no curves");
@@ -200,15 +150,108 @@ std::vector<ComparedQuantity> compare(const std::filesystem::path& results, cons
   return rows;
 }
 
-std::string to_text(const std::vector<ComparedQuantity>& rows) {
-  std::string text =
-      fmt::format("{:<9} {:<12} {:>7} {:>12} {:>14} {:>11} {:>14} {:>11} {:>11}\n", "quantity", "reference", "samples",
-                  "relative rms", "peak", "at time", "reference peak", "at time", "peak error");
-  for (const auto& [quantity, reference, c, computed, known] : rows) {
-    text += fmt::format("{:<9} {:<12} {:>7} {:>10.3f} % {:>14.6g} {:>11.5g} {:>14.6g} {:>11.5g} {:>+9.3f} %\n",
-                        quantity, reference, c.samples, 100 * c.relative_rms, c.peak_computed, c.time_of_peak_computed,
-                        c.peak_reference, c.time_of_peak_reference, 100 * c.peak_error);
+Tolerances tolerances(const std::vector<std::string>& texts, std::optional<double> all) {
+  Tolerances result{{}, all};
+  const auto& names = measure_names();
+  for (const auto& text : texts) {
+    const auto equals = std::min(text.find('='), text.size());
+    const std::string name = text.substr(0, equals);
+    if (std::ranges::find(names, name) == names.end())
+      throw std::invalid_argument(fmt::format("\"{}\" given, must be one of {}{}", name, plate::listed(names),
+                                              plate::did_you_mean(name, names)));
+    double value = -1;
+    const char *first = text.data() + std::min(equals + 1, text.size()), *last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(first, last, value);
+    if (end != last || first == last || error != std::errc{} || !(value >= 0) || !std::isfinite(value))
+      throw std::invalid_argument(fmt::format("\"{}\" given, must be {}=NUMBER with a number >= 0", text, name));
+    result.by_measure[name] = value;
   }
+  return result;
+}
+
+std::vector<Exceeded> exceeded(const std::vector<ComparedQuantity>& rows, const Tolerances& tolerances) {
+  std::vector<Exceeded> result;
+  for (const auto& row : rows)
+    for (const auto& [name, found] : measures(row.comparison)) {
+      const auto own = tolerances.by_measure.find(name);
+      const auto allowed = own != tolerances.by_measure.end() ? std::optional(own->second) : tolerances.all;
+      if (allowed && !(found <= *allowed)) result.push_back({row.quantity, row.reference, name, found, *allowed});
+    }
+  return result;
+}
+
+std::string to_json(const std::vector<ComparedQuantity>& rows, const std::vector<Exceeded>& above) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"within", above.empty()}, {"quantities", Json::array()}, {"exceeded", Json::array()}};
+  for (const auto& [quantity, reference, c, computed, known] : rows) {
+    Json row{{"quantity", quantity},
+             {"reference", reference},
+             {"samples", c.samples},
+             {"from", c.from},
+             {"to", c.to},
+             {"covered", c.covered},
+             {"l2", c.relative_l2},
+             {"max", c.relative_max},
+             {"rms", c.relative_rms},
+             {"rms_of_peak", c.rms_of_peak}};
+    row["peak"] = {{"computed", c.peak_computed},
+                   {"reference", c.peak_reference},
+                   {"error", c.peak_error},
+                   {"time_computed", c.time_of_peak_computed},
+                   {"time_reference", c.time_of_peak_reference},
+                   {"time_error", c.peak_time_error}};
+    if (c.shift) row["shift"] = {{"time", *c.shift}, {"relative", *c.relative_shift()}};
+    json["quantities"].push_back(std::move(row));
+  }
+  for (const auto& [quantity, reference, measure, found, allowed] : above)
+    json["exceeded"].push_back({{"quantity", quantity},
+                                {"reference", reference},
+                                {"measure", measure},
+                                {"found", found},
+                                {"allowed", allowed}});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string to_text(const std::vector<Exceeded>& above) {
+  std::string text;
+  for (const auto& [quantity, reference, measure, found, allowed] : above)
+    text += fmt::format("{} against {}: {} is {:.4g}, above {:g}\n", quantity, reference, measure, found, allowed);
+  return text;
+}
+
+std::string to_text(const std::vector<ComparedQuantity>& rows) {
+  std::vector<TextColumn> columns;
+  const auto add = [&](const std::string& title, bool number,
+                       const std::function<std::string(const ComparedQuantity&)>& text) {
+    columns.push_back({title, number, {}});
+    for (const auto& row : rows) columns.back().cells.push_back(text(row));
+  };
+  using Row = const ComparedQuantity&;
+  const auto shown = [](double share) { return fmt::format("{:.3f} %", 100 * share); };
+  const auto sided = [](double share) { return fmt::format("{:+.3f} %", 100 * share); };
+  add("quantity", false, [](Row row) { return row.quantity; });
+  add("reference", false, [](Row row) { return row.reference; });
+  add("samples", true, [](Row row) { return fmt::format("{}", row.comparison.samples); });
+  add("relative rms", true, [&](Row row) { return shown(row.comparison.relative_rms); });
+  add("L2", true, [&](Row row) { return shown(row.comparison.relative_l2); });
+  add("max", true, [&](Row row) { return shown(row.comparison.relative_max); });
+  add("peak", true, [](Row row) { return fmt::format("{:.6g}", row.comparison.peak_computed); });
+  add("at time", true, [](Row row) { return fmt::format("{:.5g}", row.comparison.time_of_peak_computed); });
+  add("reference peak", true, [](Row row) { return fmt::format("{:.6g}", row.comparison.peak_reference); });
+  add("at time", true, [](Row row) { return fmt::format("{:.5g}", row.comparison.time_of_peak_reference); });
+  add("peak error", true, [&](Row row) { return sided(row.comparison.peak_error); });
+  add("peak time", true, [&](Row row) { return sided(row.comparison.peak_time_error); });
+  add("shift", true, [&](Row row) {
+    const auto shift = row.comparison.relative_shift();
+    return shift ? sided(*shift) : std::string();
+  });
+  std::string text = aligned(columns);
+  for (const auto& row : rows)
+    if (const auto& c = row.comparison; c.covered < 0.999) {
+      text += fmt::format("compared from {:g} to {:g}, {:.0f} % of the range of the reference\n", c.from, c.to,
+                          100 * c.covered);
+      break;
+    }
   return text;
 }
 

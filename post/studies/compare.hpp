@@ -1,29 +1,15 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "post/figures/curve_plot.hpp"
+#include "post/studies/norms.hpp"
 
 namespace post {
-
-/// How far a computed curve is from a reference, over the range of time that both cover.
-/// A peak is the value of largest magnitude, with its sign.
-struct Comparison {
-  double relative_rms = 0;  // rms(computed - reference) / rms(reference), at the times of the reference
-  double rms_of_peak = 0;   // rms(computed - reference) / |peak_reference|
-  double peak_error = 0;    // (peak_computed - peak_reference) / peak_reference
-  double peak_computed = 0, peak_reference = 0;
-  double time_of_peak_computed = 0, time_of_peak_reference = 0;
-  std::size_t samples = 0;  // times of the reference within the common range
-};
-
-/// Compares y(t) with reference_y(reference_t); y is linear between its samples.
-/// Throws std::invalid_argument where times and values differ in number, times decrease, fewer than two times of the
-/// reference lie in the common range, or the reference is zero there.
-Comparison compare(const std::vector<double>& t, const std::vector<double>& y, const std::vector<double>& reference_t,
-                   const std::vector<double>& reference_y);
 
 /// One quantity of a run against one column of a reference.
 struct ComparedQuantity {
@@ -39,7 +25,31 @@ struct ComparedQuantity {
 /// Throws std::runtime_error where the reference has no column `t`, or run and reference have no curve in common.
 std::vector<ComparedQuantity> compare(const std::filesystem::path& results, const std::filesystem::path& reference);
 
-/// The comparisons as lines of text under a header.
+/// A measure that is above its tolerance.
+struct Exceeded {
+  std::string quantity, reference, measure;
+  double found, allowed;
+};
+
+/// By measure (see `measures`), or for all of them. NaN is above every tolerance.
+struct Tolerances {
+  std::map<std::string, double> by_measure;
+  std::optional<double> all;
+};
+
+/// "l2=0.01" and so on. Throws std::invalid_argument, saying what is wrong with a text.
+Tolerances tolerances(const std::vector<std::string>& texts, std::optional<double> all);
+
+std::vector<Exceeded> exceeded(const std::vector<ComparedQuantity>& rows, const Tolerances& tolerances);
+
+/// The comparisons, and what of them exceeds the tolerances.
+std::string to_json(const std::vector<ComparedQuantity>& rows, const std::vector<Exceeded>& above);
+
+/// What exceeds the tolerances, one line each.
+std::string to_text(const std::vector<Exceeded>& above);
+
+/// The comparisons as lines of text under a header; where the run does not cover the whole reference, a line says
+/// so.
 std::string to_text(const std::vector<ComparedQuantity>& rows);
 
 /// The computed curves over their references: one panel for each quantity, K left out where F of the same mode is

@@ -201,6 +201,37 @@ std::vector<double> numbers_of(const StudyTable& study, std::size_t axis) {
   return {numbers.begin(), numbers.end()};
 }
 
+std::size_t numbers_of_points(const StudyTable& study) {
+  std::set<std::size_t> numbers;
+  for (const auto& row : study.rows)
+    if (row.points && !row.stage_seconds.empty()) numbers.insert(*row.points);
+  return numbers.size();
+}
+
+/// Seconds over points: the whole run with its spread, and its stages.
+CurvePlot cost_plot(const StudyTable& study, const StudyTitles& titles) {
+  CurvePlot plot{titles.title, {}};
+  Panel panel{"points of the plate", "run time [s]", {}};
+  panel.t_scale = panel.y_scale = Scale::logarithmic;
+  panel.height = panel_height;
+  const auto add = [&](const std::string& name, Line line, const Number& seconds) {
+    std::set<std::pair<double, double>> samples;
+    for (const auto& row : study.rows)
+      if (const auto spent = seconds(row); row.points && is_drawn(spent) && *spent > 0)
+        samples.emplace(double(*row.points), *spent);
+    Series series{name, line, {}, panel.series.size()};
+    for (const auto& [points, spent] : samples) series.curve.t.push_back(points), series.curve.y.push_back(spent);
+    if (!series.curve.t.empty()) panel.series.push_back(std::move(series));
+  };
+  add("total", Line::marks, [](const StudyRow& row) { return row.seconds; });
+  add("shortest", Line::marks, [](const StudyRow& row) { return row.seconds_min; });
+  add("longest", Line::marks, [](const StudyRow& row) { return row.seconds_max; });
+  for (const std::string stage : {"geometry", "families", "parameters", "solve", "srif", "output"})
+    add(stage, Line::marks, [stage](const StudyRow& row) { return std::optional(row.seconds_of(stage)); });
+  if (!panel.series.empty() && numbers_of_points(study) > 1) plot.panels.push_back(std::move(panel));
+  return plot;
+}
+
 }  // namespace
 
 std::map<std::string, CurvePlot> study_plots(const StudyTable& study, const StudyTitles& titles) {
@@ -214,6 +245,7 @@ std::map<std::string, CurvePlot> study_plots(const StudyTable& study, const Stud
                                                            return row.points ? std::optional(double(*row.points))
                                                                              : std::nullopt;
                                                          }}));
+  add("cost_against_points", cost_plot(study, titles));
   std::set<std::string> quantities;
   for (const auto& place : places(study)) quantities.insert(place.first);
   for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {

@@ -15,6 +15,44 @@ namespace {
 
 using Row = std::vector<Cell>;
 
+/// All that is known of the quantities of a name.
+struct Kind {
+  const char *name, *place;
+  const char* column;  // of its history, at the last time its value; nullptr: the summary has it
+  const char *words, *si;
+};
+
+const std::vector<Kind>& kinds() {
+  constexpr auto moment = "N\u00b7\u221am", shear = "N/\u221am";  // moment or force per length times root of length
+  static const std::vector<Kind> all{{"K1", "tip", "K1", "intensity factor K1", moment},
+                                     {"K2", "tip", "K2", "intensity factor K2", moment},
+                                     {"K3", "tip", "K3", "intensity factor K3", shear},
+                                     {"F1", "tip", "F1", "normalized factor F1", ""},
+                                     {"F2", "tip", "F2", "normalized factor F2", ""},
+                                     {"F3", "tip", "F3", "normalized factor F3", ""},
+                                     {"w", "probe", "w", "deflection w", "m"},
+                                     {"theta_x", "probe", "theta_x", "rotation \u03b8x", ""},
+                                     {"theta_y", "probe", "theta_y", "rotation \u03b8y", ""},
+                                     {"strain_energy", "", "strain_energy", "strain energy", "J"},
+                                     {"kinetic_energy", "", "kinetic_energy", "kinetic energy", "J"},
+                                     {"external_work", "", "external_work", "external work", "J"},
+                                     {"max_w", "", "max_abs_w", "largest |w|", "m"},
+                                     {"K1_peak", "tip", nullptr, "peak of K1 in time", moment},
+                                     {"K2_peak", "tip", nullptr, "peak of K2 in time", moment},
+                                     {"K3_peak", "tip", nullptr, "peak of K3 in time", shear},
+                                     {"w_peak", "", nullptr, "peak of w in time", "m"},
+                                     {"frequency", "mode", nullptr, "frequency", "Hz"},
+                                     {"largest_load_factor", "", nullptr, "largest load factor", ""},
+                                     {"crack_length", "", nullptr, "length of all cracks", "m"}};
+  return all;
+}
+
+const Kind& kind(const std::string& name) {
+  static const Kind none{"", "", nullptr, "", ""};
+  const auto found = std::ranges::find_if(kinds(), [&](const Kind& known) { return name == known.name; });
+  return found == kinds().end() ? none : *found;
+}
+
 std::optional<double> finite(const Cell& cell) {
   const auto* number = std::get_if<double>(&cell);
   return number && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
@@ -61,43 +99,64 @@ std::optional<double> factor(const std::string& name, const Srif& srif) {
   return std::nullopt;
 }
 
+/// What the summary says of a quantity without history.
+std::optional<double> of_summary(const Quantity& quantity, const Summary& summary) {
+  if (quantity.name == "frequency") {
+    const auto found = std::ranges::find(summary.frequencies, quantity.mode.value_or(0), &Frequency::mode);
+    return found == summary.frequencies.end() ? std::nullopt : std::optional(found->frequency);
+  }
+  const auto& growth = summary.growth;
+  if (quantity.name == "largest_load_factor") return growth ? growth->largest_load_factor : std::nullopt;
+  if (quantity.name == "crack_length") {
+    if (!growth) return std::nullopt;
+    double sum = 0;
+    for (const double one : growth->lengths) sum += one;
+    return sum;
+  }
+  const auto end = quantity.name.find("_peak");
+  for (const auto& peak : summary.peaks)
+    if (end != std::string::npos && peak.quantity == quantity.name.substr(0, end) && peak.tip == quantity.tip)
+      return peak.value;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string Quantity::place() const {
+  if (mode) return fmt::format("mode {}", *mode);
   return tip ? fmt::format("tip {}", *tip) : probe.value_or("");
 }
 
 const std::vector<std::string>& quantity_names() {
-  static const std::vector<std::string> names{"K1", "K2", "K3",      "F1",      "F2",
-                                              "F3", "w",  "theta_x", "theta_y", "strain_energy"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> result;
+    for (const auto& known : kinds()) result.emplace_back(known.name);
+    return result;
+  }();
   return names;
 }
 
 std::string kind_of_place(const std::string& quantity) {
-  if (quantity == "strain_energy") return "";
-  return quantity.starts_with('K') || quantity.starts_with('F') ? "tip" : "probe";
+  return kind(quantity).place;
+}
+
+bool has_history(const std::string& quantity) {
+  return kind(quantity).column != nullptr;
 }
 
 std::string described(const std::string& quantity) {
-  if (quantity == "w") return "deflection w";
-  if (quantity == "theta_x") return "rotation \u03b8x";
-  if (quantity == "theta_y") return "rotation \u03b8y";
-  if (quantity == "strain_energy") return "strain energy";
-  return (quantity.starts_with('F') ? "normalized factor " : "intensity factor ") + quantity;
+  return kind(quantity).words;
 }
 
 std::string si_unit(const std::string& quantity) {
-  if (quantity == "w") return "m";
-  if (quantity == "strain_energy") return "J";
-  if (quantity == "K1" || quantity == "K2") return "N\u00b7\u221am";  // moment per length times root of length
-  if (quantity == "K3") return "N/\u221am";
-  return "";
+  return kind(quantity).si;
 }
 
 std::optional<double> value(const Quantity& quantity, const Summary& summary, const std::filesystem::path& folder) {
+  if (!has_history(quantity.name)) return of_summary(quantity, summary);
   if (!quantity.tip) {
     const Table rows = rows_of(quantity, folder);
-    return rows.rows.empty() ? std::nullopt : finite(rows.rows.back()[rows.column(quantity.name)]);
+    return rows.rows.empty() ? std::nullopt : finite(rows.rows.back()[rows.column(kind(quantity.name).column)]);
   }
   const auto* srif = srif_of(quantity, summary);
   const auto found = srif ? factor(quantity.name, *srif) : std::nullopt;
@@ -105,13 +164,15 @@ std::optional<double> value(const Quantity& quantity, const Summary& summary, co
 }
 
 std::optional<double> estimated_error(const Quantity& quantity, const Summary& summary) {
-  const auto* srif = quantity.name.starts_with('K') ? srif_of(quantity, summary) : nullptr;
+  const auto* srif =
+      quantity.name.starts_with('K') && has_history(quantity.name) ? srif_of(quantity, summary) : nullptr;
   return srif ? srif->errors.at(std::size_t(quantity.name.at(1) - '1')) : std::nullopt;
 }
 
 Curve history(const Quantity& quantity, const std::filesystem::path& folder) {
+  if (!has_history(quantity.name)) return {};
   const Table rows = rows_of(quantity, folder);
-  return rows.rows.empty() ? Curve{} : curve(rows, "time", quantity.name);
+  return rows.rows.empty() ? Curve{} : curve(rows, "time", kind(quantity.name).column);
 }
 
 std::string lack(const Quantity& quantity, const Summary& summary) {

@@ -11,13 +11,15 @@ namespace post {
 struct Summary;
 struct Table;
 
-/// A number that runs are compared by: K1, K2, K3, F1, F2, F3 of a tip, w, theta_x, theta_y at a probe, or
-/// strain_energy. Has a tip, a probe or neither, as its name asks for.
+/// A number that runs are compared by: K1, K2, K3, F1, F2, F3 of a tip, K1_peak, K2_peak, K3_peak of a motion, w,
+/// theta_x, theta_y at a probe, the frequency of a mode, or of the whole plate. Has a tip, a probe, a mode or none, as
+/// its name asks for.
 struct Quantity {
   std::string name;
   std::optional<std::size_t> tip = std::nullopt;
   std::optional<std::string> probe = std::nullopt;
-  std::string method = {};  // of K and F; empty: the first of the tip
+  std::string method = {};                         // of K and F; empty: the first of the tip
+  std::optional<std::size_t> mode = std::nullopt;  // from 1
 
   /// "tip 0", the probe's name, or "".
   std::string place() const;
@@ -27,7 +29,7 @@ struct Quantity {
 /// The names that a quantity can have.
 const std::vector<std::string>& quantity_names();
 
-/// What a quantity of this name is of: "tip", "probe", or "" for the whole plate.
+/// What a quantity of this name is of: "tip", "probe", "mode", or "" for the whole plate.
 std::string kind_of_place(const std::string& quantity);
 
 /// What an axis says of a quantity: "deflection w".
@@ -35,6 +37,9 @@ std::string described(const std::string& quantity);
 
 /// Its unit in SI; "" without dimension.
 std::string si_unit(const std::string& quantity);
+
+/// Does the quantity change with the time of a run, so that it has a history?
+bool has_history(const std::string& quantity);
 
 /// The quantity at the last time of a finished run, from its summary and the probes.csv and history.csv of its folder.
 /// Nothing where the run has no such number, or it is not finite.

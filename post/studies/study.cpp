@@ -4,79 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
 
-#include "post/figures/aligned.hpp"
 #include "post/files/summary.hpp"
 #include "post/studies/compare.hpp"
 
 namespace post {
 namespace {
-
-template <class Number>
-Cell cell(const std::optional<Number>& number) {
-  return number ? Cell(static_cast<double>(*number)) : Cell();
-}
-
-Cell cell(const std::string& word) {
-  return word.empty() ? Cell() : Cell(word);
-}
-
-template <class Number>
-std::string shown(const char* format, const std::optional<Number>& number) {
-  return number ? fmt::format(fmt::runtime(format), *number) : "";
-}
-
-/// A column that study.csv and the printed table have beside those of the axes.
-struct Column {
-  const char *name, *title;  // in study.csv; printed, or nullptr
-  std::function<Cell(const StudyRow&)> cell;
-  std::function<std::string(const StudyRow&)> text;  // nothing: the word of the cell, to the left
-};
-
-const std::vector<Column>& own_columns() {
-  using Row = const StudyRow&;
-  static const std::vector<Column> columns{
-      {"quantity", "quantity", [](Row row) { return cell(row.quantity); }, {}},
-      {"place", "place", [](Row row) { return cell(row.place); }, {}},
-      {"srif_method", "method", [](Row row) { return cell(row.method); }, {}},
-      {"computed", "computed", [](Row row) { return cell(row.computed); },
-       [](Row row) { return shown("{:.6g}", row.computed); }},
-      {"reference", "reference", [](Row row) { return cell(row.reference); },
-       [](Row row) { return shown("{:.6g}", row.reference); }},
-      {"error", "error %", [](Row row) { return cell(row.error()); },
-       [](Row row) { return row.error() ? fmt::format("{:+.3f}", 100 * *row.error()) : ""; }},
-      {"estimated_error", nullptr, [](Row row) { return cell(row.estimated_error()); }, {}},
-      {"points", "points", [](Row row) { return cell(row.points); }, [](Row row) { return shown("{}", row.points); }},
-      {"spacing", "spacing", [](Row row) { return cell(row.spacing); },
-       [](Row row) { return shown("{:.5g}", row.spacing); }},
-      {"horizon", "horizon", [](Row row) { return cell(row.horizon); },
-       [](Row row) { return shown("{:.5g}", row.horizon); }},
-      {"iterations", "iterations", [](Row row) { return cell(row.iterations); },
-       [](Row row) { return shown("{}", row.iterations); }},
-      {"seconds", "seconds", [](Row row) { return cell(row.seconds); },
-       [](Row row) { return shown("{:.2f}", row.seconds); }},
-      {"solve_seconds", "solve", [](Row row) { return cell(row.solve_seconds); },
-       [](Row row) { return shown("{:.2f}", row.solve_seconds); }},
-      {"reference_source", nullptr, [](Row row) { return cell(row.source); }, {}},
-      {"message", "", [](Row row) { return cell(row.message); }, {}}};
-  return columns;
-}
-
-/// The study's own columns, without those that an axis stands for.
-std::vector<Column> columns_beside(const std::vector<std::string>& axes) {
-  auto result = own_columns();
-  std::erase_if(result, [&](const Column& c) { return std::ranges::find(axes, c.name) != axes.end(); });
-  return result;
-}
-
-bool is_wanted_in_text(const StudyTable& study, const Column& column) {
-  if (!column.title) return false;
-  if (std::string(column.name) != "srif_method") return true;
-  return std::ranges::any_of(study.rows, [](const StudyRow& row) { return !row.method.empty(); });
-}
 
 /// Compares the history of a quantity with a curve.
 void compare_with(StudyRow& row, const KnownCurve& known, const Curve& computed) {
@@ -109,10 +46,13 @@ bool overlap(const Reference& one, const Reference& other) {
   return !apart && one.quantity == other.quantity;
 }
 
-std::vector<Wanted> wanted(const std::vector<Reference>& references, const std::vector<std::string>& axes,
-                           const std::vector<std::string>& labels,
+std::vector<Wanted> wanted(const std::vector<Quantity>& listed, const std::vector<Reference>& references,
+                           const std::vector<std::string>& axes, const std::vector<std::string>& labels,
                            const std::function<bool(std::size_t reference, bool matches)>& has) {
   std::vector<Wanted> result;
+  for (const auto& quantity : listed)
+    if (std::ranges::find(result, quantity, &Wanted::quantity) == result.end())
+      result.push_back({quantity, std::nullopt});
   for (std::size_t i = 0; i < references.size(); ++i) {
     const auto& quantity = references[i].quantity;
     const bool matched = matches(references[i], axes, labels);
@@ -157,7 +97,8 @@ std::string folder_name(const std::vector<std::string>& labels, const std::set<s
   std::string name = plain_name(fmt::format("{}", fmt::join(labels, "_")));
   if (name.empty()) name = "run";
   const auto is_file = [](const std::string& text) {
-    return text.ends_with(".csv") || text.ends_with(".svg") || text.ends_with(".html") || text.ends_with(".partial");
+    return std::ranges::any_of(std::array{".csv", ".svg", ".json", ".html", ".partial"},
+                               [&](const char* end) { return text.ends_with(end); });
   };
   std::string free = name;
   for (int count = 2; taken.contains(free) || is_file(free); ++count) free = fmt::format("{}-{}", name, count);
@@ -171,15 +112,23 @@ std::optional<double> StudyRow::error() const {
 }
 
 std::optional<double> StudyRow::estimated_error() const {
-  const auto unit = scale ? scale : reference;
+  const auto unit = scale ? scale : reference ? reference : against_finest ? std::nullopt : computed;
   if (rms_error || !estimated || !unit || *unit == 0) return std::nullopt;
   return *estimated / std::abs(*unit);
+}
+
+double StudyRow::seconds_of(const std::string& stage) const {
+  for (const auto& [name, spent] : stage_seconds)
+    if (name == stage) return spent;
+  return 0;
 }
 
 std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>& wanted, const Summary& summary,
                                  const std::filesystem::path& folder) {
   StudyRow common = run;
   common.points = summary.points;
+  common.stage_seconds = summary.seconds;
+  common.outcome = "done";
   common.iterations = summary.analysis.iterations ? summary.analysis.iterations : summary.analysis.steps;
   for (const auto& [stage, spent] : summary.seconds) {
     if (stage == "total") common.seconds = spent;
@@ -202,61 +151,6 @@ std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>&
     if (const auto* known = std::get_if<KnownCurve>(&*reference)) compare_with(row, *known, history(quantity, folder));
   }
   return rows.empty() ? std::vector{common} : rows;
-}
-
-const std::vector<std::string>& study_columns() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
-    for (const auto& column : own_columns()) result.emplace_back(column.name);
-    return result;
-  }();
-  return names;
-}
-
-Table table(const StudyTable& study) {
-  const auto own = columns_beside(study.axes);
-  Table result{study.axes, {}};
-  for (const auto& column : own) result.columns.emplace_back(column.name);
-  for (const auto& row : study.rows) {
-    std::vector<Cell> cells(row.labels.begin(), row.labels.end());
-    for (const auto& column : own) cells.push_back(column.cell(row));
-    result.rows.push_back(std::move(cells));
-  }
-  return result;
-}
-
-std::string to_text(const StudyRow& row) {
-  std::vector<std::string> parts;
-  if (row.computed)
-    parts.push_back(fmt::format("{}{}{} = {:.6g}", row.quantity, row.place.empty() ? "" : " at " + row.place,
-                                row.method.empty() ? "" : " by " + row.method, *row.computed));
-  if (const auto error = row.error()) parts.push_back(fmt::format("error {:+.3f} %", 100 * *error));
-  if (row.points) parts.push_back(fmt::format("{} points", *row.points));
-  if (row.iterations) parts.push_back(fmt::format("{} iterations", *row.iterations));
-  if (row.seconds) parts.push_back(fmt::format("{:.1f} s", *row.seconds));
-  if (!row.message.empty()) parts.push_back(one_line(row.message));
-  return fmt::format("{}{}{}", fmt::join(row.labels, ", "), row.labels.empty() ? "" : ": ", fmt::join(parts, ", "));
-}
-
-std::string to_text(const StudyTable& study) {
-  std::vector<TextColumn> columns;
-  const auto add = [&](const std::string& title, bool number, const std::function<std::string(const StudyRow&)>& text) {
-    columns.push_back({title, number, {}});
-    for (const auto& row : study.rows) columns.back().cells.push_back(text(row));
-  };
-  for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
-    add(study.axes[axis], false, [axis](const StudyRow& row) { return row.labels.at(axis); });
-  for (const auto& column : columns_beside(study.axes)) {
-    if (!is_wanted_in_text(study, column)) continue;
-    if (column.text)
-      add(column.title, true, column.text);
-    else
-      add(column.title, false, [&](const StudyRow& row) {
-        const Cell found = column.cell(row);
-        return one_line(std::holds_alternative<std::string>(found) ? std::get<std::string>(found) : "");
-      });
-  }
-  return aligned(columns);
 }
 
 }  // namespace post

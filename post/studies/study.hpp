@@ -48,10 +48,11 @@ struct Wanted {
   std::optional<double> scale = std::nullopt;  // of the reference
 };
 
-/// What is compared in the run with these labels: the distinct quantities of all references, in their order, as far as
-/// the run has them. `has` says whether it has the quantity of a reference, which `matches` the run or does not.
-std::vector<Wanted> wanted(const std::vector<Reference>& references, const std::vector<std::string>& axes,
-                           const std::vector<std::string>& labels,
+/// What is asked of the run with these labels: the listed quantities, which it has, then the distinct others of all
+/// references, in their order, as far as the run has them. `has` says whether it has the quantity of a reference, which
+/// `matches` the run or does not.
+std::vector<Wanted> wanted(const std::vector<Quantity>& listed, const std::vector<Reference>& references,
+                           const std::vector<std::string>& axes, const std::vector<std::string>& labels,
                            const std::function<bool(std::size_t reference, bool matches)>& has);
 
 /// One point of every axis, as indices, in the order of the runs: the first axis outermost.
@@ -75,12 +76,16 @@ struct StudyRow {
   std::string source;                             // of the reference
   std::optional<std::size_t> points, iterations;  // iterations, or steps of a dynamic run
   std::optional<double> spacing, horizon;         // [length]
-  std::optional<double> seconds, solve_seconds;   // of the run in total, and of its solution
+  std::optional<double> seconds, solve_seconds;   // of the run in total, and of its solution; medians of repetitions
+  std::optional<double> seconds_min = {}, seconds_max = {};        // of a run that was repeated
+  std::vector<std::pair<std::string, double>> stage_seconds = {};  // by the stages of summary.json
+  std::string outcome = {};                                        // done, refused, failed, killed
   std::string message = {};
 
+  double seconds_of(const std::string& stage) const;  // 0 where the run has no such stage
   /// rms_error, or else (computed - reference) / scale, or / reference, where these are known and not zero.
   std::optional<double> error() const;
-  /// `estimated` relative to the same.
+  /// `estimated` relative to the same, or, without a reference, to `computed`.
   std::optional<double> estimated_error() const;
 };
 
@@ -101,6 +106,9 @@ const std::vector<std::string>& study_columns();
 
 /// The rows of study.csv.
 Table table(const StudyTable& study);
+
+/// The seconds of all runs by stage, with their spread, as an aligned table.
+std::string costs_text(const StudyTable& study);
 
 /// "pressure, 0.1: F1 at tip 0 = 0.3627, error +0.01 %, 62500 points, 731 iterations, 9.8 s", or with the message.
 std::string to_text(const StudyRow& row);

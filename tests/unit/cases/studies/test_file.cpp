@@ -1,3 +1,4 @@
+#include "post/studies/orders.hpp"
 #include "tests/unit/cases/studies.hpp"
 
 using namespace studies;
@@ -157,4 +158,57 @@ TEST_CASE("a history is compared with a curve") {
   }
   REQUIRE(row.error());
   CHECK(*row.error() == Approx(std::sqrt(squares) / 2).epsilon(1e-6));
+}
+
+TEST_CASE("quantities are listed for every run without a reference, with their estimated errors") {
+  const Studies studies;
+  const std::string lengths = "[[axis]]\nname = \"half\"\nkey = \"section.young\"\nvalues = [500, 1000]\n";
+  const auto study = studies.read("case = \"b.toml\"\nrepeats = 2\n" + fast + lengths +
+                                  "[[quantities]]\nquantity = \"K1\"\ntip = 1\n[[quantities]]\nquantity = \"max_w\"\n"
+                                  "[[quantities]]\nquantity = \"w\"\nprobe = \"far\"\n");
+  const auto outcome = cases::run_study(study, {studies.out(), true});
+  const auto& rows = outcome.table.rows;
+  REQUIRE(rows.size() == 6);
+  for (const auto& row : rows) {
+    CHECK(row.outcome == "done");
+    CHECK(row.computed.has_value());
+    CHECK_FALSE(row.error());
+    CHECK(*row.seconds_min <= *row.seconds);
+    CHECK(*row.seconds <= *row.seconds_max);
+    double stages = 0;
+    for (const auto& [stage, spent] : row.stage_seconds) stages += stage == "total" ? 0 : spent;
+    CHECK(stages > 0);
+  }
+  CHECK(*rows[1].computed == Approx(2 * *rows[4].computed));  // half as stiff
+  CHECK(std::filesystem::exists(studies.out() / "K1_against_half.svg"));
+  CHECK(std::filesystem::exists(studies.out() / "study.json"));
+  CHECK(post::orders(outcome.table).empty());
+}
+
+TEST_CASE("a study goes on where it was ended: what is done is taken, all else is run") {
+  const Studies studies;
+  const auto read = [&](const std::string& good) {
+    return studies.read("case = \"b.toml\"\n" + fast +
+                        axis("kind", {"label = \"early\"\nset = [\"analysis.max_iterations=3\"]",
+                                      "label = \"good\"\nset = [\"section.young=" + good + "\"]"}) +
+                        reference("quantity = \"strain_energy\"\nvalue = 4"));
+  };
+  const auto first = cases::run_study(read("1000"), {studies.out(), true});
+  CHECK(first.failed_numbers == 1);
+  const auto file = studies.out() / "good" / "summary.json";
+  const auto written = std::filesystem::last_write_time(file);
+  const auto second = cases::run_study(read("1000"), {studies.out(), true});
+  CHECK(second.failed_numbers == 1);  // run again, and failed again
+  CHECK(std::filesystem::last_write_time(file) == written);
+  CHECK(second.table.rows[1].computed == first.table.rows[1].computed);
+  CHECK(second.table.rows[1].seconds == first.table.rows[1].seconds);
+  const auto other = cases::run_study(read("500"), {studies.out(), true});  // other settings
+  CHECK(std::filesystem::last_write_time(file) != written);
+  CHECK(*other.table.rows[1].computed == Approx(2 * *first.table.rows[1].computed));
+  const auto third = std::filesystem::last_write_time(file);
+  cases::run_study(read("500"), {studies.out(), true, true});
+  CHECK(std::filesystem::last_write_time(file) != third);
+  std::filesystem::remove(file);  // as where a run was killed
+  cases::run_study(read("500"), {studies.out(), true});
+  CHECK(std::filesystem::exists(file));
 }

@@ -1,71 +1,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
+#include <nlohmann/json.hpp>
 
 #include "post/files/table.hpp"
 #include "post/studies/compare.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using post::compare, post::Table, small_run::TemporaryFolder;
-
-namespace {
-
-std::vector<double> times(double from, double to, std::size_t count) {
-  std::vector<double> t(count);
-  for (std::size_t i = 0; i < count; ++i)
-    t[i] = from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
-  return t;
-}
-
-std::vector<double> sine(const std::vector<double>& t, double amplitude, double shift) {
-  std::vector<double> y;
-  for (const double instant : t) y.push_back(amplitude * std::sin(instant - shift));
-  return y;
-}
-
-constexpr double period = 2 * std::numbers::pi;
-
-}  // namespace
-
-TEST_CASE("a shifted sine differs by 2 sin(shift / 2)") {
-  constexpr double shift = 0.1;
-  const auto t = times(0, period, 4001), reference_t = times(0, period * 2999 / 3000, 3000);  // one whole period
-  const auto result = compare(t, sine(t, -1, shift), reference_t, sine(reference_t, -1, 0));
-  CHECK(result.samples == 3000);
-  // measured 9e-8, from the linear interpolation between samples
-  CHECK(result.relative_rms == Approx(2 * std::sin(shift / 2)).epsilon(1e-6));
-  CHECK(result.peak_error == Approx(0).margin(1e-6));
-}
-
-TEST_CASE("a scaled curve has the same relative error everywhere") {
-  const auto t = times(0, 3, 301);
-  const auto result = compare(t, sine(t, -1.05, 0), t, sine(t, -1, 0));
-  CHECK(result.relative_rms == Approx(0.05));
-  CHECK(result.peak_error == Approx(0.05));
-  double squares = 0;  // of the differences
-  for (const double instant : t) squares += std::pow(0.05 * std::sin(instant), 2);
-  CHECK(result.rms_of_peak == Approx(std::sqrt(squares / 301) / std::sin(1.57)));
-  CHECK(result.peak_computed == Approx(-1.05).epsilon(1e-4));
-  CHECK(result.peak_reference == Approx(-1).epsilon(1e-4));
-  CHECK(result.time_of_peak_computed == Approx(period / 4).margin(0.01));
-  CHECK(result.time_of_peak_reference == result.time_of_peak_computed);
-}
-
-TEST_CASE("only the common range counts") {
-  const auto result = compare({1, 2, 3}, {1, 2, 3}, {0, 1.5, 2.5, 9}, {100, 1.5, 2.5, 100});
-  CHECK(result.samples == 2);
-  CHECK(result.relative_rms == Approx(0).margin(1e-15));
-  CHECK(result.peak_reference == 2.5);
-  CHECK(result.peak_computed == 3);
-}
-
-TEST_CASE("curves that cannot be compared are refused") {
-  CHECK_THROWS_WITH(compare({0, 1}, {0}, {0, 1}, {0, 1}), "computed: 2 times, 1 values");
-  CHECK_THROWS_WITH(compare({0, 1}, {0, 1}, {}, {}), "reference: no samples");
-  CHECK_THROWS_WITH(compare({1, 0}, {0, 1}, {0, 1}, {0, 1}), "computed: time goes back");
-  CHECK_THROWS_WITH(compare({0, 1}, {0, 1}, {1, 2}, {0, 1}), "1 samples in common");
-  CHECK_THROWS_WITH(compare({0, 1}, {0, 1}, {0, 1}, {0, 0}), "the reference is zero where the curves overlap");
-}
 
 namespace {
 
@@ -109,6 +50,38 @@ TEST_CASE("a results folder is compared in every quantity that the reference kno
   const std::string text = post::to_text(rows);
   CHECK(std::count(text.begin(), text.end(), '\n') == 6);
   CHECK_THAT(text, Catch::Contains("F1_paper_LS") && Catch::Contains("10.000 %"));
+}
+
+TEST_CASE("tolerances are held against every quantity, by measure or all") {
+  const TemporaryFolder folder;
+  write_results(folder);
+  Table reference{{"t", "w", "theta_x"}, {}};
+  for (const double t : {0.0, 0.5, 1.5, 2.0}) reference.rows.push_back({t, t, t});
+  reference.rows.push_back({post::Cell(), 1.0, NAN});  // a row that is not whole counts for nothing
+  post::write_csv(folder / "reference.csv", reference);
+  const auto rows = compare(folder.path(), folder / "reference.csv");
+  REQUIRE(rows.size() == 2);  // w is 1.1 t, theta_x 0
+  CHECK(post::exceeded(rows, {}).empty());
+  CHECK(post::exceeded({rows[0]}, post::tolerances({"l2=0.11"}, std::nullopt)).empty());
+  const auto above = post::exceeded(rows, post::tolerances({"peak=0.2"}, 0.05));
+  std::vector<std::string> names;
+  for (const auto& one : above) names.push_back(one.quantity + " " + one.measure);
+  CHECK(names ==
+        std::vector<std::string>{"w l2", "w max", "theta_x l2", "theta_x max", "theta_x peak", "theta_x peak_time"});
+  CHECK(above[0].found == Approx(0.1));
+  CHECK(above[0].allowed == 0.05);
+  CHECK_THAT(post::to_text(above), Catch::StartsWith("w against w: l2 is 0.1, above 0.05\n"));
+  const auto json = nlohmann::json::parse(post::to_json(rows, above));
+  CHECK(json["within"] == false);
+  CHECK(json["quantities"][0]["l2"].get<double>() == Approx(0.1));
+  CHECK(json["quantities"][0]["peak"]["computed"].get<double>() == Approx(2.2));
+  CHECK(json["exceeded"].size() == 6);
+}
+
+TEST_CASE("tolerances that say nothing are refused") {
+  for (const std::string wrong : {"l3=0.1", "l2", "l2=", "l2=-1", "l2=nan", "l2=1x", "=1"})
+    CHECK_THROWS_AS(post::tolerances({wrong}, std::nullopt), std::invalid_argument);
+  CHECK_THROWS_WITH(post::tolerances({"shft=1"}, std::nullopt), Catch::Contains("did you mean 'shift'?"));
 }
 
 TEST_CASE("a reference without curves is refused") {

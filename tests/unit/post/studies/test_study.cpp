@@ -59,7 +59,7 @@ TEST_CASE("a run wants each quantity once, with the reference that matches") {
                                                 {{"K2", 1}, {}, 3.0},
                                                 {{"w", {}, "c"}, {{"load", "bending"}}, 4.0}};
   const auto has = [&](std::size_t i, bool) { return references[i].quantity.name != "K2"; };
-  const auto found = post::wanted(references, axes, {"pressure", "0.1"}, has);
+  const auto found = post::wanted({}, references, axes, {"pressure", "0.1"}, has);
   REQUIRE(found.size() == 2);
   CHECK(found[0].quantity.name == "F1");
   REQUIRE(found[0].reference);

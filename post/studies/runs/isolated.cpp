@@ -1,0 +1,88 @@
+#include "post/studies/runs/isolated.hpp"
+
+#include <omp.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+
+namespace post {
+namespace {
+
+Ended caught(const std::function<Ended()>& work) {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    return {"broken", error.what()};
+  }
+}
+
+void write_all(int to, const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const auto count = ::write(to, text.data() + done, text.size() - done);
+    if (count < 0 && errno != EINTR) return;
+    if (count > 0) done += std::size_t(count);
+  }
+}
+
+std::string read_all(int from) {
+  std::string text;
+  char part[4096];
+  for (;;) {
+    const auto count = ::read(from, part, sizeof part);
+    if (count == 0 || (count < 0 && errno != EINTR)) return text;
+    if (count > 0) text.append(part, std::size_t(count));
+  }
+}
+
+/// The work of the new process. Its first thread is a copy of one that may have led a team which is not here any more:
+/// OpenMP would wait for that, so that another thread leads.
+[[noreturn]] void work_in_child(const std::function<Ended()>& work, int to, int threads, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it has ended before
+  Ended ended;
+  std::thread([&] {
+    omp_set_num_threads(threads);
+    ended = caught(work);
+  }).join();
+  write_all(to, ended.outcome + "\n" + ended.message);
+  std::fflush(nullptr);
+  _exit(0);
+}
+
+}  // namespace
+
+Ended isolated(const std::function<Ended()>& work) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error(std::string("no pipe: ") + strerror(errno));
+  std::fflush(nullptr);  // or both processes would write what waits
+  const int threads = omp_get_max_threads();
+  const pid_t parent = getpid(), child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    work_in_child(work, ends[1], threads, parent);
+  }
+  close(ends[1]);
+  if (child < 0) {
+    close(ends[0]);
+    throw std::runtime_error(std::string("no process: ") + strerror(errno));
+  }
+  const auto said = read_all(ends[0]);
+  close(ends[0]);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (WIFSIGNALED(status))
+    return {"killed", std::string("the run was ended by signal ") + std::to_string(WTERMSIG(status)) + " (" +
+                          strsignal(WTERMSIG(status)) + ")"};
+  const auto line = said.find('\n');
+  if (line == std::string::npos) return {"killed", "the run ended with code " + std::to_string(WEXITSTATUS(status))};
+  return {said.substr(0, line), said.substr(line + 1)};
+}
+
+}  // namespace post
