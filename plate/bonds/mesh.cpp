@@ -1,6 +1,7 @@
 #include "plate/bonds/mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include "geometry/cells/drawn_cells.hpp"
 #include "plate/formulation/interpolation.hpp"
@@ -8,22 +9,23 @@
 namespace plate {
 namespace {
 
-/// Weights of the points that a corner sees. Points nearly on one line extend no linear field across it: then the mean.
+/// Weights of the points that a corner sees. Points on one line, or nearly, extend no linear field across it: then the
+/// mean.
 Mesh::Corner corner(const geometry::DrawnCells::Corner& from, const Boundary& boundary) {
   constexpr double largest = 3;  // weight; beside a straight edge 1.5
   const geometry::Point at = boundary.cloud.units.to_units(from.position);
   std::vector<std::pair<std::uint32_t, geometry::Point>> near;
   for (const auto k : from.seen) near.emplace_back(k, boundary.lattice[k]);
   Mesh::Corner result{from.position, {}};
-  double sum = 0;
+  double sum = 0, linear = 0;
   for (const auto& share : interpolation(near, at)) {
     const double mean = 1 / ((boundary.lattice[share.point] - at).squaredNorm() + 1e-6);
     result.sources.push_back({share.point, share.weight, mean});
-    sum += mean;
+    sum += mean, linear += share.weight;
   }
   for (auto& source : result.sources) source.mean /= sum;
   const auto is_large = [](const Mesh::Source& source) { return std::abs(source.linear) > largest; };
-  if (std::ranges::any_of(result.sources, is_large))
+  if (std::abs(linear - 1) > 1e-6 || std::ranges::any_of(result.sources, is_large))
     for (auto& source : result.sources) source.linear = source.mean;
   return result;
 }
