@@ -42,7 +42,7 @@ private:
   std::unique_ptr<fracture::GrowingPlate> tips_;
   std::unique_ptr<fracture::QuasiStaticBonds> bonds_;
   fracture::QuasiStaticModel* model_ = nullptr;
-  std::optional<post::Recorder> recorder_;  // once nothing can be refused any more
+  std::optional<post::Recorder> recorder_;       // once nothing can be refused any more
   std::optional<std::filesystem::path> report_;  // its folder, where one is wanted
   post::Pictures pictures_;                      // for it
   post::ReactionRows reactions_;

@@ -12,5 +12,5 @@ StoredRun read_state_file(const std::filesystem::path& path);
 
 }  // namespace post
 
-extern "C" [[gnu::visibility("default")]] const post::Files pdplate_files{
-    post::vtu, post::vtp, post::read_vtu, post::open_state_file, post::read_state_file};
+extern "C" [[gnu::visibility("default")]] const post::Files pdplate_files{post::vtu, post::vtp, post::read_vtu,
+                                                                          post::open_state_file, post::read_state_file};

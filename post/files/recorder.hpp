@@ -68,7 +68,6 @@ public:
   Summary finish(Summary summary, plate::Stopwatch& stopwatch);
 
   const Table& history() const { return history_; }
-  const std::filesystem::path& folder() const { return options_.folder; }
 
 private:
   std::unique_ptr<Sink> sink_;

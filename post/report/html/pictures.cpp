@@ -80,8 +80,8 @@ Pictures::Picture Pictures::picture(const Frame& frame) const {
   Picture result{frames_, frame.time, raster_->columns(), raster_->rows(), raster_->pitch(), raster_->corner(), {}};
   constexpr auto linear = &Mesh::Source::linear, mean = &Mesh::Source::mean;
   const auto add = [&](const char* name, const Eigen::RowVectorXd& values, CornerWeight weight) {
-    result.fields.push_back({name, raster_->pixels(at_vertices(mesh_, values, weight).reshaped()), values.minCoeff(),
-                             values.maxCoeff()});
+    result.fields.push_back(
+        {name, raster_->pixels(at_vertices(mesh_, values, weight).reshaped()), values.minCoeff(), values.maxCoeff()});
   };
   add("w", frame.state.row(0), linear);
   const auto& [moments, shear, von_mises] = frame.resultants;
@@ -91,7 +91,8 @@ Pictures::Picture Pictures::picture(const Frame& frame) const {
     add("Myy", moments.row(1), mean);
     add("Mxy", moments.row(2), mean);
   }
-  if (std::ranges::any_of(frame.damage, [](double damage) { return damage > 0; })) add("damage", Eigen::Map<const Eigen::RowVectorXd>(frame.damage.data(), Eigen::Index(frame.damage.size())), mean);
+  if (std::ranges::any_of(frame.damage, [](double damage) { return damage > 0; }))
+    add("damage", Eigen::Map<const Eigen::RowVectorXd>(frame.damage.data(), Eigen::Index(frame.damage.size())), mean);
   return result;
 }
 

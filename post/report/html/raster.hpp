@@ -18,8 +18,8 @@ public:
   double pitch() const { return pitch_; }                 // [length]
   const geometry::Point& corner() const { return low_; }  // lower left, of the first pixel [length]
 
-  /// Values of the vertices of the mesh, an array or one row of a matrix, as values of pixels, row by row from below; not a number where
-  /// there is no plate.
+  /// Values of the vertices of the mesh, an array or one row of a matrix, as values of pixels, row by row from below;
+  /// not a number where there is no plate.
   template <typename Values>
   std::vector<float> pixels(const Values& values) const {
     std::vector<float> result;
