@@ -3,7 +3,7 @@
 #include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/recorder.hpp"
-#include "post/report/extremes.hpp"
+#include "post/report/conclusion.hpp"
 #include "post/report/html/pictures.hpp"
 #include "post/report/reactions.hpp"
 

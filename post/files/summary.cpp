@@ -97,8 +97,8 @@ Json json_of(const ReactionSummary& reactions, bool rows) {
   Json json;
   if (rows) json["time"] = reactions.time;
   json["supports"] = Json::array();
-  for (std::size_t i = 0; i < reactions.holders.size(); ++i) {
-    const auto& [name, kind, position] = reactions.holders[i];
+  for (std::size_t i = 0; i < reactions.supports.size(); ++i) {
+    const auto& [name, position] = reactions.supports[i];
     Json one{{"support", name}};
     if (position) one["x"] = position->x(), one["y"] = position->y();
     one.update(json_of(reactions.balance.supports[i]));
@@ -180,6 +180,17 @@ Json json_of(const AccuracySummary& accuracy) {
 }
 
 }  // namespace
+
+Wrench& Wrench::operator+=(const Wrench& other) {
+  force += other.force, moment_x += other.moment_x, moment_y += other.moment_y;
+  return *this;
+}
+
+Wrench Balance::sum() const {
+  Wrench result;
+  for (const auto& one : supports) result += one;
+  return result;
+}
 
 void describe(Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
               double tolerance) {

@@ -6,7 +6,6 @@
 
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
-#include "post/report/extremes.hpp"
 #include "post/report/peaks.hpp"
 #include "post/report/reactions.hpp"
 

@@ -1,10 +1,12 @@
-#include "post/report/extremes.hpp"
+#include "post/report/conclusion.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/resultants.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 
 namespace post {

@@ -129,16 +129,16 @@ void faces(Text out, const Summary& summary, bool si) {
 
 void reactions(Text out, const ReactionSummary& reactions, bool si) {
   constexpr std::size_t most = 12;
-  const auto& [holders, time, balance, largest_residual, largest] = reactions;
+  const auto& [supports, time, balance, largest_residual, largest] = reactions;
   double size = std::abs(balance.loads.force);
   for (const auto& one : balance.supports) size = std::max(size, std::abs(one.force));
   const auto force = [&](const Wrench& wrench) {
     return std::abs(wrench.force) < nothing * size ? "0" : fmt::format("{:.5g}", wrench.force);
   };
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < std::min(most, holders.size()); ++i)
-    texts.push_back(fmt::format("{} {}", holders[i].name, force(balance.supports[i])));
-  if (holders.size() > most) texts.push_back(fmt::format("... ({} in all)", holders.size()));
+  for (std::size_t i = 0; i < std::min(most, supports.size()); ++i)
+    texts.push_back(fmt::format("{} {}", supports[i].name, force(balance.supports[i])));
+  if (supports.size() > most) texts.push_back(fmt::format("... ({} in all)", supports.size()));
   fmt::format_to(out, "reactions along w{}: {}; loads {}{}; balanced to {:.1e}\n", si ? " [N]" : "",
                  fmt::join(texts, ", "), force(balance.loads),
                  balance.inertia ? fmt::format(", inertia {}", force(*balance.inertia)) : "", balance.residual);

@@ -1,14 +1,14 @@
 #include "post/report/reactions.hpp"
 
 #include <algorithm>
-#include <memory>
+#include <functional>
 
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/model/history.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "post/files/summary.hpp"
+#include "post/balance/supports.hpp"
 
 namespace post {
 namespace {
@@ -17,6 +17,12 @@ Eigen::VectorXd on_held(const plate::Formulation& plate, const plate::Operator& 
   plate::Forces internal;
   forces.internal_force(state, internal);
   return plate.constraints().on_held(internal);
+}
+
+std::vector<ReactionSummary::Support> supports_of(const plate::Formulation& plate) {
+  std::vector<ReactionSummary::Support> result;
+  for (const auto& [name, kind, position] : plate.boundary().holders) result.push_back({name, position});
+  return result;
 }
 
 /// Mass times acceleration of every degree of freedom, held or not.
@@ -32,29 +38,36 @@ std::function<plate::Forces(const plate::State&)> inertial_force(const plate::Fo
 
 }  // namespace
 
+struct ReactionRows::Moving {
+  Supports supports;
+  std::vector<Applied> loads;
+  std::function<plate::Forces(const plate::State&)> inertial_force;
+
+  Moving(const plate::Formulation& plate, double rotary, bool mass_of_cells)
+      : supports(plate.boundary()), inertial_force(post::inertial_force(plate, rotary, mass_of_cells)) {
+    for (const auto& load : plate.loads()) loads.push_back(supports.applied(load.forces));
+  }
+};
+
 ReactionRows::ReactionRows(const plate::Formulation& plate, double rotary, bool mass_of_cells)
-    : holders_(plate.boundary().holders), plate_(&plate), rotary_(rotary), mass_of_cells_(mass_of_cells) {}
+    : supports_(supports_of(plate)), plate_(&plate), rotary_(rotary), mass_of_cells_(mass_of_cells) {}
 
 void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces) {
-  if (holders_.empty()) return;
+  if (supports_.empty()) return;
   if (!now.acceleration) return add(now.time, *plate_, forces, now.state, 1);
-  if (!supports_) {
-    supports_.emplace(plate_->boundary());
-    for (const auto& load : plate_->loads()) loads_.push_back(supports_->applied(load.forces));
-    inertial_force_ = inertial_force(*plate_, rotary_, mass_of_cells_);
-  }
-  auto loads = supports_->nothing();
-  for (std::size_t i = 0; i < loads_.size(); ++i)
-    loads.add(plate::factor(plate_->loads()[i].history, now.time), loads_[i]);
-  const auto inertia = supports_->applied(inertial_force_(now.acceleration()));
+  if (!moving_) moving_ = std::make_shared<const Moving>(*plate_, rotary_, mass_of_cells_);
+  const auto& [supports, each, inertial_force] = *moving_;
+  auto loads = supports.nothing();
+  for (std::size_t i = 0; i < each.size(); ++i) loads.add(plate::factor(plate_->loads()[i].history, now.time), each[i]);
+  const auto inertia = supports.applied(inertial_force(now.acceleration()));
   const auto internal = now.held_force ? *now.held_force : on_held(*plate_, forces, now.state);
-  balances_.emplace_back(now.time, supports_->balance(internal, loads, &inertia));
+  balances_.emplace_back(now.time, supports.balance(internal, loads, &inertia));
 }
 
 void ReactionRows::add(double time, const plate::Formulation& plate, const plate::Operator& forces,
                        const plate::State& state, double share) {
-  holders_ = plate.boundary().holders;
-  if (holders_.empty()) return;
+  supports_ = supports_of(plate);
+  if (supports_.empty()) return;
   const Supports supports(plate.boundary());
   auto loads = supports.nothing();
   loads.add(share, supports.applied(plate.total_load()));
@@ -68,7 +81,8 @@ Table ReactionRows::table() const {
       table.rows.push_back({t, name, x ? Cell(x->x()) : Cell(), x ? Cell(x->y()) : Cell(), w.force, w.moment_x,
                             w.moment_y, balance.residual});
     };
-    for (std::size_t i = 0; i < holders_.size(); ++i) row(holders_[i].name, holders_[i].position, balance.supports[i]);
+    for (std::size_t i = 0; i < supports_.size(); ++i)
+      row(supports_[i].name, supports_[i].position, balance.supports[i]);
     row("loads", std::nullopt, balance.loads);
     if (balance.inertia) row("inertia", std::nullopt, *balance.inertia);
   }
@@ -77,8 +91,8 @@ Table ReactionRows::table() const {
 
 std::optional<ReactionSummary> ReactionRows::summary() const {
   if (balances_.empty()) return std::nullopt;
-  ReactionSummary result{holders_, balances_.back().first, balances_.back().second, 0, {}};
-  for (std::size_t i = 0; i < holders_.size(); ++i) {
+  ReactionSummary result{supports_, balances_.back().first, balances_.back().second, 0, {}};
+  for (std::size_t i = 0; i < supports_.size(); ++i) {
     const auto size = [&](const auto& row) { return std::abs(row.second.supports[i].force); };
     const auto& most = *std::ranges::max_element(balances_, {}, size);
     result.largest.push_back({most.first, most.second.supports[i].force});

@@ -1,8 +1,9 @@
 #pragma once
-#include <functional>
+#include <memory>
 #include <optional>
 
-#include "post/balance/balance.hpp"
+#include "plate/model/state.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
 namespace plate {
@@ -12,8 +13,6 @@ struct Instant;
 }  // namespace plate
 
 namespace post {
-
-struct ReactionSummary;
 
 /// The reactions of a run, row by row: what edges and pins do to the plate. No rows of a plate that nothing holds.
 class ReactionRows {
@@ -37,15 +36,16 @@ public:
   std::optional<ReactionSummary> summary() const;
 
 private:
-  std::vector<plate::Holder> holders_;
+  /// One plate as it moves.
+  struct Moving;
+
+  std::vector<ReactionSummary::Support> supports_;
   std::vector<std::pair<double, Balance>> balances_;
   // of one plate:
   const plate::Formulation* plate_ = nullptr;
   double rotary_ = 1;
   bool mass_of_cells_ = false;
-  std::optional<Supports> supports_;
-  std::vector<Applied> loads_;
-  std::function<plate::Forces(const plate::State&)> inertial_force_;  // where it moves
+  std::shared_ptr<const Moving> moving_;  // once it does
 };
 
 }  // namespace post

@@ -1,10 +1,11 @@
 // Where deflection and stress of a run are largest.
-#include "post/report/extremes.hpp"
+#include "post/report/conclusion.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "cases/driver/discretised.hpp"
 #include "cases/driver/static_solution.hpp"
+#include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/resultants.hpp"
 #include "plate/solve/motion/dynamics.hpp"

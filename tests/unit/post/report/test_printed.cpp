@@ -101,12 +101,8 @@ TEST_CASE(
   for (std::size_t i = 0; i < 3; ++i) content.faces[i] = post::at_faces(content.srif[i], section, 4000.0);
   CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains("0.532") && Catch::Contains("of toughness"));
 
-  content.reactions =
-      post::ReactionSummary{{{"left", plate::SupportKind::clamped, {}}, {"pin0", {}, geometry::Point(1, 2)}},
-                            0,
-                            {{{-3, 0, 0}, {1e-12, 0, 0}}, {3, 0, 0}, {}, 2e-9},
-                            2e-9,
-                            {}};
+  content.reactions = post::ReactionSummary{
+      {{"left", {}}, {"pin0", geometry::Point(1, 2)}}, 0, {{{-3, 0, 0}, {1e-12, 0, 0}}, {3, 0, 0}, {}, 2e-9}, 2e-9, {}};
   CHECK_THAT(post::printed(content, true, 0.1, "there"),
              Catch::Contains("reactions along w [N]: left -3, pin0 0; loads 3; balanced to 2.0e-09"));
   content.deflection_over_thickness = 0.4;

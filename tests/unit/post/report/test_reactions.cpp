@@ -29,8 +29,8 @@ post::ReactionSummary reactions_of(std::vector<std::string> settings, const std:
 }
 
 const post::Wrench& by(const post::ReactionSummary& reactions, const std::string& name) {
-  for (std::size_t i = 0; i < reactions.holders.size(); ++i)
-    if (reactions.holders[i].name == name) return reactions.balance.supports[i];
+  for (std::size_t i = 0; i < reactions.supports.size(); ++i)
+    if (reactions.supports[i].name == name) return reactions.balance.supports[i];
   throw std::out_of_range(name);
 }
 
@@ -52,11 +52,11 @@ void check_balance(const std::vector<std::string>& settings, const std::string& 
   CAPTURE(settings, formulation);
   const auto found = reactions_of(settings, formulation);
   CHECK(found.balance.residual < 1e-8);  // measured: 3e-10
-  const auto sum = found.balance.sum(), loads = found.balance.loads;
-  const double size = std::abs(loads.force) + std::abs(loads.moment_x) + std::abs(loads.moment_y) + 1;
-  CHECK(std::abs(sum.force + loads.force) < 1e-7 * size);
-  CHECK(std::abs(sum.moment_x + loads.moment_x) < 1e-7 * size);
-  CHECK(std::abs(sum.moment_y + loads.moment_y) < 1e-7 * size);
+  const auto sum = found.balance.sum(), given = found.balance.loads;
+  const double size = std::abs(given.force) + std::abs(given.moment_x) + std::abs(given.moment_y) + 1;
+  CHECK(std::abs(sum.force + given.force) < 1e-7 * size);
+  CHECK(std::abs(sum.moment_x + given.moment_x) < 1e-7 * size);
+  CHECK(std::abs(sum.moment_y + given.moment_y) < 1e-7 * size);
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ TEST_CASE("reactions: balance with every load, whatever holds the plate, with ho
 TEST_CASE("reactions: three pins share a force by its place between them") {
   const geometry::Point a(-0.65, -0.55), b(0.75, -0.45), c(0.05, 0.85);  // middles of cells
   for (const std::string formulation : {"galerkin", "ordinary"})
-    for (const geometry::Point at :
+    for (const geometry::Point& at :
          {geometry::Point(0.1, 0.2), geometry::Point(-0.4, -0.33), geometry::Point(0.9, 0.9)}) {
       const auto found =
           reactions_of({"geometry.cracks=[]", "discretization.spacing=0.1",

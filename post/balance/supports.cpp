@@ -1,4 +1,4 @@
-#include "post/balance/balance.hpp"
+#include "post/balance/supports.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,21 +49,10 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> holders_by_dof(const plate::
 
 }  // namespace
 
-Wrench& Wrench::operator+=(const Wrench& other) {
-  force += other.force, moment_x += other.moment_x, moment_y += other.moment_y;
-  return *this;
-}
-
 Wrench wrench(const Point& at, std::size_t component, double value) {
   if (component == 1) return {0, value, 0};
   if (component == 2) return {0, 0, value};
   return {value, value * at.y(), -value * at.x()};
-}
-
-Wrench Balance::sum() const {
-  Wrench result;
-  for (const auto& one : supports) result += one;
-  return result;
 }
 
 void Applied::add(double factor, const Applied& other) {

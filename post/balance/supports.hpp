@@ -1,34 +1,11 @@
 #pragma once
-#include <cstddef>
-#include <optional>
-#include <vector>
-
 #include "plate/formulation/boundary.hpp"
+#include "post/files/summary.hpp"
 
 namespace post {
 
-/// A force along w and the moments about the x and y axes through the origin; sums of nodal forces.
-struct Wrench {
-  double force = 0;                   // [force]
-  double moment_x = 0, moment_y = 0;  // [force length], as theta_x and theta_y turn
-
-  Wrench& operator+=(const Wrench& other);
-};
-
 /// Of the nodal force `value`, conjugate to w (component 0) or a rotation (1, 2), at a place.
 Wrench wrench(const geometry::Point& at, std::size_t component, double value);
-
-/// What supports do to a plate at an instant (theory (67), (68)).
-struct Balance {
-  std::vector<Wrench> supports;   // by every holder
-  Wrench loads;                   // that act
-  std::optional<Wrench> inertia;  // of a motion: mass times acceleration
-  /// What is left of loads and reactions less inertia, relative to the sum of the sizes of all nodal loads or to the
-  /// largest reaction or the inertia, whichever is most; moments over half the diagonal of the plate.
-  double residual = 0;
-
-  Wrench sum() const;  // of the supports
-};
 
 /// Nodal forces as the balance sees them.
 struct Applied {
