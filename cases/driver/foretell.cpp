@@ -41,6 +41,7 @@ struct Less {
   double wider = 1;  // spacings
   bool factors = false;
   double steps = 1, time_step = 0;  // of a motion; 0: not known yet
+  bool solves = false;              // to the tolerance of the case
 };
 
 CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const Less& less) {
@@ -55,6 +56,7 @@ CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const
     analysis.preconditioner = solver.preconditioner;
     if (solver.method == plate::StaticMethod::direct) analysis.method = Analysis::Method::direct;
   }
+  if (!less.solves && analysis.kind != Analysis::Kind::dynamic && !c.growth) analysis.tolerance = 0.1;
   analysis.time_step.reset();
   if (analysis.method == Analysis::Method::central_difference)
     analysis.duration = less.time_step > 0 ? less.steps * less.time_step : 1e-9 * analysis.duration;
@@ -95,7 +97,7 @@ std::optional<post::Samples> samples(const CaseFile& file, const plate::UsualSol
   const bool grows = c.growth.has_value() || !c.srif, steps = c.analysis.method == Analysis::Method::central_difference;
   const double wider = wider_points(c, std::sqrt(all / points));
   const auto less = [&](double by, bool factors) {
-    return Less{by == 1 ? wider : wider_points(c, wider * by), factors && c.srif, 1, 0};
+    return Less{by == 1 ? wider : wider_points(c, wider * by), factors && c.srif};
   };
   post::Samples result;
   try {
@@ -107,7 +109,9 @@ std::optional<post::Samples> samples(const CaseFile& file, const plate::UsualSol
       } catch (const CaseError&) {
         if (by == 1) throw;
       }
-    result.large = run_of(file, solver, less(1, false));
+    auto whole = less(1, false);
+    whole.solves = true;
+    result.large = run_of(file, solver, whole);
     if (!grows) result.factors = run_of(file, solver, less(1, true));
     if (steps) {
       constexpr double enough = 64;
@@ -164,7 +168,8 @@ ForetoldRun foretell(const CaseFile& file) {
   const bool moves = c.analysis.kind == Analysis::Kind::dynamic;
   const bool slow = !moves && (result.solver.method != plate::StaticMethod::cg || (modes && of_modes == diagonal));
   std::optional<post::Samples> found;
-  for (const double points : {slow ? few : steps ? many : some, many, 3 * many})
+  const bool adr = slow && result.solver.method == plate::StaticMethod::adr;
+  for (const double points : {adr ? few / 3 : slow ? few : steps ? many : some, slow ? some : many, 3 * many})
     if (!found) found = samples(file, result.solver, all, points);
   if (!found) found = samples(file, result.solver, all, all);
 
