@@ -1,42 +1,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <malloc.h>
 #include <omp.h>
-#include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdlib>
 #include "cases/driver/energy_check.hpp"
 #include "cases/driver/run.hpp"
+#include "cases/studies/comparison.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
 #include "cases/templates/new_case.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/model/process.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
 #include "post/manual/program.hpp"
-#include "post/report/html/comparison_page.hpp"
 #include "post/report/printed.hpp"
-#include "post/studies/advice.hpp"
-#include "post/studies/compare.hpp"
 #include "post/studies/fatigue.hpp"
-#include "post/studies/orders.hpp"
 
 namespace {
 
 enum ExitCode { done = 0, beyond_tolerance = 1, wrong_case = 2, failed_numbers = 3, failed_machine = 4 };
-
-void print_keys(const std::string& wanted) {
-  std::size_t shown = 0;
-  for (const auto& key : cases::keys()) {
-    if (!wanted.empty() && key.name.find(wanted) == std::string::npos) continue;
-    fmt::print("{:<36} {:<16} {}; {}\n{:36}   {}\n", key.name, "[" + key.unit + "]", key.allowed, key.standard, "",
-               key.help);
-    ++shown;
-  }
-  if (shown == 0) throw cases::CaseError({{"keys", wanted, "no key contains this; see pdplate keys"}});
-}
 
 std::vector<post::ManualKey> manual_keys() {
   std::vector<post::ManualKey> result;
@@ -45,9 +29,9 @@ std::vector<post::ManualKey> manual_keys() {
 }
 
 struct Arguments {
-  std::string file, folder, key, reference, plot, only, json;
-  std::vector<std::string> settings, removed, methods, tolerances;
-  std::optional<double> within;
+  std::string file, folder, key, only;
+  std::vector<std::string> settings, removed, methods;
+  cases::ComparisonOptions comparison;
   post::ParisLaw law;
   double load = 1, ratio = 0;
   int threads = 0;
@@ -75,37 +59,11 @@ std::filesystem::path folder_of(const Arguments& a) {
 
 int run_study(const Arguments& a) {
   const auto study = cases::read_study(a.file);
-  const auto folder = folder_of(a);
-  const auto outcome = cases::run_study(study, {folder, a.quiet, a.again});
-  if (!a.quiet) {
-    fmt::print("{}\n{}", study.title, post::to_text(outcome.table));
-    if (!post::orders(outcome.table).empty()) fmt::print("\nfitted orders\n{}", post::orders_text(outcome.table));
-    fmt::print("\nseconds by stage\n{}", post::costs_text(outcome.table));
-    for (const auto& sentence : post::advice(outcome.table)) fmt::print("{}\n", sentence);
-    fmt::print("results in {}\n", folder.string());
-  }
+  const auto outcome = cases::run_study(study, {folder_of(a), a.quiet, a.again});
+  if (!a.quiet) cases::print(study, outcome, folder_of(a));
   if (outcome.killed > 0) return failed_machine;
   if (outcome.failed_numbers > 0) return failed_numbers;
   return outcome.wrong_cases > 0 ? wrong_case : done;
-}
-
-int run_comparison(const Arguments& a) {
-  post::Tolerances tolerances;
-  try {
-    tolerances = post::tolerances(a.tolerances, a.within);
-  } catch (const std::invalid_argument& error) {
-    throw cases::CaseError({{"compare", "--tolerance", error.what()}});
-  }
-  const auto rows = post::compare(a.folder, a.reference);
-  const auto above = post::exceeded(rows, tolerances);
-  fmt::print("{}{}", post::to_text(rows), post::to_text(above));
-  const auto plot = post::plot(rows, post::title_of(a.folder));
-  if (a.plot.ends_with(".html"))
-    post::write_whole(a.plot, post::comparison_page(plot, post::to_text(rows)));
-  else if (!a.plot.empty())
-    post::write_whole(a.plot, post::to_svg(plot));
-  if (!a.json.empty()) post::write_whole(a.json, post::to_json(rows, above));
-  return above.empty() ? done : beyond_tolerance;
 }
 
 int run_extremes(const Arguments& a) {
@@ -179,7 +137,9 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("keys") && a.schema) {
     fmt::print("{}", post::schema("A case of PDPlate", manual_keys()));
   } else if (app.got_subcommand("keys")) {
-    print_keys(a.key);
+    const auto lines = post::key_lines(manual_keys(), a.key);
+    if (lines.empty()) throw cases::CaseError({{"keys", a.key, "no key contains this; see pdplate keys"}});
+    fmt::print("{}", lines);
   } else if (app.got_subcommand("srif")) {
     const auto again = std::filesystem::path(a.folder) / "case.resolved.toml";
     fmt::print("{}", post::csv_text(a.energy ? cases::energy_check(cases::read_case(again, {}))
@@ -187,7 +147,8 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("report")) {
     cases::report_again(a.folder);
   } else if (app.got_subcommand("compare")) {
-    return run_comparison(a);
+    const bool within = cases::compare(a.comparison);
+    return within ? done : beyond_tolerance;
   } else if (app.got_subcommand("fatigue")) {
     require_finite(a);
     const std::filesystem::path folder(a.folder);
@@ -209,34 +170,15 @@ int execute(const CLI::App& app, Arguments& a) {
   return done;
 }
 
-#ifndef PDPLATE_LIBRARY  // else the launcher does it (cases/package/launcher.cpp)
-/// Threads that wait must sleep, not spin: with one of two cores busy a static run took 5.1 s spinning and 3.7 s
-/// sleeping; one force evaluation alone took the same. The OpenMP library reads its setting before main.
-bool set_waiting() {
-  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return false;
-  return setenv("OMP_WAIT_POLICY", "passive", 1) == 0;
-}
-#endif
-
-#if defined PDPLATE_LIBRARY
-void wait_without_spinning(char**) {}
-#elif defined PDPLATE_OWN_OPENMP
-/// Before the constructors of the OpenMP library, which is part of the program.
-[[gnu::constructor(101)]] void wait_without_spinning() {
-  set_waiting();
-}
-void wait_without_spinning(char**) {}
-#else
-/// Starts again: the library has read its setting.
-void wait_without_spinning(char** argv) {
-  if (set_waiting()) execv("/proc/self/exe", argv);  // returns only where it fails; then threads spin
-}
-#endif
-
-/// Memory that is given back is kept for the next array: the system clears every page that it hands out.
-void keep_memory() {
-  mallopt(M_MMAP_THRESHOLD, 1 << 28);
-  mallopt(M_TRIM_THRESHOLD, 1 << 28);
+void add_compare(CLI::App& app, cases::ComparisonOptions& a) {
+  auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
+  compare->add_option("folder", a.folder, "folder of the results")->required();
+  compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
+  compare->add_option("--plot", a.plot, "file for a plot of the curves (SVG), or a page (.html)");
+  compare->add_option("--json", a.json, "file for all numbers (JSON)");
+  compare->add_option("--tolerance", a.tolerances, "exit code 1 above: l2=0.01, max, peak, peak_time, shift (relative)")
+      ->allow_extra_args(false);
+  compare->add_option("--within", a.within, "the same tolerance for all of these")->check(CLI::NonNegativeNumber);
 }
 
 void add_fatigue(CLI::App& app, Arguments& a) {
@@ -273,8 +215,7 @@ extern "C" [[gnu::visibility("default")]] int pdplate_main(int argc, char** argv
 #else
 int main(int argc, char** argv) {
 #endif
-  wait_without_spinning(argv);
-  keep_memory();
+  plate::settle_process(argv);
   CLI::App app("Cracked Mindlin plates in ordinary state-based peridynamics");
   app.require_subcommand(1);
   app.set_version_flag("--version", "pdplate " PDPLATE_VERSION ", kernels " PDPLATE_KERNELS,
@@ -294,14 +235,7 @@ int main(int argc, char** argv) {
   app.add_subcommand("report", "write report.html of a finished run again")
       ->add_option("folder", a.folder, "folder of the results")
       ->required();
-  auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
-  compare->add_option("folder", a.folder, "folder of the results")->required();
-  compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
-  compare->add_option("--plot", a.plot, "file for a plot of the curves (SVG), or a page (.html)");
-  compare->add_option("--json", a.json, "file for all numbers (JSON)");
-  compare->add_option("--tolerance", a.tolerances, "exit code 1 above: l2=0.01, max, peak, peak_time, shift (relative)")
-      ->allow_extra_args(false);
-  compare->add_option("--within", a.within, "the same tolerance for all of these")->check(CLI::NonNegativeNumber);
+  add_compare(app, a.comparison);
   add_fatigue(app, a);
   auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
   study->add_option("study", a.file, "study file (TOML)")->required();

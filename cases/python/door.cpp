@@ -1,5 +1,6 @@
 #include "cases/python/door.hpp"
 #include <omp.h>
+#include <memory>
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "plate/model/numerical_error.hpp"
@@ -24,25 +25,13 @@ auto refused(const Action& action) {
   }
 }
 
-/// The number of threads while it lives.
-class Threads {
-public:
-  explicit Threads(int wanted) : before_(omp_get_max_threads()) {
-    if (wanted > 0) omp_set_num_threads(wanted);
-  }
-  ~Threads() { omp_set_num_threads(before_); }
-  Threads(const Threads&) = delete;
-
-private:
-  int before_;
-};
-
 }  // namespace
 
 Run run(const Source& source, bool fields, int threads) {
   return refused([&] {
     const auto file = read(source);
-    const Threads limited(threads);
+    const std::shared_ptr<void> at_end(nullptr, [n = omp_get_max_threads()](void*) { omp_set_num_threads(n); });
+    if (threads > 0) omp_set_num_threads(threads);
     Run result;
     result.kept.wants_fields = fields;
     try {

@@ -1,7 +1,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
-#include <cmath>
 #include "cases/python/door.hpp"
 
 namespace py = pybind11;
@@ -19,30 +18,10 @@ py::array_t<T> to_numpy(std::vector<T>&& values, std::size_t width) {
   return py::array_t<T>(shape, kept->data(), owner);
 }
 
-/// A column: numbers with nan for what is empty, or a list where there are words.
-py::object column(const post::Table& table, std::size_t c) {
-  const auto is_word = [&](const auto& row) { return std::holds_alternative<std::string>(row[c]); };
-  if (std::any_of(table.rows.begin(), table.rows.end(), is_word)) {
-    py::list words;
-    for (const auto& row : table.rows) words.append(py::cast(row[c]));
-    return words;
-  }
-  std::vector<double> numbers;
-  for (const auto& row : table.rows) {
-    const auto* const number = std::get_if<double>(&row[c]);
-    numbers.push_back(number ? *number : std::nan(""));
-  }
-  return to_numpy(std::move(numbers), 1);
-}
-
 py::dict to_python(post::Kept&& run) {
   py::dict tables, parts;
   py::list frames, cracks;
-  for (const auto& [name, table] : run.tables) {
-    py::dict columns;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) columns[py::str(table.columns[c])] = column(table, c);
-    tables[py::str(name)] = columns;
-  }
+  for (const auto& [name, table] : run.tables) tables[py::str(name)] = py::make_tuple(table.columns, table.rows);
   for (auto& [time, arrays, quads, triangles] : run.frames) {
     py::dict frame;
     for (auto& [name, array] : arrays) frame[py::str(name)] = to_numpy(std::move(array.values), array.width);
@@ -70,16 +49,16 @@ PYBIND11_MODULE(_door, module) {
       PyErr_SetObject(wrong.ptr(), py::make_tuple(error.what(), error.problems).ptr());
     }
   });
-  using Words = std::vector<std::string>;
-  module.def("run", [](std::string path, std::string text, Words overrides, bool fields, int threads) {
-    door::Run run;
-    {
-      const py::gil_scoped_release others_go_on;
-      run = door::run({std::move(path), std::move(text), std::move(overrides)}, fields, threads);
-    }
-    return py::make_tuple(to_python(std::move(run.kept)), run.failure);
-  });
-  module.def("check", [](std::string path, std::string text, Words overrides) {
+  module.def("run",
+             [](std::string path, std::string text, std::vector<std::string> overrides, bool fields, int threads) {
+               door::Run run;
+               {
+                 const py::gil_scoped_release others_go_on;
+                 run = door::run({std::move(path), std::move(text), std::move(overrides)}, fields, threads);
+               }
+               return py::make_tuple(to_python(std::move(run.kept)), run.failure);
+             });
+  module.def("check", [](std::string path, std::string text, std::vector<std::string> overrides) {
     const py::gil_scoped_release others_go_on;
     return door::check({std::move(path), std::move(text), std::move(overrides)});
   });

@@ -136,4 +136,12 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
   return outcome;
 }
 
+void print(const Study& study, const StudyOutcome& outcome, const fs::path& folder) {
+  fmt::print("{}\n{}", study.title, post::to_text(outcome.table));
+  if (!post::orders(outcome.table).empty()) fmt::print("\nfitted orders\n{}", post::orders_text(outcome.table));
+  fmt::print("\nseconds by stage\n{}", post::costs_text(outcome.table));
+  for (const auto& sentence : post::advice(outcome.table)) fmt::print("{}\n", sentence);
+  fmt::print("results in {}\n", folder.string());
+}
+
 }  // namespace cases

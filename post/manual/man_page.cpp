@@ -38,6 +38,15 @@ std::string usage(const Program::Command& command) {
 
 }  // namespace
 
+std::string key_lines(const std::vector<ManualKey>& keys, const std::string& wanted) {
+  std::string text;
+  for (const auto& key : keys)
+    if (key.name.find(wanted) != std::string::npos)
+      text += fmt::format("{:<36} {:<16} {}; {}\n{:36}   {}\n", key.name, "[" + key.unit + "]", key.allowed,
+                          key.standard, "", key.help);
+  return text;
+}
+
 std::string man_page(const Program& program, const std::vector<ManualKey>& keys) {
   std::string text = fmt::format(
       ".TH {0} 1 \"\" \"{1} {2}\" \"User Commands\"\n.SH NAME\n{1} \\- {3}\n.SH SYNOPSIS\n",
@@ -64,7 +73,8 @@ std::string man_page(const Program& program, const std::vector<ManualKey>& keys)
     text += fmt::format(".TP\n\\fB{}\\fR [{}]\n{}; default: {}. {}\n", plain(key.name), plain(key.unit),
                         plain(key.allowed), plain(key.standard), plain(key.help));
   return text +
-         ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n2\nthe case file, an override or an argument is wrong; nothing is "
+         ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n1\ncompare: a tolerance is exceeded\n.TP\n2\nthe case file, an override "
+         "or an argument is wrong; nothing is "
          "written\n"
          ".TP\n3\nthe numbers failed\n.TP\n4\nthe machine failed\n";
 }

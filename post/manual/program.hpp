@@ -29,6 +29,9 @@ struct ManualKey {
   std::string name, unit, allowed, standard, help;
 };
 
+/// Two lines for each key whose name contains this.
+std::string key_lines(const std::vector<ManualKey>& keys, const std::string& wanted);
+
 /// The page for man(1), in roff.
 std::string man_page(const Program& program, const std::vector<ManualKey>& keys);
 

@@ -36,6 +36,11 @@ class NumericalError(ArithmeticError):
         self.result = result
 
 
+def _cells(column):
+    """Numbers with nan for what is empty, or a list where there are words."""
+    return column if any(isinstance(cell, str) for cell in column) else _np.array(column, dtype=float)
+
+
 class Frame:
     """The fields of one instant, advance or mode: `time`, `points` (n, 2), `w` (n,), `theta` (n, 2), `moments` (n, 3: Mxx, Myy, Mxy),
     `shear` (n, 2: Qx, Qy), `von_mises` (top face), `damage`, `cut`, `area`; cells `quads` (., 4) and `triangles` (., 3).
@@ -63,7 +68,9 @@ class Result:
     def __init__(self, raw):
         self.summary = _json.loads(raw["summary"]) if raw["summary"] else {}
         self.factors = self.summary.get("srif", [])
-        self.tables, self.cracks, self.resolved = raw["tables"], raw["cracks"], raw["resolved"]
+        self.tables = {name: {column: _cells([row[i] for row in rows]) for i, column in enumerate(columns)}
+                       for name, (columns, rows) in raw["tables"].items()}
+        self.cracks, self.resolved = raw["cracks"], raw["resolved"]
         self.frames = [Frame(frame) for frame in raw["frames"]]
         self.parts = {name: Result(part) for name, part in raw["parts"].items()}
 

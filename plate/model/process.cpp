@@ -1,0 +1,34 @@
+#include "plate/model/process.hpp"
+
+#include <malloc.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace plate {
+namespace {
+
+/// The OpenMP library reads its setting before main.
+[[maybe_unused]] bool set_waiting() {
+  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return false;
+  return setenv("OMP_WAIT_POLICY", "passive", 1) == 0;
+}
+
+#ifdef PDPLATE_OWN_OPENMP
+/// Before the constructors of the OpenMP library, which is part of the program.
+[[gnu::constructor(101)]] void wait_without_spinning() {
+  set_waiting();
+}
+#endif
+
+}  // namespace
+
+void settle_process([[maybe_unused]] char** argv) {
+#if !defined PDPLATE_OWN_OPENMP && !defined PDPLATE_PACKAGE  // there the launcher does it (cases/package/launcher.cpp)
+  if (set_waiting()) execv("/proc/self/exe", argv);          // starts again; where it fails threads spin
+#endif
+  mallopt(M_MMAP_THRESHOLD, 1 << 28);
+  mallopt(M_TRIM_THRESHOLD, 1 << 28);
+}
+
+}  // namespace plate
