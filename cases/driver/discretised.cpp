@@ -100,7 +100,9 @@ void require_memory(const CaseFile& file) {
   try {
     plate::require_memory(file.content);
   } catch (const plate::Refused& error) {
-    throw refused(file, error.reasons());
+    std::vector<Problem> problems;
+    refuse(file, error.reasons(), problems);
+    throw CaseError(problems);
   }
 }
 

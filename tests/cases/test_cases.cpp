@@ -1,6 +1,5 @@
 // Every case file of the tree reads and runs, coarse, through the program itself.
 #include <sys/wait.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -80,8 +79,8 @@ void check_files(const fs::path& folder, const cases::Case& c) {
   const bool frequencies = c.analysis.kind == cases::Analysis::Kind::frequencies;
   CHECK(fs::exists(folder / "history.csv") != frequencies);
   CHECK(fs::exists(folder / "frequencies.csv") == frequencies);
-  const bool at_rest = c.analysis.kind == cases::Analysis::Kind::static_;
-  CHECK(fs::exists(folder / "srif.csv") == (c.srif || (c.growth && at_rest)));
+  const bool is_static = c.analysis.kind == cases::Analysis::Kind::static_;
+  CHECK(fs::exists(folder / "srif.csv") == (c.srif || (c.growth && is_static)));
   for (const char* name : {"growth.csv", "tips.csv", "cracks.csv", "cracks.pvd"})
     CHECK(fs::exists(folder / name) == c.growth.has_value());
   CHECK(fs::exists(folder / "cracks.vtp") == (c.growth || !c.cracks.empty()));
@@ -249,10 +248,10 @@ TEST_CASE("exit code 2, in motion a warning: a growing tip without room for its 
   for (const char* cracks : {"geometry.cracks=[[[0, 0], [0.96, 0]]]", "geometry.cracks=[[[0, 0.9], [0.4, 0.9]]]"}) {
     std::vector<std::string> settings{"discretization.spacing=0.04", cracks,
                                       "growth={fracture_energy=1, control=\"equilibrium\", max_advances=2}"};
-    const auto at_rest = run(central_crack(), scratch / "results", settings);
-    INFO(at_rest.output);
-    CHECK(at_rest.exit_code == 2);
-    CHECK(at_rest.output.find("too little for the energy release rate that growth needs") != std::string::npos);
+    const auto is_static = run(central_crack(), scratch / "results", settings);
+    INFO(is_static.output);
+    CHECK(is_static.exit_code == 2);
+    CHECK(is_static.output.find("too little for the energy release rate that growth needs") != std::string::npos);
   }
   CHECK(scratch.entries() == 0);
   const auto moving = fs::path(PDPLATE_SOURCE_DIR) / "cases/growth/hole_running_crack.toml";

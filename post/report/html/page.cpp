@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <string_view>
 
 #include "post/figures/svg.hpp"
 #include "post/report/html/assets.hpp"
@@ -33,12 +33,15 @@ std::string joined(const auto& names) {
   return text;
 }
 
-/// Puts `text` where the frame says `{{name}}`.
-void fill(std::string& frame, const std::string& name, const std::string& text) {
-  const std::string mark = "{{" + name + "}}";
-  const auto at = frame.find(mark);
-  if (at == std::string::npos) throw std::logic_error("the frame of the report has no place for " + name);
-  frame.replace(at, mark.size(), text);
+/// The frame with texts where it says `{{name}}`, in one pass: what a text says is not looked at.
+std::string filled(std::string_view frame, const std::map<std::string, std::string, std::less<>>& texts) {
+  std::string result;
+  for (auto at = frame.find("{{"); at != std::string_view::npos; at = frame.find("{{")) {
+    const auto end = frame.find("}}", at);
+    result.append(frame.substr(0, at)).append(texts.find(frame.substr(at + 2, end - at - 2))->second);
+    frame.remove_prefix(end + 2);
+  }
+  return result.append(frame);
 }
 
 }  // namespace
@@ -77,12 +80,10 @@ std::string without_markup(const std::string& json) {
 }
 
 std::string page(const std::string& title, const std::string& data) {
-  std::string text(assets().at("page.html"));
-  fill(text, "title", escaped(title));
-  fill(text, "styles", joined(styles));
-  fill(text, "scripts", joined(scripts));
-  fill(text, "data", without_markup(data));  // last: the data may say anything
-  return text;
+  return filled(assets().at("page.html"), {{"title", escaped(title)},
+                                           {"styles", joined(styles)},
+                                           {"scripts", joined(scripts)},
+                                           {"data", without_markup(data)}});
 }
 
 }  // namespace post
