@@ -38,6 +38,15 @@ if(PDPLATE_PYTHON)
   install(FILES cases/python/pdplate/__init__.py DESTINATION ${packages})
 endif()
 
+# What the program prints of itself.
+add_custom_command(OUTPUT pdplate.1.gz pdplate.bash pdplate.fish DEPENDS pdplate pdplate_library VERBATIM
+                   COMMAND sh -c "./pdplate manual | gzip -9n >pdplate.1.gz && ./pdplate completion bash >pdplate.bash && \
+./pdplate completion fish >pdplate.fish")
+add_custom_target(pages ALL DEPENDS pdplate.1.gz pdplate.bash pdplate.fish)
+install(FILES ${PROJECT_BINARY_DIR}/pdplate.1.gz DESTINATION share/man/man1)
+install(FILES ${PROJECT_BINARY_DIR}/pdplate.bash DESTINATION share/bash-completion/completions RENAME pdplate)
+install(FILES ${PROJECT_BINARY_DIR}/pdplate.fish DESTINATION share/fish/vendor_completions.d)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
