@@ -46,7 +46,7 @@ function frequencies_section() {
   const { frequencies } = data.summary;
   if (!frequencies) return null;
   return section("Frequencies", table([{ title: "mode" }, { title: "frequency", unit: unit("frequency") }, { title: "ω", unit: si ? "1/s" : "" }, { title: "residual" }],
-    frequencies.map((_, i) => [value(`frequencies[${i}].mode`), value(`frequencies[${i}].frequency`, 7), value(`frequencies[${i}].omega`, 7), value(`frequencies[${i}].residual`, 2)]), { "data-table": "frequencies" }));
+    frequencies.map((_, i) => [value(`frequencies[${i}].mode`), value(`frequencies[${i}].frequency`, 7), value(`frequencies[${i}].omega`, 7), value(`frequencies[${i}].residual`, 3)]), { "data-table": "frequencies" }));
 }
 
 function growth_section() {
@@ -73,8 +73,8 @@ function reactions_section() {
   return section("Reactions and balance", table([{ title: "support", left: true }, { title: "force", unit: unit("force") }, { title: "moment x", unit: unit("moment") }, { title: "moment y", unit: unit("moment") },
     ...(most ? [{ title: "largest force", unit: unit("force") }, { title: moves ? "at time" : "at advance", unit: moves ? unit("time") : "" }] : [])],
   [...rows, ...total("sum", "all supports"), ...total("loads", "loads"), ...total("inertia", "mass times acceleration")], { "data-table": "reactions" }),
-  note("On the plate, along w; moments about the x and y axes through the origin. What is left of the balance: ", value("reactions.residual", 2), " of the largest part",
-    reactions.largest_residual === undefined ? "" : [", at most ", value("reactions.largest_residual", 2), " at any time"], "."));
+  note("On the plate, along w; moments about the x and y axes through the origin. What is left of the balance: ", value("reactions.residual", 3), " of the largest part",
+    reactions.largest_residual === undefined ? "" : [", at most ", value("reactions.largest_residual", 3), " at any time"], "."));
 }
 
 function bars(entries, words) {
