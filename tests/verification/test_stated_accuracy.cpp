@@ -5,6 +5,7 @@
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "post/files/summary.hpp"
+#include "post/files/table.hpp"
 #include "post/studies/quantity.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -79,7 +79,9 @@ public:
   std::vector<plate::Share> interpolation(const geometry::Point& x) const override {
     return {{std::uint32_t(geometry::nearest_plate_point(cloud(), x)), 1.0}};
   }
-  plate::Mesh mesh() const override { return plate::mesh(boundary(), families_, cut(), section().thickness); }
+  plate::Mesh mesh() const override {
+    return plate::mesh(boundary(), problem().outline, paths(), cut(), section().thickness);
+  }
   std::vector<double> cut_at(const plate::StartOfCracks& start) const override { return start.cut; }
   std::unique_ptr<plate::TipView> tip_view() const override {
     return std::make_unique<plate::BondView>(cloud(), families_, shapes_, section(), discretization());

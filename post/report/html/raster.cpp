@@ -62,13 +62,9 @@ void Raster::widen() {
   for (std::size_t k = 0; k < sources_.size(); ++k) {
     if (inside[k].a != nowhere) continue;
     const auto column = k % columns_, row = k / columns_;
-    const auto take = [&](std::size_t from) {
-      if (inside[from].a != nowhere) sources_[k] = inside[from];
-    };
-    if (column > 0) take(k - 1);
-    if (column + 1 < columns_) take(k + 1);
-    if (row > 0) take(k - columns_);
-    if (row + 1 < rows_) take(k + columns_);
+    for (auto j = row > 0 ? row - 1 : row; j <= std::min(row + 1, rows_ - 1); ++j)
+      for (auto i = column > 0 ? column - 1 : column; i <= std::min(column + 1, columns_ - 1); ++i)
+        if (const auto& beside = inside[j * columns_ + i]; beside.a != nowhere) sources_[k] = beside;
   }
 }
 

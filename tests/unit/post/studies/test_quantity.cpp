@@ -52,7 +52,7 @@ TEST_CASE("a history has the rows of its probe, or of its tip and method") {
 TEST_CASE("every quantity has a description and a kind of place") {
   for (const auto& name : post::quantity_names()) {
     CHECK_FALSE(post::described(name).empty());
-    CHECK_THAT("tip probe ", Catch::Contains(post::kind_of_place(name) + (name == "strain_energy" ? "" : " ")));
+    CHECK_THAT("tip probe mode ", Catch::Contains(post::kind_of_place(name) + (name == "strain_energy" ? "" : " ")));
   }
   CHECK(post::si_unit("F1").empty());
   CHECK(post::si_unit("w") == "m");

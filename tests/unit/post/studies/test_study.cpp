@@ -128,9 +128,29 @@ TEST_CASE("study.csv is read back as it was written") {
   const TemporaryFolder folder;
   post::write_csv(folder / "study.csv", table(post::StudyTable{{"2a/W"}, {row("0.1", 1.1, 1), failed}}));
   const auto table = post::read_csv(folder / "study.csv");
-  CHECK(table.columns == std::vector<std::string>{"2a/W", "quantity", "place", "srif_method", "computed", "reference",
-                                                  "error", "estimated_error", "points", "spacing", "horizon",
-                                                  "iterations", "seconds", "solve_seconds", "reference_source",
+  CHECK(table.columns == std::vector<std::string>{"2a/W",
+                                                  "quantity",
+                                                  "place",
+                                                  "srif_method",
+                                                  "computed",
+                                                  "reference",
+                                                  "error",
+                                                  "estimated_error",
+                                                  "points",
+                                                  "spacing",
+                                                  "horizon",
+                                                  "iterations",
+                                                  "seconds",
+                                                  "solve_seconds",
+                                                  "seconds_min",
+                                                  "seconds_max",
+                                                  "geometry_seconds",
+                                                  "families_seconds",
+                                                  "parameters_seconds",
+                                                  "srif_seconds",
+                                                  "output_seconds",
+                                                  "reference_source",
+                                                  "outcome",
                                                   "message"});
   REQUIRE(table.rows.size() == 2);
   CHECK(table.rows[0][0] == post::Cell("0.1"));

@@ -49,6 +49,19 @@ TEST_CASE("what is kept has a row per point, whatever the order in memory was") 
   CHECK(quads.empty());
 }
 
+TEST_CASE("corners of cells stand after the points, without area") {
+  Kept kept;
+  KeptSink sink(kept);
+  auto cornered = mesh();
+  cornered.corners = {{{4, 5}, {{0, -0.5, 0.5}, {1, 1.5, 0.5}}}};  // beyond the second point; a mean of both
+  sink.frame(frame(0), cornered, {});
+  const auto& arrays = kept.frames.front().arrays;
+  CHECK(arrays.at("x").values == Numbers{0, 1, 2, 3, 4, 5});
+  CHECK(arrays.at("w").values == Numbers{1, 2, 2.5});
+  CHECK(arrays.at("von_mises").values == Numbers{8, 9, 8.5});
+  CHECK(arrays.at("area").values.back() == 0);
+}
+
 TEST_CASE("a frame that brings its cells has them, and so have those after it") {
   Kept kept;
   KeptSink sink(kept);
@@ -67,7 +80,9 @@ TEST_CASE("tables and cracks are kept as they are") {
   CHECK_FALSE((sink.draws() || sink.stores() || sink.plots()));
   const Table table{{"a", "b"}, {{1.0, std::string("word")}, {{}, std::string()}}};
   sink.tables({{"history", &table}});
-  sink.cracks({{{{0, 1}, {2, 3}}, {0, 0}}});
+  Cracks cracks;
+  cracks.lines.push_back({{{0, 1}, {2, 3}}, {0, 0}});
+  sink.cracks(cracks);
   sink.summary("{}");
   CHECK(kept.tables.front().first == "history");
   CHECK(kept.tables.front().second.rows == table.rows);
