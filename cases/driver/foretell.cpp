@@ -60,6 +60,7 @@ CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const
   analysis.time_step.reset();
   if (analysis.method == Analysis::Method::central_difference)
     analysis.duration = less.time_step > 0 ? less.steps * less.time_step : 1e-9 * analysis.duration;
+  for (auto& load : c.loads) load.history = {};  // some start from nothing, and nothing would move
   c.output.history_every = analysis.duration / std::clamp(less.steps / 8, 1.0, 8.0);
   c.output.every.reset(), c.output.probes.clear();
   if (!less.factors) c.srif.reset();
