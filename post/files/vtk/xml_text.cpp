@@ -15,7 +15,7 @@ std::string xml_text(vtkXMLWriter& writer, const std::string& what) {
   silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   writer.AddObserver(vtkCommand::ErrorEvent, silent);
   writer.SetDataModeToBinary();
-  // zlib's fastest level takes 2.4 times as long for files of three quarters the size, as numbers hardly shrink
+  // zlib's fastest level takes 2.6 times as long for files of three quarters the size, as numbers hardly shrink
   writer.SetCompressorTypeToLZ4();
   writer.SetCompressionLevel(9);
   writer.WriteToOutputStringOn();

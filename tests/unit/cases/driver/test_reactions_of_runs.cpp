@@ -64,7 +64,7 @@ TEST_CASE("reactions of a motion: by steps of both formulations and in mixed pre
                                        "support=[{kind=\"" + kind + "\",edges=[\"left\",\"bottom\"]}]"}),
           {folder / "run", true});
       const auto table = post::read_csv(folder / "run" / "reactions.csv");
-      CHECK(largest(table, "residual") < most);  // measured: 2e-15, mixed 1e-5
+      CHECK(largest(table, "residual") < most);
       const auto rows = forces(table);
       CHECK(rows.size() == post::read_csv(folder / "run" / "history.csv").rows.size());
       double scale = 0, worst = 0;

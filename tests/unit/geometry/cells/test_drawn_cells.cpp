@@ -93,7 +93,7 @@ TEST_CASE("drawn cells fill any plate exactly and are open along its cracks") {
   for (unsigned seed = 0; seed < 200; ++seed) {
     const auto plate = random_plates::Maker(seed).plate();
     CAPTURE(seed);
-    for (const double spacing : {0.2, 0.07}) check(plate, spacing, 1e-12);  // measured: 3e-14
+    for (const double spacing : {0.2, 0.07}) check(plate, spacing, 1e-12);
   }
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("drawn cells fill plates that are turned and far from the origin") {
     random_plates::Maker maker(seed);
     const auto plate = random_plates::moved(maker.plate(), maker.uniform(0, 6), {1e3, -7e2});
     CAPTURE(seed);
-    check(plate, 0.1, 1e-11);  // measured: 5e-14
+    check(plate, 0.1, 1e-11);
   }
 }
 

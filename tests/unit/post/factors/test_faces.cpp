@@ -37,7 +37,7 @@ TEST_CASE("faces: the energy over the thickness is that of the moment and shear 
     }
     const double pi = std::numbers::pi;  // theory (50)
     const double G = 12 * pi / (E * h * h * h) * (K1 * K1 + K2 * K2) + pi * (1 + nu) / (5.0 / 6 * E * h) * K3 * K3;
-    CHECK(sum == Approx(G).epsilon(1e-5));  // measured: 3e-7, the slices
+    CHECK(sum == Approx(G).epsilon(1e-5));  // of the slices
   }
 }
 

@@ -51,7 +51,7 @@ const std::vector<std::string> loads{
 void check_balance(const std::vector<std::string>& settings, const std::string& formulation) {
   CAPTURE(settings, formulation);
   const auto found = reactions_of(settings, formulation);
-  CHECK(found.balance.residual < 1e-8);  // measured: 3e-10
+  CHECK(found.balance.residual < 1e-8);
   const auto sum = found.balance.sum(), given = found.balance.loads;
   const double size = std::abs(given.force) + std::abs(given.moment_x) + std::abs(given.moment_y) + 1;
   CHECK(std::abs(sum.force + given.force) < 1e-7 * size);

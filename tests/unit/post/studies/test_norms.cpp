@@ -72,7 +72,7 @@ TEST_CASE("the shift of a sine is found, whatever the sampling, the size and the
     for (double& value : y) value += 0.4;
     const auto result = compare(t, y, reference_t, sine(reference_t, -1, 0));
     REQUIRE(result.shift);
-    CHECK(*result.shift == Approx(late).margin(2e-4));  // measured 3e-5: linear between samples
+    CHECK(*result.shift == Approx(late).margin(2e-4));
     CHECK(*result.relative_shift() == Approx(*result.shift / (2.5 * period)));
   }
 }
