@@ -65,11 +65,27 @@ post::Ended run_once(const CaseFile& file, const fs::path& folder) {
   });
 }
 
-/// What became of a run: what the ledger has of it, or what it comes to now. Throws where the machine fails.
-post::RunRecord record_of(const StudyRun& run, std::size_t repeats, const fs::path& folder, post::Ledger& ledger) {
-  post::RunRecord record{run.folder, post::digest(resolved_toml(run.file.content)), PDPLATE_VERSION, "done"};
+/// The version and the time of this very program: another build of it may find other numbers.
+std::string program() {
+  return fmt::format("{} of {}", PDPLATE_VERSION, fs::last_write_time("/proc/self/exe").time_since_epoch().count());
+}
+
+post::RunRecord wanted_record(const StudyRun& run) {
+  return {run.folder, post::digest(resolved_toml(run.file.content)), program(), "done"};
+}
+
+/// What the ledger has of a run that this program has done with the same settings.
+std::optional<post::RunRecord> kept_record(const StudyRun& run, std::size_t repeats, const fs::path& folder,
+                                           const post::Ledger& ledger) {
+  auto known = ledger.done(wanted_record(run), repeats);
+  if (known && !post::read_summary(folder / run.folder / "summary.json")) known.reset();
+  return known;
+}
+
+/// What a run comes to now. Throws where the machine fails.
+post::RunRecord new_record(const StudyRun& run, std::size_t repeats, const fs::path& folder, post::Ledger& ledger) {
+  auto record = wanted_record(run);
   const auto summary = folder / run.folder / "summary.json";
-  if (const auto known = ledger.done(record, repeats); known && post::read_summary(summary)) return *known;
   ledger.forget(run.folder);
   std::vector<std::vector<std::pair<std::string, double>>> seconds;
   for (std::size_t i = 0; i < repeats && record.outcome == "done"; ++i) {
@@ -119,7 +135,8 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
   post::Ledger ledger(options.folder / "runs.csv");
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const auto& run = study.runs[i];
-    const auto record = record_of(run, study.repeats, options.folder, ledger);
+    const auto kept = kept_record(run, study.repeats, options.folder, ledger);
+    const auto record = kept ? *kept : new_record(run, study.repeats, options.folder, ledger);
     outcome.wrong_cases += record.outcome == "refused";
     outcome.failed_numbers += record.outcome == "failed";
     outcome.killed += record.outcome == "killed";
@@ -130,7 +147,8 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
     for (const auto& row : rows) {
       const bool is_first = &row == &rows.front();
       if ((is_first && !options.quiet) || !row.message.empty())
-        fmt::print(stderr, "[{}/{}] {}\n", i + 1, study.runs.size(), post::to_text(row));
+        fmt::print(stderr, "[{}/{}] {}{}\n", i + 1, study.runs.size(), post::to_text(row),
+                   kept && is_first ? " (done before)" : "");
     }
   }
   return outcome;
