@@ -56,7 +56,8 @@ Summary summary_of(const Json& json) {
   for (const auto& [stage, spent] : json.at("seconds").items()) summary.seconds.emplace_back(stage, spent);
   for (const auto& one : json.at("srif")) summary.srif.push_back(srif_of(one));
   for (const auto& one : json.value("peaks", Json::array()))
-    summary.peaks.push_back({one.at("quantity"), optional<std::size_t>(one, "tip"), one.at("value"), one.at("time")});
+    summary.peaks.push_back(
+        {one.at("quantity"), optional<std::size_t>(one, "tip"), one.at("value"), one.at("time"), {}, {}});
   for (const auto& one : json.value("frequencies", Json::array()))
     summary.frequencies.push_back({one.at("mode"), one.at("frequency"), one.at("omega"), one.at("residual")});
   if (json.contains("growth")) summary.growth = growth_of(json.at("growth"));
