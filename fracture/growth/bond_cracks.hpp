@@ -48,6 +48,11 @@ public:
   /// As they are to be written.
   post::Cracks drawn() const;
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(graph_, grown_, lines_, tips_, seen_, broken_, time_);
+  }
+
 private:
   void find_lines();
 

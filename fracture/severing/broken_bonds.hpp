@@ -35,6 +35,11 @@ public:
     return sum;
   }
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(number_, words_);
+  }
+
 private:
   std::size_t word(std::size_t k, std::size_t i) const { return std::size_t(number_[k]) * words_per_point_ + i / 64; }
 

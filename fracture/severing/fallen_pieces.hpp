@@ -17,11 +17,21 @@ public:
   /// Kinetic energy that they had.
   double energy() const { return energy_; }
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(broken_, fresh_, frozen_, energy_);
+  }
+
 private:
   /// Points with their state, and their velocity half a step before.
   struct Kept {
     std::vector<std::uint32_t> points;
     plate::State state, velocity;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(points, state, velocity);
+    }
   };
   void look(const plate::Step& now);
   void freeze(const plate::Step& now);

@@ -146,13 +146,21 @@ double SeveredPlate::approach(std::uint32_t k, double fraction, const Motion& mo
   for (std::size_t i = 0; i < now.bonds.size(); ++i) {
     auto& weights = now.bonds[i].weights;
     weights = {mix(weights.D, target[i].D), mix(weights.B, target[i].B), mix(weights.S, target[i].S)};
-    const auto& first = base_.weights().of(k, i);
+  }
+  differ(number);
+  return before - energy_of_step(now, motion);
+}
+
+void SeveredPlate::differ(std::size_t number) {
+  const auto& now = changed_[number].now;
+  for (std::size_t i = 0; i < now.bonds.size(); ++i) {
+    const auto& weights = now.bonds[i].weights;
+    const auto& first = base_.weights().of(now.point, i);
     auto& difference = differences_[first_difference_[number] + i];
     difference.D_now = weights.D;
     difference.curvature = 2 * now.area * (weights.B - first.B);
     difference.shear = 2 * now.area * (weights.S - first.S);
   }
-  return before - energy_of_step(now, motion);
 }
 
 std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, bool at_back, double piece) {

@@ -68,6 +68,30 @@ public:
   double a(std::size_t k) const;
   const plate::BondWeights& weights(std::size_t k, std::size_t i) const;
 
+  /// What has been severed, and the weights that it has by now.
+  template <typename Archive>
+  void save(Archive& archive) const {
+    archive(broken_, going_, easing_, severings_);
+    for (const auto& one : changed_) {
+      archive(one.now.point, one.now.a, one.left, one.severed);
+      for (const auto& bond : one.now.bonds) archive(bond.weights.D, bond.weights.B, bond.weights.S);
+    }
+  }
+  /// Of a plate of which nothing has been severed yet.
+  template <typename Archive>
+  void load(Archive& archive) {
+    archive(broken_, going_, easing_, severings_);
+    for (std::size_t number = 0; number < broken_.points(); ++number) {
+      std::uint32_t k = 0;
+      archive(k);
+      auto& one = change(k);
+      archive(one.now.a, one.left, one.severed);
+      for (auto& bond : one.now.bonds) archive(bond.weights.D, bond.weights.B, bond.weights.S);
+      retarget(k);
+      differ(number);
+    }
+  }
+
 private:
   /// A family that lost bonds, with all bonds of its base; the weights of broken ones go to zero.
   struct Change {
@@ -81,6 +105,11 @@ private:
     std::size_t number;
     std::vector<std::uint32_t> points;
     double share = 0;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(number, points, share);
+    }
   };
   /// What a change does to the forces: one bond of its family.
   struct Difference {
@@ -94,6 +123,8 @@ private:
   void retarget(std::uint32_t k);
   void soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const;
   double approach(std::uint32_t k, double fraction, const Motion& motion);
+  /// Sets the differences of a change, by its number, to what its weights are now.
+  void differ(std::size_t number);
 
   const plate::FamilyOperator& base_;
   const plate::Boundary& boundary_;

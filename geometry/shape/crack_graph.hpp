@@ -33,6 +33,11 @@ public:
   /// is a mouth where `inside` is false: not all four cells about it are of the plate.
   std::vector<GraphLine> lines(const std::function<bool(const Corner&)>& inside, std::size_t least = 3) const;
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(times_);
+  }
+
 private:
   std::map<Side, double> times_;
 };

@@ -3,6 +3,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 
 namespace plate {
@@ -27,6 +28,8 @@ void settle_process([[maybe_unused]] char** argv) {
 #if !defined PDPLATE_OWN_OPENMP && !defined PDPLATE_PACKAGE  // there the launcher does it (cases/package/launcher.cpp)
   if (set_waiting()) execv("/proc/self/exe", argv);          // starts again; where it fails threads spin
 #endif
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   mallopt(M_MMAP_THRESHOLD, 1 << 28);
   mallopt(M_TRIM_THRESHOLD, 1 << 28);
 }

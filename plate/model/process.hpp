@@ -4,7 +4,8 @@ namespace plate {
 
 /// How the process of a program waits and keeps memory; called first in main. Threads that wait sleep: with one of two
 /// cores busy a static run took 5.1 s spinning and 3.7 s sleeping; one force evaluation alone took the same. Memory
-/// that is given back is kept for the next array: the system clears every page that it hands out.
+/// that is given back is kept for the next array: the system clears every page that it hands out. A reader that has
+/// gone, or a file larger than is allowed, fails what is written to it and does not end the process.
 void settle_process(char** argv);
 
 }  // namespace plate

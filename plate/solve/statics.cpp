@@ -3,6 +3,7 @@
 #include <cmath>
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/assembled_plate.hpp"
+#include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/reduction.hpp"
 
@@ -65,6 +66,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
   for (result.iterations = 0;; ++result.iterations) {
     result.residual = norm / load_norm;
     require_finite(result.residual, "conjugate gradients", result.iterations);
+    stop_if_asked("conjugate gradients");
     if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == options.max_iterations) break;
@@ -138,6 +140,7 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
     });
     result.residual = std::sqrt(residual) / load_norm;
     require_finite(result.residual, "adaptive dynamic relaxation", result.iterations);
+    stop_if_asked("adaptive dynamic relaxation");
     if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == options.max_iterations) break;

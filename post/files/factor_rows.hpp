@@ -35,6 +35,12 @@ public:
   /// What truncation leaves out, where that is more than 3 %.
   std::vector<std::string> distrust() const;
 
+  /// The rows so far.
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(rows_, largest_);
+  }
+
 private:
   double thickness_;
   std::vector<Srif> coarser_;

@@ -10,8 +10,7 @@ struct Files {
   std::string (*vtu)(const Mesh& mesh, const Frame& frame);  // the text of a file for ParaView
   std::string (*vtp)(const Cracks& cracks);
   Drawn (*read_vtu)(const std::filesystem::path& path);
-  std::unique_ptr<StateFile::Open> (*open)(std::filesystem::path path, const Mesh& mesh,
-                                           const std::string& resolved_case, const std::string& version);
+  std::unique_ptr<StateFile::Open> (*open)(StateFile::Options options, const Mesh& mesh);
   StoredRun (*read_run)(const std::filesystem::path& path);
 };
 

@@ -6,8 +6,7 @@ namespace post {
 std::string vtu(const Mesh& mesh, const Frame& frame);
 std::string vtp(const Cracks& cracks);
 Drawn read_vtu(const std::filesystem::path& path);
-std::unique_ptr<StateFile::Open> open_state_file(std::filesystem::path path, const Mesh& mesh,
-                                                 const std::string& resolved_case, const std::string& version);
+std::unique_ptr<StateFile::Open> open_state_file(StateFile::Options options, const Mesh& mesh);
 StoredRun read_state_file(const std::filesystem::path& path);
 
 }  // namespace post

@@ -4,6 +4,7 @@
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "post/files/archive.hpp"
 #include "post/files/digest.hpp"
 #include "post/files/gate.hpp"
 
@@ -76,6 +77,16 @@ void Recorder::cracks(Cracks cracks, const std::vector<Srif>& factors) {
   if (!draws()) return;
   set_factors(cracks, factors);
   sink_->cracks(cracks);
+}
+
+void Recorder::remember(plate::OutArchive& archive) {
+  archive(history_, probes_, sink_->written());
+}
+
+void Recorder::recall(plate::InArchive& archive) {
+  std::vector<double> frames;
+  archive(history_, probes_, frames);
+  sink_->go_on(frames);
 }
 
 Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {

@@ -3,6 +3,7 @@
 
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/stopwatch.hpp"
+#include "plate/solve/archive_types.hpp"
 #include "post/files/sinks/sink.hpp"
 #include "post/files/summary.hpp"
 
@@ -68,6 +69,11 @@ public:
   Summary finish(Summary summary, plate::Stopwatch& stopwatch);
 
   const Table& history() const { return history_; }
+
+  /// What has been recorded; all frames so far are written then.
+  void remember(plate::OutArchive& archive);
+  /// Goes on after open().
+  void recall(plate::InArchive& archive);
 
 private:
   std::unique_ptr<Sink> sink_;

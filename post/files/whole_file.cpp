@@ -27,6 +27,8 @@ void write_text(const fs::path& path, const std::string& text) {
 void write_whole(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   fs::path beside = path;
   beside += ".partial";
+  std::error_code none;
+  fs::remove(beside, none);  // it may be a link to what is somebody's
   try {
     write(beside);
     fs::rename(beside, path);

@@ -36,6 +36,11 @@ public:
   /// w, then von_mises; nothing without rows.
   std::vector<Peak> found() const;
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(deflection_, stress_, strain_energy_, time_, state_, seen_);
+  }
+
 private:
   Peak largest_stress(double time, const plate::Resultants& resultants) const;
 

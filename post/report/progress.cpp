@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "post/report/say.hpp"
+
 namespace post {
 namespace {
 
@@ -32,18 +34,17 @@ void Progress::update(double share, const std::string& text) {
   const double spent = seconds(now - start_);
   const std::string left = share > 0.001 ? fmt::format("{:.0f} s left", spent / share - spent) : "";
   if (!terminal_) {
-    fmt::print(stderr, "{}: {:3.0f} %, {}, {:.0f} s, {}\n", what_, 100 * share, text, spent, left);
+    say(fmt::format("{}: {:3.0f} %, {}, {:.0f} s, {}\n", what_, 100 * share, text, spent, left));
     return;
   }
   const int width = 30, full = std::clamp(static_cast<int>(share * width), 0, width);
-  fmt::print(stderr, "\r{} [{}{}] {:3.0f} %  {}  {:.0f} s, {}\x1b[K", what_, std::string(std::size_t(full), '#'),
-             std::string(std::size_t(width - full), '.'), 100 * share, text, spent, left);
-  std::fflush(stderr);
+  say(fmt::format("\r{} [{}{}] {:3.0f} %  {}  {:.0f} s, {}\x1b[K", what_, std::string(std::size_t(full), '#'),
+                  std::string(std::size_t(width - full), '.'), 100 * share, text, spent, left));
   open_ = true;
 }
 
 void Progress::done() {
-  if (open_) fmt::print(stderr, "\r\x1b[K");
+  if (open_) say("\r\x1b[K");
   open_ = false;
 }
 

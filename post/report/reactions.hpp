@@ -35,6 +35,11 @@ public:
   Table table() const;
   std::optional<ReactionSummary> summary() const;
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(supports_, balances_);
+  }
+
 private:
   /// One plate as it moves.
   struct Moving;

@@ -19,6 +19,11 @@ public:
   /// Energy that bonds took with them so far.
   double fracture_energy() const { return spent_; }
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(suspects_, next_search_, ended_, spent_);
+  }
+
 private:
   SeveredPlate& plate_;
   BondCheck& check_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fracture/growth/archive.hpp"
+
 namespace fracture {
 
 MovingBonds::MovingBonds(const Growth& growth, const plate::Formulation& start,
@@ -43,6 +45,16 @@ Moved MovingBonds::moved() const {
   result.spent = growth_.spent(bonds_.fracture_energy(), start_.section().thickness, cracks_.growth());
   for (const auto& line : cracks_.lines()) result.lengths.push_back(line.length);
   return result;
+}
+
+void MovingBonds::remember(plate::OutArchive& archive) const {
+  memory(archive, *this);
+  archive(cracks_, bonds_, advances_, largest_speed_);
+}
+
+void MovingBonds::recall(plate::InArchive& archive) {
+  memory(archive, *this);
+  archive(cracks_, bonds_, advances_, largest_speed_);
 }
 
 }  // namespace fracture

@@ -44,12 +44,22 @@ public:
   /// Those that may still go on, by their number at the start.
   std::vector<std::pair<std::size_t, geometry::Tip>> tips() const;
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(paths_, tips_, pieces_, spent_, length_);
+  }
+
 private:
   struct Running {
     std::size_t severing;
     double begin, duration, length, spent;
     geometry::Point from;
     TipAdvance way;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(severing, begin, duration, length, spent, from, way);
+    }
   };
   struct MovingTip {
     geometry::Tip tip;
@@ -61,6 +71,12 @@ private:
     std::shared_ptr<const post::TipMethods> gauge = {};  // of the tip where it is
     std::optional<Running> running = {};
     bool ended = false;
+
+    /// Without the gauge, which is made again.
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(tip, speed, length, spent, recent, since_look, next_look, running, ended);
+    }
   };
 
   std::shared_ptr<const post::TipMethods> gauge(const geometry::Tip& tip) const;

@@ -3,6 +3,7 @@
 #include "fracture/growth/record.hpp"
 #include "fracture/severing/fallen_pieces.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/solve/archive_types.hpp"
 #include "post/factors/srif.hpp"
 #include "post/files/frame.hpp"
 
@@ -37,7 +38,17 @@ public:
   virtual const Record& record() = 0;
   virtual Moved moved() const = 0;
 
+  /// All that goes on from here, between two steps.
+  virtual void remember(plate::OutArchive& archive) const = 0;
+  virtual void recall(plate::InArchive& archive) = 0;
+
 protected:
+  /// What both kinds remember of themselves.
+  template <typename Archive, typename Self>
+  static void memory(Archive& archive, Self& self) {
+    archive(self.plate_, self.record_);
+    if (self.fallen_) archive(*self.fallen_);
+  }
   /// Tips by their number.
   using Tips = std::vector<std::pair<std::size_t, geometry::Tip>>;
   virtual plate::Changes& severing() = 0;

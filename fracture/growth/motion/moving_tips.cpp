@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "fracture/growth/archive.hpp"
+
 namespace fracture {
 
 MovingTips::MovingTips(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
@@ -52,6 +54,16 @@ Moved MovingTips::moved() const {
   result.spent = growth_.spent(cracks_.fracture_energy(), start_.section().thickness, cracks_.length());
   for (const auto& path : cracks_.paths()) result.lengths.push_back(geometry::length(path.vertices));
   return result;
+}
+
+void MovingTips::remember(plate::OutArchive& archive) const {
+  memory(archive, *this);
+  archive(cracks_);
+}
+
+void MovingTips::recall(plate::InArchive& archive) {
+  memory(archive, *this);
+  archive(cracks_);
 }
 
 }  // namespace fracture

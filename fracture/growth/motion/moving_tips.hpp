@@ -14,6 +14,8 @@ public:
   void look(double) override {}
   const Record& record() override;
   Moved moved() const override;
+  void remember(plate::OutArchive& archive) const override;
+  void recall(plate::InArchive& archive) override;
 
 private:
   plate::Changes& severing() override { return cracks_; }

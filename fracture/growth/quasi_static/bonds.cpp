@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fracture/growth/archive.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/model/numerical_error.hpp"
@@ -154,6 +155,21 @@ std::vector<double> QuasiStaticBonds::lengths() const {
   std::vector<double> result;
   for (const auto& line : cracks_.lines()) result.push_back(line.length);
   return result;
+}
+
+template <typename Archive, typename Self>
+void QuasiStaticBonds::memory(Archive& archive, Self& self) {
+  auto& [none, iterations, residual, converged, reason] = self.solution_;
+  archive(self.record_, self.warnings_, self.plate_, self.cracks_, self.state_, self.most_, iterations, residual,
+          converged, reason, self.breaks_, self.new_lines_, self.advances_, self.spent_);
+}
+
+void QuasiStaticBonds::remember(plate::OutArchive& archive) const {
+  memory(archive, *this);
+}
+
+void QuasiStaticBonds::recall(plate::InArchive& archive) {
+  memory(archive, *this);
 }
 
 }  // namespace fracture

@@ -35,7 +35,12 @@ public:
   /// Of the cracks, over their length at the start [length].
   double grown_length() const { return cracks_.growth(); }
 
+  void remember(plate::OutArchive& archive) const override;
+  void recall(plate::InArchive& archive) override;
+
 private:
+  template <typename Archive, typename Self>
+  static void memory(Archive& archive, Self& self);
   std::string free_pieces() const;
   void find_state();
   double norm(plate::Forces force) const;

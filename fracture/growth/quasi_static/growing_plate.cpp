@@ -111,6 +111,12 @@ void GrowingPlate::choose(const Equilibrium& state) {
   QuasiStaticTips::choose(state);
 }
 
+void GrowingPlate::recall(plate::InArchive& archive) {
+  first_.reset();  // its cracks are those at the start
+  QuasiStaticTips::recall(archive);
+  seen_ = *std::exchange(latest_, {});
+}
+
 std::optional<std::vector<post::Srif>> GrowingPlate::factors(double factor) {
   auto result = seen_.srifs;
   for (auto& srif : result) srif = scaled(std::move(srif), factor);

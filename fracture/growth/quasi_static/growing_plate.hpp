@@ -25,6 +25,7 @@ public:
 
   /// What is seen becomes that of the last solution.
   void choose(const Equilibrium& state) override;
+  void recall(plate::InArchive& archive) override;
   const plate::Formulation& plate() const override { return *seen_.found.plate; }
   const plate::State& state() const override { return seen_.state; }
   const plate::StaticSolution& solution() const override { return solution_; }

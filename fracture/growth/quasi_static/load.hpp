@@ -27,6 +27,12 @@ public:
   /// Work and strain energy.
   Ledger ledger;
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    auto& [work, strain, fracture] = ledger;
+    archive(first_, factor_, displacement_, most_displacement_, work, strain, fracture);
+  }
+
 private:
   void go_to(double whole, double factor);
 

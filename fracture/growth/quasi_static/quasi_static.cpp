@@ -1,5 +1,7 @@
 #include "fracture/growth/quasi_static/quasi_static.hpp"
 
+#include "plate/solve/interruption.hpp"
+
 namespace fracture {
 namespace {
 
@@ -16,9 +18,14 @@ std::optional<End> end_of(const Growth& growth, const QuasiStaticModel& model, c
 }  // namespace
 
 Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
-                            const std::function<void(const Equilibrium&)>& observe) {
+                            const std::function<void(const Equilibrium&)>& observe,
+                            const Continuation& continuation) {
   Grown result;
   QuasiStaticLoad load(growth.control);
+  if (continuation.from) {
+    load = *continuation.from;
+    model.advance(load.factor());
+  }
   while (true) {
     const auto plate = model.solve();
     if (!plate.split.empty()) {
@@ -36,6 +43,8 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
       result.ended = {*end};
       return result;
     }
+    if (continuation.keep && (plate::stop_is_asked() || continuation.due())) continuation.keep(load);
+    plate::stop_if_asked("a quasi-static growth");
     model.advance(load.factor());
   }
 }

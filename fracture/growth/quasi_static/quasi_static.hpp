@@ -4,6 +4,7 @@
 #include "fracture/growth/ended.hpp"
 #include "fracture/growth/record.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/solve/archive_types.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/srif.hpp"
 #include "post/files/frame.hpp"
@@ -59,6 +60,11 @@ public:
   virtual const Record& record() { return record_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
+  /// What goes on from an equilibrium, between choose() and advance().
+  virtual void remember(plate::OutArchive& archive) const = 0;
+  /// Of a model that has not been solved yet. Throws plate::NumericalError.
+  virtual void recall(plate::InArchive& archive) = 0;
+
 protected:
   Record record_;
   std::vector<std::string> warnings_;
@@ -70,9 +76,19 @@ struct Grown {
   Ledger ledger;  // at the last state
 };
 
+/// How a growth goes on after it was ended, and remembers what it needs for it.
+struct Continuation {
+  const QuasiStaticLoad* from = nullptr;  // of a model that has recalled the same equilibrium
+  /// Asked at every equilibrium: are load and model to be kept now? They are, too, before a signal ends the growth.
+  std::function<bool()> due = {};
+  std::function<void(const QuasiStaticLoad&)> keep = {};
+};
+
 /// Lets a model grow, load by load: the plate is linear between advances, so the load factor of the next one is known
-/// exactly (theory.md, "Growth"). `observe` sees every state, after the model has chosen.
+/// exactly (theory.md, "Growth"). `observe` sees every state, after the model has chosen. Throws plate::Interrupted
+/// where a signal asks for the end.
 Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
-                            const std::function<void(const Equilibrium&)>& observe);
+                            const std::function<void(const Equilibrium&)>& observe,
+                            const Continuation& continuation = {});
 
 }  // namespace fracture

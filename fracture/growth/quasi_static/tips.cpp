@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "fracture/growth/archive.hpp"
+
 namespace fracture {
 namespace {
 
@@ -197,6 +199,24 @@ bool QuasiStaticTips::correct(const LoadedPlate& trial, std::vector<double>& ang
 void QuasiStaticTips::extend(const geometry::Tip& tip, const TipAdvance& step) {
   geometry::extend(cracks_[tip.crack], tip.at_back, step.to);
   fracture_ += toughness_ * step.length;
+}
+
+/// Nothing has moved since the plate was solved, and no trial waits.
+template <typename Archive, typename Self>
+void QuasiStaticTips::memory(Archive& archive, Self& self) {
+  archive(self.record_, self.warnings_, self.cracks_, self.most_, self.moves_, self.last_displacement_,
+          self.calibrated_, self.measured_, self.predicted_, self.fracture_, self.advances_);
+}
+
+void QuasiStaticTips::remember(plate::OutArchive& archive) const {
+  memory(archive, *this);
+}
+
+void QuasiStaticTips::recall(plate::InArchive& archive) {
+  memory(archive, *this);
+  const auto warnings = warnings_;
+  plate_ = whole_load(cracks_);
+  warnings_ = warnings;  // those of the solution have been said
 }
 
 }  // namespace fracture

@@ -39,11 +39,17 @@ public:
   std::vector<double> lengths() const override;
   const std::vector<geometry::Polyline>& cracks() const { return cracks_; }
 
+  void remember(plate::OutArchive& archive) const override;
+  /// The plate is solved again.
+  void recall(plate::InArchive& archive) override;
+
 protected:
   /// The plate with these cracks under the whole load.
   virtual LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) = 0;
 
 private:
+  template <typename Archive, typename Self>
+  static void memory(Archive& archive, Self& self);
   bool may_grow(const LoadedTip& tip) const;
   void calibrate();
   double calibration() const;

@@ -7,6 +7,7 @@
 #include "plate/model/history.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/interruption.hpp"
 
 namespace plate {
 namespace {
@@ -120,6 +121,13 @@ public:
     return all;
   }
 
+  void remember(MotionMemory& memory) const {
+    memory.loads = last_, memory.work = work_, memory.before = before_;
+  }
+  void recall(const MotionMemory& memory) {
+    last_ = memory.loads, work_ = memory.work, before_ = memory.before;
+  }
+
 private:
   /// `key`: mass, then every load.
   static PointClass class_of(const std::vector<double>& key) {
@@ -193,15 +201,23 @@ template <typename Real, typename InternalForce>
 void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, Eigen::Index points,
            const DynamicOptions& options, const std::function<void(const Instant&)>& observe) {
   const double dt = options.time_step;
-  State state = options.start.size() > 0 ? options.start : State(State::Zero(3, points));
-  State velocity = State::Zero(3, points);  // at half steps
-  if (options.start.size() > 0) masses.start(state);
+  const auto* const from = options.from;
+  State state = from ? from->state : options.start.size() > 0 ? options.start : State(State::Zero(3, points));
+  State velocity = from ? from->velocity : State(State::Zero(3, points));  // at half steps
+  if (from) masses.recall(*from);
+  if (!from && options.start.size() > 0) masses.start(state);
   Values<Real> force;
-  for (std::size_t step = 0;; ++step) {
+  for (std::size_t step = from ? from->step : 0;; ++step) {
+    const bool stops = stop_is_asked();
+    if (options.keep && (stops || options.due())) {
+      MotionMemory memory{step, state, velocity, {}, {}, {}};
+      masses.remember(memory);
+      options.keep(memory);
+    }
     const double time = static_cast<double>(step) * dt;
     const Step now{step, time, dt, state, velocity};
     if (options.changes) options.changes->before_force(now);
-    const bool observed = step % options.observe_every == 0 || step == options.steps;
+    const bool observed = step % options.observe_every == 0 || step == options.steps || stops;
     internal_force(state, force);
     std::optional<Eigen::VectorXd> held_force;
     if (observed && options.held_forces) held_force = constraints.on_held(force);
@@ -217,6 +233,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
       observe(instant);
     }
     if (step == options.steps) return;
+    if (stops) throw Interrupted("asked to stop at step " + std::to_string(step) + ", time " + std::to_string(time));
     const double share = step == 0 ? dt / 2 : dt;
     masses.for_each(points, [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
       const double per_force = share * one.inverse_mass[c], load = one.load[c];

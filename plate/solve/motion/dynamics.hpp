@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <vector>
 #include "plate/formulation/operator.hpp"
 #include "plate/model/state.hpp"
 
@@ -46,6 +47,14 @@ public:
   virtual void after_force(const Step& now, const Forces& force) = 0;
 };
 
+/// All that a motion must remember between two steps in order to go on; empty at rest.
+struct MotionMemory {
+  std::size_t step = 0;
+  State state, velocity;                         // velocity: half a step before
+  std::vector<std::pair<double, double>> loads;  // of every load: F . u and factor when its work was last counted
+  std::vector<double> work, before;              // of every load [energy]
+};
+
 struct DynamicOptions {
   double time_step = 0;
   std::size_t steps = 0;
@@ -57,11 +66,17 @@ struct DynamicOptions {
   bool held_forces = false;  // for those who observe
   /// At rest at time 0, under loads that have grown slowly: their work until then counts. Empty: zero.
   State start = {};
+  /// Goes on from here instead, with the numbers that it would have had.
+  const MotionMemory* from = nullptr;
+  /// Asked before every step: is the memory to be kept now? It is, too, before a signal ends the motion.
+  std::function<bool()> due = {};
+  std::function<void(const MotionMemory&)> keep = {};
 };
 
 /// Central differences (Dai 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a
 /// dt^2 / 2. Calls `observe` at step 0, every `observe_every` steps and at the end. Throws NumericalError where the
-/// deflection is not finite, with step, time and point.
+/// deflection is not finite, with step, time and point, and Interrupted where a signal asks for the end, once the step
+/// in hand has been observed.
 void central_differences(const Operator& plate, const Constraints& constraints, Forces mass,
                          const std::vector<TimedLoad>& loads, const DynamicOptions& options,
                          const std::function<void(const Instant&)>& observe);

@@ -8,6 +8,7 @@
 
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/lanczos_space.hpp"
 
 namespace plate {
@@ -160,6 +161,7 @@ void LanczosMotion::observe(std::size_t rows, const std::function<void(const Ins
     }
     const MatrixXd states = shapes_ * amplitudes;
     for (Index i = 0; i < states.cols(); ++i) {
+      stop_if_asked("a motion by Lanczos vectors");
       const auto& then = at[std::size_t(i)];
       const double time = time_of(first + std::size_t(i));
       const State state = Eigen::Map<const State>(states.col(i).data(), 3, points_);

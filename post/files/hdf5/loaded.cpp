@@ -3,12 +3,14 @@
 
 namespace post {
 
-StateFile::StateFile(std::filesystem::path path, const Mesh& mesh, const std::string& resolved_case,
-                     const std::string& version)
-    : open_(files().open(std::move(path), mesh, resolved_case, version)) {}
+StateFile::StateFile(Options options, const Mesh& mesh) : open_(files().open(std::move(options), mesh)) {}
 
 StateFile::~StateFile() = default;
 StateFile::StateFile(StateFile&&) noexcept = default;
+
+void StateFile::go_on(std::size_t frames) {
+  open_->go_on(frames);
+}
 
 void StateFile::write(const Frame& frame, const plate::State* velocity) {
   open_->write(frame, velocity);

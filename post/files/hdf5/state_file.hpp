@@ -8,16 +8,24 @@ namespace post {
 
 /// state.h5: points (positions, areas, cut), every written frame (time, step, state), tables (history, probes, srif),
 /// the text of the resolved case; each dataset with attributes `unit` and `description`. Written as
-/// state.h5.partial and renamed by close().
+/// state.h5.partial and renamed by close(). A process that is killed leaves all frames that it has written.
 /// Throws std::runtime_error where HDF5 fails.
 class StateFile {
 public:
-  /// `velocity`: dynamics also stores the velocities, so that a run could go on from any frame.
-  StateFile(std::filesystem::path path, const Mesh& mesh, const std::string& resolved_case, const std::string& version);
+  struct Options {
+    std::filesystem::path path;
+    std::string resolved_case, version;
+    bool velocities = false;  // of motions, with every frame
+    bool goes_on = false;     // with the file of a run that was ended
+  };
+  StateFile(Options options, const Mesh& mesh);
   ~StateFile();
   StateFile(StateFile&&) noexcept;
 
+  /// After so many frames of a run that was ended; further ones are dropped.
+  void go_on(std::size_t frames);
   void write(const Frame& frame, const plate::State* velocity);
+  /// No frame comes after a table.
   void write(const std::string& name, const Table& table);
   void close();
 
@@ -25,6 +33,7 @@ public:
   class Open {
   public:
     virtual ~Open() = default;
+    virtual void go_on(std::size_t frames) = 0;
     virtual void write(const Frame& frame, const plate::State* velocity) = 0;
     virtual void write(const std::string& name, const Table& table) = 0;
     virtual void close() = 0;

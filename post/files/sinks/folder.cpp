@@ -11,12 +11,17 @@ Folder::Folder(FolderOptions options) : options_(std::move(options)) {
 
 void Folder::open(const Mesh& mesh) {
   if (options_.vtk) vtk_.emplace(options_.folder, mesh);
-  if (options_.hdf5) hdf5_.emplace(options_.folder / "state.h5", mesh, options_.resolved, options_.version);
+  if (options_.hdf5) hdf5_.emplace(state_file(options_.velocities), mesh);
+}
+
+StateFile::Options Folder::state_file(bool velocities) const {
+  return {options_.folder / "state.h5", options_.resolved, options_.version, velocities, options_.goes_on};
 }
 
 void Folder::frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) {
   if (!options_.vtk && !hdf5_) return;
   wait_for_frame();
+  times_.push_back(frame.time);
   if (options_.vtk && !vtk_) vtk_.emplace(options_.folder, Mesh{});
   if (mesh && vtk_) vtk_->remesh(std::move(*mesh));
   writing_ = std::async(std::launch::async, [this, frame = std::move(frame), velocity = std::move(velocity)] {
@@ -28,7 +33,9 @@ void Folder::frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity)
 void Folder::final_state(const Mesh& mesh, const Frame& frame) {
   wait_for_frame();
   if (!options_.hdf5) return;
-  hdf5_.emplace(options_.folder / "state.h5", mesh, options_.resolved, options_.version);
+  auto options = state_file(false);
+  options.goes_on = false;
+  hdf5_.emplace(std::move(options), mesh);
   hdf5_->write(frame, nullptr);
 }
 
@@ -50,6 +57,18 @@ void Folder::tables(const Tables& tables) {
   if (!hdf5_) return;
   for (const auto& [name, table] : tables) hdf5_->write(name, *table);
   hdf5_->close();
+}
+
+std::vector<double> Folder::written() {
+  wait_for_frame();
+  return times_;
+}
+
+void Folder::go_on(const std::vector<double>& times) {
+  times_ = times;
+  if (options_.vtk && !vtk_) vtk_.emplace(options_.folder, Mesh{});
+  if (vtk_) vtk_->go_on(times);
+  if (hdf5_) hdf5_->go_on(times.size());
 }
 
 void Folder::summary(const std::string& json) {

@@ -14,6 +14,7 @@ struct FolderOptions {
   std::string resolved, version;  // the whole case as text; of the program
   bool vtk = true, hdf5 = true;
   bool velocities = false;  // in state.h5
+  bool goes_on = false;     // where a run was ended
 };
 
 /// The results of a run as files. A frame is written while the solver goes on: what went wrong with it is thrown with
@@ -33,13 +34,17 @@ public:
   void plot(const std::string& name, const std::string& svg) override;
   void tables(const Tables& tables) override;
   void summary(const std::string& json) override;
+  std::vector<double> written() override;
+  void go_on(const std::vector<double>& times) override;
 
 private:
   void wait_for_frame();
+  StateFile::Options state_file(bool velocities) const;
 
   FolderOptions options_;
   std::optional<VtkSeries> vtk_;
   std::optional<StateFile> hdf5_;
+  std::vector<double> times_;  // of the frames
   std::future<void> writing_;  // of the last frame; ends before what it writes to
 };
 

@@ -37,6 +37,12 @@ public:
   virtual void tables(const Tables& tables) = 0;
   /// The last.
   virtual void summary(const std::string& json) = 0;
+
+  // Of sinks that keep what they have got when the process is killed:
+  /// Times of the frames that have been given, all of which are written when this returns.
+  virtual std::vector<double> written() { return {}; }
+  /// The frames of these times were written before the run was ended.
+  virtual void go_on([[maybe_unused]] const std::vector<double>& times) {}
 };
 
 }  // namespace post

@@ -14,6 +14,8 @@ public:
   /// Of the frames from now on.
   void remesh(Mesh mesh) { mesh_ = std::move(mesh); }
   void write(const Frame& frame);
+  /// Goes on after frames that a run has written which was ended.
+  void go_on(std::vector<double> times) { times_ = std::move(times); }
 
 private:
   std::filesystem::path folder_;

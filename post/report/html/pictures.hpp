@@ -27,11 +27,22 @@ public:
   /// `low` and `high` of the codes 1 and 65535. Code 0 is no plate.
   std::string json() const;
 
+  /// What has been looked at; the cells are opened again.
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(earlier_, last_, frames_, stride_);
+  }
+
 private:
   struct Field {
     std::string name;
     std::vector<float> pixels;
     double least = 0, largest = 0;  // of the points
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(name, pixels, least, largest);
+    }
   };
   struct Picture {
     std::size_t number;
@@ -40,6 +51,11 @@ private:
     double pitch;
     geometry::Point corner;
     std::vector<Field> fields;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(number, time, columns, rows, pitch, corner, fields);
+    }
   };
   struct Scale;
 

@@ -40,3 +40,12 @@ TEST_CASE("a folder that is not there is an error with the path") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH(post::write_whole(folder / "none/a.txt", "text"), Catch::Contains("none/a.txt"));
 }
+
+TEST_CASE("a link where the half-written file would stand is not followed") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "precious") << "not ours";
+  std::filesystem::create_symlink(folder / "precious", folder / "a.txt.partial");
+  post::write_whole(folder / "a.txt", "text");
+  CHECK(text_of(folder / "precious") == "not ours");
+  CHECK(text_of(folder / "a.txt") == "text");
+}

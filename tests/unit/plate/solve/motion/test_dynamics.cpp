@@ -189,3 +189,42 @@ TEST_CASE("an unstable step is an error with its step and point") {
   CHECK_THROWS_AS(run(), NumericalError);
   CHECK_THROWS_WITH(run(), Catch::Contains("step") && Catch::Contains("point"));
 }
+
+TEST_CASE("a motion that goes on from its memory moves as if it had never stopped, to the last digit") {
+  const auto m = held();
+  Load second;
+  second.value = -2;
+  auto loads = pressure(m, 3, {{{0, 0}, {0.02, 1}, {0.05, -1}}});
+  loads.push_back({nodal_forces(second, m.boundary.cloud, m.outline), {}});
+  const State start = GENERATE(false, true) ? State(State::Zero(3, Eigen::Index(m.points()))) : State();
+  struct Seen {
+    State state, velocity;
+    double work, strain, discrete;
+    bool operator==(const Seen&) const = default;
+  };
+  const auto move = [&](const MotionMemory* from, std::size_t kept_at, std::vector<MotionMemory>* kept) {
+    std::vector<Seen> rows;
+    DynamicOptions options{0.002, 30, 3};
+    options.start = start;
+    options.from = from;
+    std::size_t asked = from ? from->step : 0;
+    options.due = [&] { return asked++ == kept_at; };
+    if (kept) options.keep = [&](const MotionMemory& memory) { kept->push_back(memory); };
+    central_differences(m.plate, m.boundary.constraints, mass_of(m), loads, options, [&](const Instant& now) {
+      rows.push_back({now.state, now.velocity(), now.external_work, now.strain_energy, now.discrete_energy});
+    });
+    return rows;
+  };
+  const auto whole = move(nullptr, 0, nullptr);
+  REQUIRE(whole.size() == 11);
+  for (const std::size_t step : {1, 3, 14, 30}) {
+    std::vector<MotionMemory> kept;
+    CHECK(move(nullptr, step, &kept) == whole);
+    REQUIRE(kept.size() == 1);
+    REQUIRE(kept[0].step == step);
+    const auto rest = move(&kept[0], 0, nullptr);
+    const auto rows = std::size_t((30 - step) / 3 + 1);
+    REQUIRE(rest.size() == rows);
+    CHECK(std::equal(rest.begin(), rest.end(), whole.end() - std::ptrdiff_t(rows)));
+  }
+}

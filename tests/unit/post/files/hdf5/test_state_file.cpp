@@ -1,7 +1,11 @@
 #include <hdf5.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <csignal>
 #include <optional>
 
 #include "post/files/hdf5/state_file.hpp"
@@ -77,7 +81,7 @@ const std::string long_case(200000, '#');  // more than the 64 KiB that an attri
 TEST_CASE("a run comes back from state.h5") {
   const TemporaryFolder folder;
   const post::Frame first = small_run::frame(0, 0), second = small_run::frame(0.5, 10);
-  post::StateFile file(folder / "state.h5", small_run::mesh(), long_case, "1.2.3");
+  post::StateFile file({folder / "state.h5", long_case, "1.2.3"}, small_run::mesh());
   file.write(first, nullptr);
   file.write(second, nullptr);
   CHECK_FALSE(std::filesystem::exists(folder / "state.h5"));
@@ -98,7 +102,7 @@ TEST_CASE("state.h5 explains itself") {
   const post::Frame frame = small_run::frame(0.5, 10);
   const plate::State velocity = 7 * frame.state;
   {
-    post::StateFile file(folder / "state.h5", small_run::mesh(), long_case, "1.2.3");
+    post::StateFile file({folder / "state.h5", long_case, "1.2.3", true}, small_run::mesh());
     file.write(frame, &velocity);
     file.write("probes", {{"time", "probe", "w"}, {{0.0, "tip", 1.5}, {0.5, "edge", post::Cell()}}});
     file.write("probes", {{"time", "probe", "w"}, {{0.0, "tip", 2.5}, {0.5, "edge", post::Cell()}}});
@@ -129,12 +133,12 @@ TEST_CASE("state.h5 explains itself") {
 TEST_CASE("a run that fails keeps its last good frame, one without a frame leaves nothing") {
   const TemporaryFolder folder;
   {
-    post::StateFile file(folder / "empty.h5", small_run::mesh(), "", "1");
+    post::StateFile file({folder / "empty.h5", "", "1"}, small_run::mesh());
     CHECK(std::filesystem::exists(folder / "empty.h5.partial"));
   }
   CHECK(folder.entries() == 0);
   {
-    post::StateFile file(folder / "state.h5", small_run::mesh(), "", "1");
+    post::StateFile file({folder / "state.h5", "", "1"}, small_run::mesh());
     file.write(small_run::frame(0.25, 1), nullptr);
     CHECK_THROWS_AS(file.write(small_run::frame(0.5, 2, 5), nullptr), std::invalid_argument);
   }
@@ -147,7 +151,7 @@ TEST_CASE("an interrupted write leaves no state.h5") {
   const std::optional<FullDisk> full(std::in_place, 20000);
   post::Mesh mesh = small_run::mesh();
   {
-    post::StateFile file(folder / "state.h5", mesh, "", "1");
+    post::StateFile file({folder / "state.h5", "", "1"}, mesh);
     file.write(small_run::frame(0, 0), nullptr);
     const post::Table table{{"a"}, std::vector<std::vector<post::Cell>>(50000, {1.0})};
     CHECK_THROWS_WITH(file.write("table", table), Catch::Contains("File too large"));
@@ -156,17 +160,62 @@ TEST_CASE("an interrupted write leaves no state.h5") {
   mesh.positions.resize(5000, {0, 0});
   mesh.areas.resize(5000);
   mesh.cut.resize(5000);
-  CHECK_THROWS_AS(post::StateFile(folder / "state.h5", mesh, "", "1"), std::filesystem::filesystem_error);
+  CHECK_THROWS_AS(post::StateFile({folder / "state.h5", "", "1"}, mesh), std::filesystem::filesystem_error);
   CHECK(folder.entries() == 0);
 }
 
 TEST_CASE("what cannot be opened or read is an error with the path") {
   const TemporaryFolder folder;
-  CHECK_THROWS_WITH(post::StateFile(folder / "none/state.h5", small_run::mesh(), "", "1"),
+  CHECK_THROWS_WITH(post::StateFile({folder / "none/state.h5", "", "1"}, small_run::mesh()),
                     Catch::Contains("none/state.h5") && Catch::Contains("No such file"));
   CHECK_THROWS_WITH(post::read_run(folder / "state.h5"), Catch::Contains("state.h5"));
   post::write_whole(folder / "state.h5", "not HDF5");
   CHECK_THROWS_WITH(post::read_run(folder / "state.h5"), Catch::Contains("state.h5"));
-  post::StateFile(folder / "no_frames.h5", small_run::mesh(), "", "1").close();
+  post::StateFile({folder / "no_frames.h5", "", "1"}, small_run::mesh()).close();
   CHECK(post::read_run(folder / "no_frames.h5").times.empty());
+}
+
+TEST_CASE("a process that is killed leaves its frames, and another goes on after any of them") {
+  const TemporaryFolder folder;
+  const post::StateFile::Options options{folder / "state.h5", long_case, "1", true};
+  const auto write = [](post::StateFile& file, std::size_t number) {
+    const auto frame = small_run::frame(0.5 * double(number), number);
+    const plate::State velocity = 3 * frame.state;
+    file.write(frame, &velocity);
+  };
+  const pid_t child = fork();
+  if (child == 0) {
+    post::StateFile file(options, small_run::mesh());
+    for (std::size_t i = 0; i < 5; ++i) write(file, i);
+    raise(SIGKILL);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  REQUIRE(WIFSIGNALED(status));
+  auto again = options;
+  again.goes_on = true;
+  const auto expect = [&](std::size_t last) {
+    const post::StoredRun run = post::read_run(folder / "state.h5");
+    REQUIRE(run.times.size() == last + 1);
+    for (std::size_t i = 0; i <= last; ++i) {
+      CHECK(run.times[i] == 0.5 * double(i));
+      CHECK(run.states[i] == small_run::frame(run.times[i], i).state);
+    }
+    const Look look(folder / "state.h5");
+    CHECK(look.numbers("/frames/velocity").size() == (last + 1) * small_run::mesh().positions.size() * 3);
+    CHECK(look.numbers("/tables/table/a") == std::vector<double>{double(last)});
+  };
+  for (const std::size_t last : {6, 4}) {  // first of the killed run, then of the one that has ended
+    {
+      post::StateFile file(again, small_run::mesh());
+      file.go_on(3);
+      for (std::size_t i = 3; i <= last; ++i) write(file, i);
+      file.write("table", {{"a"}, {{double(last)}}});
+      file.close();
+    }
+    expect(last);
+  }
+  CHECK(folder.entries() == 1);
+  post::StateFile file(again, small_run::mesh());
+  CHECK_THROWS_WITH(file.go_on(6), Catch::Contains("fewer than 6"));
 }

@@ -1,0 +1,148 @@
+#include "post/files/checkpoint.hpp"
+
+#define XXH_INLINE_ALL
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <istream>
+#include <memory>
+#include <system_error>
+
+#include "post/files/whole_file.hpp"
+
+namespace post {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array names{"checkpoint", "checkpoint.before"};
+constexpr const char* magic = "PDPlate checkpoint 1: ";  // the number of its form
+
+[[noreturn]] void fail(const fs::path& path) {
+  throw fs::filesystem_error("cannot write", path, std::error_code(errno != 0 ? errno : EIO, std::generic_category()));
+}
+
+/// A file, with a checksum of what has been written to it.
+class Hashing : public std::streambuf {
+public:
+  explicit Hashing(const fs::path& path) : path_(path), state_(XXH3_createState(), XXH3_freeState) {
+    XXH3_64bits_reset(state_.get());
+    errno = 0;
+    if (!file_.open(path, std::ios::out | std::ios::binary | std::ios::trunc)) fail(path);
+  }
+  std::uint64_t checksum() const { return XXH3_64bits_digest(state_.get()); }
+  void close() {
+    errno = 0;
+    if (!file_.close()) fail(path_);
+  }
+
+private:
+  std::streamsize xsputn(const char* data, std::streamsize count) override {
+    XXH3_64bits_update(state_.get(), data, std::size_t(count));
+    errno = 0;
+    if (file_.sputn(data, count) != count) fail(path_);
+    return count;
+  }
+  int_type overflow(int_type c) override {
+    const char one = traits_type::to_char_type(c);
+    xsputn(&one, 1);
+    return c;
+  }
+
+  fs::path path_;
+  std::filebuf file_;
+  std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_;
+};
+
+/// Reads what stands in memory.
+class Reading : public std::streambuf {
+public:
+  explicit Reading(std::string_view text) {
+    auto* const begin = const_cast<char*>(text.data());
+    setg(begin, begin, begin + text.size());
+  }
+};
+
+/// Waits until a file, or the names in a folder, are on the disk.
+void sync(const fs::path& path) {
+  const int opened = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = opened >= 0 && fsync(opened) == 0;
+  const int error = errno;
+  if (opened >= 0) close(opened);
+  errno = error;
+  // EINVAL: a file system without anything to wait for
+  if (!synced && errno != EINVAL) fail(path);
+}
+
+std::string hexadecimal(std::uint64_t number) {
+  return fmt::format("{:016x}", number);
+}
+
+/// What is wrong with a checkpoint; `memory` is its content where nothing is.
+std::string fault_of(const std::string& text, const std::string& of, std::string_view& memory) {
+  constexpr std::size_t digits = 16;
+  const std::string_view all = text;
+  const auto line = all.find('\n');
+  if (!all.starts_with(magic) || line == std::string::npos) return "is no checkpoint of this version";
+  const auto content = all.substr(0, std::max(all.size(), digits) - digits);
+  if (content.size() <= line || hexadecimal(XXH3_64bits(content.data(), content.size())) != all.substr(content.size()))
+    return "is damaged or not whole";
+  if (const auto found = all.substr(0, line).substr(std::string_view(magic).size()); found != of)
+    return fmt::format("is of another run: {}, not {}", found, of);
+  memory = content.substr(line + 1);
+  return {};
+}
+
+}  // namespace
+
+void Checkpoints::write(const std::function<void(std::ostream&)>& remember) const {
+  const auto newest = folder_ / names[0];
+  write_whole(newest, [&](const fs::path& beside) {
+    Hashing file(beside);
+    std::ostream stream(&file);
+    stream.exceptions(std::ios::badbit);
+    stream << magic << of_ << '\n';
+    remember(stream);
+    stream << hexadecimal(file.checksum());
+    file.close();
+    sync(beside);
+    std::error_code none;  // there is none before the second
+    fs::rename(newest, folder_ / names[1], none);
+  });
+  sync(folder_);
+}
+
+bool Checkpoints::read(const std::function<void(std::istream&)>& recall, std::vector<std::string>& refused) const {
+  for (const auto* name : names) {
+    const auto path = folder_ / name;
+    if (!fs::exists(path)) continue;
+    const auto text = read_text(path);
+    std::string_view memory;
+    const auto fault = fault_of(text, of_, memory);
+    if (fault.empty()) {
+      Reading buffer(memory);
+      std::istream stream(&buffer);
+      recall(stream);
+      return true;
+    }
+    refused.push_back(fmt::format("{} {}", path.string(), fault));
+  }
+  return false;
+}
+
+bool Checkpoints::any() const {
+  return fs::exists(folder_ / names[0]) || fs::exists(folder_ / names[1]);
+}
+
+void Checkpoints::remove() const {
+  std::error_code none;
+  for (const auto* name : names) fs::remove(folder_ / name, none);
+}
+
+}  // namespace post

@@ -1,0 +1,34 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace post {
+
+/// What a run keeps in its folder in order to go on after it was killed: `checkpoint`, and `checkpoint.before` with
+/// the one before it. A file begins with what it is of, ends with a checksum of all before, and is in its place whole
+/// and on the disk or not at all.
+class Checkpoints {
+public:
+  /// `of`: one line that says which run of which program may go on from it.
+  Checkpoints(std::filesystem::path folder, std::string of) : folder_(std::move(folder)), of_(std::move(of)) {}
+
+  /// `remember` writes the memory. Throws std::filesystem::filesystem_error; the last two stay then.
+  void write(const std::function<void(std::ostream&)>& remember) const;
+
+  /// Lets `recall` read the memory of the newest checkpoint that is whole and of this run; false where there is none.
+  /// Whatever is wrong with others goes into `refused`.
+  bool read(const std::function<void(std::istream&)>& recall, std::vector<std::string>& refused) const;
+
+  bool any() const;
+  void remove() const;
+
+private:
+  std::filesystem::path folder_;
+  std::string of_;
+};
+
+}  // namespace post

@@ -1,0 +1,88 @@
+#include "post/files/hdf5/datasets.hpp"
+
+namespace post::hdf5 {
+namespace {
+
+Id scalar() {
+  return Id(H5Screate(H5S_SCALAR), H5Sclose, "scalar");
+}
+
+Id space_of(const Sizes& sizes, const hsize_t* limits = nullptr) {
+  return Id(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), limits), H5Sclose, "data space");
+}
+
+Id new_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, const Meaning& meaning,
+               hid_t properties = H5P_DEFAULT) {
+  Id dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose, name);
+  write_attribute(dataset, "unit", meaning.unit);
+  write_attribute(dataset, "description", meaning.description);
+  return dataset;
+}
+
+}  // namespace
+
+Id string_type() {
+  Id type(H5Tcopy(H5T_C_S1), H5Tclose, "string type");
+  checked(H5Tset_size(type, H5T_VARIABLE), "string type");
+  checked(H5Tset_cset(type, H5T_CSET_UTF8), "string type");
+  return type;
+}
+
+void write_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
+  const Id attribute(H5Acreate2(object, name.c_str(), type, scalar(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
+  checked(H5Awrite(attribute, type, value), name);
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& text) {
+  const char* characters = text.c_str();
+  write_attribute(object, name, string_type(), &characters);
+}
+
+Id new_group(hid_t parent, const std::string& name) {
+  return Id(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name);
+}
+
+void write_whole_dataset(hid_t parent, const std::string& name, hid_t type, const Sizes& sizes, const void* values,
+                         const Meaning& meaning) {
+  const Id dataset = new_dataset(parent, name, type, space_of(sizes), meaning);
+  checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+}
+
+Series::Series(hid_t parent, const std::string& name, Sizes sizes, hsize_t chunk, const Meaning& meaning)
+    : name_(name), sizes_(std::move(sizes)) {
+  sizes_.insert(sizes_.begin(), 0);
+  Sizes limits = sizes_, chunks = sizes_;
+  limits.front() = H5S_UNLIMITED;
+  chunks.front() = chunk;
+  const Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
+  checked(H5Pset_chunk(properties, static_cast<int>(chunks.size()), chunks.data()), name);
+  checked(H5Pset_fill_value(properties, H5T_NATIVE_DOUBLE, &missing), name);
+  checked(H5Pset_shuffle(properties), name);
+  checked(H5Pset_deflate(properties, 1), name);
+  dataset_ = new_dataset(parent, name, H5T_IEEE_F64LE, space_of(sizes_, limits.data()), meaning, properties);
+}
+
+Series::Series(hid_t parent, const std::string& name, std::size_t length)
+    : name_(name), dataset_(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, name) {
+  const Id space(H5Dget_space(dataset_), H5Sclose, name);
+  sizes_.resize(std::size_t(checked(H5Sget_simple_extent_ndims(space), name)));
+  checked(H5Sget_simple_extent_dims(space, sizes_.data(), nullptr), name);
+  if (sizes_.empty() || sizes_.front() < length)
+    throw std::runtime_error(fmt::format("state.h5: {} has fewer than {} entries", name, length));
+  sizes_.front() = length;
+  checked(H5Dset_extent(dataset_, sizes_.data()), name);
+}
+
+void Series::write(std::size_t index, const double* values) {
+  sizes_.front() = index + 1;
+  checked(H5Dset_extent(dataset_, sizes_.data()), name_);
+  Sizes start(sizes_.size(), 0), count = sizes_;
+  start.front() = index;
+  count.front() = 1;
+  const Id target(H5Dget_space(dataset_), H5Sclose, name_);
+  checked(H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name_);
+  checked(H5Dwrite(dataset_, H5T_NATIVE_DOUBLE, space_of(count), target, H5P_DEFAULT, values), name_);
+  checked(H5Dflush(dataset_), name_);
+}
+
+}  // namespace post::hdf5

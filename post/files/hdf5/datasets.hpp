@@ -1,0 +1,49 @@
+#pragma once
+#include <limits>
+#include <stdexcept>
+
+#include "post/files/hdf5/hdf5_id.hpp"
+#include "post/files/table.hpp"
+
+/// What state.h5 is made of. For the sources of this folder alone.
+namespace post::hdf5 {
+
+constexpr auto missing = std::numeric_limits<double>::quiet_NaN();
+
+/// The attributes of a dataset.
+struct Meaning {
+  std::string unit, description;
+};
+
+Id string_type();
+void write_attribute(hid_t object, const std::string& name, hid_t type, const void* value);
+void write_attribute(hid_t object, const std::string& name, const std::string& text);
+
+Id new_group(hid_t parent, const std::string& name);
+void write_whole_dataset(hid_t parent, const std::string& name, hid_t type, const Sizes& sizes, const void* values,
+                         const Meaning& meaning);
+/// A group with a dataset per column, in place of one of this name.
+void write_table(hid_t parent, const std::string& name, const Table& table);
+
+/// A dataset that grows along its first index.
+class Series {
+public:
+  Series() = default;
+  /// `sizes` of one entry; `chunk` entries are stored together.
+  Series(hid_t parent, const std::string& name, Sizes sizes, hsize_t chunk, const Meaning& meaning);
+  /// One that is there, `length` entries of it.
+  Series(hid_t parent, const std::string& name, std::size_t length);
+
+  bool exists() const { return dataset_ >= 0; }
+  herr_t release() { return dataset_.release(); }
+
+  /// The entry is in the file when this returns.
+  void write(std::size_t index, const double* values);
+
+private:
+  std::string name_;
+  Sizes sizes_;
+  Id dataset_;
+};
+
+}  // namespace post::hdf5
