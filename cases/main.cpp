@@ -3,8 +3,8 @@
 #include <omp.h>
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include "cases/driver/energy_check.hpp"
 #include "cases/driver/run.hpp"
+#include "cases/input/case_file.hpp"
 #include "cases/studies/comparison.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"

@@ -1,51 +1,30 @@
 #include <fmt/format.h>
-#include <sstream>
 #include "cases/driver/discretised.hpp"
 #include "cases/driver/foretell.hpp"
 #include "cases/driver/results.hpp"
-#include "cases/driver/run.hpp"
 #include "cases/driver/second_formulation.hpp"
+#include "cases/input/refused.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/free_memory.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "post/files/factor_rows.hpp"
 #include "post/files/gate.hpp"
 #include "post/files/hdf5/state_file.hpp"
 #include "post/report/html/report.hpp"
 #include "post/report/html/study_report.hpp"
+#include "post/studies/neighbouring_cracks.hpp"
 
 namespace cases {
 namespace {
 
 constexpr double giga = 1e9;
 
-std::string of_solution(const CaseFile& file, const ForetoldRun& run) {
-  const auto& analysis = file.content.analysis;
-  if (run.time_step > 0)
-    return fmt::format("time step     {:.4g} (stable limit {:.4g})\nsteps         {:.0f}\n", run.time_step,
-                       run.time_limit, run.whole.steps);
-  if (analysis.kind != Analysis::Kind::static_)
-    return fmt::format("solution      Lanczos vectors, about {:.0f}\n", run.costs.iterations);
-  return fmt::format("solution      {}, about {:.0f} iterations{}\n", run.solver.words,
-                     std::max(1.0, run.costs.iterations), file.content.growth ? " an advance" : "");
-}
-
-std::string of_time(const ForetoldRun& run) {
-  std::string text = fmt::format("time          {:.2g} s:", run.costs.total());
-  for (const auto& [stage, seconds] : run.costs.seconds) text += fmt::format(" {} {:.2g},", stage, seconds);
-  text.back() = '\n';
-  if (run.whole.advances > 0)
-    text += fmt::format("advances      up to {:.0f}, {:.2g} s each\n", run.whole.advances,
-                        run.costs.total() / run.whole.advances);
-  return text;
-}
-
 /// The cost of a case whose discretisation is known.
 std::string of_run(const CaseFile& file) {
   const auto run = foretell(file);
-  std::string text = fmt::format("points        {:.0f}\nbonds         {:.0f}\n", run.points, run.bonds);
-  text += of_solution(file, run) + of_time(run);
+  std::string text = fracture::to_text(run, plan_of(file.content, {}));
   double bytes = run.bytes, seconds = run.costs.total();
   if (file.content.srif && file.content.srif->second_formulation) {
     const auto other = foretell(in_other_formulation(file));
@@ -95,6 +74,13 @@ std::string cost(const CaseFile& file) {
   text += of_run(file);
   text += made ? of_plate(file) : "tips, supports and loads are checked by the run: with so many points not here\n";
   return text;
+}
+
+post::Table energy_check(const CaseFile& file) {
+  const Case& c = file.content;
+  if (c.analysis.kind != Analysis::Kind::static_)
+    throw CaseError({{file.place("analysis.kind"), "analysis.kind", "the energy check needs a static case"}});
+  return unless_refused(file, [&] { return post::energy_check(c, c.analysis); });
 }
 
 void report_again(const std::filesystem::path& folder) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "cases/driver/discretised.hpp"
+#include "cases/driver/results.hpp"
+#include "cases/input/refused.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "post/factors/plate_factors.hpp"
 
@@ -16,7 +18,7 @@ void settle_free_motion(CaseFile& file, const plate::Formulation& plate) {
     throw CaseError({{file.place("srif.accuracy"), "srif.accuracy",
                       "in motion needs a plate that supports hold: hold it, or state the discretisation instead"}});
   const bool stated =
-      std::ranges::any_of(file.places, [](const auto& given) { return given.first == "analysis.method"; });
+      std::ranges::any_of(file.source.places, [](const auto& given) { return given.first == "analysis.method"; });
   if (stated)
     throw CaseError({{file.place("analysis.method"), "analysis.method",
                       "\"lanczos\" needs a plate that supports hold; choose \"central_difference\""}});
@@ -33,7 +35,7 @@ Prepared::Prepared(CaseFile wanted) : file(std::move(wanted)) {
     check_growing_tips(file, *plate, warnings);
     if (c.analysis.method == Analysis::Method::lanczos) settle_free_motion(file, *plate);
     if (c.analysis.method == Analysis::Method::lanczos) {
-      steps = {0, row_grid(file)};
+      steps = {0, unless_refused(file, [&] { return plate::row_grid(fracture::grid_options(plan_of(c, {}))); })};
     } else {
       const double limit =
           plate::stable_time_step(*plate, plate->constraints(), plate->mass(c.analysis.rotary_inertia));
@@ -44,6 +46,11 @@ Prepared::Prepared(CaseFile wanted) : file(std::move(wanted)) {
   tip_methods = cases::tip_methods(file, *plate);
   for (auto& one : post::distrust_of_ligaments(*plate)) warnings.push_back(std::move(one));
   stopwatch.lap("srif");
+}
+
+plate::TimeGrid time_grid(const CaseFile& file, double limit) {
+  const auto options = fracture::grid_options(plan_of(file.content, {}));
+  return unless_refused(file, [&] { return plate::time_grid(options, limit); });
 }
 
 }  // namespace cases

@@ -22,18 +22,6 @@ struct RunOptions {
   RunOptions part(const std::string& name) const;
 };
 
-/// The steps of a dynamic run.
-struct TimeGrid {
-  double time_step;
-  std::size_t steps, steps_per_row;  // rows of history, probes and intensity factors
-};
-
-/// Steps that end exactly on the rows of history, none above `limit`. Throws CaseError where the file asks for more.
-TimeGrid time_grid(const CaseFile& file, double limit);
-
-/// One step per row, for motions that need no steps. Throws CaseError where there are too many.
-TimeGrid row_grid(const CaseFile& file);
-
 /// Runs a case and writes its results folder. Throws CaseError before anything is written; plate::NumericalError after
 /// the last good frame, the summary and all tables have been written.
 post::Summary run(const CaseFile& file, const RunOptions& options);
@@ -44,6 +32,10 @@ std::string cost(const CaseFile& file);
 /// Extracts the intensity factors again from the frames of a finished run; rows of srif.csv.
 /// Throws CaseError or std::runtime_error.
 post::Table srif_again(const std::filesystem::path& folder, const std::vector<std::string>& methods);
+
+/// K of every tip from the energy of neighbouring crack lengths: post::energy_check. Throws CaseError where the case is
+/// not static.
+post::Table energy_check(const CaseFile& file);
 
 /// Writes report.html into the folder of a finished run again. Throws CaseError where it is no such folder.
 void report_again(const std::filesystem::path& folder);

@@ -20,7 +20,7 @@ CaseFile in_other_formulation(const CaseFile& file) {
   c.srif->second_formulation = c.srif->richardson = false;
 
   Reading reading("");
-  reading.found().places = file.places;
+  reading.found().places = file.source.places;
   reading.kind = c.analysis.kind;
   check_case(c, reading);
   auto problems = reading.problems();

@@ -1,36 +1,17 @@
+#include "cases/input/case_file.hpp"
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
+#include "cases/input/refused.hpp"
 #include "geometry/shape/crack_extension.hpp"
 #include "geometry/shape/snapping.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/model/faults/edge_faults.hpp"
 
 #include <limits>
 
 namespace cases {
 
 namespace {
-
-using geometry::Edge;
-using geometry::Point;
-using plate::SupportKind;
-
-bool on_plate(const geometry::Outline& outline, const Point& point) {
-  return geometry::contains(outline, point) ||
-         geometry::distance_to_boundary(outline, point) <= geometry::tolerance(outline);
-}
-
-/// Does the name stand for straight edges parallel to the axes only?
-bool axis_parallel(const geometry::Outline& outline, const std::string& name) {
-  for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name) return false;
-  for (const Edge& edge : geometry::straight_edges(outline))
-    if (edge.name == name && (edge.to - edge.from).cwiseAbs().minCoeff() > geometry::tolerance(outline)) return false;
-  return true;
-}
-
-bool needs_axis_parallel(SupportKind kind) {
-  return kind == SupportKind::symmetry || kind == SupportKind::simply_supported_hard || plate::is_layer(kind);
-}
 
 /// Shape and cracks; true where edges and points can be checked against the shape.
 bool check_geometry(const Case& content, Reading& reading) {
@@ -46,49 +27,15 @@ bool check_geometry(const Case& content, Reading& reading) {
   return true;
 }
 
-void check_names(const std::vector<std::string>& names, const std::vector<std::string>& existing,
-                 const std::string& key, Reading& reading) {
-  for (const auto& name : names)
-    if (std::find(existing.begin(), existing.end(), name) == existing.end())
-      reading.complain(key, fmt::format("the plate has no edge \"{}\"{}; its edges: {}", name,
-                                        did_you_mean(name, existing), listed(existing)));
-}
-
-void check_supports(const Case& content, Reading& reading) {
-  const auto existing = geometry::edge_names(content.outline);
-  std::map<std::string, std::size_t> holder;
-  for (std::size_t i = 0; i < content.supports.size(); ++i) {
-    const auto& support = content.supports[i];
-    const std::string entry = fmt::format("support[{}]", i);
-    check_names(support.edges, existing, entry + ".edges", reading);
-    for (const auto& edge : support.edges) {
-      const auto [first, fresh] = holder.emplace(edge, i);
-      if (!fresh && first->second != i)
-        reading.complain(entry + ".edges",
-                         fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second));
-      const bool any_direction = content.discretization.formulation->offers(plate::Feature::any_direction);
-      if (!any_direction && needs_axis_parallel(support.kind) && reading.sound(entry + ".kind") &&
-          !axis_parallel(content.outline, edge))
-        reading.complain(entry + ".edges",
-                         fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
-                                     "of support needs because it mirrors or extends the lattice there",
-                                     edge));
-    }
-    for (const auto& point : support.points)
-      if (!on_plate(content.outline, point))
-        reading.complain(entry + ".points", text_of(point) + " given, must lie in the plate or on its boundary");
-  }
-}
-
-void check_loads(const Case& content, Reading& reading) {
-  const auto existing = geometry::edge_names(content.outline);
-  for (std::size_t i = 0; i < content.loads.size(); ++i) {
-    const auto& load = content.loads[i];
-    const std::string entry = fmt::format("load[{}]", i);
-    check_names(load.edges, existing, entry + ".edges", reading);
-    const std::string position = entry + ".position";
-    if (reading.given(position) && reading.sound(position) && !geometry::contains(content.outline, load.position))
-      reading.complain(position, text_of(load.position) + " given, must lie inside the plate");
+/// Names of edges, kinds and places of supports and loads.
+void check_edges(const Case& content, Reading& reading) {
+  for (const auto& fault : plate::faults_of_edges(content)) {
+    const auto key = key_of(fault);
+    if (fault.subject == plate::Subject::support_direction &&
+        !reading.sound(fmt::format("support[{}].kind", fault.number)))
+      continue;
+    if (fault.subject == plate::Subject::load_position && (!reading.given(key) || !reading.sound(key))) continue;
+    reading.complain(key, fault.what);
   }
 }
 
@@ -123,7 +70,7 @@ void check_precision(const Case& content, Reading& reading) {
 
 void check_probes(const Case& content, Reading& reading) {
   for (const auto& [name, point] : content.output.probes)
-    if (!on_plate(content.outline, point))
+    if (!plate::on_plate(content.outline, point))
       reading.complain("output.probes." + name, text_of(point) + " given, must lie in the plate or on its boundary");
 }
 
@@ -282,8 +229,7 @@ void check_case(const Case& content, Reading& reading) {
   if (!check_geometry(content, reading)) return;
   check_spacing(content, reading);
   check_precision(content, reading);
-  check_supports(content, reading);
-  check_loads(content, reading);
+  check_edges(content, reading);
   check_probes(content, reading);
   check_tips(content, reading);
   check_growth(content, reading);

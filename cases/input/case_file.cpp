@@ -4,7 +4,7 @@
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "post/factors/accuracy_path.hpp"
+#include "post/studies/accuracy/path.hpp"
 
 namespace cases {
 
@@ -62,7 +62,7 @@ std::optional<Analysis::Kind> kind_of(const toml::table& root) {
 CaseError::CaseError(std::vector<Problem> problems)
     : std::runtime_error(report(problems)), problems_(std::move(problems)) {}
 
-std::string CaseFile::place(const std::string& key) const {
+std::string Source::place(const std::string& key) const {
   for (std::string parent = key;;) {
     for (const auto& [given, where] : places)
       if (given == parent) return where;
@@ -91,8 +91,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   if (content.srif && content.srif->accuracy)
     content.discretization = post::discretization_of(content, content.analysis.kind == Analysis::Kind::dynamic, 1);
-  reading.found().content = std::move(content);
-  return reading.found();
+  return {std::move(content), reading.found()};
 }
 
 }  // namespace

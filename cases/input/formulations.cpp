@@ -1,5 +1,7 @@
 #include "cases/input/formulations.hpp"
 
+#include "cases/input/case.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

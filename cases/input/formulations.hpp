@@ -5,6 +5,8 @@
 /// Which formulation of the plate a case is for, and what not every one of them can do.
 namespace cases {
 
+struct Case;
+
 /// One thing that a case asks for and that not every formulation can do.
 struct Asked {
   std::string words;  // horizon_ratio, precision = "mixed"

@@ -1,4 +1,5 @@
 #include "cases/input/keys.hpp"
+#include "cases/input/case_file.hpp"
 
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"

@@ -1,8 +1,24 @@
 #pragma once
 #include "cases/input/keys_forms.hpp"
 
+namespace fracture {
+struct Growth;
+}
+
+namespace plate {
+struct Load;
+struct Support;
+}  // namespace plate
+
+namespace post {
+struct SrifOptions;
+}
+
 /// The table of keys, and what is checked when the whole file is read.
 namespace cases {
+
+struct Case;
+struct Output;
 
 Fields<Case> geometry_fields();
 Fields<plate::Support> support_fields();

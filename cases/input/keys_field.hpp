@@ -12,6 +12,8 @@
 /// it and writes it; a table is a field whose reading reads the fields below it.
 namespace cases {
 
+using plate::Analysis;
+
 using Kinds = std::set<Analysis::Kind>;
 inline const Kinds any_kind{Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::frequencies};
 

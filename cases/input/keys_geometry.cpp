@@ -1,3 +1,4 @@
+#include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
 
 namespace cases {

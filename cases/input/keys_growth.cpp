@@ -1,4 +1,5 @@
 #include "cases/input/keys.hpp"
+#include "fracture/growth/criteria.hpp"
 
 namespace cases {
 namespace {

@@ -1,4 +1,6 @@
 #include "cases/input/keys.hpp"
+#include "plate/model/loads.hpp"
+#include "plate/model/supports.hpp"
 
 namespace cases {
 

@@ -1,6 +1,8 @@
 #include "cases/input/keys.hpp"
+#include "cases/input/output.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
+#include "post/factors/srif.hpp"
 
 namespace cases {
 
@@ -150,9 +152,11 @@ Field<Output> probes() {
 }  // namespace
 
 const Words<Analysis::Kind>& analysis_kinds() {
-  static const Words<Analysis::Kind> words{{{"static", Analysis::Kind::static_},
-                                            {"dynamic", Analysis::Kind::dynamic},
-                                            {"frequencies", Analysis::Kind::frequencies}}};
+  static const Words<Analysis::Kind> words = [] {
+    Words<Analysis::Kind> result;
+    for (const auto kind : any_kind) result.allowed.emplace_back(plate::name_of(kind), kind);
+    return result;
+  }();
   return words;
 }
 

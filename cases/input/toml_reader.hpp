@@ -1,7 +1,11 @@
 #pragma once
 #include <toml++/toml.h>
-#include "cases/input/case_file.hpp"
+#include <filesystem>
+#include <optional>
+
+#include "cases/input/problems.hpp"
 #include "plate/model/wording.hpp"
+#include "plate/solve/analysis.hpp"
 
 /// Values of a case file that know their key and their place, and complain by themselves.
 namespace cases {
@@ -11,8 +15,8 @@ class Reading {
 public:
   explicit Reading(std::string file) { found_.places.emplace_back("", std::move(file)); }
 
-  std::optional<Analysis::Kind> kind;  // analysis.kind, where it is known
-  bool finds_spacing = false;          // srif.accuracy is given
+  std::optional<plate::Analysis::Kind> kind;  // analysis.kind, where it is known
+  bool finds_spacing = false;                 // srif.accuracy is given
 
   /// The key was set on the command line as `typed`: "--set TYPED" is its place and that of everything below it.
   void overridden(const std::string& key, const std::string& typed) { overridden_.emplace_back(key, typed); }
@@ -28,10 +32,10 @@ public:
 
   /// Those of the command line first, then those of the file by line.
   std::vector<Problem> problems() const;
-  CaseFile& found() { return found_; }
+  Source& found() { return found_; }
 
 private:
-  CaseFile found_;
+  Source found_;
   std::vector<std::pair<std::string, std::string>> overridden_;
   std::vector<Problem> problems_;
 };

@@ -7,7 +7,8 @@
 #include "fracture/growth/criteria.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/model/section.hpp"
+#include "plate/model/problem.hpp"
+#include "post/factors/plate_factors.hpp"
 
 namespace fracture {
 
@@ -27,6 +28,20 @@ std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Fo
                           [](const auto& side) { return side.kind == plate::SupportKind::symmetry; }))
     warnings.push_back("bonds across a line of symmetry do not break: no crack crosses it");
   return warnings;
+}
+
+std::vector<std::string> tips_without_rings(const plate::Formulation& plate) {
+  const auto& problem = plate.problem();
+  std::vector<std::string> result;
+  for (const auto& tip : plate.tips()) {
+    if (post::ringed(problem, plate.paths(), tip)) continue;
+    const double clear = post::clear_distance(problem, plate.paths(), tip);
+    result.push_back(
+        fmt::format("tip at ({:g}, {:g}): an edge, a load, a pin, another crack or an end of its own leaves {:.3g} "
+                    "about it, {:.3g} spacings, too little for the energy release rate that growth needs",
+                    tip.position.x(), tip.position.y(), clear, clear / problem.discretization.spacing_at_tips()));
+  }
+  return result;
 }
 
 }  // namespace fracture

@@ -14,4 +14,7 @@ struct Growth;
 /// for, and what bonds cannot do. Nothing of a growth by tips.
 std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Formulation& plate);
 
+/// Tips that have too little about them for the energy release rate, which growth by tips needs, and why.
+std::vector<std::string> tips_without_rings(const plate::Formulation& plate);
+
 }  // namespace fracture

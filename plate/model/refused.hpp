@@ -5,7 +5,7 @@
 
 namespace plate {
 
-/// What of a problem a discretisation cannot carry.
+/// What of a problem or of its analysis a discretisation cannot carry.
 enum class Subject {
   geometry,
   cracks,
@@ -14,8 +14,16 @@ enum class Subject {
   support,
   support_points,
   support_edges,
+  support_direction,  // of its edges
   load_position,
-  load_edges
+  load_edges,
+  // of its analysis
+  preconditioner,
+  modes,
+  time_step,
+  duration,
+  rows,
+  density
 };
 
 /// One thing that a discretisation cannot carry.

@@ -1,7 +1,11 @@
 #include "plate/solve/solution.hpp"
 
+#include <fmt/format.h>
+
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/preconditioner.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "plate/solve/analysis.hpp"
 
 namespace plate {
 
@@ -17,6 +21,21 @@ StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMe
   const auto [inverse, name] = plate.preconditioner(wanted);
   return {conjugate_gradients(plate, constraints, load, options, inverse.get()), "cg", name,
           inverse ? inverse->bytes() : 0};
+}
+
+StaticResult static_solution(const Formulation& plate, const Analysis& analysis, const StaticOptions& options) {
+  return solve_static(plate, plate.total_load(), analysis.static_method(), analysis.preconditioner, options);
+}
+
+State start_of(const Formulation& plate, const Analysis& analysis) {
+  const auto load = plate.first_load();
+  if (load.isZero(0)) return {};
+  const auto result = solve_static(plate, load, analysis.static_method(), analysis.preconditioner,
+                                   {StaticOptions{}.tolerance, analysis.max_iterations, {}});
+  if (!result.solution.converged)
+    throw NumericalError(fmt::format("the plate at the start: {}, residual {:.2e}", result.solution.stop_reason,
+                                     result.solution.residual));
+  return result.solution.state;
 }
 
 std::unique_ptr<Preconditioner> inverse_of(const Formulation& plate) {

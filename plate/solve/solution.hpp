@@ -9,6 +9,7 @@
 namespace plate {
 
 class Formulation;
+struct Analysis;
 
 /// The equilibrium of a plate, and how it was found.
 struct StaticResult {
@@ -21,6 +22,12 @@ struct StaticResult {
 /// By a method, and with a preconditioner for conjugate gradients. Throws NumericalError as the solvers do.
 StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMethod method, Preconditioning wanted,
                           const StaticOptions& options);
+
+/// Under all loads, by the method and with the preconditioner of an analysis.
+StaticResult static_solution(const Formulation& plate, const Analysis& analysis, const StaticOptions& options);
+
+/// At rest under the loads of time 0; nothing where these are none. Throws NumericalError.
+State start_of(const Formulation& plate, const Analysis& analysis);
 
 /// What is nearest to the inverse of a held plate and pays for many loads: its factor, or, where it has many points,
 /// its coarser plates. `plate` must outlive it.

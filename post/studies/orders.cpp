@@ -7,6 +7,7 @@
 #include <map>
 
 #include "post/figures/aligned.hpp"
+#include "post/files/table.hpp"
 
 namespace post {
 namespace {

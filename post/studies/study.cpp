@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "post/files/summary.hpp"
+#include "post/files/table.hpp"
 #include "post/studies/compare.hpp"
 
 namespace post {

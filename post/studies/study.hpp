@@ -8,10 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "post/files/table.hpp"
 #include "post/studies/quantity.hpp"
 
 namespace post {
+
+struct Table;
 
 /// The reference is the run of the finest points: see `refer_to_finest`.
 struct Finest {};

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "cases/driver/static_solution.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/solve/solution.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 #include "tests/verification/verified_plate.hpp"
@@ -52,7 +52,7 @@ struct Compared {
       const bool other = formulation == &plate::ordinary;
       try {
         const auto a = vp::assembled(c);
-        const auto state = cases::static_solution(c, *a, {1e-8, 100000, {}}).solution.state;
+        const auto state = plate::static_solution(*a, c.analysis, {1e-8, 100000, {}}).solution.state;
         found[other] = post::srifs(*a, *c.srif, cases::tip_methods({c, {}}, *a), state);
         w[other] = state.row(0).cwiseAbs().maxCoeff();
       } catch (const cases::CaseError& error) {
@@ -119,7 +119,7 @@ TEST_CASE("oblique cracks: K1, K2, K3 of both tips in both formulations, and est
       c.supports = {vp::held(SupportKind::simply_supported, {"bottom", "top"})};
       c.srif.emplace();
       const auto a = vp::assembled(c);
-      const auto state = cases::static_solution(c, *a, {1e-8, 100000, {}}).solution.state;
+      const auto state = plate::static_solution(*a, c.analysis, {1e-8, 100000, {}}).solution.state;
       const Eigen::Vector3d exact = reference(degrees), scale(1, 1, c.section.thickness);
       const double largest = exact.cwiseProduct(scale).cwiseAbs().maxCoeff();
       std::size_t tip = 2;

@@ -33,8 +33,9 @@ TEST_CASE("ends of cracks that are off a hole by rounding are taken to lie on it
   const auto five_digits = with("[[[0.10806, 0.16829], [0.4, 0.6]]]");
   const auto file = read(five_digits);
   CHECK((file.content.cracks[0][0] - geometry::Point(x, y)).norm() < 1e-5);
-  REQUIRE(file.notes.size() == 1);
-  CHECK_THAT(file.notes[0], Catch::Contains("geometry.cracks[0]: its first point") && Catch::Contains("from hole0"));
+  REQUIRE(file.source.notes.size() == 1);
+  CHECK_THAT(file.source.notes[0],
+             Catch::Contains("geometry.cracks[0]: its first point") && Catch::Contains("from hole0"));
   CHECK(geometry::tips(plate::crack_paths(file.content)).size() == 1);
-  CHECK(read(with("[[[0.11, 0.17], [0.4, 0.6]]]")).notes.empty());  // 0.0025 off: a tip
+  CHECK(read(with("[[[0.11, 0.17], [0.4, 0.6]]]")).source.notes.empty());  // 0.0025 off: a tip
 }

@@ -1,8 +1,8 @@
 #include "post/files/gate.hpp"
 
 #include "cases/driver/discretised.hpp"
-#include "cases/driver/static_solution.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/solution.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;
@@ -37,7 +37,7 @@ TEST_CASE("a plate under a load moves") {
     const auto file = read(plain, settings);
     const auto plate = cases::discretised(file).plate;
     const auto load = plate->total_load();
-    const auto state = cases::static_solution(file.content, *plate, {1e-6, 10000, {}}).solution.state;
+    const auto state = plate::static_solution(*plate, file.content.analysis, {1e-6, 10000, {}}).solution.state;
     warnings.clear();
     post::require_motion(*plate, {load}, state, load.cwiseProduct(state).sum() / 2, warnings);
     return warnings.empty();

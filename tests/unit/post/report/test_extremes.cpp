@@ -4,11 +4,11 @@
 #include <catch2/catch.hpp>
 
 #include "cases/driver/discretised.hpp"
-#include "cases/driver/static_solution.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/resultants.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/solution.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;
@@ -26,7 +26,7 @@ TEST_CASE("extremes: the place of the largest deflection, and the stress of the 
   for (const std::string formulation : {"galerkin", "ordinary"}) {
     const auto file = read(plain, settings_of(formulation, {"geometry.cracks=[]"}));
     const auto plate = cases::discretised(file).plate;
-    const plate::State state = cases::static_solution(file.content, *plate, {1e-8, 10000, {}}).solution.state;
+    const plate::State state = plate::static_solution(*plate, file.content.analysis, {1e-8, 10000, {}}).solution.state;
     const plate::State half = -0.5 * state, none = 0 * state;
     post::Extremes extremes(*plate);
     CHECK(extremes.found().empty());
@@ -64,7 +64,7 @@ TEST_CASE("extremes: what is next to tips, pins and point forces does not count,
             settings_of(formulation, {spacing, "section.thickness=0.4", setting,
                                       "support=[{kind=\"clamped\",edges=[\"left\",\"right\",\"bottom\",\"top\"]}]"}));
         const auto plate = cases::discretised(file).plate;
-        const auto state = cases::static_solution(file.content, *plate, {1e-8, 10000, {}}).solution.state;
+        const auto state = plate::static_solution(*plate, file.content.analysis, {1e-8, 10000, {}}).solution.state;
         post::Extremes extremes(*plate);
         extremes.row({0, 0, state, {}, 0, 0, 1, 0, {}, {}});
         const auto found = extremes.found();

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "cases/driver/discretised.hpp"
-#include "cases/driver/static_solution.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/solve/solution.hpp"
 #include "post/files/summary.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
@@ -22,7 +22,7 @@ post::ReactionSummary reactions_of(std::vector<std::string> settings, const std:
   settings.push_back("discretization.formulation=" + formulation);
   const auto file = read(plain, settings);
   const auto plate = cases::discretised(file).plate;
-  const auto state = cases::static_solution(file.content, *plate, {1e-11, 1000, {}}).solution.state;
+  const auto state = plate::static_solution(*plate, file.content.analysis, {1e-11, 1000, {}}).solution.state;
   post::ReactionRows rows;
   rows.add(0, *plate, *plate, state, 1);
   return rows.summary().value();

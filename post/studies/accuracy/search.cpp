@@ -1,4 +1,4 @@
-#include "post/studies/accuracy_search.hpp"
+#include "post/studies/accuracy/search.hpp"
 
 #include <fmt/format.h>
 

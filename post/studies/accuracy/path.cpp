@@ -1,4 +1,4 @@
-#include "post/factors/accuracy_path.hpp"
+#include "post/studies/accuracy/path.hpp"
 
 #include "plate/model/problem.hpp"
 #include "post/factors/plate_factors.hpp"

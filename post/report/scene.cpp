@@ -1,24 +1,25 @@
-#include "cases/report/scene.hpp"
+#include "post/report/scene.hpp"
 
-#include "cases/input/keys.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/model/discretization.hpp"
+#include "plate/solve/analysis.hpp"
 #include "post/files/summary.hpp"
 
-namespace cases {
+namespace post {
 namespace {
 
 constexpr double vector_bytes = 3 * sizeof(double);  // one state or force
 
 }  // namespace
 
-std::vector<post::ScenePart> scene(const Case& c, const plate::Formulation& plate) {
+std::vector<ScenePart> scene(const plate::Formulation& plate, const plate::Analysis& analysis, const Given& given) {
   const double points = double(plate.cloud().plate_points), all = double(plate.cloud().size());
-  const bool mixed = c.analysis.precision == Analysis::Precision::mixed;
-  using enum Analysis::Method;
-  const auto method = c.analysis.method;
+  const bool mixed = analysis.precision == plate::Analysis::Precision::mixed;
+  using enum plate::Analysis::Method;
+  const auto method = analysis.method;
 
-  std::vector<post::ScenePart> parts;
+  std::vector<ScenePart> parts;
   for (const auto& part : plate::memory_of(plate, mixed))
     parts.push_back({part.name, part.stage, part.bytes / points, 0});
   if (method == central_difference)
@@ -29,35 +30,32 @@ std::vector<post::ScenePart> scene(const Case& c, const plate::Formulation& plat
     parts.push_back({"adaptive dynamic relaxation: 7 vectors", "solve", 7 * vector_bytes * all / points, 0});
   else if (method == cg || method == direct)
     parts.push_back({"conjugate gradients: 6 vectors, without a factor", "solve", 6 * vector_bytes * all / points, 0});
-  else if (c.analysis.kind == Analysis::Kind::dynamic)
+  else if (analysis.kind == plate::Analysis::Kind::dynamic)
     parts.push_back({"72 Lanczos vectors, their forces and modes, without a factor", "solve",
                      3 * 72 * vector_bytes * all / points, 0});
   else
     parts.push_back({"Lanczos iteration and conjugate gradients", "solve",
-                     (4 * double(c.analysis.modes) + 16) * vector_bytes * all / points, 0});
-  if (c.srif) parts.push_back({"intensity factors, probes, energies", "srif", 0, 0});
+                     (4 * double(analysis.modes) + 16) * vector_bytes * all / points, 0});
+  if (given.factors) parts.push_back({"intensity factors, probes, energies", "srif", 0, 0});
   constexpr double vtk_bytes = 560;  // measured 560 to 570 at 40,000 and 161,000 points
-  parts.push_back({"output", "output", 3 * vector_bytes + (c.output.vtk ? vtk_bytes : 0), 0});
+  parts.push_back({"output", "output", 3 * vector_bytes + (given.fields ? vtk_bytes : 0), 0});
   return parts;
 }
 
-post::Summary about(const Case& c, const plate::Formulation& plate, const std::vector<std::string>& warnings) {
-  post::Summary summary;
-  summary.title = c.title;
+Summary about(const plate::Formulation& plate, const plate::Analysis& analysis, const Given& given) {
+  Summary summary;
   summary.formulation = plate.kind().name;
-  summary.formulation_reason = c.formulation_reason;
   summary.points = plate.cloud().plate_points;
   summary.bonds = plate.bonds();
   summary.fictitious_points = plate.fictitious_points();
   summary.fictitious_bonds = plate.fictitious_bonds();
-  summary.spacing = c.discretization.spacing;
-  summary.horizon = c.discretization.horizon();
+  summary.spacing = plate.discretization().spacing;
+  summary.horizon = plate.discretization().horizon();
   if (const auto match = plate.matched())
     summary.position_aware = {match->exact, match->blended, match->arbitrary_horizon};
-  summary.scene = scene(c, plate);
-  summary.warnings = warnings;
-  summary.analysis.kind = analysis_kinds().name(c.analysis.kind);
+  summary.scene = scene(plate, analysis, given);
+  summary.analysis.kind = plate::name_of(analysis.kind);
   return summary;
 }
 
-}  // namespace cases
+}  // namespace post

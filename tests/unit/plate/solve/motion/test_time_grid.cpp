@@ -1,4 +1,6 @@
-#include "cases/driver/run.hpp"
+#include "plate/solve/motion/time_grid.hpp"
+
+#include "cases/driver/prepared.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;
@@ -7,7 +9,7 @@ namespace {
 
 const std::string moving = with_line(plain, 17, "kind = \"dynamic\"\nduration = 1") + "[output]\n";
 
-cases::TimeGrid grid(const std::vector<std::string>& settings, double limit = 0.01) {
+plate::TimeGrid grid(const std::vector<std::string>& settings, double limit = 0.01) {
   auto all = settings;
   all.emplace_back("section.density=1");
   return cases::time_grid(read(moving, all), limit);

@@ -1,0 +1,167 @@
+#include "fracture/runs/foretell.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/cells/point_count.hpp"
+#include "plate/model/formulation_kind.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "plate/model/refused.hpp"
+#include "post/factors/plate_factors.hpp"
+
+namespace fracture {
+namespace {
+
+using plate::Analysis;
+
+// points of a larger sample: for factors; coarser plates begin above 4,000; threads hide the cost of a step below
+constexpr double few = 1500, some = 4500, many = 16000;
+
+/// How much wider the points of a sample are: near to `wanted`, and so that they divide the plate as its own do.
+double wider_points(const plate::Problem& problem, double wanted) {
+  constexpr double least = 4;  // points across the plate
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  const double across = (high - low).minCoeff() / problem.discretization.spacing;
+  return std::max(1.0, across / std::max(least, std::round(across / wanted)));
+}
+
+double expected_points(const plate::Problem& problem) {
+  const auto& d = problem.discretization;
+  return geometry::expected_points(problem.outline, geometry::tips(plate::crack_paths(problem)), d.spacing,
+                                   {d.tip_spacing, d.hole_spacing, d.spacing_growth});
+}
+
+/// Two samples, the smaller one as often as its points are too wide; nothing where the larger one's are.
+std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run, const plate::UsualSolver& solver,
+                                     double all, double points) {
+  const bool grows = plan.growth.has_value() || !plan.srif;
+  const double wider = wider_points(plan.problem, std::sqrt(all / points));
+  const auto less = [&](double by, bool factors) {
+    return Less{by == 1 ? wider : wider_points(plan.problem, wider * by), factors && plan.srif};
+  };
+  post::Samples result;
+  try {
+    std::optional<post::SampleRun> cold, small;
+    for (const double by : {2.0, 1.4, 1.0})
+      if (!small && (cold = run(solver, less(by, false)))) small = run(solver, less(by, false));
+    if (!small) return {};
+    result.small = std::move(*small);
+    result.opening = std::max(0.0, cold->seconds() - result.small.seconds());
+    auto whole = less(1, false);
+    whole.solves = true;
+    auto large = run(solver, whole);
+    if (!large) return {};
+    result.large = std::move(*large);
+    if (!grows && !(result.factors = run(solver, less(1, true)))) return {};
+    if (plan.analysis.method == Analysis::Method::central_difference) {
+      constexpr double enough = 64;
+      const double time_step = *result.large.summary.analysis.time_step_limit;
+      if (!(result.longer = run(solver, {wider, plan.srif.has_value(), enough, time_step}))) return {};
+    }
+  } catch (const plate::NumericalError&) {
+    if (wider == 1) throw;
+    return {};
+  }
+  return result;
+}
+
+/// Advances of a quasi-static growth until the cracks are as long as they may be, or have crossed the plate.
+double advances_of(const plate::Problem& problem, const Growth& growth) {
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  double longest = 0;
+  for (const auto& crack : problem.cracks)
+    for (std::size_t i = 1; i < crack.size(); ++i) longest = std::max(longest, (crack[i] - crack[i - 1]).norm());
+  const double to = growth.max_length.value_or((high - low).maxCoeff());
+  const double advances = std::max(1.0, (to - longest) / (growth.increment * problem.discretization.spacing_at_tips()));
+  return std::min(advances, double(growth.max_advances));
+}
+
+void set_motion(const RunPlan& plan, ForetoldRun& result, const post::Samples& found) {
+  const auto& analysis = plan.analysis;
+  auto& whole = result.whole;
+  if (analysis.method == Analysis::Method::lanczos) {
+    whole.rows = double(plate::row_grid(grid_options(plan)).steps);
+  } else {
+    result.time_limit = post::whole_time_step(found);
+    const auto grid = plate::time_grid(grid_options(plan), result.time_limit);
+    result.time_step = grid.time_step, whole.steps = double(grid.steps);
+    whole.rows = whole.steps / double(grid.steps_per_row);
+  }
+  whole.frames = 2 + (plan.frames_every ? std::floor(analysis.duration / *plan.frames_every) : 0);
+}
+
+}  // namespace
+
+double rings_of(const RunPlan& plan, double wider) {
+  return plan.srif || plan.growth ? post::widest_ring(plan.problem, wider) : 0;
+}
+
+ForetoldRun foretell(const RunPlan& plan, const RunSample& run) {
+  const auto& problem = plan.problem;
+  const auto& analysis = plan.analysis;
+  const double all = expected_points(problem);
+  ForetoldRun result;
+  using enum plate::Preconditioning;
+  const bool modes = analysis.kind == Analysis::Kind::frequencies;
+  const auto of_modes = problem.discretization.formulation->offers(plate::Feature::levels) ? levels : diagonal;
+  result.solver = plate::usual_solver(problem, modes ? plate::StaticMethod::cg : analysis.static_method(),
+                                      modes ? of_modes : analysis.preconditioner, all);
+  const bool steps = analysis.method == Analysis::Method::central_difference;
+  const bool moves = analysis.kind == Analysis::Kind::dynamic;
+  const bool slow = !moves && (result.solver.method != plate::StaticMethod::cg || (modes && of_modes == diagonal));
+  std::optional<post::Samples> found;
+  const bool adr = slow && result.solver.method == plate::StaticMethod::adr;
+  for (const double points : {adr ? few / 3 : slow ? few : steps ? many : some, slow ? some : many, 3 * many})
+    if (!found) found = samples(plan, run, result.solver, all, points);
+  if (!found) found = samples(plan, run, result.solver, all, all);
+  if (!found) throw plate::Refused({{plate::Subject::spacing, 0, "no sample of the plate can be run: refine"}});
+
+  auto& whole = result.whole;
+  result.points = whole.points = post::whole_points(*found), result.bonds = post::whole_bonds(*found);
+  result.sample_points = std::size_t(found->large.points());
+  whole.rings = rings_of(plan, 1);
+  whole.frames = found->large.frames;
+  if (!moves) whole.iterations_order = result.solver.iterations, whole.seconds_order = result.solver.seconds;
+  if (moves) set_motion(plan, result, *found);
+  if (plan.grows_at_rest())
+    whole.advances = advances_of(problem, *plan.growth),
+    whole.frames = 1 + whole.advances / double(plan.growth->frames_every);
+  result.costs = post::foretold(*found, whole);
+  result.bytes = post::bytes_of_program(plan.fields || plan.states) + post::whole_parts(*found, result.points) +
+                 (steps ? 0 : result.solver.bytes) +
+                 (plan.srif && !problem.discretization.tip_spacing ? post::bytes_of_rings(whole.rings) : 0);
+  return result;
+}
+
+namespace {
+
+std::string of_solution(const ForetoldRun& run, const RunPlan& plan) {
+  if (run.time_step > 0)
+    return fmt::format("time step     {:.4g} (stable limit {:.4g})\nsteps         {:.0f}\n", run.time_step,
+                       run.time_limit, run.whole.steps);
+  if (plan.analysis.kind != Analysis::Kind::static_)
+    return fmt::format("solution      Lanczos vectors, about {:.0f}\n", run.costs.iterations);
+  return fmt::format("solution      {}, about {:.0f} iterations{}\n", run.solver.words,
+                     std::max(1.0, run.costs.iterations), plan.growth ? " an advance" : "");
+}
+
+std::string of_time(const ForetoldRun& run) {
+  std::string text = fmt::format("time          {:.2g} s:", run.costs.total());
+  for (const auto& [stage, seconds] : run.costs.seconds) text += fmt::format(" {} {:.2g},", stage, seconds);
+  text.back() = '\n';
+  if (run.whole.advances > 0)
+    text += fmt::format("advances      up to {:.0f}, {:.2g} s each\n", run.whole.advances,
+                        run.costs.total() / run.whole.advances);
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(const ForetoldRun& run, const RunPlan& plan) {
+  return fmt::format("points        {:.0f}\nbonds         {:.0f}\n", run.points, run.bonds) + of_solution(run, plan) +
+         of_time(run);
+}
+
+}  // namespace fracture

@@ -1,0 +1,159 @@
+#include "fracture/runs/quasi_static_run.hpp"
+
+#include <fmt/format.h>
+
+#include "fracture/growth/quasi_static/bonds.hpp"
+#include "fracture/growth/quasi_static/growing_plate.hpp"
+#include "fracture/growth/words.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/model/formulation_kind.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "post/files/gate.hpp"
+#include "post/report/curves.hpp"
+#include "post/report/progress.hpp"
+
+namespace fracture {
+
+post::SrifOptions factors_of_growth(const std::optional<post::SrifOptions>& asked) {
+  post::SrifOptions standard;
+  standard.methods = {"virtual_crack_extension", "domain_integral"};
+  return asked.value_or(standard);
+}
+
+QuasiStaticRun::QuasiStaticRun(const RunPlan& plan, plate::Discretised first)
+    : plan_(plan), growth_(*plan.growth), stopwatch_(first.stopwatch), warnings_(first.warnings) {
+  const auto& analysis = plan_.analysis;
+  const plate::StaticOptions statics{analysis.tolerance, analysis.max_iterations, {}};
+  if (growth_.by_bonds()) {
+    start_ = std::move(first.plate);
+    bonds_ = std::make_unique<QuasiStaticBonds>(growth_, *start_, plan_.srif, statics);
+    model_ = bonds_.get();
+  } else {
+    const StaticSolver solver{analysis.static_method(), analysis.preconditioner, statics};
+    tips_ = std::make_unique<GrowingPlate>(growth_, plan_.problem, std::move(first), factors_of_growth(plan_.srif),
+                                           solver, stopwatch_);
+    model_ = tips_.get();
+  }
+}
+
+QuasiStaticRun::~QuasiStaticRun() = default;
+
+std::vector<geometry::Polyline> QuasiStaticRun::cracks() const {
+  return tips_ ? tips_->cracks() : plan_.problem.cracks;
+}
+
+post::Summary QuasiStaticRun::operator()(post::Recorder recorder) {
+  recorder_.emplace(std::move(recorder));
+  post::Progress progress(plan_.quiet, "growth");
+  try {
+    grown_ = grow_quasi_statically(growth_, *model_, [&](const Equilibrium& now) {
+      stopwatch_.lap("solve");
+      observe(now);
+      stopwatch_.lap("output");
+      double length = 0;
+      for (const double one : model_->lengths()) length += one;
+      progress.update(
+          double(now.advance) / double(growth_.max_advances),
+          fmt::format("advance {}, load factor {:.4g}, crack length {:.4g}", now.advance, now.factor, length));
+    });
+    progress.done();
+    return finish();
+  } catch (const plate::NumericalError& error) {
+    grown_.ended = {End::failed, error.what()};
+    finish();
+    throw;
+  }
+}
+
+void QuasiStaticRun::observe(const Equilibrium& now) {
+  const auto& plate = model_->plate();
+  const auto time = double(now.advance);
+  advance_ = now.advance, factor_ = now.factor;
+  const auto when = fmt::format("at advance {}", now.advance);
+  post::require_finite(model_->state(), when);
+  state_ = now.factor * model_->state();
+  post::Sample row{time, now.advance, state_, now.ledger.strain, 0, now.ledger.external_work, now.ledger.fracture};
+  row.released_energy = now.ledger.released(), row.load_factor = now.factor, row.displacement = now.displacement;
+  recorder_->row(row, probes_of(plan_.probes, plate), plate.cloud().plate_points);
+  reactions_.add(time, plate, model_->forces(), state_, now.factor);
+  if (auto factors = model_->factors(now.factor)) {
+    post::require_finite(*factors, when);
+    post::append(srifs_, time, *factors);
+    latest_ = std::move(*factors);
+  }
+  if (!now.ends && !first_factor_) first_factor_ = now.factor;
+  largest_factor_ = std::max(largest_factor_, now.factor);
+  grown_.ledger = now.ledger;
+  framed_ = false;
+  if (now.advance % growth_.frames_every == 0) frame();
+}
+
+void QuasiStaticRun::frame() {
+  framed_ = true;
+  if (!recorder_->draws()) return;
+  auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
+  auto mesh = model_->draw(frame, state_);
+  if (plan_.report) pictures_.open(mesh), pictures_.look(frame);
+  post::set_factors(*frame.cracks, latest_);
+  recorder_->frame(std::move(frame), std::move(mesh), {});
+}
+
+void QuasiStaticRun::record() {
+  const bool solved = state_.cols() > 0;
+  if (solved && !framed_) frame();
+  if (solved && recorder_->stores())
+    recorder_->final_state(model_->plate().mesh(),
+                           post::frame_of(model_->plate(), double(advance_), advance_, state_, false));
+  if (tips_ || plan_.srif) recorder_->table("srif", srifs_);
+  if (!reactions_.empty()) recorder_->table("reactions", reactions_.table());
+  const auto& record = model_->record();
+  recorder_->table("growth", record.growth);
+  recorder_->table("tips", record.tips);
+  recorder_->table("cracks", record.crack_table());
+  recorder_->cracks(record.cracks, latest_);
+  if (recorder_->plots())
+    recorder_->picture("curves", post::to_svg(post::curves_of_growth(plan_.title, record.growth, plan_.si())));
+}
+
+post::GrowthSummary QuasiStaticRun::growth_summary() const {
+  post::GrowthSummary growth;
+  growth.outcome = in_words(grown_.ended, growth_.by_bonds());
+  growth.advances = model_->advances();
+  growth.first_load_factor = tips_ ? first_factor_.value_or(0) : first_factor_;
+  growth.largest_load_factor = largest_factor_;
+  growth.broken_bonds = model_->broken_bonds();
+  growth.lengths = model_->lengths();
+  const auto& books = grown_.ledger;
+  if (bonds_)
+    growth.spent =
+        growth_.spent(books.external_work - books.strain, plan_.problem.section.thickness, bonds_->grown_length());
+  return growth;
+}
+
+post::Summary QuasiStaticRun::finish() {
+  record();
+  warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
+  post::Summary summary;
+  if (state_.cols() > 0) summary = about(plan_, model_->plate(), warnings_);
+  summary.warnings = warnings_;
+  summary.title = plan_.title;
+  summary.formulation = plan_.problem.discretization.formulation->name;
+  summary.formulation_reason = plan_.formulation_reason;
+  summary.analysis.kind = plate::name_of(plate::Analysis::Kind::static_);
+  post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), plan_.analysis.tolerance);
+  post::conclude(summary, {plan_.problem.section, plan_.srif, plan_.si(), recorder_->history(), reactions_, latest_});
+  summary.growth = growth_summary();
+  summary.outcome = "done";
+  if (grown_.ended.how == End::failed)
+    summary.outcome = summary.growth->outcome, summary.analysis.stop_reason = grown_.ended.detail;
+  const auto& books = grown_.ledger;
+  summary.energy = {{"strain", books.strain},
+                    {"external_work", books.external_work},
+                    {"fracture", books.fracture},
+                    {"released", books.released()}};
+  summary = recorder_->finish(std::move(summary), stopwatch_);
+  write_report(plan_, pictures_);
+  return summary;
+}
+
+}  // namespace fracture

@@ -1,0 +1,142 @@
+#include "fracture/runs/results.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "fracture/growth/motion/moving_growth.hpp"
+#include "fracture/growth/words.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/frequencies.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "post/files/gate.hpp"
+#include "post/report/curves.hpp"
+#include "post/report/html/report.hpp"
+#include "post/report/scene.hpp"
+
+namespace fracture {
+
+std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>& places,
+                                   const plate::Formulation& plate) {
+  std::vector<post::Probe> result;
+  for (const auto& [name, x] : places) result.push_back({name, x, plate.interpolation(x)});
+  return result;
+}
+
+post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings) {
+  auto summary = post::about(plate, plan.analysis, {plan.srif.has_value(), plan.fields});
+  summary.title = plan.title;
+  summary.formulation_reason = plan.formulation_reason;
+  summary.warnings = std::move(warnings);
+  return summary;
+}
+
+void write_report(const RunPlan& plan, const post::Pictures& pictures) {
+  if (plan.report)
+    post::write_report(*plan.report, {plan.problem, plan.title, plan.source, plan.units, plan.probes}, pictures);
+}
+
+Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
+                 post::Recorder recorder)
+    : plan_(plan),
+      plate_(plate),
+      tip_methods_(methods),
+      recorder_(std::move(recorder)),
+      probes_(probes_of(plan.probes, plate)),
+      factors_(plan.problem.section.thickness),
+      reactions_(plate, plan.analysis.rotary_inertia, plan.analysis.method == plate::Analysis::Method::lanczos),
+      extremes_(plate) {
+  if (!recorder_.draws() && !recorder_.stores()) return;
+  const auto mesh = plate.mesh();
+  if (plan_.report) pictures_.open(mesh);
+  recorder_.open(mesh);
+}
+
+void Results::sample(const plate::Instant& now, bool last) {
+  strain_energy_ = now.strain_energy;
+  post::Sample row{now.time, now.step, now.state, now.strain_energy, now.kinetic_energy, now.external_work, 0};
+  row.discrete_energy = now.strain_energy + now.discrete_energy;
+  if (growth_) {
+    row.fracture_energy = growth_->fracture_energy();
+    row.energy_residual = residual_ =
+        now.external_work - now.strain_energy - now.kinetic_energy - row.fracture_energy - growth_->frozen_energy();
+    growth_->look(now.time);
+  }
+  recorder_.row(row, probes_, plate_.cloud().plate_points);
+  reactions_.add(now, growth_ ? growth_->plate() : plate_);
+  if (!growth_) extremes_.row(now);
+  times_.push_back(now.time);
+  const auto factors = [&]() -> std::vector<post::Srif> {
+    if (growth_) return growth_->factors(now.state);
+    if (!plan_.srif || factors_.known()) return {};
+    return post::srifs(plate_, *plan_.srif, tip_methods_, now.state, last);
+  };
+  factors_.add(factors(), fmt::format("at step {}, time {:g}", now.step, now.time));
+}
+
+void Results::frame(const plate::Instant& now) {
+  if (!recorder_.draws() && !recorder_.stores()) return;
+  auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_);
+  std::optional<plate::Mesh> mesh;
+  if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state, factors_.last());
+  if (plan_.report) {
+    if (mesh) pictures_.open(*mesh);
+    pictures_.look(frame);
+  }
+  if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);
+  plate::State velocity;
+  if (recorder_.stores() && plan_.moves())
+    velocity = now.velocity().leftCols(Eigen::Index(plate_.cloud().plate_points));
+  recorder_.frame(std::move(frame), std::move(mesh), std::move(velocity));
+}
+
+void Results::mode(std::size_t number, const plate::Mode& mode) {
+  const auto when = fmt::format("of mode {}", number);
+  post::require_finite({{"frequency", mode.frequency}, {"residual", mode.residual}}, when);
+  post::require_finite(mode.shape, when);
+  frequencies_.push_back({number, mode.frequency, 2 * std::numbers::pi * mode.frequency, mode.residual});
+  recorder_.mode(frequencies_.back());
+  frame({number, double(number), mode.shape, {}, 0, 0, 0, 0});
+}
+
+/// Tables and numbers of the growth; the cracks as they have grown.
+post::Cracks Results::finish_growth(post::Summary& summary) {
+  const auto& record = growth_->record();
+  recorder_.table("growth", record.growth);
+  recorder_.table("tips", record.tips);
+  recorder_.table("cracks", record.crack_table());
+  const auto moved = growth_->moved();
+  summary.growth = post::GrowthSummary{in_words(moved), moved.advances,      {},           {},
+                                       moved.spent,     moved.largest_speed, moved.broken, moved.lengths};
+  summary.energy.emplace_back("fracture", growth_->fracture_energy());
+  if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
+  if (residual_) summary.energy.emplace_back("residual", *residual_);
+  return record.cracks;
+}
+
+post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch) {
+  const auto& section = plan_.problem.section;
+  if (!tip_methods_.empty()) recorder_.table("srif", factors_.table(times_));
+  const auto cracks = growth_ ? finish_growth(summary) : post::given_cracks(plate_.paths());
+  if (growth_ || !cracks.lines.empty()) recorder_.cracks(cracks, factors_.last());
+  if (!reactions_.empty()) recorder_.table("reactions", reactions_.table());
+  const auto& history = recorder_.history();
+  if (plan_.moves() && recorder_.plots())
+    recorder_.picture("curves",
+                      post::to_svg(post::curves_of_motion(plan_.title, times_, factors_.rows(), history, plan_.si())));
+  summary.accuracy = accuracy_;
+  summary.frequencies = frequencies_;
+  post::conclude(summary, {section, plan_.srif, plan_.si(), history, reactions_, factors_.last()});
+  if (!growth_) post::look_for_largest(summary, section, extremes_, times_, factors_.rows());
+  for (const auto& some :
+       {post::left_out(plate_.tips(), tip_methods_),
+        post::distrust_of_factors(summary.srif, factors_.largest(), section.thickness, plate_.remedy()),
+        factors_.distrust(), post::tips_that_grow(summary)})
+    summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
+  summary = recorder_.finish(std::move(summary), stopwatch);
+  write_report(plan_, pictures_);
+  return summary;
+}
+
+}  // namespace fracture

@@ -1,0 +1,75 @@
+#pragma once
+#include "fracture/runs/run_plan.hpp"
+#include "post/factors/tip_methods.hpp"
+#include "post/files/factor_rows.hpp"
+#include "post/files/recorder.hpp"
+#include "post/report/conclusion.hpp"
+#include "post/report/html/pictures.hpp"
+#include "post/report/reactions.hpp"
+
+namespace plate {
+class Formulation;
+class Stopwatch;
+struct Instant;
+struct Mode;
+}  // namespace plate
+
+namespace fracture {
+
+class MovingGrowth;
+
+/// The points about probes.
+std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>& places,
+                                   const plate::Formulation& plate);
+
+/// What is known of a run before it.
+post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings);
+
+/// Writes report.html into the folder of a finished run, where one is wanted.
+void write_report(const RunPlan& plan, const post::Pictures& pictures);
+
+/// The results of a run on one plate: rows, factors and frames as the solver goes, then all tables and the summary.
+class Results {
+public:
+  /// `methods` of every tip. Plate and methods must outlive this.
+  Results(const RunPlan& plan, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
+          post::Recorder recorder);
+
+  const RunPlan& plan() const { return plan_; }
+  /// The growth of the run, which must outlive it.
+  void grows(MovingGrowth& growth) { growth_ = &growth; }
+  /// How the discretisation was found.
+  void found(post::AccuracySummary accuracy) { accuracy_ = std::move(accuracy); }
+  post::FactorRows& factors() { return factors_; }
+
+  /// A row of history, probes and intensity factors; of the last, all rings go into the summary.
+  void sample(const plate::Instant& now, bool last);
+  void frame(const plate::Instant& now);
+  /// A row of frequencies.csv and a frame, number `number` (from 1).
+  void mode(std::size_t number, const plate::Mode& mode);
+  /// Writes the tables and, last, the summary; returns it complete.
+  post::Summary finish(post::Summary summary, plate::Stopwatch& stopwatch);
+
+  double strain_energy() const { return strain_energy_; }
+
+private:
+  post::Cracks finish_growth(post::Summary& summary);
+
+  RunPlan plan_;
+  const plate::Formulation& plate_;
+  const std::vector<post::TipMethods>& tip_methods_;
+  post::Recorder recorder_;
+  post::Pictures pictures_;  // for the report
+  std::vector<post::Probe> probes_;
+  post::FactorRows factors_;
+  post::ReactionRows reactions_;
+  post::Extremes extremes_;
+  std::vector<double> times_;
+  std::vector<post::Frequency> frequencies_;
+  std::optional<post::AccuracySummary> accuracy_;
+  std::optional<double> residual_;  // of the energies of a growth
+  double strain_energy_ = 0;
+  MovingGrowth* growth_ = nullptr;
+};
+
+}  // namespace fracture

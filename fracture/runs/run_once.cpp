@@ -1,0 +1,207 @@
+#include "fracture/runs/run_once.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fracture/growth/motion/moving_growth.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/preconditioner.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/frequencies.hpp"
+#include "post/factors/watched_motion.hpp"
+#include "post/files/gate.hpp"
+#include "post/report/progress.hpp"
+
+namespace fracture {
+namespace {
+
+using plate::Analysis;
+
+/// A run on its way.
+struct Going {
+  const Ready& ready;
+  Results& results;
+  post::Summary& summary;
+  plate::Stopwatch& stopwatch;
+
+  const RunPlan& plan() const { return results.plan(); }
+  const Analysis& analysis() const { return plan().analysis; }
+};
+
+void solve_static(const Going& run) {
+  auto& [ready, results, summary, stopwatch] = run;
+  const auto& analysis = run.analysis();
+  const plate::Formulation& plate = *ready.plate;
+  using enum Analysis::Method;
+  post::Progress progress(run.plan().quiet, analysis.method == adr      ? "adaptive dynamic relaxation"
+                                            : analysis.method == direct ? "factorisation"
+                                                                        : "conjugate gradients");
+  const plate::StaticOptions options{analysis.tolerance, analysis.max_iterations, [&](std::size_t i, double residual) {
+                                       progress.update(std::log(residual) / std::log(analysis.tolerance),
+                                                       fmt::format("iteration {}, residual {:.1e}", i, residual));
+                                     }};
+  const auto result = ready.solution ? *ready.solution : plate::static_solution(plate, analysis, options);
+  const auto& solution = result.solution;
+  progress.done();
+  stopwatch.lap("solve");
+
+  summary.analysis.preconditioner = result.preconditioner;
+  if (result.factor_bytes > 0)
+    summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate.cloud().plate_points), 0});
+  post::describe(summary.analysis, result.method, solution, analysis.tolerance);
+  post::require_finite(solution.state, "in equilibrium");
+  const double work = post::slow_work(plate, solution.state);
+  const double strain = plate.strain_energy(solution.state);
+  const plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, -2 * work};
+  results.sample(end, true);
+  stopwatch.lap("srif");
+  results.frame(end);
+  summary.energy = {{"strain", results.strain_energy()}, {"external_work", end.external_work}};
+  if (!post::moves(solution.state, work))
+    post::require_motion(plate, {plate.total_load()}, solution.state, work, summary.warnings);
+  if (!solution.converged)
+    throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
+                                            solution.stop_reason, solution.residual, analysis.tolerance));
+}
+
+/// Takes the rows and frames of a motion, as far as the step `last`.
+std::function<void(const plate::Instant&)> observer(const Going& run, std::size_t last, post::Progress& progress) {
+  const double duration = run.analysis().duration;
+  return [&, last, duration, between = duration / double(last), next_frame = 0.0](const plate::Instant& now) mutable {
+    auto& [ready, results, summary, stopwatch] = run;
+    stopwatch.lap("solve");
+    progress.update(now.time / duration, fmt::format("t = {:.4g}", now.time));
+    const bool is_last = now.step == last;
+    results.sample(now, is_last);
+    stopwatch.lap("srif");
+    if (is_last || now.time >= next_frame - between / 2) {
+      results.frame(now);
+      next_frame = run.plan().frames_every ? next_frame + *run.plan().frames_every : INFINITY;
+    }
+    stopwatch.lap("output");
+    summary.analysis.steps = now.step;
+    summary.energy = {
+        {"strain", results.strain_energy()}, {"kinetic", now.kinetic_energy}, {"external_work", now.external_work}};
+    if (is_last && !post::moves(now.state, now.external_work))
+      post::require_motion(*ready.plate, post::forces_of(*ready.plate), now.state, now.external_work, summary.warnings);
+  };
+}
+
+void solve_by_lanczos(const Going& run) {
+  auto& [ready, results, summary, stopwatch] = run;
+  const auto& analysis = run.analysis();
+  const auto rows = ready.steps->grid.steps;
+  summary.analysis.method = "lanczos";
+  summary.analysis.duration = analysis.duration;
+  summary.analysis.tolerance = analysis.tolerance;
+  post::Progress progress(run.plan().quiet, "Lanczos vectors");
+  const auto found = [&](std::size_t vectors, double change) {
+    progress.update(std::min(0.9, double(vectors) / 100), fmt::format("{} vectors, change {:.1e}", vectors, change));
+  };
+  std::optional<plate::LanczosMotion> own;
+  if (!ready.motion) {
+    own = post::lanczos_motion(analysis, *ready.plate, ready.tip_methods, INFINITY, found);
+    results.factors().truncated(own->truncated());
+  }
+  const auto& motion = own ? *own : *ready.motion;
+  motion.observe(rows, observer(run, rows, progress));
+  progress.done();
+  summary.analysis.iterations = motion.vectors();
+  summary.analysis.residual = motion.change();
+  summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors());
+}
+
+void solve_dynamic(const Going& run, MovingGrowth* growth) {
+  auto& [ready, results, summary, stopwatch] = run;
+  const auto& analysis = run.analysis();
+  const plate::Formulation& plate = *ready.plate;
+  const auto& [limit, grid] = *ready.steps;
+  const auto& constraints = plate.constraints();
+  summary.analysis.method = "central_difference";
+  summary.analysis.time_step = grid.time_step;
+  summary.analysis.time_step_limit = limit;
+  summary.analysis.duration = analysis.duration;
+
+  post::Progress progress(run.plan().quiet, "central differences");
+  plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
+  if (analysis.start == Analysis::Start::equilibrium) options.start = plate::start_of(plate, analysis);
+  if (analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
+  if (growth) options.changes = &growth->changes();
+  options.held_forces = true;
+  plate::central_differences(growth ? growth->plate() : plate, constraints, plate.mass(analysis.rotary_inertia),
+                             plate.loads(), options, observer(run, grid.steps, progress));
+  summary.analysis.stop_reason = "end of the duration";
+}
+
+void solve_frequencies(const Going& run) {
+  auto& [ready, results, summary, stopwatch] = run;
+  const auto& analysis = run.analysis();
+  const plate::Formulation& plate = *ready.plate;
+  const auto [low, high] = geometry::bounding_box(run.plan().problem.outline);
+  post::Progress progress(run.plan().quiet, "Lanczos iteration");
+  const double usual = 4 * double(analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
+  std::unique_ptr<plate::Preconditioner> coarser;
+  if (plate.offers(plate::Feature::levels) && plate.held())
+    coarser = plate.preconditioner(plate::Preconditioning::levels).inverse;
+  const plate::FrequencyOptions options{analysis.modes,
+                                        analysis.tolerance,
+                                        analysis.max_iterations,
+                                        plate::shift_of(plate.section(), (high - low).maxCoeff()),
+                                        coarser.get(),
+                                        [&](std::size_t solution) {
+                                          progress.update(std::min(double(solution) / usual, 0.99),
+                                                          fmt::format("solution {}", solution + 1));
+                                        }};
+  summary.analysis.method = "lanczos";
+  summary.analysis.tolerance = analysis.tolerance;
+  const auto solution = plate::frequencies(plate, plate.constraints(), plate.mass(analysis.rotary_inertia), options);
+  progress.done();
+  stopwatch.lap("solve");
+
+  summary.analysis.iterations = solution.iterations;
+  summary.analysis.residual = 0;
+  for (std::size_t i = 0; i < solution.modes.size(); ++i) {
+    results.mode(i + 1, solution.modes[i]);
+    summary.analysis.residual = std::max(*summary.analysis.residual, solution.modes[i].residual);
+  }
+  stopwatch.lap("output");
+  summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
+}
+
+void solve(const Going& run, MovingGrowth* growth) {
+  switch (run.analysis().kind) {
+    case Analysis::Kind::static_:
+      return solve_static(run);
+    case Analysis::Kind::dynamic:
+      return run.analysis().method == Analysis::Method::lanczos ? solve_by_lanczos(run) : solve_dynamic(run, growth);
+    case Analysis::Kind::frequencies:
+      return solve_frequencies(run);
+  }
+}
+
+}  // namespace
+
+post::Summary run_once(const Ready& ready, Results& results, plate::Stopwatch& stopwatch) {
+  const RunPlan& plan = results.plan();
+  post::Summary summary = about(plan, *ready.plate, ready.warnings);
+  std::unique_ptr<MovingGrowth> growth;
+  if (plan.growth) {
+    growth = moving_growth(*plan.growth, *ready.plate, plan.srif, plan.analysis.rotary_inertia);
+    results.grows(*growth);
+  }
+  try {
+    solve({ready, results, summary, stopwatch}, growth.get());
+    summary.outcome = "done";
+  } catch (const plate::NumericalError& error) {
+    summary.outcome = fmt::format("failed: {}", error.what());
+    summary.analysis.stop_reason = error.what();
+    results.finish(summary, stopwatch);
+    throw;
+  }
+  return results.finish(std::move(summary), stopwatch);
+}
+
+}  // namespace fracture

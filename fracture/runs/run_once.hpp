@@ -1,0 +1,11 @@
+#pragma once
+#include "fracture/runs/ready.hpp"
+#include "fracture/runs/results.hpp"
+
+namespace fracture {
+
+/// Runs a plate that is ready, at rest, in motion or for its frequencies, as the plan of the results says: whatever it
+/// does goes to them as it comes, and the summary at last. Throws plate::NumericalError after that.
+post::Summary run_once(const Ready& ready, Results& results, plate::Stopwatch& stopwatch);
+
+}  // namespace fracture

@@ -1,0 +1,81 @@
+#include "plate/model/faults/edge_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "plate/model/formulation_kind.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/model/wording.hpp"
+
+namespace plate {
+namespace {
+
+/// Does the name stand for straight edges parallel to the axes only?
+bool axis_parallel(const geometry::Outline& outline, const std::string& name) {
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name) return false;
+  for (const geometry::Edge& edge : geometry::straight_edges(outline))
+    if (edge.name == name && (edge.to - edge.from).cwiseAbs().minCoeff() > geometry::tolerance(outline)) return false;
+  return true;
+}
+
+bool needs_axis_parallel(SupportKind kind) {
+  return kind == SupportKind::symmetry || kind == SupportKind::simply_supported_hard || is_layer(kind);
+}
+
+void check_names(const std::vector<std::string>& names, const std::vector<std::string>& existing, Subject subject,
+                 std::size_t number, std::vector<Refusal>& found) {
+  for (const auto& name : names)
+    if (std::find(existing.begin(), existing.end(), name) == existing.end())
+      found.push_back({subject, number,
+                       fmt::format("the plate has no edge \"{}\"{}; its edges: {}", name, did_you_mean(name, existing),
+                                   listed(existing))});
+}
+
+void check_supports(const Problem& problem, std::vector<Refusal>& found) {
+  const auto existing = geometry::edge_names(problem.outline);
+  std::map<std::string, std::size_t> holder;
+  for (std::size_t i = 0; i < problem.supports.size(); ++i) {
+    const auto& support = problem.supports[i];
+    check_names(support.edges, existing, Subject::support_edges, i, found);
+    for (const auto& edge : support.edges) {
+      const auto [first, fresh] = holder.emplace(edge, i);
+      if (!fresh && first->second != i)
+        found.push_back({Subject::support_edges, i,
+                         fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second)});
+      const bool any_direction = problem.discretization.formulation->offers(Feature::any_direction);
+      if (!any_direction && needs_axis_parallel(support.kind) && !axis_parallel(problem.outline, edge))
+        found.push_back({Subject::support_direction, i,
+                         fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
+                                     "of support needs because it mirrors or extends the lattice there",
+                                     edge)});
+    }
+    for (const auto& point : support.points)
+      if (!on_plate(problem.outline, point))
+        found.push_back(
+            {Subject::support_points, i, text_of(point) + " given, must lie in the plate or on its boundary"});
+  }
+}
+
+}  // namespace
+
+bool on_plate(const geometry::Outline& outline, const geometry::Point& point) {
+  return geometry::contains(outline, point) ||
+         geometry::distance_to_boundary(outline, point) <= geometry::tolerance(outline);
+}
+
+std::vector<Refusal> faults_of_edges(const Problem& problem) {
+  std::vector<Refusal> found;
+  check_supports(problem, found);
+  for (std::size_t i = 0; i < problem.loads.size(); ++i) {
+    const auto& load = problem.loads[i];
+    check_names(load.edges, geometry::edge_names(problem.outline), Subject::load_edges, i, found);
+    if (!geometry::contains(problem.outline, load.position))
+      found.push_back({Subject::load_position, i, text_of(load.position) + " given, must lie inside the plate"});
+  }
+  return found;
+}
+
+}  // namespace plate

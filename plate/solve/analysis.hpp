@@ -1,0 +1,45 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+
+#include "plate/model/solver_choices.hpp"
+
+namespace plate {
+
+/// What is sought of a plate, and how.
+struct Analysis {
+  enum class Kind { static_, dynamic, frequencies };
+  enum class Method { adr, cg, direct, central_difference, lanczos };
+  enum class Precision { double_, mixed };
+  enum class Start { undeformed, equilibrium };
+  Kind kind = Kind::static_;
+  Method method = Method::cg;
+  Preconditioning preconditioner = Preconditioning::automatic;  // of cg
+  double tolerance = 1e-6;                   // static: residual / load; frequencies: of the eigenpairs, 1e-4 by default
+  std::size_t max_iterations = 200000;       // static; frequencies: of each solution
+  std::size_t modes = 6;                     // frequencies
+  double duration = 0;                       // dynamic [time]
+  std::optional<double> time_step;           // dynamic; absent: from the computed bound
+  Start start = Start::undeformed;           // dynamic; equilibrium: under the loads of time 0
+  double rotary_inertia = 1;                 // dynamic: over that of the plate
+  Precision precision = Precision::double_;  // dynamic; mixed: internal forces in single
+  double safety = 0.95;                      // dynamic: share of the stable step that is used
+
+  /// In statics; in dynamics conjugate gradients.
+  StaticMethod static_method() const {
+    return method == Method::adr      ? StaticMethod::adr
+           : method == Method::direct ? StaticMethod::direct
+                                      : StaticMethod::cg;
+  }
+  /// Is an equilibrium wanted, for itself or to start from?
+  bool finds_equilibrium() const {
+    return kind == Kind::static_ || (kind == Kind::dynamic && start == Start::equilibrium);
+  }
+};
+
+/// As in case files.
+inline const char* name_of(Analysis::Kind kind) {
+  return kind == Analysis::Kind::static_ ? "static" : kind == Analysis::Kind::dynamic ? "dynamic" : "frequencies";
+}
+
+}  // namespace plate

@@ -1,0 +1,76 @@
+#include "plate/solve/motion/time_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plate/model/refused.hpp"
+
+namespace plate {
+namespace {
+
+constexpr double most_steps = 1e12;  // twelve days at a microsecond each; integers are exact up to 9e15
+constexpr double most_rows = 1e7;    // kept in memory until they are written: some gigabytes
+
+[[noreturn]] void refuse(Subject subject, const std::string& what) {
+  throw Refused({{subject, 0, what}});
+}
+
+void check_count(double duration, Subject subject, double time_step) {
+  const double steps = duration / time_step;
+  if (!(time_step >= std::numeric_limits<double>::min()) || !(steps <= most_steps))
+    refuse(subject, fmt::format("a duration of {:g} in steps of {:g} is {:g} steps: between 1 and {:g} can be counted",
+                                duration, time_step, steps, most_steps));
+}
+
+TimeGrid given_steps(const GridOptions& options, double limit, double row) {
+  const double dt = *options.time_step, share = options.most;
+  if (dt > share * limit)
+    refuse(Subject::time_step,
+           share < 1
+               ? fmt::format(
+                     "{:g} is above {:.6g}, {:g} of the stable limit {:.6g} of this plate: growth can make it stiffer",
+                     dt, share * limit, share, limit)
+               : fmt::format("{:g} is above the stable limit {:.6g} of this plate", dt, limit));
+  check_count(options.duration, Subject::time_step, dt);
+  return {dt, static_cast<std::size_t>(std::ceil(options.duration / dt - 1e-9)),
+          static_cast<std::size_t>(std::clamp(std::round(row / dt), 1.0, most_steps))};
+}
+
+/// Time between rows.
+double row_of(const GridOptions& options) {
+  const double duration = options.duration, row = options.row.value_or(duration / 400);
+  if (!(duration / row <= most_rows))
+    refuse(options.row ? Subject::rows : Subject::duration,
+           fmt::format("a duration of {:g} in rows of {:g} is {:g} rows: at most {:g} can be kept", duration, row,
+                       duration / row, most_rows));
+  return row;
+}
+
+}  // namespace
+
+TimeGrid row_grid(const GridOptions& options) {
+  const double duration = options.duration, rows = std::max(1.0, std::round(duration / row_of(options)));
+  return {duration / rows, static_cast<std::size_t>(rows), 1};
+}
+
+TimeGrid time_grid(const GridOptions& options, double limit) {
+  const double duration = options.duration;
+  if (!(limit > 0) || !std::isfinite(limit))
+    refuse(Subject::density,
+           fmt::format(
+               "the stable time step comes out as {:g}: density, stiffness and lengths are beyond what numbers hold; "
+               "choose other units",
+               limit));
+  const double row = row_of(options);
+  if (options.time_step) return given_steps(options, limit, row);
+  // whole steps between rows, whole rows in the duration
+  const double rows = std::max(1.0, std::round(duration / row)), between = duration / rows;
+  const double steps = std::max(1.0, std::ceil(between / (std::min(options.safety, options.most) * limit)));
+  check_count(duration, Subject::duration, between / steps);
+  return {between / steps, static_cast<std::size_t>(rows * steps), static_cast<std::size_t>(steps)};
+}
+
+}  // namespace plate

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+
+namespace plate {
+
+/// The steps of a motion.
+struct TimeGrid {
+  double time_step;
+  std::size_t steps, steps_per_row;  // rows of history, probes and intensity factors
+};
+
+/// What is asked of them.
+struct GridOptions {
+  double duration;
+  std::optional<double> time_step;  // absent: from the limit
+  std::optional<double> row;        // time between rows; absent: duration / 400
+  double safety = 1;                // share of the stable step that is used ...
+  double most = 1;                  // ... and that may be used
+};
+
+/// Steps that end exactly on the rows of history, none above `limit`. Throws Refused where more is asked for.
+TimeGrid time_grid(const GridOptions& options, double limit);
+
+/// One step per row, for motions that need no steps. Throws Refused where there are too many.
+TimeGrid row_grid(const GridOptions& options);
+
+}  // namespace plate
