@@ -11,22 +11,33 @@
 #include "cases/templates/new_case.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/process.hpp"
+#include "plate/solve/interruption.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
 #include "post/manual/program.hpp"
 #include "post/report/printed.hpp"
+#include "post/report/say.hpp"
 #include "post/studies/fatigue.hpp"
 
 namespace {
 
-enum ExitCode { done = 0, beyond_tolerance = 1, wrong_case = 2, failed_numbers = 3, failed_machine = 4 };
+enum ExitCode {
+  done = 0,
+  beyond_tolerance = 1,
+  wrong_case = 2,
+  failed_numbers = 3,
+  failed_machine = 4,
+  interrupted = 5
+};
 
 std::vector<post::ManualKey> manual_keys() {
   std::vector<post::ManualKey> result;
   for (const auto& key : cases::keys()) result.push_back({key.name, key.unit, key.allowed, key.standard, key.help});
   return result;
 }
+
+constexpr int most_threads = 1024;
 
 struct Arguments {
   std::string file, folder, key, only;
@@ -35,14 +46,14 @@ struct Arguments {
   post::ParisLaw law;
   double load = 1, ratio = 0;
   int threads = 0;
-  bool quiet = false, energy = false, schema = false, again = false;
+  bool quiet = false, energy = false, schema = false, again = false, resume = false;
 };
 
 void add_case(CLI::App& command, Arguments& a) {
   command.add_option("case", a.file, "case file (TOML)")->required();
   command.add_option("--set", a.settings, "override a key: section.thickness=0.05")->allow_extra_args(false);
   command.add_option("--unset", a.removed, "take a key or a table out: srif.normalize")->allow_extra_args(false);
-  command.add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::PositiveNumber);
+  command.add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, most_threads));
 }
 
 /// Keys are taken out before others are set.
@@ -125,7 +136,7 @@ int execute(const CLI::App& app, Arguments& a) {
   if (app.got_subcommand("run")) {
     const auto file = cases::read_case(a.file, overrides(a));
     const auto folder = folder_of(a);
-    const auto summary = cases::run(file, {folder, a.quiet});
+    const auto summary = cases::run(file, {folder, a.quiet, nullptr, a.resume});
     if (!a.quiet)
       fmt::print("{}", post::printed(summary, file.content.units == "SI", file.content.section.thickness, folder));
   } else if (app.got_subcommand("check")) {
@@ -225,6 +236,7 @@ int main(int argc, char** argv) {
   add_case(*run, a);
   run->add_option("--out", a.folder, "folder of the results (default: results/CASE)");
   run->add_flag("--quiet", a.quiet, "no progress and no table");
+  run->add_flag("--resume", a.resume, "go on from the last checkpoint of a run that was ended");
   add_case(*app.add_subcommand("check", "validate a case and say what it would cost"), a);
   add_pages(app, a);
   auto* srif = app.add_subcommand("srif", "extract intensity factors again from a finished run");
@@ -240,7 +252,7 @@ int main(int argc, char** argv) {
   auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
   study->add_option("study", a.file, "study file (TOML)")->required();
   study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");
-  study->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::PositiveNumber);
+  study->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, most_threads));
   study->add_flag("--again", a.again, "make runs anew that are done already");
   study->add_flag("--quiet", a.quiet, "no lines on runs that succeed and no table");
   auto* extremes = app.add_subcommand("extremes", "cases at the edge of what can be computed, each against its oracle");
@@ -248,7 +260,7 @@ int main(int argc, char** argv) {
   extremes->add_option("--out", a.folder, "folder of the results (default: results/TABLE)");
   extremes->add_option("--set", a.settings, "override a key of all rows that do not set it")->allow_extra_args(false);
   extremes->add_option("--only", a.only, "only rows whose group or title contains this");
-  extremes->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::PositiveNumber);
+  extremes->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, most_threads));
   extremes->add_flag("--quiet", a.quiet, "no lines, and a table only where an oracle is missed");
 
   try {
@@ -257,15 +269,24 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? done : wrong_case;
   }
   try {
-    return execute(app, a);
+    const int code = execute(app, a);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw std::system_error(errno, std::generic_category(), "output");
+    return code;
   } catch (const cases::CaseError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    post::say(fmt::format("{}\n", error.what()));
     return wrong_case;
   } catch (const plate::NumericalError& error) {
-    fmt::print(stderr, "the numbers failed: {}\n", error.what());
+    post::say(fmt::format("the numbers failed: {}\n", error.what()));
     return failed_numbers;
+  } catch (const plate::Interrupted& asked) {
+    post::say(fmt::format("interrupted: {}\n", asked.what()));
+    return interrupted;
+  } catch (const std::bad_alloc&) {
+    post::say("failed: the memory does not suffice\n");
+    return failed_machine;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "failed: {}\n", error.what());
+    post::say(fmt::format("failed: {}\n", error.what()));
     return failed_machine;
   }
 }

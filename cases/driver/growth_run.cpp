@@ -36,9 +36,11 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
   check_growing_tips(file, *found.plate, found.warnings);
   tip_methods(with_factors, *found.plate);  // for what they refuse
   fracture::QuasiStaticRun run(plan_of(c, options), std::move(found));
-  auto summary = run(recorder_of(c, options));
+  auto [recorder, keeper] = recording_of(c, options);
+  auto summary = run(std::move(recorder), keeper.get());
   if (run.grown().ended.how == fracture::End::unstable && c.growth->unstable == fracture::Growth::Unstable::move)
     cases::run(in_motion(file, run), options.part("motion"));
+  if (keeper) keeper->done();
   return summary;
 }
 

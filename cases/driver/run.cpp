@@ -32,15 +32,14 @@ std::vector<post::Srif> coarser_srifs(const CaseFile& file, std::vector<std::str
   return factors;
 }
 
-fracture::Results results_of(const Prepared& prepared, const RunOptions& options) {
-  const Case& c = prepared.file.content;
-  return {plan_of(c, options), *prepared.plate, prepared.tip_methods, recorder_of(c, options)};
+fracture::Results results_of(const Prepared& prepared, const RunOptions& options, post::Recorder recorder) {
+  return {plan_of(prepared.file.content, options), *prepared.plate, prepared.tip_methods, std::move(recorder)};
 }
 
 /// The whole run of a case in its other formulation: the factors of all rows.
 std::vector<std::vector<post::Srif>> run_second(const Prepared& prepared, const RunOptions& options) {
   plate::Stopwatch stopwatch = prepared.stopwatch;
-  auto results = results_of(prepared, options);
+  auto results = results_of(prepared, options, recording_of(prepared.file.content, options).recorder);
   fracture::run_once(prepared, results, stopwatch);
   return results.factors().rows();
 }
@@ -48,7 +47,7 @@ std::vector<std::vector<post::Srif>> run_second(const Prepared& prepared, const 
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
   auto [plate, found, rows] = to_accuracy(file, options.quiet);
   plate::Stopwatch stopwatch = plate->stopwatch;
-  auto results = results_of(*plate, options);
+  auto results = results_of(*plate, options, recording_of(plate->file.content, options).recorder);
   results.factors().known(std::move(rows));
   results.found(std::move(found));
   stopwatch.lap("output");
@@ -69,17 +68,22 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
     second.emplace(in_other_formulation(file));
     stopwatch.lap("second_formulation");
   }
-  auto results = results_of(prepared, options);
+  auto [recorder, keeper] = recording_of(prepared.file.content, options);
+  auto results = results_of(prepared, options, std::move(recorder));
   stopwatch.lap("output");
   if (c.srif && c.srif->richardson)
     results.factors().coarser(coarser_srifs(file, prepared.warnings)), stopwatch.lap("srif");
   if (second) {
     const auto name = second->file.content.discretization.formulation->name;
-    results.factors().second(name, run_second(*second, options.part(name)));
+    auto part = options.part(name);
+    part.resume = false;
+    results.factors().second(name, run_second(*second, part));
     second.reset();
     stopwatch.lap("second_formulation");
   }
-  return fracture::run_once(prepared, results, stopwatch);
+  auto summary = fracture::run_once(prepared, results, stopwatch, keeper.get());
+  if (keeper) keeper->done();
+  return summary;
 }
 
 }  // namespace cases

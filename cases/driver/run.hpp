@@ -17,13 +17,14 @@ struct RunOptions {
   std::filesystem::path folder;  // results go here; made if it does not exist
   bool quiet = false;
   post::Kept* kept = nullptr;  // results go here instead, and no file is written
+  bool resume = false;         // goes on from what an earlier run has kept in the folder
 
   /// Of a run that belongs to another one.
   RunOptions part(const std::string& name) const;
 };
 
-/// Runs a case and writes its results folder. Throws CaseError before anything is written; plate::NumericalError after
-/// the last good frame, the summary and all tables have been written.
+/// Runs a case and writes its results folder. Throws CaseError before anything is written; plate::NumericalError and
+/// plate::Interrupted after the last good frame, the summary and all tables have been written.
 post::Summary run(const CaseFile& file, const RunOptions& options);
 
 /// What a run would cost, as text: points, bonds, memory, time step, steps. Writes nothing. Throws CaseError.

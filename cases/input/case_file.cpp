@@ -1,6 +1,7 @@
 #include "cases/input/case_file.hpp"
 #include <fstream>
-#include <sstream>
+#include <optional>
+#include <string_view>
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
@@ -11,10 +12,16 @@ namespace cases {
 namespace {
 
 std::string report(const std::vector<Problem>& problems) {
+  constexpr std::size_t most = 100;
   std::vector<std::string> lines;
-  for (const auto& problem : problems)
+  for (const auto& problem : problems) {
+    if (lines.size() == most) {
+      lines.push_back(fmt::format("... and {} problems more", problems.size() - most));
+      break;
+    }
     lines.push_back(problem.key.empty() ? fmt::format("{}: {}", problem.place, problem.what)
                                         : fmt::format("{}: {}: {}", problem.place, problem.key, problem.what));
+  }
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
@@ -22,10 +29,36 @@ std::string contents(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) throw CaseError({{path.string(), "", "no such file"}});
   std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
   if (std::filesystem::is_directory(path, ignored) || !file) throw CaseError({{path.string(), "", "cannot be read"}});
-  text << file.rdbuf();
-  return text.str();
+  constexpr std::size_t most = 16 << 20, piece = 1 << 16;  // [bytes]; it may be a pipe or a device
+  std::string text;
+  for (std::size_t read = piece; read == piece && text.size() <= most;) {
+    text.resize(text.size() + piece);
+    file.read(text.data() + text.size() - piece, piece);
+    read = std::size_t(file.gcount());
+    text.resize(text.size() - piece + read);
+  }
+  if (text.size() > most)
+    throw CaseError({{path.string(), "", fmt::format("has more than {} MiB: no file of ours", most >> 20)}});
+  return text;
+}
+
+/// The line with a key of more parts than any that there is: the library follows the parts by recursion, and 100,000
+/// of them are the end of its stack.
+std::optional<std::size_t> line_of_deep_key(const std::string& text) {
+  constexpr std::size_t deepest = 64;
+  std::size_t line = 1, parts = 0;
+  char before = ' ';
+  bool comment = false;
+  for (const char c : text) {
+    if (c == '\n') ++line, comment = false;
+    if (c == '#') comment = true;
+    if (comment || c == ' ' || c == '\t') continue;
+    if (c == '.' && before != '.' && ++parts > deepest) return line;
+    if (std::string_view("\n,=[]{}").find(c) != std::string_view::npos) parts = 0;
+    before = c;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -33,6 +66,8 @@ std::string contents(const std::filesystem::path& path) {
 namespace {
 
 toml::table parsed_text(const std::string& text, const std::string& name) {
+  if (const auto line = line_of_deep_key(text))
+    throw CaseError({{fmt::format("{}:{}", name, *line), "", "a key of more than 64 parts"}});
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {

@@ -141,9 +141,12 @@ std::string Bounds::text(bool whole) const {
 }
 
 void complain_about_unknown(const Value& table, const std::vector<std::string>& names) {
+  constexpr std::size_t most = 100;  // of a table: each is looked for among all keys
+  std::size_t found = 0;
   for (const auto& [name, node] : *table.table()) {
     const std::string word(name.str());
     if (std::find(names.begin(), names.end(), word) != names.end()) continue;
+    if (++found > most) return table.complain("has further unknown keys");
     std::string hint = did_you_mean(word, names);
     for (const auto& key : keys())
       if (hint.empty() && key.name.ends_with("." + word)) hint = fmt::format(" (did you mean '{}'?)", key.name);

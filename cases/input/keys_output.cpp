@@ -289,6 +289,9 @@ Fields<Output> output_fields() {
                 "time between rows of histories, probes and intensity factors")
           .standard("duration / 400")
           .in_dynamics(),
+      number<O>("checkpoint_every", "s", &O::checkpoint_every, {0, 86400},
+                "time of the clock between checkpoints of a motion by steps or a quasi-static growth, from which "
+                "run --resume goes on; 0: none"),
       probes().used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
   };
 }

@@ -6,6 +6,7 @@
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/files/table.hpp"
+#include "post/report/say.hpp"
 #include "post/studies/study.hpp"
 
 namespace cases {
@@ -76,8 +77,8 @@ std::vector<post::Verdict> run_extremes(const Extremes& extremes, const ExtremeO
     verdicts.insert(verdicts.end(), found.begin(), found.end());
     post::write_csv(options.folder / "extremes.csv", post::table(verdicts));
     if (!options.quiet)
-      fmt::print(stderr, "[{}/{}] {}: {}, {:.1f} s\n", runs.size(), wanted.size(), row.title,
-                 std::ranges::all_of(found, &post::Verdict::holds) ? "holds" : "MISSED", run.seconds);
+      post::say(fmt::format("[{}/{}] {}: {}, {:.1f} s\n", runs.size(), wanted.size(), row.title,
+                            std::ranges::all_of(found, &post::Verdict::holds) ? "holds" : "MISSED", run.seconds));
   }
   return verdicts;
 }

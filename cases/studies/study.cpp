@@ -4,10 +4,14 @@
 
 #include "cases/driver/run.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/model/process.hpp"
+#include "plate/solve/interruption.hpp"
 #include "post/files/digest.hpp"
+#include "post/files/sinks/folder_lock.hpp"
 #include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
 #include "post/report/html/study_report.hpp"
+#include "post/report/say.hpp"
 #include "post/studies/advice.hpp"
 #include "post/studies/orders.hpp"
 #include "post/studies/plots.hpp"
@@ -61,13 +65,15 @@ post::Ended run_once(const CaseFile& file, const fs::path& folder) {
       return {"refused", error.what()};
     } catch (const plate::NumericalError& error) {
       return {"failed", error.what()};
+    } catch (const plate::Interrupted& asked) {
+      return {"interrupted", asked.what()};
     }
   });
 }
 
 /// The version and the time of this very program: another build of it may find other numbers.
 std::string program() {
-  return fmt::format("{} of {}", PDPLATE_VERSION, fs::last_write_time("/proc/self/exe").time_since_epoch().count());
+  return fmt::format("{} of {}", PDPLATE_VERSION, plate::build());
 }
 
 post::RunRecord wanted_record(const StudyRun& run) {
@@ -132,6 +138,9 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
   auto& table = outcome.table;
   fs::create_directories(options.folder);
   if (options.again) fs::remove(options.folder / "runs.csv");
+  const post::FolderLock lock(options.folder);
+  if (!lock.held()) throw CaseError({{"--out", options.folder.string(), "another study writes to this folder"}});
+  const plate::StopOnSignals signals;
   post::Ledger ledger(options.folder / "runs.csv");
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const auto& run = study.runs[i];
@@ -147,9 +156,10 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
     for (const auto& row : rows) {
       const bool is_first = &row == &rows.front();
       if ((is_first && !options.quiet) || !row.message.empty())
-        fmt::print(stderr, "[{}/{}] {}{}\n", i + 1, study.runs.size(), post::to_text(row),
-                   kept && is_first ? " (done before)" : "");
+        post::say(fmt::format("[{}/{}] {}{}\n", i + 1, study.runs.size(), post::to_text(row),
+                              kept && is_first ? " (done before)" : ""));
     }
+    plate::stop_if_asked("a study: the same command goes on from here");
   }
   return outcome;
 }

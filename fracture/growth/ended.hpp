@@ -15,6 +15,7 @@ enum class End {
   longest,        // the largest length of cracks that was asked for
   unstable,       // the next advance would be unstable, and growth must not jump
   split,          // a piece of the plate is not held any more
+  interrupted,    // a signal asked for it
   failed          // the numbers failed
 };
 

@@ -24,6 +24,8 @@ std::string in_words(const Ended& ended, bool by_bonds) {
       return by_bonds ? "the next bond breaks unstably" : "the next advance is unstable";
     case split:
       return "the plate split: " + ended.detail;
+    case interrupted:
+      return "interrupted";
     case failed:
       return "failed: " + ended.detail;
   }

@@ -5,9 +5,13 @@
 #include "fracture/growth/quasi_static/bonds.hpp"
 #include "fracture/growth/quasi_static/growing_plate.hpp"
 #include "fracture/growth/words.hpp"
+#include "fracture/runs/keeper.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/archive.hpp"
+#include "plate/solve/interruption.hpp"
+#include "post/files/archive.hpp"
 #include "post/files/gate.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/progress.hpp"
@@ -42,27 +46,61 @@ std::vector<geometry::Polyline> QuasiStaticRun::cracks() const {
   return tips_ ? tips_->cracks() : plan_.problem.cracks;
 }
 
-post::Summary QuasiStaticRun::operator()(post::Recorder recorder) {
+post::Summary QuasiStaticRun::operator()(post::Recorder recorder, Keeper* keeper) {
   recorder_.emplace(std::move(recorder));
   post::Progress progress(plan_.quiet, "growth");
+  const plate::StopOnSignals signals;
+  QuasiStaticLoad load(growth_.control);
+  const auto see = [&](const Equilibrium& now) {
+    stopwatch_.lap("solve");
+    observe(now);
+    stopwatch_.lap("output");
+    double length = 0;
+    for (const double one : model_->lengths()) length += one;
+    progress.update(
+        double(now.advance) / double(growth_.max_advances),
+        fmt::format("advance {}, load factor {:.4g}, crack length {:.4g}", now.advance, now.factor, length));
+  };
   try {
-    grown_ = grow_quasi_statically(growth_, *model_, [&](const Equilibrium& now) {
-      stopwatch_.lap("solve");
-      observe(now);
-      stopwatch_.lap("output");
-      double length = 0;
-      for (const double one : model_->lengths()) length += one;
-      progress.update(
-          double(now.advance) / double(growth_.max_advances),
-          fmt::format("advance {}, load factor {:.4g}, crack length {:.4g}", now.advance, now.factor, length));
-    });
+    grown_ = grow_quasi_statically(growth_, *model_, see, keeper ? continuation(*keeper, load) : Continuation{});
     progress.done();
     return finish();
   } catch (const plate::NumericalError& error) {
     grown_.ended = {End::failed, error.what()};
     finish();
     throw;
+  } catch (const plate::Interrupted& asked) {
+    grown_.ended = {End::interrupted, asked.what()};
+    finish();
+    throw;
   }
+}
+
+template <typename Archive>
+void QuasiStaticRun::memory(Archive& archive) {
+  auto& [work, strain, fracture] = grown_.ledger;
+  archive(reactions_, pictures_, srifs_, latest_, work, strain, fracture, advance_, factor_, largest_factor_,
+          first_factor_, framed_);
+}
+
+/// `load`: to go on from.
+Continuation QuasiStaticRun::continuation(Keeper& keeper, QuasiStaticLoad& load) {
+  const bool goes_on = keeper.recall([&](plate::InArchive& archive) {
+    archive(load);
+    recorder_->recall(archive);
+    memory(archive);
+    model_->recall(archive);
+    state_ = factor_ * model_->state();
+  });
+  const auto keep = [&](const QuasiStaticLoad& now) {
+    keeper.keep([&](plate::OutArchive& archive) {
+      archive(now);
+      recorder_->remember(archive);
+      memory(archive);
+      model_->remember(archive);
+    });
+  };
+  return {goes_on ? &load : nullptr, [&keeper] { return keeper.due(); }, keep};
 }
 
 void QuasiStaticRun::observe(const Equilibrium& now) {
@@ -144,7 +182,7 @@ post::Summary QuasiStaticRun::finish() {
   post::conclude(summary, {plan_.problem.section, plan_.srif, plan_.si(), recorder_->history(), reactions_, latest_});
   summary.growth = growth_summary();
   summary.outcome = "done";
-  if (grown_.ended.how == End::failed)
+  if (grown_.ended.how == End::failed || grown_.ended.how == End::interrupted)
     summary.outcome = summary.growth->outcome, summary.analysis.stop_reason = grown_.ended.detail;
   const auto& books = grown_.ledger;
   summary.energy = {{"strain", books.strain},

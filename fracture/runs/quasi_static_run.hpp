@@ -6,6 +6,7 @@
 namespace fracture {
 
 class GrowingPlate;
+class Keeper;
 class QuasiStaticBonds;
 
 /// Where no intensity factors are asked for, the methods that give the energy release rate.
@@ -18,8 +19,9 @@ public:
   QuasiStaticRun(const RunPlan& plan, plate::Discretised first);
   ~QuasiStaticRun();
 
-  /// Grows, and writes everything. Throws plate::NumericalError after that.
-  post::Summary operator()(post::Recorder recorder);
+  /// Grows, and writes everything. Throws plate::NumericalError or plate::Interrupted after that. `keeper`: of a growth
+  /// that may go on later, or goes on here.
+  post::Summary operator()(post::Recorder recorder, Keeper* keeper);
 
   // of the end
   const Grown& grown() const { return grown_; }
@@ -27,6 +29,9 @@ public:
   std::vector<geometry::Polyline> cracks() const;
 
 private:
+  Continuation continuation(Keeper& keeper, QuasiStaticLoad& load);
+  template <typename Archive>
+  void memory(Archive& archive);
   void observe(const Equilibrium& now);
   void frame();
   void record();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "fracture/growth/motion/moving_growth.hpp"
@@ -10,6 +11,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "post/files/archive.hpp"
 #include "post/files/gate.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/html/report.hpp"
@@ -76,6 +78,7 @@ void Results::sample(const plate::Instant& now, bool last) {
 }
 
 void Results::frame(const plate::Instant& now) {
+  next_frame_ = plan_.frames_every ? next_frame_ + *plan_.frames_every : INFINITY;
   if (!recorder_.draws() && !recorder_.stores()) return;
   auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_);
   std::optional<plate::Mesh> mesh;
@@ -137,6 +140,21 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   summary = recorder_.finish(std::move(summary), stopwatch);
   write_report(plan_, pictures_);
   return summary;
+}
+
+template <typename Archive>
+void Results::memory(Archive& archive) {
+  archive(factors_, reactions_, extremes_, pictures_, times_, residual_, strain_energy_, next_frame_);
+}
+
+void Results::remember(plate::OutArchive& archive) {
+  recorder_.remember(archive);
+  memory(archive);
+}
+
+void Results::recall(plate::InArchive& archive) {
+  recorder_.recall(archive);
+  memory(archive);
 }
 
 }  // namespace fracture

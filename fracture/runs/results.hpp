@@ -45,6 +45,8 @@ public:
   /// A row of history, probes and intensity factors; of the last, all rings go into the summary.
   void sample(const plate::Instant& now, bool last);
   void frame(const plate::Instant& now);
+  /// Time of the next frame of a motion.
+  double next_frame() const { return next_frame_; }
   /// A row of frequencies.csv and a frame, number `number` (from 1).
   void mode(std::size_t number, const plate::Mode& mode);
   /// Writes the tables and, last, the summary; returns it complete.
@@ -52,7 +54,13 @@ public:
 
   double strain_energy() const { return strain_energy_; }
 
+  /// What has been recorded of a motion; all frames so far are written then.
+  void remember(plate::OutArchive& archive);
+  void recall(plate::InArchive& archive);
+
 private:
+  template <typename Archive>
+  void memory(Archive& archive);
   post::Cracks finish_growth(post::Summary& summary);
 
   RunPlan plan_;
@@ -68,7 +76,7 @@ private:
   std::vector<post::Frequency> frequencies_;
   std::optional<post::AccuracySummary> accuracy_;
   std::optional<double> residual_;  // of the energies of a growth
-  double strain_energy_ = 0;
+  double strain_energy_ = 0, next_frame_ = 0;
   MovingGrowth* growth_ = nullptr;
 };
 

@@ -6,9 +6,12 @@
 #include <cmath>
 
 #include "fracture/growth/motion/moving_growth.hpp"
+#include "fracture/runs/keeper.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/archive.hpp"
+#include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/watched_motion.hpp"
@@ -70,17 +73,14 @@ void solve_static(const Going& run) {
 /// Takes the rows and frames of a motion, as far as the step `last`.
 std::function<void(const plate::Instant&)> observer(const Going& run, std::size_t last, post::Progress& progress) {
   const double duration = run.analysis().duration;
-  return [&, last, duration, between = duration / double(last), next_frame = 0.0](const plate::Instant& now) mutable {
+  return [&, last, duration, between = duration / double(last)](const plate::Instant& now) {
     auto& [ready, results, summary, stopwatch] = run;
     stopwatch.lap("solve");
     progress.update(now.time / duration, fmt::format("t = {:.4g}", now.time));
     const bool is_last = now.step == last;
     results.sample(now, is_last);
     stopwatch.lap("srif");
-    if (is_last || now.time >= next_frame - between / 2) {
-      results.frame(now);
-      next_frame = run.plan().frames_every ? next_frame + *run.plan().frames_every : INFINITY;
-    }
+    if (is_last || plate::stop_is_asked() || now.time >= results.next_frame() - between / 2) results.frame(now);
     stopwatch.lap("output");
     summary.analysis.steps = now.step;
     summary.energy = {
@@ -114,7 +114,30 @@ void solve_by_lanczos(const Going& run) {
   summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors());
 }
 
-void solve_dynamic(const Going& run, MovingGrowth* growth) {
+/// What a motion by steps remembers beside its results.
+struct Motion {
+  plate::MotionMemory memory = {};  // to go on from
+  MovingGrowth* growth;
+
+  void keep_to(Keeper& keeper, Results& results, plate::DynamicOptions& options) {
+    options.due = [&] { return keeper.due(); };
+    options.keep = [&](const plate::MotionMemory& now) {
+      keeper.keep([&](plate::OutArchive& archive) {
+        archive(now);
+        results.remember(archive);
+        if (growth) growth->remember(archive);
+      });
+    };
+    const bool goes_on = keeper.recall([&](plate::InArchive& archive) {
+      archive(memory);
+      results.recall(archive);
+      if (growth) growth->recall(archive);
+    });
+    if (goes_on) options.from = &memory;
+  }
+};
+
+void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   auto& [ready, results, summary, stopwatch] = run;
   const auto& analysis = run.analysis();
   const plate::Formulation& plate = *ready.plate;
@@ -131,6 +154,8 @@ void solve_dynamic(const Going& run, MovingGrowth* growth) {
   if (analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
   if (growth) options.changes = &growth->changes();
   options.held_forces = true;
+  Motion motion{{}, growth};
+  if (keeper) motion.keep_to(*keeper, results, options);
   plate::central_differences(growth ? growth->plate() : plate, constraints, plate.mass(analysis.rotary_inertia),
                              plate.loads(), options, observer(run, grid.steps, progress));
   summary.analysis.stop_reason = "end of the duration";
@@ -171,12 +196,13 @@ void solve_frequencies(const Going& run) {
   summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
 }
 
-void solve(const Going& run, MovingGrowth* growth) {
+void solve(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   switch (run.analysis().kind) {
     case Analysis::Kind::static_:
       return solve_static(run);
     case Analysis::Kind::dynamic:
-      return run.analysis().method == Analysis::Method::lanczos ? solve_by_lanczos(run) : solve_dynamic(run, growth);
+      return run.analysis().method == Analysis::Method::lanczos ? solve_by_lanczos(run)
+                                                                : solve_dynamic(run, growth, keeper);
     case Analysis::Kind::frequencies:
       return solve_frequencies(run);
   }
@@ -184,7 +210,7 @@ void solve(const Going& run, MovingGrowth* growth) {
 
 }  // namespace
 
-post::Summary run_once(const Ready& ready, Results& results, plate::Stopwatch& stopwatch) {
+post::Summary run_once(const Ready& ready, Results& results, plate::Stopwatch& stopwatch, Keeper* keeper) {
   const RunPlan& plan = results.plan();
   post::Summary summary = about(plan, *ready.plate, ready.warnings);
   std::unique_ptr<MovingGrowth> growth;
@@ -192,12 +218,18 @@ post::Summary run_once(const Ready& ready, Results& results, plate::Stopwatch& s
     growth = moving_growth(*plan.growth, *ready.plate, plan.srif, plan.analysis.rotary_inertia);
     results.grows(*growth);
   }
+  const plate::StopOnSignals signals;
   try {
-    solve({ready, results, summary, stopwatch}, growth.get());
+    solve({ready, results, summary, stopwatch}, growth.get(), keeper);
     summary.outcome = "done";
   } catch (const plate::NumericalError& error) {
     summary.outcome = fmt::format("failed: {}", error.what());
     summary.analysis.stop_reason = error.what();
+    results.finish(summary, stopwatch);
+    throw;
+  } catch (const plate::Interrupted& asked) {
+    summary.outcome = "interrupted";
+    summary.analysis.stop_reason = asked.what();
     results.finish(summary, stopwatch);
     throw;
   }

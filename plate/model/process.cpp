@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 
 namespace plate {
 namespace {
@@ -32,6 +33,10 @@ void settle_process([[maybe_unused]] char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   mallopt(M_MMAP_THRESHOLD, 1 << 28);
   mallopt(M_TRIM_THRESHOLD, 1 << 28);
+}
+
+std::string build() {
+  return std::to_string(std::filesystem::last_write_time("/proc/self/exe").time_since_epoch().count());
 }
 
 }  // namespace plate

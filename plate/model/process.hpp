@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 
 namespace plate {
 
@@ -7,5 +8,8 @@ namespace plate {
 /// that is given back is kept for the next array: the system clears every page that it hands out. A reader that has
 /// gone, or a file larger than is allowed, fails what is written to it and does not end the process.
 void settle_process(char** argv);
+
+/// When the file of this program was written: what runs of the very same build have in common.
+std::string build();
 
 }  // namespace plate

@@ -11,6 +11,7 @@ constexpr std::array signals{SIGINT, SIGTERM};
 constexpr char notice[] = "\nstopping at the next step; once more to stop at once\n";
 
 volatile std::sig_atomic_t asked = 0;
+int nesting = 0;
 
 void ask(int signal) {
   if (asked) {
@@ -25,12 +26,14 @@ void ask(int signal) {
 }  // namespace
 
 StopOnSignals::StopOnSignals() {
+  if (nesting++ == 0) asked = 0;
   struct sigaction action {};
   action.sa_handler = ask;  // without SA_RESTART: who waits for another process hears of it
   for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
 }
 
 StopOnSignals::~StopOnSignals() {
+  --nesting;
   for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
 }
 

@@ -10,7 +10,6 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
-#include <istream>
 #include <memory>
 #include <system_error>
 
@@ -60,15 +59,6 @@ private:
   std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_;
 };
 
-/// Reads what stands in memory.
-class Reading : public std::streambuf {
-public:
-  explicit Reading(std::string_view text) {
-    auto* const begin = const_cast<char*>(text.data());
-    setg(begin, begin, begin + text.size());
-  }
-};
-
 /// Waits until a file, or the names in a folder, are on the disk.
 void sync(const fs::path& path) {
   const int opened = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -84,19 +74,24 @@ std::string hexadecimal(std::uint64_t number) {
   return fmt::format("{:016x}", number);
 }
 
-/// What is wrong with a checkpoint; `memory` is its content where nothing is.
-std::string fault_of(const std::string& text, const std::string& of, std::string_view& memory) {
-  constexpr std::size_t digits = 16;
-  const std::string_view all = text;
+constexpr std::size_t digits = 16;  // of the checksum, at the end
+
+/// What is wrong with a checkpoint; empty: nothing.
+std::string fault_of(std::string_view all, const std::string& of) {
   const auto line = all.find('\n');
-  if (!all.starts_with(magic) || line == std::string::npos) return "is no checkpoint of this version";
-  const auto content = all.substr(0, std::max(all.size(), digits) - digits);
-  if (content.size() <= line || hexadecimal(XXH3_64bits(content.data(), content.size())) != all.substr(content.size()))
+  if (!all.starts_with(magic) || line == std::string_view::npos) return "is no checkpoint of this version";
+  const auto before = all.substr(0, std::max(all.size(), digits) - digits);
+  if (before.size() <= line || hexadecimal(XXH3_64bits(before.data(), before.size())) != all.substr(before.size()))
     return "is damaged or not whole";
   if (const auto found = all.substr(0, line).substr(std::string_view(magic).size()); found != of)
     return fmt::format("is of another run: {}, not {}", found, of);
-  memory = content.substr(line + 1);
   return {};
+}
+
+std::string content_of(std::string text) {
+  text.resize(text.size() - digits);
+  text.erase(0, text.find('\n') + 1);
+  return text;
 }
 
 }  // namespace
@@ -118,26 +113,16 @@ void Checkpoints::write(const std::function<void(std::ostream&)>& remember) cons
   sync(folder_);
 }
 
-bool Checkpoints::read(const std::function<void(std::istream&)>& recall, std::vector<std::string>& refused) const {
+std::optional<std::string> Checkpoints::read(std::vector<std::string>& refused) const {
   for (const auto* name : names) {
     const auto path = folder_ / name;
     if (!fs::exists(path)) continue;
-    const auto text = read_text(path);
-    std::string_view memory;
-    const auto fault = fault_of(text, of_, memory);
-    if (fault.empty()) {
-      Reading buffer(memory);
-      std::istream stream(&buffer);
-      recall(stream);
-      return true;
-    }
+    auto text = read_text(path);
+    const auto fault = fault_of(text, of_);
+    if (fault.empty()) return content_of(std::move(text));
     refused.push_back(fmt::format("{} {}", path.string(), fault));
   }
-  return false;
-}
-
-bool Checkpoints::any() const {
-  return fs::exists(folder_ / names[0]) || fs::exists(folder_ / names[1]);
+  return std::nullopt;
 }
 
 void Checkpoints::remove() const {

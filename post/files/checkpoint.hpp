@@ -19,11 +19,10 @@ public:
   /// `remember` writes the memory. Throws std::filesystem::filesystem_error; the last two stay then.
   void write(const std::function<void(std::ostream&)>& remember) const;
 
-  /// Lets `recall` read the memory of the newest checkpoint that is whole and of this run; false where there is none.
-  /// Whatever is wrong with others goes into `refused`.
-  bool read(const std::function<void(std::istream&)>& recall, std::vector<std::string>& refused) const;
+  /// The memory in the newest checkpoint that is whole and of this run, if there is one. What is wrong with others goes
+  /// into `refused`.
+  std::optional<std::string> read(std::vector<std::string>& refused) const;
 
-  bool any() const;
   void remove() const;
 
 private:

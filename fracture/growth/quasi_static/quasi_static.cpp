@@ -18,8 +18,7 @@ std::optional<End> end_of(const Growth& growth, const QuasiStaticModel& model, c
 }  // namespace
 
 Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
-                            const std::function<void(const Equilibrium&)>& observe,
-                            const Continuation& continuation) {
+                            const std::function<void(const Equilibrium&)>& observe, const Continuation& continuation) {
   Grown result;
   QuasiStaticLoad load(growth.control);
   if (continuation.from) {

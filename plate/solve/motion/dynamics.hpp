@@ -53,6 +53,11 @@ struct MotionMemory {
   State state, velocity;                         // velocity: half a step before
   std::vector<std::pair<double, double>> loads;  // of every load: F . u and factor when its work was last counted
   std::vector<double> work, before;              // of every load [energy]
+
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(step, state, velocity, loads, work, before);
+  }
 };
 
 struct DynamicOptions {

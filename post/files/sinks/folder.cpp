@@ -4,8 +4,7 @@
 
 namespace post {
 
-Folder::Folder(FolderOptions options) : options_(std::move(options)) {
-  std::filesystem::create_directories(options_.folder);
+Folder::Folder(FolderOptions options, FolderLock lock) : options_(std::move(options)), lock_(std::move(lock)) {
   write_whole(options_.folder / "case.resolved.toml", options_.resolved);
 }
 

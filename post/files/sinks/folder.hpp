@@ -3,6 +3,7 @@
 #include <future>
 
 #include "post/files/hdf5/state_file.hpp"
+#include "post/files/sinks/folder_lock.hpp"
 #include "post/files/sinks/sink.hpp"
 #include "post/files/vtk/series.hpp"
 
@@ -21,8 +22,8 @@ struct FolderOptions {
 /// the next one, or with the tables.
 class Folder : public Sink {
 public:
-  /// Makes the folder and writes the case into it.
-  explicit Folder(FolderOptions options);
+  /// Writes the case into the folder, which is there and locked for this.
+  Folder(FolderOptions options, FolderLock lock);
 
   bool draws() const override { return options_.vtk; }
   bool stores() const override { return options_.hdf5; }
@@ -42,6 +43,7 @@ private:
   StateFile::Options state_file(bool velocities) const;
 
   FolderOptions options_;
+  FolderLock lock_;
   std::optional<VtkSeries> vtk_;
   std::optional<StateFile> hdf5_;
   std::vector<double> times_;  // of the frames

@@ -1,6 +1,7 @@
 #include "post/studies/runs/isolated.hpp"
 
 #include <omp.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,6 +12,9 @@
 #include <cstring>
 #include <stdexcept>
 #include <thread>
+#include <utility>
+
+#include "plate/solve/interruption.hpp"
 
 namespace post {
 namespace {
@@ -31,10 +35,16 @@ void write_all(int to, const std::string& text) {
   }
 }
 
-std::string read_all(int from) {
+/// What `child` writes, which is asked to end where this process is.
+std::string read_all(int from, pid_t child) {
+  constexpr int patience = 200;  // [ms]
   std::string text;
   char part[4096];
+  bool passed_on = false;
   for (;;) {
+    if (plate::stop_is_asked() && !std::exchange(passed_on, true)) kill(child, SIGTERM);
+    pollfd ready{from, POLLIN, 0};
+    if (poll(&ready, 1, patience) <= 0) continue;
     const auto count = ::read(from, part, sizeof part);
     if (count == 0 || (count < 0 && errno != EINTR)) return text;
     if (count > 0) text.append(part, std::size_t(count));
@@ -44,6 +54,7 @@ std::string read_all(int from) {
 /// The work of the new process. Its first thread is a copy of one that may have led a team which is not here any more:
 /// OpenMP would wait for that, so that another thread leads.
 [[noreturn]] void work_in_child(const std::function<Ended()>& work, int to, int threads, pid_t parent) {
+  setpgid(0, 0);  // Ctrl-C reaches the parent alone, which passes it on
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);  // it has ended before
   Ended ended;
@@ -73,7 +84,7 @@ Ended isolated(const std::function<Ended()>& work) {
     close(ends[0]);
     throw std::runtime_error(std::string("no process: ") + strerror(errno));
   }
-  const auto said = read_all(ends[0]);
+  const auto said = read_all(ends[0], child);
   close(ends[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
