@@ -5,7 +5,7 @@
 #include <cmath>
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
-#include "cases/studies/comparison.hpp"
+#include "cases/input/keys.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
 #include "cases/templates/new_case.hpp"
@@ -17,21 +17,17 @@
 #include "post/manual/program.hpp"
 #include "post/report/printed.hpp"
 #include "post/studies/fatigue.hpp"
+#include "post/studies/runs/comparison.hpp"
+#include "post/studies/runs/study_files.hpp"
 
 namespace {
 
 enum ExitCode { done = 0, beyond_tolerance = 1, wrong_case = 2, failed_numbers = 3, failed_machine = 4 };
 
-std::vector<post::ManualKey> manual_keys() {
-  std::vector<post::ManualKey> result;
-  for (const auto& key : cases::keys()) result.push_back({key.name, key.unit, key.allowed, key.standard, key.help});
-  return result;
-}
-
 struct Arguments {
-  std::string file, folder, key, only;
-  std::vector<std::string> settings, removed, methods;
-  cases::ComparisonOptions comparison;
+  std::string file, folder, key, only, reference, plot, json;
+  std::vector<std::string> settings, removed, methods, tolerances;
+  std::optional<double> within;  // tolerance of all measures
   post::ParisLaw law;
   double load = 1, ratio = 0;
   int threads = 0;
@@ -60,7 +56,7 @@ std::filesystem::path folder_of(const Arguments& a) {
 int run_study(const Arguments& a) {
   const auto study = cases::read_study(a.file);
   const auto outcome = cases::run_study(study, {folder_of(a), a.quiet, a.again});
-  if (!a.quiet) cases::print(study, outcome, folder_of(a));
+  if (!a.quiet) fmt::print("{}", post::printed_study(outcome.table, study.title, folder_of(a)));
   if (outcome.killed > 0) return failed_machine;
   if (outcome.failed_numbers > 0) return failed_numbers;
   return outcome.wrong_cases > 0 ? wrong_case : done;
@@ -76,6 +72,19 @@ int run_extremes(const Arguments& a) {
     fmt::print("{}\n{}{} of {} oracles hold; results in {}\n", extremes.title, post::to_text(verdicts),
                verdicts.size() - std::size_t(missed), verdicts.size(), folder.string());
   return missed > 0 ? failed_numbers : done;
+}
+
+int compare(const Arguments& a) {
+  post::Tolerances tolerances;
+  try {
+    tolerances = post::tolerances(a.tolerances, a.within);
+  } catch (const std::invalid_argument& error) {
+    throw cases::CaseError({{"compare", "--tolerance", error.what()}});
+  }
+  const auto compared = post::compared(a.folder, a.reference, tolerances);
+  fmt::print("{}", post::to_text(compared));
+  post::write(compared, a.plot, a.json);
+  return compared.above.empty() ? done : beyond_tolerance;
 }
 
 void require_finite(const Arguments& a) {
@@ -112,9 +121,9 @@ std::string own_pages(const CLI::App& app, const Arguments& a) {
   post::Program program{"pdplate", PDPLATE_VERSION, all.about, all.options, {}};
   for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
     program.commands.push_back(described(*command));
-  if (app.got_subcommand("manual")) return post::man_page(program, manual_keys());
+  if (app.got_subcommand("manual")) return post::man_page(program, cases::keys());
   try {
-    return post::completion(a.key, program, manual_keys(), cases::template_names());
+    return post::completion(a.key, program, cases::keys(), cases::template_names());
   } catch (const std::invalid_argument& error) {
     throw cases::CaseError({{"completion", a.key, error.what()}});
   }
@@ -135,9 +144,9 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("manual") || app.got_subcommand("completion")) {
     fmt::print("{}", own_pages(app, a));
   } else if (app.got_subcommand("keys") && a.schema) {
-    fmt::print("{}", post::schema("A case of PDPlate", manual_keys()));
+    fmt::print("{}", post::schema("A case of PDPlate", cases::keys()));
   } else if (app.got_subcommand("keys")) {
-    const auto lines = post::key_lines(manual_keys(), a.key);
+    const auto lines = post::key_lines(cases::keys(), a.key);
     if (lines.empty()) throw cases::CaseError({{"keys", a.key, "no key contains this; see pdplate keys"}});
     fmt::print("{}", lines);
   } else if (app.got_subcommand("srif")) {
@@ -147,8 +156,7 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("report")) {
     cases::report_again(a.folder);
   } else if (app.got_subcommand("compare")) {
-    const bool within = cases::compare(a.comparison);
-    return within ? done : beyond_tolerance;
+    return compare(a);
   } else if (app.got_subcommand("fatigue")) {
     require_finite(a);
     const std::filesystem::path folder(a.folder);
@@ -170,7 +178,7 @@ int execute(const CLI::App& app, Arguments& a) {
   return done;
 }
 
-void add_compare(CLI::App& app, cases::ComparisonOptions& a) {
+void add_compare(CLI::App& app, Arguments& a) {
   auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
@@ -235,7 +243,7 @@ int main(int argc, char** argv) {
   app.add_subcommand("report", "write report.html of a finished run again")
       ->add_option("folder", a.folder, "folder of the results")
       ->required();
-  add_compare(app, a.comparison);
+  add_compare(app, a);
   add_fatigue(app, a);
   auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
   study->add_option("study", a.file, "study file (TOML)")->required();

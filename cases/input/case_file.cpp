@@ -1,51 +1,10 @@
 #include "cases/input/case_file.hpp"
-#include <fstream>
-#include <sstream>
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
-#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/formulations.hpp"
 #include "post/studies/accuracy/path.hpp"
 
 namespace cases {
-
-namespace {
-
-std::string report(const std::vector<Problem>& problems) {
-  std::vector<std::string> lines;
-  for (const auto& problem : problems)
-    lines.push_back(problem.key.empty() ? fmt::format("{}: {}", problem.place, problem.what)
-                                        : fmt::format("{}: {}: {}", problem.place, problem.key, problem.what));
-  return fmt::format("{}", fmt::join(lines, "\n"));
-}
-
-std::string contents(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) throw CaseError({{path.string(), "", "no such file"}});
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  if (std::filesystem::is_directory(path, ignored) || !file) throw CaseError({{path.string(), "", "cannot be read"}});
-  text << file.rdbuf();
-  return text.str();
-}
-
-}  // namespace
-
-namespace {
-
-toml::table parsed_text(const std::string& text, const std::string& name) {
-  try {
-    return toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    const auto at = error.source().begin;
-    throw CaseError({{fmt::format("{}:{}:{}", name, at.line, at.column), "", std::string(error.description())}});
-  }
-}
-
-}  // namespace
-
-toml::table parsed(const std::filesystem::path& path) {
-  return parsed_text(contents(path), path.string());
-}
 
 namespace {
 
@@ -57,23 +16,6 @@ std::optional<Analysis::Kind> kind_of(const toml::table& root) {
   return std::nullopt;
 }
 
-}  // namespace
-
-CaseError::CaseError(std::vector<Problem> problems)
-    : std::runtime_error(report(problems)), problems_(std::move(problems)) {}
-
-std::string Source::place(const std::string& key) const {
-  for (std::string parent = key;;) {
-    for (const auto& [given, where] : places)
-      if (given == parent) return where;
-    if (parent.empty()) return "";
-    const auto cut = parent.find_last_of(".[");
-    parent.resize(cut == std::string::npos ? 0 : cut);
-  }
-}
-
-namespace {
-
 CaseFile case_of(toml::table root, const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   Reading reading(path.string());
   for (const auto& setting : overrides) apply_override(root, setting, reading);
@@ -82,7 +24,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
 
   Case content;
   content.title = path.stem().string();
-  content.discretization.formulation = &plate::galerkin;  // unless the file states another
+  content.discretization.formulation = plate::formulations().front();  // unless the file states another
   read_fields(case_fields(), Value(root, "", reading), content);
   snap_cracks(content, reading);
   settle_formulation(states_formulation(root), content, reading);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 
 namespace cases {
@@ -151,6 +152,33 @@ std::optional<std::vector<Value>> Value::elements(const std::string& form) const
 bool at_or_below(const std::string& key, const std::string& parent) {
   if (!key.starts_with(parent)) return false;
   return parent.empty() || key.size() == parent.size() || key[parent.size()] == '.' || key[parent.size()] == '[';
+}
+
+namespace {
+
+std::string contents(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) throw CaseError({{path.string(), "", "no such file"}});
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  if (std::filesystem::is_directory(path, ignored) || !file) throw CaseError({{path.string(), "", "cannot be read"}});
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+toml::table parsed_text(const std::string& text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    const auto at = error.source().begin;
+    throw CaseError({{fmt::format("{}:{}:{}", name, at.line, at.column), "", std::string(error.description())}});
+  }
+}
+
+toml::table parsed(const std::filesystem::path& path) {
+  return parsed_text(contents(path), path.string());
 }
 
 }  // namespace cases
