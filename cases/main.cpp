@@ -5,7 +5,7 @@
 #include <cmath>
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
-#include "cases/studies/comparison.hpp"
+#include "cases/input/keys.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
 #include "cases/templates/new_case.hpp"
@@ -19,6 +19,8 @@
 #include "post/report/printed.hpp"
 #include "post/report/say.hpp"
 #include "post/studies/fatigue.hpp"
+#include "post/studies/runs/comparison.hpp"
+#include "post/studies/runs/study_files.hpp"
 
 namespace {
 
@@ -31,18 +33,12 @@ enum ExitCode {
   interrupted = 5
 };
 
-std::vector<post::ManualKey> manual_keys() {
-  std::vector<post::ManualKey> result;
-  for (const auto& key : cases::keys()) result.push_back({key.name, key.unit, key.allowed, key.standard, key.help});
-  return result;
-}
-
 constexpr int most_threads = 1024;
 
 struct Arguments {
-  std::string file, folder, key, only;
-  std::vector<std::string> settings, removed, methods;
-  cases::ComparisonOptions comparison;
+  std::string file, folder, key, only, reference, plot, json;
+  std::vector<std::string> settings, removed, methods, tolerances;
+  std::optional<double> within;  // tolerance of all measures
   post::ParisLaw law;
   double load = 1, ratio = 0;
   int threads = 0;
@@ -71,7 +67,7 @@ std::filesystem::path folder_of(const Arguments& a) {
 int run_study(const Arguments& a) {
   const auto study = cases::read_study(a.file);
   const auto outcome = cases::run_study(study, {folder_of(a), a.quiet, a.again});
-  if (!a.quiet) cases::print(study, outcome, folder_of(a));
+  if (!a.quiet) fmt::print("{}", post::printed_study(outcome.table, study.title, folder_of(a)));
   if (outcome.killed > 0) return failed_machine;
   if (outcome.failed_numbers > 0) return failed_numbers;
   return outcome.wrong_cases > 0 ? wrong_case : done;
@@ -87,6 +83,19 @@ int run_extremes(const Arguments& a) {
     fmt::print("{}\n{}{} of {} oracles hold; results in {}\n", extremes.title, post::to_text(verdicts),
                verdicts.size() - std::size_t(missed), verdicts.size(), folder.string());
   return missed > 0 ? failed_numbers : done;
+}
+
+int compare(const Arguments& a) {
+  post::Tolerances tolerances;
+  try {
+    tolerances = post::tolerances(a.tolerances, a.within);
+  } catch (const std::invalid_argument& error) {
+    throw cases::CaseError({{"compare", "--tolerance", error.what()}});
+  }
+  const auto compared = post::compared(a.folder, a.reference, tolerances);
+  fmt::print("{}", post::to_text(compared));
+  post::write(compared, a.plot, a.json);
+  return compared.above.empty() ? done : beyond_tolerance;
 }
 
 void require_finite(const Arguments& a) {
@@ -123,9 +132,9 @@ std::string own_pages(const CLI::App& app, const Arguments& a) {
   post::Program program{"pdplate", PDPLATE_VERSION, all.about, all.options, {}};
   for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
     program.commands.push_back(described(*command));
-  if (app.got_subcommand("manual")) return post::man_page(program, manual_keys());
+  if (app.got_subcommand("manual")) return post::man_page(program, cases::keys());
   try {
-    return post::completion(a.key, program, manual_keys(), cases::template_names());
+    return post::completion(a.key, program, cases::keys(), cases::template_names());
   } catch (const std::invalid_argument& error) {
     throw cases::CaseError({{"completion", a.key, error.what()}});
   }
@@ -146,9 +155,9 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("manual") || app.got_subcommand("completion")) {
     fmt::print("{}", own_pages(app, a));
   } else if (app.got_subcommand("keys") && a.schema) {
-    fmt::print("{}", post::schema("A case of PDPlate", manual_keys()));
+    fmt::print("{}", post::schema("A case of PDPlate", cases::keys()));
   } else if (app.got_subcommand("keys")) {
-    const auto lines = post::key_lines(manual_keys(), a.key);
+    const auto lines = post::key_lines(cases::keys(), a.key);
     if (lines.empty()) throw cases::CaseError({{"keys", a.key, "no key contains this; see pdplate keys"}});
     fmt::print("{}", lines);
   } else if (app.got_subcommand("srif")) {
@@ -158,8 +167,7 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("report")) {
     cases::report_again(a.folder);
   } else if (app.got_subcommand("compare")) {
-    const bool within = cases::compare(a.comparison);
-    return within ? done : beyond_tolerance;
+    return compare(a);
   } else if (app.got_subcommand("fatigue")) {
     require_finite(a);
     const std::filesystem::path folder(a.folder);
@@ -181,7 +189,7 @@ int execute(const CLI::App& app, Arguments& a) {
   return done;
 }
 
-void add_compare(CLI::App& app, cases::ComparisonOptions& a) {
+void add_compare(CLI::App& app, Arguments& a) {
   auto* compare = app.add_subcommand("compare", "error norms against a reference curve");
   compare->add_option("folder", a.folder, "folder of the results")->required();
   compare->add_option("reference", a.reference, "reference curve (CSV)")->required();
@@ -219,6 +227,47 @@ void add_pages(CLI::App& app, Arguments& a) {
       ->required();
 }
 
+void add_many(CLI::App& app, Arguments& a) {
+  auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
+  study->add_option("study", a.file, "study file (TOML)")->required();
+  study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");
+  study->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, most_threads));
+  study->add_flag("--again", a.again, "make runs anew that are done already");
+  study->add_flag("--quiet", a.quiet, "no lines on runs that succeed and no table");
+  auto* extremes = app.add_subcommand("extremes", "cases at the edge of what can be computed, each against its oracle");
+  extremes->add_option("table", a.file, "table of extremes (TOML)")->required();
+  extremes->add_option("--out", a.folder, "folder of the results (default: results/TABLE)");
+  extremes->add_option("--set", a.settings, "override a key of all rows that do not set it")->allow_extra_args(false);
+  extremes->add_option("--only", a.only, "only rows whose group or title contains this");
+  extremes->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, most_threads));
+  extremes->add_flag("--quiet", a.quiet, "no lines, and a table only where an oracle is missed");
+}
+
+int said(const std::string& what, ExitCode code) {
+  post::say(what + "\n");
+  return code;
+}
+
+/// How a command ends, and the word about it.
+int ended(const CLI::App& app, Arguments& a) {
+  try {
+    const int code = execute(app, a);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw std::system_error(errno, std::generic_category(), "output");
+    return code;
+  } catch (const cases::CaseError& error) {
+    return said(error.what(), wrong_case);
+  } catch (const plate::NumericalError& error) {
+    return said(fmt::format("the numbers failed: {}", error.what()), failed_numbers);
+  } catch (const plate::Interrupted& asked) {
+    return said(fmt::format("interrupted: {}", asked.what()), interrupted);
+  } catch (const std::bad_alloc&) {
+    return said("failed: the memory does not suffice", failed_machine);
+  } catch (const std::exception& error) {
+    return said(fmt::format("failed: {}", error.what()), failed_machine);
+  }
+}
+
 }  // namespace
 
 #ifdef PDPLATE_LIBRARY
@@ -247,46 +296,13 @@ int main(int argc, char** argv) {
   app.add_subcommand("report", "write report.html of a finished run again")
       ->add_option("folder", a.folder, "folder of the results")
       ->required();
-  add_compare(app, a.comparison);
+  add_compare(app, a);
   add_fatigue(app, a);
-  auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
-  study->add_option("study", a.file, "study file (TOML)")->required();
-  study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");
-  study->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, most_threads));
-  study->add_flag("--again", a.again, "make runs anew that are done already");
-  study->add_flag("--quiet", a.quiet, "no lines on runs that succeed and no table");
-  auto* extremes = app.add_subcommand("extremes", "cases at the edge of what can be computed, each against its oracle");
-  extremes->add_option("table", a.file, "table of extremes (TOML)")->required();
-  extremes->add_option("--out", a.folder, "folder of the results (default: results/TABLE)");
-  extremes->add_option("--set", a.settings, "override a key of all rows that do not set it")->allow_extra_args(false);
-  extremes->add_option("--only", a.only, "only rows whose group or title contains this");
-  extremes->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, most_threads));
-  extremes->add_flag("--quiet", a.quiet, "no lines, and a table only where an oracle is missed");
-
+  add_many(app, a);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? done : wrong_case;
   }
-  try {
-    const int code = execute(app, a);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-      throw std::system_error(errno, std::generic_category(), "output");
-    return code;
-  } catch (const cases::CaseError& error) {
-    post::say(fmt::format("{}\n", error.what()));
-    return wrong_case;
-  } catch (const plate::NumericalError& error) {
-    post::say(fmt::format("the numbers failed: {}\n", error.what()));
-    return failed_numbers;
-  } catch (const plate::Interrupted& asked) {
-    post::say(fmt::format("interrupted: {}\n", asked.what()));
-    return interrupted;
-  } catch (const std::bad_alloc&) {
-    post::say("failed: the memory does not suffice\n");
-    return failed_machine;
-  } catch (const std::exception& error) {
-    post::say(fmt::format("failed: {}\n", error.what()));
-    return failed_machine;
-  }
+  return ended(app, a);
 }

@@ -4,14 +4,11 @@
 #include "cases/driver/results.hpp"
 #include "cases/driver/second_formulation.hpp"
 #include "cases/input/refused.hpp"
-#include "geometry/lattice/cloud.hpp"
-#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/free_memory.hpp"
-#include "post/factors/plate_factors.hpp"
-#include "post/files/factor_rows.hpp"
-#include "post/files/gate.hpp"
 #include "post/files/hdf5/state_file.hpp"
+#include "post/files/stored_factors.hpp"
+#include "post/files/summary.hpp"
 #include "post/report/html/report.hpp"
 #include "post/report/html/study_report.hpp"
 #include "post/studies/neighbouring_cracks.hpp"
@@ -107,22 +104,9 @@ post::Table srif_again(const std::filesystem::path& folder, const std::vector<st
                       "along the way"}});
   const auto run = post::read_run(folder / "state.h5");
   const auto own = discretised(file);
-  const auto& plate = *own.plate;
-  const auto extract = tip_methods(file, plate);
-  const auto& cloud = plate.cloud();
-  if (!c.srif || run.positions.size() != cloud.plate_points)
-    throw std::runtime_error("state.h5 does not belong to case.resolved.toml");
-
-  post::Table table{post::srif_columns(), {}};
-  plate::State state = plate::State::Zero(3, Eigen::Index(cloud.size()));
-  for (std::size_t frame = 0; frame < run.times.size(); ++frame) {
-    state.leftCols(Eigen::Index(cloud.plate_points)) = run.states[frame];
-    plate.constraints().impose(state);
-    const auto found = post::srifs(plate, *c.srif, extract, state);
-    post::require_finite(found, fmt::format("at time {:g}", run.times[frame]));
-    post::append(table, run.times[frame], found);
-  }
-  return table;
+  const auto methods_of_tips = tip_methods(file, *own.plate);
+  if (!c.srif) throw std::runtime_error("state.h5 does not belong to case.resolved.toml");
+  return post::stored_factors(run, *own.plate, *c.srif, methods_of_tips);
 }
 
 }  // namespace cases

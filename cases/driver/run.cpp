@@ -54,10 +54,8 @@ post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
   return fracture::run_once(*plate, results, stopwatch);
 }
 
-}  // namespace
-
-post::Summary run(const CaseFile& file, const RunOptions& options) {
-  check_folder(options.folder);
+post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
+  if (!options.kept) fracture::check_folder(options.folder);
   const Case& c = file.content;
   if (c.growth && c.analysis.kind == Analysis::Kind::static_) return grow(file, options);
   if (c.srif && c.srif->accuracy) return run_accurately(file, options);
@@ -84,6 +82,17 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
   auto summary = fracture::run_once(prepared, results, stopwatch, keeper.get());
   if (keeper) keeper->done();
   return summary;
+}
+
+}  // namespace
+
+post::Summary run(const CaseFile& file, const RunOptions& options) {
+  try {
+    return run_in_folder(file, options);
+  } catch (const fracture::RefusedFolder& refused) {
+    const bool writes = refused.wish() == fracture::RefusedFolder::Wish::write;
+    throw CaseError({{writes ? "--out" : "--resume", options.folder.string(), refused.what()}});
+  }
 }
 
 }  // namespace cases

@@ -6,8 +6,7 @@
 #include "geometry/shape/snapping.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/faults/edge_faults.hpp"
-
-#include <limits>
+#include "plate/solve/suitability.hpp"
 
 namespace cases {
 
@@ -39,33 +38,12 @@ void check_edges(const Case& content, Reading& reading) {
   }
 }
 
-void check_spacing(const Case& content, Reading& reading) {
-  const double spacing = content.discretization.spacing;
-  const auto [low, high] = geometry::bounding_box(content.outline);
-  const double largest = (high - low).minCoeff() / 4;  // four cells: fewer have no interior
-  if (reading.sound("discretization.spacing") && !reading.finds_spacing && spacing > largest * (1 + 1e-9))
-    reading.complain("discretization.spacing",
-                     fmt::format("{} given, must be at most {}, a quarter of the plate's smaller side",
-                                 number_text(spacing), number_text(largest)));
-}
-
-/// Rounding of the deflection against the shear strains of bending, 2^-24 (L / spacing) (L / h)^2: up to 0.3
-/// K1(t) was within a thousandth of that in double (measured: 8e-6 at 0.003, 5e-5 at 0.07, 8e-4 at 0.3).
-void check_precision(const Case& content, Reading& reading) {
-  constexpr double largest = 0.3;
-  if (content.analysis.precision != Analysis::Precision::mixed || !reading.sound("section.thickness") ||
-      !reading.sound("discretization.spacing"))
-    return;
-  const auto [low, high] = geometry::bounding_box(content.outline);
-  const double side = (high - low).maxCoeff(), slender = side / content.section.thickness;
-  const double rounding =
-      std::numeric_limits<float>::epsilon() / 2 * side / content.discretization.spacing * slender * slender;
-  if (rounding > largest)
-    reading.complain(
-        "analysis.precision",
-        fmt::format("\"mixed\" given: so thin a plate loses its shear strains in the rounding of its deflection, "
-                    "2^-24 (side/spacing) (side/thickness)^2 = {:.2g}, above {:g}; choose \"double\"",
-                    rounding, largest));
+void check_lengths(const Case& content, Reading& reading) {
+  for (const auto& fault : plate::faults_of_lengths(content, content.analysis)) {
+    const bool known =
+        fault.subject == plate::Subject::spacing ? !reading.finds_spacing : reading.sound("section.thickness");
+    if (known && reading.sound("discretization.spacing")) reading.complain(key_of(fault), fault.what);
+  }
 }
 
 void check_probes(const Case& content, Reading& reading) {
@@ -227,8 +205,7 @@ void check_case(const Case& content, Reading& reading) {
     reading.complain("load", "nothing loads the plate: give at least one [[load]]");
   check_formulation(content, reading);
   if (!check_geometry(content, reading)) return;
-  check_spacing(content, reading);
-  check_precision(content, reading);
+  check_lengths(content, reading);
   check_edges(content, reading);
   check_probes(content, reading);
   check_tips(content, reading);

@@ -7,12 +7,6 @@
 
 namespace cases {
 
-/// The one table of keys: what is read, checked, documented and printed by `pdplate keys`.
-const std::vector<Key>& keys();
-
-/// The key table as Markdown, as it stands in cases/README.md.
-std::string key_table_markdown();
-
 /// A case together with the file that it is from.
 struct CaseFile {
   Case content;

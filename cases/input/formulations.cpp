@@ -7,16 +7,12 @@
 
 #include <algorithm>
 
-#include "plate/bonds/ordinary_plate.hpp"
-#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/formulations.hpp"
 
 namespace cases {
 namespace {
 
 using plate::Feature;
-
-/// Those that a case may state. "auto" takes the first that can do what the case asks for.
-const std::vector<const plate::FormulationKind*> known{&plate::galerkin, &plate::ordinary};
 
 /// The keys of the horizon. horizon_ratio sets the window of displacement_extrapolation in every formulation.
 void add_horizon(const plate::Discretization& d, const Reading& reading, std::vector<Asked>& found) {
@@ -84,10 +80,11 @@ std::vector<Asked> asked(const Case& content, const Reading& reading) {
 
 bool states_formulation(const toml::table& root) {
   const auto given = root["discretization"]["formulation"].value<std::string>();
-  return given && std::ranges::any_of(known, [&](const auto* kind) { return kind->name == *given; });
+  return given && std::ranges::any_of(plate::formulations(), [&](const auto* kind) { return kind->name == *given; });
 }
 
 void settle_formulation(bool stated, Case& content, Reading& reading) {
+  const auto& known = plate::formulations();
   content.formulation_reason = "as the case says";
   if (stated) return;
   const auto all = asked(content, reading);
@@ -121,6 +118,7 @@ void settle_method(Case& content, const Reading& reading) {
 }
 
 const plate::FormulationKind& other_formulation(const plate::FormulationKind& one) {
+  const auto& known = plate::formulations();
   return one.name == known.front()->name ? *known.back() : *known.front();
 }
 

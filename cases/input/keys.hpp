@@ -1,12 +1,15 @@
 #pragma once
-#include "cases/input/keys_forms.hpp"
+#include "cases/input/keys/forms.hpp"
 
 namespace fracture {
 struct Growth;
 }
 
 namespace plate {
+struct Discretization;
 struct Load;
+struct Problem;
+struct Section;
 struct Support;
 }  // namespace plate
 
@@ -20,14 +23,16 @@ namespace cases {
 struct Case;
 struct Output;
 
-Fields<Case> geometry_fields();
+Fields<plate::Section> section_fields();
+Fields<plate::Problem> geometry_fields();
+Fields<plate::Discretization> discretization_fields();
 Fields<plate::Support> support_fields();
 Fields<plate::Load> load_fields();
 Fields<Analysis> analysis_fields();
 Fields<fracture::Growth> growth_fields();
 Fields<post::SrifOptions> srif_fields();
 Fields<Output> output_fields();
-void name_holes(const Value& geometry, Case& content);
+void name_holes(const Value& geometry, plate::Problem& content);
 void check_load(const Value& load, plate::Load& content);
 const Words<Analysis::Kind>& analysis_kinds();
 void check_analysis(const Value& analysis, Analysis& content);
@@ -35,6 +40,9 @@ void check_srif(const Value& srif, post::SrifOptions& content);
 
 /// The root of the tree: the whole case file.
 const Fields<Case>& case_fields();
+
+/// The one table of keys: what is read, checked, documented and printed by `pdplate keys`.
+const std::vector<Key>& keys();
 
 /// Puts ends of cracks that all but touch an edge, a hole or another crack onto it, and notes that.
 void snap_cracks(Case& content, Reading& reading);

@@ -13,7 +13,7 @@ struct Output {
   std::optional<bool> report;   // absent: where fields are written
   std::optional<double> every;  // dynamic: time between frames; absent: first and last only
   std::optional<double>
-      history_every;  // dynamic: time between rows of history, probes and SRIFs; absent: duration / 400
+      history_every;             // dynamic: time between rows of history, probes and SRIFs; absent: duration / 400
   double checkpoint_every = 60;  // [s] of the clock; 0: never
   std::map<std::string, geometry::Point> probes;
 

@@ -32,13 +32,4 @@ struct Source {
   std::string place(const std::string& key) const;
 };
 
-/// A row of the key table.
-struct Key {
-  std::string name;      // dotted path; [[support]] and [[load]] as support[].kind
-  std::string unit;      // "length", "force/length^2", "-"
-  std::string allowed;   // bounds or list of values
-  std::string standard;  // the default as TOML, "required", or "absent"
-  std::string help;
-};
-
 }  // namespace cases

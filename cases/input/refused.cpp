@@ -28,6 +28,8 @@ std::string key_of(const plate::Refusal& refusal) {
       return fmt::format("load[{}].edges", refusal.number);
     case preconditioner:
       return "analysis.preconditioner";
+    case precision:
+      return "analysis.precision";
     case modes:
       return "analysis.modes";
     case time_step:

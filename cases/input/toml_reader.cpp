@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
+#include <string_view>
 
 namespace cases {
 
@@ -151,6 +153,57 @@ std::optional<std::vector<Value>> Value::elements(const std::string& form) const
 bool at_or_below(const std::string& key, const std::string& parent) {
   if (!key.starts_with(parent)) return false;
   return parent.empty() || key.size() == parent.size() || key[parent.size()] == '.' || key[parent.size()] == '[';
+}
+
+namespace {
+
+std::string contents(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) throw CaseError({{path.string(), "", "no such file"}});
+  std::ifstream file(path, std::ios::binary);
+  if (std::filesystem::is_directory(path, ignored) || !file) throw CaseError({{path.string(), "", "cannot be read"}});
+  constexpr std::size_t most = 16 << 20;  // [bytes]; it may be a device without an end
+  std::string text(most + 1, ' ');
+  file.read(text.data(), std::streamsize(text.size()));
+  text.resize(std::size_t(file.gcount()));
+  if (text.size() > most)
+    throw CaseError({{path.string(), "", fmt::format("has more than {} MiB: no case", most >> 20)}});
+  return text;
+}
+
+/// The line with a key of more parts than any that there is: the library follows the parts by recursion, and 100,000
+/// of them are the end of its stack.
+std::optional<std::size_t> line_of_deep_key(const std::string& text) {
+  constexpr std::size_t deepest = 64;
+  std::size_t line = 1, parts = 0;
+  char before = ' ';
+  bool comment = false;
+  for (const char c : text) {
+    if (c == '\n') ++line, comment = false;
+    if (c == '#') comment = true;
+    if (comment || c == ' ' || c == '\t') continue;
+    if (c == '.' && before != '.' && ++parts > deepest) return line;
+    if (std::string_view("\n,=[]{}").find(c) != std::string_view::npos) parts = 0;
+    before = c;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+toml::table parsed_text(const std::string& text, const std::string& name) {
+  if (const auto line = line_of_deep_key(text))
+    throw CaseError({{fmt::format("{}:{}", name, *line), "", "a key of more than 64 parts"}});
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    const auto at = error.source().begin;
+    throw CaseError({{fmt::format("{}:{}:{}", name, at.line, at.column), "", std::string(error.description())}});
+  }
+}
+
+toml::table parsed(const std::filesystem::path& path) {
+  return parsed_text(contents(path), path.string());
 }
 
 }  // namespace cases

@@ -87,7 +87,8 @@ using plate::number_text;
 using plate::quoted;
 using plate::text_of;
 
-/// The file as a tree. Throws CaseError where it is no TOML.
+/// A file, or text that has such a name, as a tree. Throws CaseError where it is no TOML.
 toml::table parsed(const std::filesystem::path& path);
+toml::table parsed_text(const std::string& text, const std::string& name);
 
 }  // namespace cases

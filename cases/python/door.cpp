@@ -3,6 +3,7 @@
 #include <memory>
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
+#include "cases/input/keys.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "post/files/summary.hpp"
 

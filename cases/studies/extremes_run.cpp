@@ -14,10 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// The time step that is a share of the limit which the program finds for this plate.
 void set_time_step(CaseFile& file, double share) {
   const auto found = discretised(file);
@@ -49,21 +45,10 @@ post::ExtremeRun run_row(const Extremes& extremes, const ExtremeRow& row, const 
   return result;
 }
 
-/// The titles of the rows that are wanted, and of those that they should equal.
-std::set<std::string> chosen(const Extremes& extremes, const std::string& only) {
-  std::set<std::string> result;
-  for (auto row = extremes.rows.rbegin(); row != extremes.rows.rend(); ++row) {
-    if (!contains(row->group, only) && !contains(row->title, only) && !result.contains(row->title)) continue;
-    result.insert(row->title);
-    if (row->equal) result.insert(row->equal->row);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<post::Verdict> run_extremes(const Extremes& extremes, const ExtremeOptions& options) {
-  const auto wanted = chosen(extremes, options.only);
+  const auto wanted = post::chosen({extremes.rows.begin(), extremes.rows.end()}, options.only);
   fs::create_directories(options.folder);
   std::vector<post::Verdict> verdicts;
   std::map<std::string, post::ExtremeRun> runs;

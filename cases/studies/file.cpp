@@ -1,8 +1,8 @@
 #include <set>
 
-#include "plate/formulation/formulation.hpp"
-
+#include "cases/driver/results.hpp"
 #include "cases/studies/study.hpp"
+#include "fracture/runs/lacking.hpp"
 #include "post/studies/orders.hpp"
 
 namespace cases {
@@ -70,31 +70,6 @@ void check_references(const Study& study, Reading& reading) {
   }
 }
 
-/// Why a run of the case has no such quantity of the whole plate; empty where it has.
-std::string lacking_whole(const Case& c, const std::string& name) {
-  const auto kind = c.analysis.kind;
-  if (name == "frequency") return kind == Analysis::Kind::frequencies ? "" : "the case has no frequencies";
-  if (kind == Analysis::Kind::frequencies) return "the case has frequencies only";
-  if (name.ends_with("_peak") && (kind != Analysis::Kind::dynamic || c.growth))
-    return "peaks in time are of dynamic cases without growth";
-  if (name == "crack_length" && !c.growth) return "the case has no [growth]";
-  if (name == "largest_load_factor" && !(c.growth && kind == Analysis::Kind::static_))
-    return "the case has no quasi-static growth";
-  return "";
-}
-
-/// Why a run of the case has no such quantity; empty where it has.
-std::string lacking(const Case& c, const post::Quantity& quantity) {
-  if (auto why = lacking_whole(c, quantity.name); !why.empty()) return why;
-  if (quantity.probe && !c.output.probes.contains(*quantity.probe))
-    return fmt::format("the case has no probe \"{}\"", *quantity.probe);
-  if (!quantity.tip) return "";
-  if (!c.srif) return "the case has no [srif]";
-  if (quantity.name.starts_with('F') && !c.srif->normalize) return "the case has no srif.normalize";
-  const auto tips = geometry::tips(plate::crack_paths(c)).size();
-  return *quantity.tip < tips ? "" : fmt::format("the case has {} crack tips, counted from 0", tips);
-}
-
 /// Reads the cases of all runs; a problem of several is said once, with the first of them where it is not in all.
 /// Tells nothing where the axes are wrong: then it is not known which the cases are.
 class Runs {
@@ -146,10 +121,11 @@ private:
       }
       return;
     }
+    const auto plan = plan_of(run.file.content, {});
     std::vector<post::Quantity> listed;
     for (std::size_t i = 0; i < study_.quantities.size(); ++i) {
       const auto& quantity = study_.quantities[i].quantity;
-      const auto key = element("quantities", i), lack = lacking(run.file.content, quantity);
+      const auto key = element("quantities", i), lack = lacking(plan, quantity);
       if (lack.empty())
         listed.push_back(quantity);
       else
@@ -158,7 +134,7 @@ private:
     run.wanted =
         post::wanted(listed, study_.references, study_.axis_names(), run.labels, [&](std::size_t i, bool needed) {
           const auto& reference = study_.references[i];
-          const std::string key = element("reference", i), lack = lacking(run.file.content, reference.quantity);
+          const std::string key = element("reference", i), lack = lacking(plan, reference.quantity);
           const bool is_static = run.file.content.analysis.kind == Analysis::Kind::static_;
           const bool is_curve = std::holds_alternative<post::KnownCurve>(reference.known);
           if (needed && !lack.empty()) complain({reading_.found().place(key), key, lack}, run);

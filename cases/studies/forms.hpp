@@ -1,5 +1,5 @@
 #pragma once
-#include "cases/input/keys_forms.hpp"
+#include "cases/input/keys/forms.hpp"
 #include "post/studies/quantity.hpp"
 
 /// Forms of the files that run many cases: studies and tables of extremes. Nothing is written from them.
@@ -56,30 +56,26 @@ Fields<T> quantity_fields() {
     return Condition<T>{"quantity", quantities,
                         [=](const T& object) { return post::kind_of_place(object.quantity.name) == kind; }};
   };
-  const auto read_tip = [](const Value& given, T& object) {
-    const auto tip = given.number();
-    if (tip && (*tip < 0 || *tip > 1e6 || *tip != std::floor(*tip)))
-      given.refuse("the number of a crack tip, from 0");
-    else if (tip)
-      object.quantity.tip = static_cast<std::size_t>(*tip);
-  };
-  const auto read_mode = [](const Value& given, T& object) {
-    const auto mode = given.number();
-    if (mode && (*mode < 1 || *mode > 1e6 || *mode != std::floor(*mode)))
-      given.refuse("the number of a mode, from 1");
-    else if (mode)
-      object.quantity.mode = static_cast<std::size_t>(*mode);
+  const auto counted = [](const std::string& key, const std::string& allowed, double least,
+                          std::optional<std::size_t> post::Quantity::*member) {
+    return entry<T>(key, allowed,
+                    [=](const Value& given, T& object) {
+                      const auto number = given.number();
+                      if (number && (*number < least || *number > 1e6 || *number != std::floor(*number)))
+                        given.refuse(allowed);
+                      else if (number)
+                        object.quantity.*member = static_cast<std::size_t>(*number);
+                    })
+        .required();
   };
   const auto read_probe = [](const Value& given, T& object) { object.quantity.probe = given.text(); };
   return {choice<T, std::string>("quantity", name, words, "").required(),
-          entry<T>("tip", "the number of a crack tip, from 0", read_tip)
-              .required()
+          counted("tip", "the number of a crack tip, from 0", 0, &post::Quantity::tip)
               .with(of_kind("tip", "quantity = K1 ... F3, K1_peak ... K3_peak")),
           entry<T>("probe", "the name of a probe", read_probe)
               .required()
               .with(of_kind("probe", "quantity = w, theta_x or theta_y")),
-          entry<T>("mode", "the number of a mode, from 1", read_mode)
-              .required()
+          counted("mode", "the number of a mode, from 1", 1, &post::Quantity::mode)
               .with(of_kind("mode", "quantity = frequency"))};
 }
 

@@ -42,7 +42,4 @@ struct StudyOutcome {
 /// unless quiet; failures are always said.
 StudyOutcome run_study(const Study& study, const StudyOptions& options);
 
-/// Prints the tables, the orders, the seconds by stage and the advice.
-void print(const Study& study, const StudyOutcome& outcome, const std::filesystem::path& folder);
-
 }  // namespace cases

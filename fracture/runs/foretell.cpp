@@ -33,32 +33,42 @@ double expected_points(const plate::Problem& problem) {
                                    {d.tip_spacing, d.hole_spacing, d.spacing_growth});
 }
 
+/// The largest radius of rings about tips whose spacings are so much wider; 0 without rings [spacings].
+double rings_of(const RunPlan& plan, double wider) {
+  return plan.srif || plan.growth ? post::widest_ring(plan.problem, wider) : 0;
+}
+
 /// Two samples, the smaller one as often as its points are too wide; nothing where the larger one's are.
-std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run, const plate::UsualSolver& solver,
+std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run_sample, const plate::UsualSolver& solver,
                                      double all, double points) {
   const bool grows = plan.growth.has_value() || !plan.srif;
   const double wider = wider_points(plan.problem, std::sqrt(all / points));
   const auto less = [&](double by, bool factors) {
     return Less{by == 1 ? wider : wider_points(plan.problem, wider * by), factors && plan.srif};
   };
+  const auto run = [&](const Less& one) {
+    auto found = run_sample(solver, one);
+    if (found && one.factors) found->rings = rings_of(plan, one.wider);
+    return found;
+  };
   post::Samples result;
   try {
     std::optional<post::SampleRun> cold, small;
     for (const double by : {2.0, 1.4, 1.0})
-      if (!small && (cold = run(solver, less(by, false)))) small = run(solver, less(by, false));
+      if (!small && (cold = run(less(by, false)))) small = run(less(by, false));
     if (!small) return {};
     result.small = std::move(*small);
     result.opening = std::max(0.0, cold->seconds() - result.small.seconds());
     auto whole = less(1, false);
     whole.solves = true;
-    auto large = run(solver, whole);
+    auto large = run(whole);
     if (!large) return {};
     result.large = std::move(*large);
-    if (!grows && !(result.factors = run(solver, less(1, true)))) return {};
+    if (!grows && !(result.factors = run(less(1, true)))) return {};
     if (plan.analysis.method == Analysis::Method::central_difference) {
       constexpr double enough = 64;
       const double time_step = *result.large.summary.analysis.time_step_limit;
-      if (!(result.longer = run(solver, {wider, plan.srif.has_value(), enough, time_step}))) return {};
+      if (!(result.longer = run({wider, plan.srif.has_value(), enough, time_step}))) return {};
     }
   } catch (const plate::NumericalError&) {
     if (wider == 1) throw;
@@ -94,8 +104,35 @@ void set_motion(const RunPlan& plan, ForetoldRun& result, const post::Samples& f
 
 }  // namespace
 
-double rings_of(const RunPlan& plan, double wider) {
-  return plan.srif || plan.growth ? post::widest_ring(plan.problem, wider) : 0;
+plate::Discretization widened(plate::Discretization points, double wider) {
+  points.spacing *= wider, points.spacing_growth = std::min(1.0, points.spacing_growth * wider);
+  if (points.tip_spacing) *points.tip_spacing *= wider;
+  if (points.hole_spacing) *points.hole_spacing *= wider;
+  return points;
+}
+
+plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solver, const Less& less, bool grows) {
+  if (analysis.kind == Analysis::Kind::static_) {
+    analysis.preconditioner = solver.preconditioner;
+    if (solver.method == plate::StaticMethod::direct) analysis.method = Analysis::Method::direct;
+  }
+  if (!less.solves && analysis.kind != Analysis::Kind::dynamic && !grows) analysis.tolerance = 0.1;
+  analysis.time_step.reset();
+  if (analysis.method == Analysis::Method::central_difference)
+    analysis.duration = less.time_step > 0 ? less.steps * less.time_step : 1e-9 * analysis.duration;
+  return analysis;
+}
+
+post::SampleRun sample_run(const RunPlan& sample, post::Summary summary, double wider) {
+  post::SampleRun result{std::move(summary), wider};
+  const auto& analysis = sample.analysis;
+  if (sample.moves()) {
+    result.rows = 1 + std::round(analysis.duration / *sample.rows_every);
+    result.frames = 2;
+  } else {
+    result.frames = analysis.kind == Analysis::Kind::frequencies ? double(analysis.modes) : sample.growth ? 2 : 1;
+  }
+  return result;
 }
 
 ForetoldRun foretell(const RunPlan& plan, const RunSample& run) {

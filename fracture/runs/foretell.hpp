@@ -34,8 +34,14 @@ using RunSample = std::function<std::optional<post::SampleRun>(const plate::Usua
 /// and what `run` throws where no sample can be had.
 ForetoldRun foretell(const RunPlan& plan, const RunSample& run);
 
-/// The largest radius of rings about tips whose spacings are so much wider; 0 without rings [spacings].
-double rings_of(const RunPlan& plan, double wider);
+/// Points that are so much wider apart, and graded as much.
+plate::Discretization widened(plate::Discretization points, double wider);
+
+/// The analysis of a sample: by the solver that the whole plate takes, and in motion as many steps as it is asked for.
+plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solver, const Less& less, bool grows);
+
+/// A sample that has been run, as far as its plan and summary tell.
+post::SampleRun sample_run(const RunPlan& sample, post::Summary summary, double wider);
 
 /// Points, bonds, the way to the solution and time, in words.
 std::string to_text(const ForetoldRun& run, const RunPlan& plan);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "plate/solve/archive_types.hpp"
-#include "post/files/checkpoint.hpp"
+#include "post/files/sinks/checkpoint.hpp"
 
 namespace fracture {
 

@@ -5,13 +5,10 @@
 #include "fracture/growth/quasi_static/bonds.hpp"
 #include "fracture/growth/quasi_static/growing_plate.hpp"
 #include "fracture/growth/words.hpp"
-#include "fracture/runs/keeper.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/numerical_error.hpp"
-#include "plate/solve/archive.hpp"
 #include "plate/solve/interruption.hpp"
-#include "post/files/archive.hpp"
 #include "post/files/gate.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/progress.hpp"
@@ -74,33 +71,6 @@ post::Summary QuasiStaticRun::operator()(post::Recorder recorder, Keeper* keeper
     finish();
     throw;
   }
-}
-
-template <typename Archive>
-void QuasiStaticRun::memory(Archive& archive) {
-  auto& [work, strain, fracture] = grown_.ledger;
-  archive(reactions_, pictures_, srifs_, latest_, work, strain, fracture, advance_, factor_, largest_factor_,
-          first_factor_, framed_);
-}
-
-/// `load`: to go on from.
-Continuation QuasiStaticRun::continuation(Keeper& keeper, QuasiStaticLoad& load) {
-  const bool goes_on = keeper.recall([&](plate::InArchive& archive) {
-    archive(load);
-    recorder_->recall(archive);
-    memory(archive);
-    model_->recall(archive);
-    state_ = factor_ * model_->state();
-  });
-  const auto keep = [&](const QuasiStaticLoad& now) {
-    keeper.keep([&](plate::OutArchive& archive) {
-      archive(now);
-      recorder_->remember(archive);
-      memory(archive);
-      model_->remember(archive);
-    });
-  };
-  return {goes_on ? &load : nullptr, [&keeper] { return keeper.due(); }, keep};
 }
 
 void QuasiStaticRun::observe(const Equilibrium& now) {

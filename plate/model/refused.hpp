@@ -19,6 +19,7 @@ enum class Subject {
   load_edges,
   // of its analysis
   preconditioner,
+  precision,
   modes,
   time_step,
   duration,

@@ -30,8 +30,10 @@ double weighted_norm(const Forces& forces, const Forces& weight) {
   return std::sqrt(sum);
 }
 
-void require_finite(double value, const char* method, std::size_t iteration) {
-  if (!std::isfinite(value))
+/// Before an iteration. Throws where its residual is not finite, or a signal asks for the end.
+void may_go_on(double residual, const char* method, std::size_t iteration) {
+  stop_if_asked(method);
+  if (!std::isfinite(residual))
     throw NumericalError(std::string(method) + ": the residual is not finite at iteration " +
                          std::to_string(iteration));
 }
@@ -65,8 +67,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
 
   for (result.iterations = 0;; ++result.iterations) {
     result.residual = norm / load_norm;
-    require_finite(result.residual, "conjugate gradients", result.iterations);
-    stop_if_asked("conjugate gradients");
+    may_go_on(result.residual, "conjugate gradients", result.iterations);
     if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == options.max_iterations) break;
@@ -139,8 +140,7 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
       return std::array<double, 3>{total * total * weight.data()[i], square * local, square};
     });
     result.residual = std::sqrt(residual) / load_norm;
-    require_finite(result.residual, "adaptive dynamic relaxation", result.iterations);
-    stop_if_asked("adaptive dynamic relaxation");
+    may_go_on(result.residual, "adaptive dynamic relaxation", result.iterations);
     if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == options.max_iterations) break;

@@ -26,11 +26,18 @@ struct Program {
 
 /// A key of its case files.
 struct ManualKey {
-  std::string name, unit, allowed, standard, help;
+  std::string name;      // dotted path; tables that come in lists as support[].kind
+  std::string unit;      // "length", "force/length^2", "-"
+  std::string allowed;   // bounds or list of values
+  std::string standard;  // the default as TOML, "required", or "absent"
+  std::string help;
 };
 
 /// Two lines for each key whose name contains this.
 std::string key_lines(const std::vector<ManualKey>& keys, const std::string& wanted);
+
+/// A table in Markdown.
+std::string key_table(const std::vector<ManualKey>& keys);
 
 /// The page for man(1), in roff.
 std::string man_page(const Program& program, const std::vector<ManualKey>& keys);

@@ -125,6 +125,17 @@ std::vector<Verdict> verdicts(const Oracles& row, const ExtremeRun& run,
   return Judge(row, run, before).verdicts();
 }
 
+std::set<std::string> chosen(const std::vector<Oracles>& rows, const std::string& only) {
+  const auto has = [&](const std::string& text) { return text.find(only) != std::string::npos; };
+  std::set<std::string> result;
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+    if (!has(row->group) && !has(row->title) && !result.contains(row->title)) continue;
+    result.insert(row->title);
+    if (row->equal) result.insert(row->equal->row);
+  }
+  return result;
+}
+
 Table table(const std::vector<Verdict>& verdicts) {
   const auto cell = [](const std::optional<double>& x) { return x ? Cell(*x) : Cell(); };
   Table result{

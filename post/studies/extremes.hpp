@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ struct Oracles {
   std::optional<ConservedEnergy> conserved;
   std::string refused, failed, warned;  // part of the message of what forbids the case, of a NumericalError, a warning
 };
+
+/// The titles of the rows whose group or title contains this, and of those that they should equal.
+std::set<std::string> chosen(const std::vector<Oracles>& rows, const std::string& only);
 
 /// What became of such a case.
 struct ExtremeRun {

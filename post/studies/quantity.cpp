@@ -152,6 +152,18 @@ std::string si_unit(const std::string& quantity) {
   return kind(quantity).si;
 }
 
+std::string si_unit_of(const std::string& dimension) {
+  static const std::map<std::string, std::string> units{{"length", "m"},
+                                                        {"time", "s"},
+                                                        {"1/time", "1/s"},
+                                                        {"force", "N"},
+                                                        {"force/length", "N/m"},
+                                                        {"force/length^2", "Pa"},
+                                                        {"mass/length^3", "kg/m\u00b3"}};
+  const auto unit = units.find(dimension);
+  return unit == units.end() ? "" : unit->second;
+}
+
 std::optional<double> value(const Quantity& quantity, const Summary& summary, const std::filesystem::path& folder) {
   if (!has_history(quantity.name)) return of_summary(quantity, summary);
   if (!quantity.tip) {

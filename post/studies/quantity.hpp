@@ -38,6 +38,9 @@ std::string described(const std::string& quantity);
 /// Its unit in SI; "" without dimension.
 std::string si_unit(const std::string& quantity);
 
+/// The unit in SI of "force/length" and so on; "" of any other word.
+std::string si_unit_of(const std::string& dimension);
+
 /// Does the quantity change with the time of a run, so that it has a history?
 bool has_history(const std::string& quantity);
 

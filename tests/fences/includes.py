@@ -9,7 +9,7 @@ import tree
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 COMMENT = re.compile(r'("(?:\\.|[^"\\\n])*")|//[^\n]*|/\*.*?\*/', re.DOTALL)
 # Of the standard library, C and POSIX: no folder, no ending but .h. experimental/simd is the standard's too.
-STANDARD = re.compile(r"^(?:[a-z_0-9]+|experimental/simd|(?:assert|dlfcn|errno|fcntl|malloc|omp|unistd|immintrin|fenv|sched|sys/[a-z]+)\.h)$")
+STANDARD = re.compile(r"^(?:[a-z_0-9]+|experimental/simd|(?:assert|dlfcn|errno|fcntl|malloc|omp|poll|unistd|immintrin|fenv|sched|sys/[a-z]+)\.h)$")
 
 
 class Table:

@@ -1,4 +1,4 @@
-#include "post/files/checkpoint.hpp"
+#include "post/files/sinks/checkpoint.hpp"
 
 #define XXH_INLINE_ALL
 #include <fcntl.h>

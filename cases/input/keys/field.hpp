@@ -7,12 +7,14 @@
 #include <functional>
 #include <set>
 #include "cases/input/toml_reader.hpp"
+#include "post/manual/program.hpp"
 
 /// The table of keys is a tree of fields. A field names one key of a table that is read into a T, documents it, reads
 /// it and writes it; a table is a field whose reading reads the fields below it.
 namespace cases {
 
 using plate::Analysis;
+using Key = post::ManualKey;
 
 using Kinds = std::set<Analysis::Kind>;
 inline const Kinds any_kind{Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::frequencies};

@@ -1,5 +1,5 @@
-#include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
+#include "plate/model/problem.hpp"
 
 namespace cases {
 
@@ -117,14 +117,14 @@ void check_hole(const Value& given, Hole&) {
     given.refuse("either { circle = [x, y, radius] } or { polygon = [[x, y], ...] }");
 }
 
-void read_cracks(const Value& given, Case& content) {
+void read_cracks(const Value& given, plate::Problem& content) {
   const auto cracks = given.elements("a list of polylines [ [[x, y], [x, y]], ... ]");
   if (!cracks) return;
   for (const auto& crack : *cracks)
     if (const auto points = crack.points()) content.cracks.push_back(*points);
 }
 
-std::string cracks_text(const Case& content) {
+std::string cracks_text(const plate::Problem& content) {
   std::vector<std::string> texts;
   for (const auto& crack : content.cracks) texts.push_back(text_of(crack));
   return texts.empty() ? "" : fmt::format("[{}]", fmt::join(texts, ", "));
@@ -132,23 +132,24 @@ std::string cracks_text(const Case& content) {
 
 }  // namespace
 
-Fields<Case> geometry_fields() {
-  auto outline = table<Case, Outline>("outline", Layout::inline_, &Case::outline, outline_fields(), check_outline);
+Fields<plate::Problem> geometry_fields() {
+  using P = plate::Problem;
+  auto outline = table<P, Outline>("outline", Layout::inline_, &P::outline, outline_fields(), check_outline);
   outline.needed = any_kind;
   const auto holes = [](auto& content) -> auto& {
     return content.outline.holes;
   };
   return {
       std::move(outline),
-      tables<Case, Hole>("holes", Layout::inline_, holes, hole_fields(), check_hole),
-      value<Case>(
+      tables<P, Hole>("holes", Layout::inline_, holes, hole_fields(), check_hole),
+      value<P>(
           {"cracks", "length", "[ [[x, y], [x, y], ...], ... ]", "",
            "polylines; an end inside the plate is a tip, one on an edge or hole a mouth, one on a crack a junction"},
           read_cracks, cracks_text),
   };
 }
 
-void name_holes(const Value&, Case& content) {
+void name_holes(const Value&, plate::Problem& content) {
   for (std::size_t i = 0; i < content.outline.holes.size(); ++i) {
     const std::string name = fmt::format("hole{}", i);
     if (auto* circle = std::get_if<Circle>(&content.outline.holes[i]))

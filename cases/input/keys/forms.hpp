@@ -1,5 +1,5 @@
 #pragma once
-#include "cases/input/keys_field.hpp"
+#include "cases/input/keys/field.hpp"
 
 /// The forms that a field can have: number, choice of words, table, list of tables, or a value read in its own way.
 namespace cases {
@@ -69,6 +69,9 @@ struct Words {
     return std::nullopt;
   }
 };
+
+/// A list of words without repetition.
+std::vector<std::string> chosen(const Value& given, const Words<int>& words);
 
 template <class T, class V, class Project>
 Field<T> choice(const std::string& name, Project project, Words<V> words, const std::string& help) {

@@ -1,4 +1,4 @@
-#include "post/files/checkpoint.hpp"
+#include "post/files/sinks/checkpoint.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

@@ -1,0 +1,19 @@
+#include "cases/input/keys/forms.hpp"
+
+namespace cases {
+
+std::vector<std::string> chosen(const Value& given, const Words<int>& words) {
+  std::vector<std::string> result;
+  const auto names = given.texts();
+  if (!names) return result;
+  for (const auto& name : *names) {
+    if (!words.find(given, name)) continue;
+    if (std::find(result.begin(), result.end(), name) == result.end())
+      result.push_back(name);
+    else
+      given.complain(fmt::format("\"{}\" is named twice", name));
+  }
+  return result;
+}
+
+}  // namespace cases

@@ -1,0 +1,102 @@
+#include "post/factors/srif.hpp"
+#include "cases/input/keys.hpp"
+
+namespace cases {
+namespace {
+
+using post::Normalization;
+using post::SrifOptions;
+
+Fields<Normalization> normalization_fields() {
+  using N = Normalization;
+  return {
+      number<N>("pressure", "force/length^2", &N::pressure, positive,
+                "with width: F = K / (pressure (width/2)^2 sqrt(half_length))"),
+      number<N>("width", "length", &N::width, positive, "width of the plate, with pressure"),
+      number<N>("moment", "force", &N::moment, positive,
+                "F = K / (moment sqrt(half_length)), instead of pressure and width"),
+  };
+}
+
+void check_normalization(const Value& given, Normalization& n) {
+  if (!given.reading().sound(given.key())) return;
+  const bool pressure = n.pressure && n.width && !n.moment, moment = n.moment && !n.pressure && !n.width;
+  if (!pressure && !moment) given.refuse("either { pressure = .., width = .. } or { moment = .. }");
+}
+
+Field<SrifOptions> srif_methods() {
+  static const Words<int> words{{{"virtual_crack_extension", 0},
+                                 {"domain_integral", 0},
+                                 {"displacement_extrapolation", 0},
+                                 {"opening_series", 0},
+                                 {"series_fit", 0}}};
+  return value<SrifOptions>(
+      {"methods", "-", "a list of " + words.text(), "", "how the intensity factors are found"},
+      [](const Value& given, SrifOptions& options) {
+        const auto found = chosen(given, words);
+        if (!found.empty())
+          options.methods = found;
+        else if (given.reading().sound(given.key()))
+          given.refuse("a list of at least one of " + words.text());
+      },
+      [](const SrifOptions& options) { return text_of(options.methods); });
+}
+
+Field<SrifOptions> boolean(const std::string& name, bool SrifOptions::*member, const std::string& help) {
+  return value<SrifOptions>(
+      {name, "-", "true or false", "", help},
+      [=](const Value& given, SrifOptions& options) { options.*member = given.boolean().value_or(options.*member); },
+      [=](const SrifOptions& options) { return std::string(options.*member ? "true" : "false"); });
+}
+
+}  // namespace
+
+Fields<SrifOptions> srif_fields() {
+  using S = SrifOptions;
+  auto horizons = number<S>("window_horizons", "horizon", &S::window_horizons, positive,
+                            "the fit uses points up to this distance from the tip");
+  horizons.write = [write = horizons.write](const S& options, Analysis::Kind kind) {
+    return options.window ? std::string() : write(options, kind);
+  };
+  return {
+      srif_methods(),
+      std::move(horizons),
+      number<S>("window", "length", &S::window, positive, "the same as a length, instead of window_horizons"),
+      number<S>("skip", "-", &S::skip, {0, 1000000}, "samples next to the tip left out"),
+      number<S>("rows", "-", &S::rows, {1, 2},
+                "rows of points on each side: 1 nearest row, 2 extrapolated to the crack"),
+      boolean("richardson", &S::richardson,
+              "statics: also solve with twice the spacing; the difference counts in the estimated error")
+          .in({Analysis::Kind::static_}),
+      boolean("second_formulation", &S::second_formulation,
+              "also run the case in the other formulation, into a folder of its name within the results; the "
+              "difference counts in the estimated error"),
+      number<S>("accuracy", "-", &S::accuracy, {1e-5, 0.2},
+                "find the discretisation by which every factor is known to this share of the largest of K1, K2, K3 "
+                "thickness; "
+                "spacings and their growth need not be given, and are not used; formulation = galerkin")
+          .in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
+      number<S>("accuracy_seconds", "s", &S::accuracy_seconds, positive,
+                "with accuracy: no finer discretisation is begun that would be expected to end later")
+          .in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
+      number<S>("toughness", "stress length^(1/2)", &S::toughness, positive,
+                "K_Ic, as K at the faces: how much of it every tip uses"),
+      table<S, Normalization>("normalize", Layout::inline_, &S::normalize, normalization_fields(), check_normalization),
+      number<S>("half_length", "length", &S::half_length, positive,
+                "the a of the normalisation; required with normalize"),
+  };
+}
+
+void check_srif(const Value& given, SrifOptions& options) {
+  auto& reading = given.reading();
+  const bool normalize = reading.given(given.below("normalize")), length = reading.given(given.below("half_length"));
+  if (normalize && !length)
+    reading.complain(given.below("half_length"), "is missing, must be a number > 0 beside normalize");
+  if (length && !normalize)
+    reading.complain(given.below("half_length"), "'half_length' is used with normalize only: remove it");
+  if (options.window && reading.given(given.below("window_horizons")))
+    reading.complain(given.below("window_horizons"),
+                     "'window_horizons' is given beside 'window', which replaces it: remove one");
+}
+
+}  // namespace cases

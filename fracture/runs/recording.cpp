@@ -1,0 +1,65 @@
+#include "fracture/runs/recording.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "plate/model/process.hpp"
+#include "post/files/digest.hpp"
+#include "post/files/earlier.hpp"
+#include "post/files/sinks/folder.hpp"
+#include "post/report/say.hpp"
+
+namespace fracture {
+namespace {
+
+using enum RefusedFolder::Wish;
+
+void require_lock(const post::FolderLock& lock) {
+  if (!lock.held())
+    throw RefusedFolder(write, "another run writes to this folder: wait for its end, or choose another folder");
+}
+
+/// Looks for what an earlier run has kept; true where this one goes on from it.
+bool finds(Keeper& keeper, const RecordingOptions& options) {
+  std::vector<std::string> refused;
+  const bool found = keeper.find(refused);
+  if (!found && !refused.empty()) throw RefusedFolder(go_on, fmt::format("{}", fmt::join(refused, "; ")));
+  for (const auto& one : refused) post::say(one + ": goes on from the one before\n");
+  if (!options.quiet)
+    post::say(fmt::format("{}: {}\n", options.folder.string(),
+                          found ? "goes on from the last checkpoint" : "there is no checkpoint: begins anew"));
+  return found;
+}
+
+}  // namespace
+
+void check_folder(const std::filesystem::path& folder) {
+  constexpr std::size_t most = 3;
+  require_lock(post::FolderLock(folder));
+  auto found = post::strangers(folder);
+  if (found.empty()) return;
+  if (found.size() > most) found.resize(most), found.back() = "...";
+  throw RefusedFolder(write, fmt::format("holds {}, but no results of a run: choose another folder, or empty it",
+                                         fmt::join(found, ", ")));
+}
+
+Recording recording(const RecordingOptions& options) {
+  const auto& [folder, resolved, version, vtk, hdf5, velocities, every, resumes, quiet] = options;
+  std::filesystem::create_directories(folder);
+  post::FolderLock lock(folder);
+  require_lock(lock);
+  std::unique_ptr<Keeper> keeper;
+  if (every > 0) {
+    const auto of = fmt::format("case {}, program {} of {}", post::digest(resolved), version, plate::build());
+    keeper = std::make_unique<Keeper>(post::Checkpoints(folder, of), every);
+  }
+  const bool goes_on = resumes && keeper && finds(*keeper, options);
+  const auto removed = goes_on ? 0 : post::remove_earlier(folder);
+  if (removed > 0 && !quiet)
+    post::say(fmt::format("{}: removed {} files of an earlier run\n", folder.string(), removed));
+  auto sink = std::make_unique<post::Folder>(
+      post::FolderOptions{folder, resolved, version, vtk, hdf5, velocities, goes_on}, std::move(lock));
+  return {{std::move(sink), resolved, version}, std::move(keeper)};
+}
+
+}  // namespace fracture

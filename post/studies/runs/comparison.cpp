@@ -1,0 +1,28 @@
+#include "post/studies/runs/comparison.hpp"
+
+#include "post/files/whole_file.hpp"
+#include "post/report/html/comparison_page.hpp"
+
+namespace post {
+
+ComparedRun compared(const std::filesystem::path& folder, const std::filesystem::path& reference,
+                     const Tolerances& tolerances) {
+  auto rows = compare(folder, reference);
+  auto above = exceeded(rows, tolerances);
+  return {folder, std::move(rows), std::move(above)};
+}
+
+std::string to_text(const ComparedRun& run) {
+  return to_text(run.rows) + to_text(run.above);
+}
+
+void write(const ComparedRun& run, const std::filesystem::path& drawing, const std::filesystem::path& json) {
+  const auto curves = plot(run.rows, title_of(run.folder));
+  if (drawing.extension() == ".html")
+    write_whole(drawing, comparison_page(curves, to_text(run.rows)));
+  else if (!drawing.empty())
+    write_whole(drawing, to_svg(curves));
+  if (!json.empty()) write_whole(json, to_json(run.rows, run.above));
+}
+
+}  // namespace post

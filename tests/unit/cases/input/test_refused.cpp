@@ -1,0 +1,22 @@
+#include "cases/input/refused.hpp"
+
+#include "tests/unit/cases/case_text.hpp"
+
+using namespace case_text;
+using plate::Subject;
+
+TEST_CASE("refused: what a plate refuses is a problem of the key that it is about, at its place") {
+  const auto file = read(plain);
+  const auto problems = cases::problems_of(file, {{Subject::support_edges, 0, "a"}, {Subject::rows, 0, "b"}});
+  REQUIRE(problems.size() == 2);
+  CHECK(problems[0].key == "support[0].edges");
+  CHECK(problems[0].place.ends_with(":12"));
+  CHECK(problems[1].key == "output.history_every");
+  CHECK(cases::key_of({Subject::load_position, 3, ""}) == "load[3].position");
+  CHECK_THROWS_AS(cases::unless_refused(file,
+                                        []() -> int {
+                                          throw plate::Refused({{Subject::modes, 0, "c"}});
+                                        }),
+                  cases::CaseError);
+  CHECK(cases::unless_refused(file, [] { return 7; }) == 7);
+}

@@ -1,0 +1,63 @@
+#include "plate/model/faults/edge_faults.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "plate/formulations.hpp"
+#include "plate/model/formulation_kind.hpp"
+#include "plate/model/problem.hpp"
+
+using plate::Subject;
+
+namespace {
+
+plate::Problem square() {
+  plate::Problem problem;
+  problem.outline = geometry::rectangle(0, 0, 1, 1);
+  problem.discretization.formulation = plate::formulations().back();  // bonds: layers follow the axes
+  problem.supports = {{plate::SupportKind::clamped, {"left"}, {}}};
+  return problem;
+}
+
+std::vector<std::pair<Subject, std::size_t>> found(const plate::Problem& problem) {
+  std::vector<std::pair<Subject, std::size_t>> result;
+  for (const auto& one : plate::faults_of_edges(problem)) result.emplace_back(one.subject, one.number);
+  return result;
+}
+
+using Found = std::vector<std::pair<Subject, std::size_t>>;
+
+}  // namespace
+
+TEST_CASE("faults of edges: names that the plate does not have, edges held twice, points beside the plate") {
+  auto problem = square();
+  CHECK(found(problem).empty());
+  problem.supports.push_back({plate::SupportKind::clamped, {"left", "lft"}, {}});
+  problem.supports.push_back({plate::SupportKind::pinned, {}, {{0.5, 0.5}, {1, 0.5}, {1.1, 0.5}}});
+  plate::Load load;
+  load.position = {0.5, 0.5};
+  load.edges = {"top", "roof"};
+  problem.loads = {load};
+  CHECK(found(problem) == Found{{Subject::support_edges, 1},
+                                {Subject::support_edges, 1},
+                                {Subject::support_points, 2},
+                                {Subject::load_edges, 0}});
+  CHECK_THAT(plate::faults_of_edges(problem)[0].what, Catch::Contains("did you mean 'left'?"));
+}
+
+TEST_CASE("faults of edges: what mirrors the lattice needs an edge along it") {
+  auto problem = square();
+  problem.outline.outer = {{{0, 0}, {1, 0}, {1.2, 1}, {0, 1}}, {"bottom", "right", "top", "left"}};
+  problem.supports = {{plate::SupportKind::symmetry, {"left", "right"}, {}}};
+  CHECK(found(problem) == Found{{Subject::support_direction, 0}});
+  problem.discretization.formulation = plate::formulations().front();
+  CHECK(found(problem).empty());
+}
+
+TEST_CASE("faults of edges: a force at a point lies inside the plate, a pin on its boundary too") {
+  auto problem = square();
+  CHECK(plate::on_plate(problem.outline, {1, 0.5}));
+  plate::Load force;
+  force.position = {1, 0.5};
+  problem.loads = {force};
+  CHECK(found(problem) == Found{{Subject::load_position, 0}});
+}
