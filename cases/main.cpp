@@ -33,8 +33,6 @@ enum ExitCode {
   interrupted = 5
 };
 
-constexpr int most_threads = 1024;
-
 struct Arguments {
   std::string file, folder, key, only, reference, plot, json;
   std::vector<std::string> settings, removed, methods, tolerances;
@@ -45,11 +43,15 @@ struct Arguments {
   bool quiet = false, energy = false, schema = false, again = false, resume = false;
 };
 
+void add_threads(CLI::App& command, Arguments& a) {
+  command.add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, 1024));
+}
+
 void add_case(CLI::App& command, Arguments& a) {
   command.add_option("case", a.file, "case file (TOML)")->required();
   command.add_option("--set", a.settings, "override a key: section.thickness=0.05")->allow_extra_args(false);
   command.add_option("--unset", a.removed, "take a key or a table out: srif.normalize")->allow_extra_args(false);
-  command.add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, most_threads));
+  add_threads(command, a);
 }
 
 /// Keys are taken out before others are set.
@@ -96,18 +98,6 @@ int compare(const Arguments& a) {
   fmt::print("{}", post::to_text(compared));
   post::write(compared, a.plot, a.json);
   return compared.above.empty() ? done : beyond_tolerance;
-}
-
-void require_finite(const Arguments& a) {
-  std::vector<cases::Problem> problems;
-  for (const auto& [name, value] : {std::pair{"--coefficient", a.law.coefficient},
-                                    {"--exponent", a.law.exponent},
-                                    {"--threshold", a.law.threshold},
-                                    {"--load", a.load},
-                                    {"--ratio", a.ratio}})
-    if (!std::isfinite(value))
-      problems.push_back({"fatigue", name, fmt::format("{:g} given, must be a finite number", value)});
-  if (!problems.empty()) throw cases::CaseError(problems);
 }
 
 /// A command, or the program without one, as the library of its arguments knows it.
@@ -169,7 +159,6 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("compare")) {
     return compare(a);
   } else if (app.got_subcommand("fatigue")) {
-    require_finite(a);
     const std::filesystem::path folder(a.folder);
     const auto file = cases::read_case(folder / "case.resolved.toml", {});
     const auto& c = file.content;
@@ -201,16 +190,21 @@ void add_compare(CLI::App& app, Arguments& a) {
 }
 
 void add_fatigue(CLI::App& app, Arguments& a) {
+  const CLI::Validator finite(
+      [](const std::string& text) {
+        return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "must be a finite number";
+      },
+      "");
   auto* fatigue = app.add_subcommand("fatigue", "cycles against length of the cracks of a growth, by Paris' law");
   fatigue->add_option("folder", a.folder, "folder of the results of a case with [growth]")->required();
   fatigue->add_option("--coefficient", a.law.coefficient, "C of da/dN = C (range of K)^m")
       ->required()
-      ->check(CLI::PositiveNumber);
-  fatigue->add_option("--exponent", a.law.exponent, "m")->required()->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber & finite);
+  fatigue->add_option("--exponent", a.law.exponent, "m")->required()->check(CLI::PositiveNumber & finite);
   fatigue->add_option("--threshold", a.law.threshold, "range of K that must be exceeded (default 0)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::NonNegativeNumber & finite);
   fatigue->add_option("--load", a.load, "largest load, as a factor of those of the case (default 1)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber & finite);
   fatigue->add_option("--ratio", a.ratio, "least over largest load (default 0)")->check(CLI::Range(-10.0, 0.999));
 }
 
@@ -231,7 +225,7 @@ void add_many(CLI::App& app, Arguments& a) {
   auto* study = app.add_subcommand("study", "error against run time over many runs of a case");
   study->add_option("study", a.file, "study file (TOML)")->required();
   study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");
-  study->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, most_threads));
+  add_threads(*study, a);
   study->add_flag("--again", a.again, "make runs anew that are done already");
   study->add_flag("--quiet", a.quiet, "no lines on runs that succeed and no table");
   auto* extremes = app.add_subcommand("extremes", "cases at the edge of what can be computed, each against its oracle");
@@ -239,7 +233,7 @@ void add_many(CLI::App& app, Arguments& a) {
   extremes->add_option("--out", a.folder, "folder of the results (default: results/TABLE)");
   extremes->add_option("--set", a.settings, "override a key of all rows that do not set it")->allow_extra_args(false);
   extremes->add_option("--only", a.only, "only rows whose group or title contains this");
-  extremes->add_option("--threads", a.threads, "number of threads (default: all)")->check(CLI::Range(1, most_threads));
+  add_threads(*extremes, a);
   extremes->add_flag("--quiet", a.quiet, "no lines, and a table only where an oracle is missed");
 }
 

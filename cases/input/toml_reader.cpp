@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <string_view>
+
+#include "post/files/whole_file.hpp"
 
 namespace cases {
 
@@ -160,15 +161,13 @@ namespace {
 std::string contents(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) throw CaseError({{path.string(), "", "no such file"}});
-  std::ifstream file(path, std::ios::binary);
-  if (std::filesystem::is_directory(path, ignored) || !file) throw CaseError({{path.string(), "", "cannot be read"}});
-  constexpr std::size_t most = 16 << 20;  // [bytes]; it may be a device without an end
-  std::string text(most + 1, ' ');
-  file.read(text.data(), std::streamsize(text.size()));
-  text.resize(std::size_t(file.gcount()));
-  if (text.size() > most)
-    throw CaseError({{path.string(), "", fmt::format("has more than {} MiB: no case", most >> 20)}});
-  return text;
+  try {
+    if (!std::filesystem::is_directory(path)) return post::read_text(path, 16 << 20);
+  } catch (const std::length_error& error) {
+    throw CaseError({{path.string(), "", error.what()}});
+  } catch (const std::filesystem::filesystem_error&) {
+  }
+  throw CaseError({{path.string(), "", "cannot be read"}});
 }
 
 /// The line with a key of more parts than any that there is: the library follows the parts by recursion, and 100,000

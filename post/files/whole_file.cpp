@@ -2,7 +2,7 @@
 
 #include <cerrno>
 #include <fstream>
-#include <iterator>
+#include <stdexcept>
 #include <system_error>
 
 namespace post {
@@ -43,10 +43,14 @@ void write_whole(const fs::path& path, const std::string& text) {
   write_whole(path, [&](const fs::path& beside) { write_text(beside, text); });
 }
 
-std::string read_text(const std::filesystem::path& path) {
+std::string read_text(const std::filesystem::path& path, std::size_t most) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(file), {});
+  std::string text, piece(1 << 16, ' ');
+  while (file.read(piece.data(), std::streamsize(piece.size())) || file.gcount() > 0) {
+    text.append(piece, 0, std::size_t(file.gcount()));
+    if (text.size() > most) throw std::length_error("has more than " + std::to_string(most) + " bytes");
+  }
   if (!file.is_open() || file.bad()) {
     throw std::filesystem::filesystem_error("cannot read", path, std::error_code(errno, std::generic_category()));
   }

@@ -62,27 +62,52 @@ Series::Series(hid_t parent, const std::string& name, Sizes sizes, hsize_t chunk
   dataset_ = new_dataset(parent, name, H5T_IEEE_F64LE, space_of(sizes_, limits.data()), meaning, properties);
 }
 
-Series::Series(hid_t parent, const std::string& name, std::size_t length)
+Series::Series(hid_t parent, const std::string& name)
     : name_(name), dataset_(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, name) {
   const Id space(H5Dget_space(dataset_), H5Sclose, name);
   sizes_.resize(std::size_t(checked(H5Sget_simple_extent_ndims(space), name)));
   checked(H5Sget_simple_extent_dims(space, sizes_.data(), nullptr), name);
-  if (sizes_.empty() || sizes_.front() < length)
-    throw std::runtime_error(fmt::format("state.h5: {} has fewer than {} entries", name, length));
+  if (sizes_.empty()) throw std::runtime_error("state.h5: " + name + " has no entries");
+}
+
+void Series::stretch(std::size_t length) {
   sizes_.front() = length;
-  checked(H5Dset_extent(dataset_, sizes_.data()), name);
+  checked(H5Dset_extent(dataset_, sizes_.data()), name_);
+}
+
+void Series::keep(std::size_t count) {
+  if (count < length()) stretch(count);
 }
 
 void Series::write(std::size_t index, const double* values) {
-  sizes_.front() = index + 1;
-  checked(H5Dset_extent(dataset_, sizes_.data()), name_);
+  if (index >= length()) stretch(index + 1);
   Sizes start(sizes_.size(), 0), count = sizes_;
   start.front() = index;
   count.front() = 1;
   const Id target(H5Dget_space(dataset_), H5Sclose, name_);
   checked(H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name_);
   checked(H5Dwrite(dataset_, H5T_NATIVE_DOUBLE, space_of(count), target, H5P_DEFAULT, values), name_);
-  checked(H5Dflush(dataset_), name_);
+}
+
+void Series::append(const Series& other, std::size_t count) {
+  if (sizes_.size() == 1) {
+    std::vector<double> values(other.length());
+    checked(H5Dread(other.dataset_, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name_);
+    for (std::size_t i = 0; i < count; ++i) write(length(), &values[i]);
+    return;
+  }
+  std::vector<char> chunk;
+  for (std::size_t i = 0; i < count; ++i) {
+    Sizes from(sizes_.size(), 0), to(sizes_.size(), 0);
+    from.front() = i, to.front() = length();
+    hsize_t bytes = 0;
+    std::uint32_t filters = 0;
+    checked(H5Dget_chunk_storage_size(other.dataset_, from.data(), &bytes), name_);
+    chunk.resize(bytes);
+    checked(H5Dread_chunk(other.dataset_, H5P_DEFAULT, from.data(), &filters, chunk.data()), name_);
+    stretch(length() + 1);
+    checked(H5Dwrite_chunk(dataset_, H5P_DEFAULT, filters, to.data(), bytes, chunk.data()), name_);
+  }
 }
 
 }  // namespace post::hdf5

@@ -31,16 +31,22 @@ public:
   Series() = default;
   /// `sizes` of one entry; `chunk` entries are stored together.
   Series(hid_t parent, const std::string& name, Sizes sizes, hsize_t chunk, const Meaning& meaning);
-  /// One that is there, `length` entries of it.
-  Series(hid_t parent, const std::string& name, std::size_t length);
+  /// One that is there.
+  Series(hid_t parent, const std::string& name);
 
   bool exists() const { return dataset_ >= 0; }
   herr_t release() { return dataset_.release(); }
+  std::size_t length() const { return std::size_t(sizes_.front()); }
 
-  /// The entry is in the file when this returns.
   void write(std::size_t index, const double* values);
+  /// Drops all entries but the first ones.
+  void keep(std::size_t count);
+  /// Adds the first entries of another one like this, as they are stored where each is stored by itself.
+  void append(const Series& other, std::size_t count);
 
 private:
+  void stretch(std::size_t length);
+
   std::string name_;
   Sizes sizes_;
   Id dataset_;

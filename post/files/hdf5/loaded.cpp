@@ -12,6 +12,10 @@ void StateFile::go_on(std::size_t frames) {
   open_->go_on(frames);
 }
 
+void StateFile::part() {
+  open_->part();
+}
+
 void StateFile::write(const Frame& frame, const plate::State* velocity) {
   open_->write(frame, velocity);
 }

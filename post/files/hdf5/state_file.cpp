@@ -1,5 +1,7 @@
 #include "post/files/hdf5/state_file.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -40,117 +42,142 @@ Eigen::Matrix3Xd by_points(const plate::State& state) {
   return state;
 }
 
-/// How a file is opened for writing. Frames are written so that whoever reads it finds the last one whole, also where
-/// the process is killed in mid-write (single writer, multiple readers); that takes HDF5 1.10 or later.
-Id access() {
-  Id list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
-  checked(H5Pset_libver_bounds(list, H5F_LIBVER_V110, H5F_LIBVER_LATEST), "access");
-  return list;
-}
+/// Frames of a file that is being written: they grow one by one.
+struct Frames {
+  Id group;
+  Series state, velocity, step, time;
 
-/// ... of which the process was killed: it is marked as open still. Both properties are those of h5clear.
-Id access_of_killed() {
-  auto list = access();
-  constexpr hbool_t yes = true;
-  for (const char* name : {"clear_status_flags", "skip_eof_check"}) checked(H5Pset(list, name, &yes), name);
-  return list;
-}
+  Frames() = default;
+  Frames(hid_t file, hsize_t points, bool velocities) : group(new_group(file, "frames")) {
+    constexpr hsize_t instants = 256;  // stored together
+    state = Series(group, "state", {points, 3}, 1, {"length, 1, 1", "w, theta_x, theta_y of every point"});
+    step = Series(group, "step", {}, instants, {"1", "number of the time step or iteration"});
+    time = Series(group, "time", {}, instants, {"time", "time of the frame"});
+    const hdf5::Meaning rates{"length/time, 1/time, 1/time", "rates of w, theta_x, theta_y"};
+    if (velocities) velocity = Series(group, "velocity", {points, 3}, 1, rates);
+  }
+  /// Of a file that is there.
+  explicit Frames(hid_t file)
+      : group(H5Gopen2(file, "frames", H5P_DEFAULT), H5Gclose, "frames"),
+        state(group, "state"),
+        step(group, "step"),
+        time(group, "time") {
+    if (checked(H5Lexists(group, "velocity", H5P_DEFAULT), "velocity") > 0) velocity = Series(group, "velocity");
+  }
 
-/// A file that is removed at the end, however that comes about: what has not been renamed by then is no good.
-struct Partial : std::filesystem::path {
-  explicit Partial(path of) : path(std::move(of += ".partial")) {}
-  Partial(const Partial&) = delete;
-  ~Partial() { remove(); }
-
-  void remove() const {
-    std::error_code ignored;
-    std::filesystem::remove(*this, ignored);
+  void keep(std::size_t count) {
+    for (Series* series : {&state, &velocity, &step, &time})
+      if (series->exists()) series->keep(count);
+  }
+  /// The first so many of others.
+  void append(const Frames& other, std::size_t count) {
+    for (const auto member : {&Frames::state, &Frames::velocity, &Frames::step, &Frames::time})
+      if ((this->*member).exists()) (this->*member).append(other.*member, count);
+  }
+  void release() {
+    for (Series* series : {&state, &velocity, &step, &time}) checked(series->release(), "closing");
+    checked(group.release(), "closing");
   }
 };
 
-/// state.h5 while it is written, as state.h5.partial.
+/// state.h5 while it is written: frames go to state.h5.0.partial, and to a further file after each part(), which are
+/// put together at the end.
 class OpenStateFile : public StateFile::Open {
 public:
   OpenStateFile(StateFile::Options options, const Mesh& mesh)
-      : options_(std::move(options)), partial_(options_.path), points_(mesh.positions.size()) {
+      : options_(std::move(options)), points_(mesh.positions.size()) {
     hdf5::keep_quiet();
-    if (options_.goes_on)
-      reopen();
-    else
-      create(mesh);
+    if (options_.goes_on) return;
+    remove_files();  // some may be links to what is somebody's
+    file_ = created(part(0));
+    write_attribute(file_, "program", "PDPlate");
+    write_attribute(file_, "version", options_.version);
+    write_attribute(file_, "case", options_.resolved_case);
+    write_attribute(file_, "format_version", H5T_NATIVE_INT, &hdf5::format_version);
+    write_points(file_, mesh);
+    new_group(file_, "tables");
+    series_ = Frames(file_, points_, options_.velocities);
   }
 
   ~OpenStateFile() override {
-    if (frames_ > 0) try {
-        close();  // the frames up to a failure are worth keeping
-      } catch (...) {
-      }
+    try {
+      if (frames() > 0) close();  // those up to a failure are worth keeping
+    } catch (...) {
+    }
+    if (!closed_) drop();
   }
 
   void go_on(std::size_t frames) override;
+  void part() override;
   void write(const Frame& frame, const plate::State* velocity) override;
   void write(const std::string& name, const Table& table) override;
-
-  void close() override {
-    if (closed_) return;
-    closed_ = true;
-    release();
-    std::filesystem::rename(partial_, options_.path);
-  }
+  void close() override;
 
 private:
-  void create(const Mesh& mesh);
-  void reopen();
-  /// From here on the file is whole at any time, and has no further datasets.
-  void start_frames() { checked(H5Fstart_swmr_write(file_), partial_); }
-
-  void release() {
-    for (Series* series : {&state_, &velocity_, &step_, &time_}) checked(series->release(), "closing");
-    for (Id* id : {&group_, &file_}) checked(id->release(), "closing");
+  std::filesystem::path part(std::size_t number) const { return beside(fmt::format(".{}.partial", number)); }
+  std::filesystem::path beside(const std::string& ending) const {
+    auto path = options_.path;
+    return path += ending;
   }
+  static Id created(const std::filesystem::path& path) {
+    return Id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path);
+  }
+  static Id opened(const std::filesystem::path& path, unsigned mode) {
+    return Id(H5Fopen(path.c_str(), mode, H5P_DEFAULT), H5Fclose, path);
+  }
+  std::size_t frames() const { return std::accumulate(parts_.begin(), parts_.end(), in_part_); }
+  void release() {
+    series_.release();
+    checked(file_.release(), "closing");
+  }
+  void remove_files() const;
+  void drop();
+  void assemble();
 
   StateFile::Options options_;
-  Partial partial_;
   hsize_t points_ = 0;
-  std::size_t frames_ = 0;
-  bool closed_ = false, frames_end_ = false;
-  Id file_, group_;
-  Series state_, velocity_, step_, time_;
+  std::vector<std::size_t> parts_;  // frames of those that are whole
+  std::size_t in_part_ = 0;         // of the one that is open
+  bool assembled_ = false, closed_ = false;
+  Id file_;
+  Frames series_;
 };
 
-void OpenStateFile::create(const Mesh& mesh) {
-  partial_.remove();  // it may be a link to what is somebody's
-  file_ = Id(H5Fcreate(partial_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access()), H5Fclose, partial_);
-  write_attribute(file_, "program", "PDPlate");
-  write_attribute(file_, "version", options_.version);
-  write_attribute(file_, "case", options_.resolved_case);
-  write_attribute(file_, "format_version", H5T_NATIVE_INT, &hdf5::format_version);
-  write_points(file_, mesh);
-  new_group(file_, "tables");
-  group_ = new_group(file_, "frames");
-  constexpr hsize_t instants = 256;  // stored together
-  state_ = Series(group_, "state", {points_, 3}, 1, {"length, 1, 1", "w, theta_x, theta_y of every point"});
-  step_ = Series(group_, "step", {}, instants, {"1", "number of the time step or iteration"});
-  time_ = Series(group_, "time", {}, instants, {"time", "time of the frame"});
-  if (options_.velocities)
-    velocity_ =
-        Series(group_, "velocity", {points_, 3}, 1, {"length/time, 1/time, 1/time", "rates of w, theta_x, theta_y"});
-  start_frames();
+void OpenStateFile::remove_files() const {
+  std::error_code ignored;
+  std::filesystem::remove(beside(".partial"), ignored);
+  for (std::size_t i = 0; std::filesystem::remove(part(i), ignored) || i < parts_.size(); ++i) continue;
 }
 
-/// The file of a run that was killed, or of one that was asked to end and has written all that it had.
-void OpenStateFile::reopen() {
-  if (!std::filesystem::exists(partial_)) std::filesystem::rename(options_.path, partial_);
-  file_ = Id(H5Fopen(partial_.c_str(), H5F_ACC_RDWR, access_of_killed()), H5Fclose, partial_);
+/// What is no good, unless another process may go on from it.
+void OpenStateFile::drop() {
+  std::error_code ignored;
+  if (parts_.empty() && !options_.goes_on)
+    remove_files();
+  else
+    std::filesystem::remove(beside(".partial"), ignored);
 }
 
+/// A run that was asked to end has put its parts together.
 void OpenStateFile::go_on(std::size_t frames) {
-  group_ = Id(H5Gopen2(file_, "frames", H5P_DEFAULT), H5Gclose, partial_);
-  state_ = Series(group_, "state", frames), step_ = Series(group_, "step", frames);
-  time_ = Series(group_, "time", frames);
-  if (options_.velocities) velocity_ = Series(group_, "velocity", frames);
-  frames_ = frames;
-  start_frames();
+  std::error_code none;
+  if (std::filesystem::exists(options_.path, none)) {
+    remove_files();
+    std::filesystem::rename(options_.path, part(0));
+  }
+  while (frames > 0) {
+    const auto file = opened(part(parts_.size()), H5F_ACC_RDONLY);
+    parts_.push_back(std::min(frames, Frames(file).time.length()));
+    frames -= parts_.back();
+  }
+  if (parts_.empty()) parts_.push_back(0);  // it has the points
+  for (auto i = parts_.size(); std::filesystem::remove(part(i), none);) ++i;
+}
+
+void OpenStateFile::part() {
+  if (in_part_ == 0) return;
+  release();
+  parts_.push_back(std::exchange(in_part_, 0));
 }
 
 void OpenStateFile::write(const Frame& frame, const plate::State* velocity) {
@@ -158,25 +185,55 @@ void OpenStateFile::write(const Frame& frame, const plate::State* velocity) {
   if (!fits(frame.state) || (velocity && !fits(*velocity))) {
     throw std::invalid_argument(fmt::format("{}: a frame does not have {} points", options_.path.string(), points_));
   }
-  require_space(partial_, 2 * 3 * sizeof(double) * points_);
-  state_.write(frames_, by_points(frame.state).data());
-  if (velocity) velocity_.write(frames_, by_points(*velocity).data());
+  require_space(options_.path, 2 * 3 * sizeof(double) * points_);
+  if (file_ < 0) {
+    file_ = created(part(parts_.size()));
+    series_ = Frames(file_, points_, options_.velocities);
+  }
   const auto step = static_cast<double>(frame.step);
-  step_.write(frames_, &step);
-  time_.write(frames_, &frame.time);
-  ++frames_;
+  series_.state.write(in_part_, by_points(frame.state).data());
+  if (velocity) series_.velocity.write(in_part_, by_points(*velocity).data());
+  series_.step.write(in_part_, &step);
+  series_.time.write(in_part_, &frame.time);
+  checked(H5Fflush(file_, H5F_SCOPE_LOCAL), options_.path);
+  ++in_part_;
 }
 
-/// Ends the frames: tables are further datasets.
+/// All frames into state.h5.partial. Parts that a checkpoint may know of stay as they are.
+void OpenStateFile::assemble() {
+  assembled_ = true;
+  const auto whole = beside(".partial");
+  if (parts_.empty()) {
+    release();
+    std::filesystem::rename(part(0), whole);
+    file_ = opened(whole, H5F_ACC_RDWR);
+    return;
+  }
+  part();
+  std::filesystem::copy_file(part(0), whole, std::filesystem::copy_options::overwrite_existing);
+  file_ = opened(whole, H5F_ACC_RDWR);
+  Frames all(file_);
+  all.keep(parts_.front());
+  for (std::size_t i = 1; i < parts_.size(); ++i) all.append(Frames(opened(part(i), H5F_ACC_RDONLY)), parts_[i]);
+}
+
 void OpenStateFile::write(const std::string& name, const Table& table) {
   constexpr std::size_t bytes_per_cell = 32;  // a word of a few letters
-  require_space(partial_, bytes_per_cell * table.rows.size() * table.columns.size());
-  if (!std::exchange(frames_end_, true)) {
-    release();
-    file_ = Id(H5Fopen(partial_.c_str(), H5F_ACC_RDWR, access()), H5Fclose, partial_);
-  }
-  const Id tables(H5Gopen2(file_, "tables", H5P_DEFAULT), H5Gclose, partial_);
+  require_space(options_.path, bytes_per_cell * table.rows.size() * table.columns.size());
+  if (!assembled_) assemble();
+  const Id tables(H5Gopen2(file_, "tables", H5P_DEFAULT), H5Gclose, options_.path);
   write_table(tables, name, table);
+}
+
+void OpenStateFile::close() {
+  if (closed_) return;
+  if (!assembled_) assemble();
+  closed_ = true;
+  const auto result = file_.release();
+  if (result < 0) drop();
+  checked(result, "closing");
+  std::filesystem::rename(beside(".partial"), options_.path);
+  remove_files();
 }
 
 }  // namespace

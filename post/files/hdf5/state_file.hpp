@@ -7,8 +7,8 @@
 namespace post {
 
 /// state.h5: points (positions, areas, cut), every written frame (time, step, state), tables (history, probes, srif),
-/// the text of the resolved case; each dataset with attributes `unit` and `description`. Written as
-/// state.h5.partial and renamed by close(). A process that is killed leaves all frames that it has written.
+/// the text of the resolved case; each dataset with attributes `unit` and `description`. Written beside, as
+/// state.h5.0.partial and so on, and put in its place by close().
 /// Throws std::runtime_error where HDF5 fails.
 class StateFile {
 public:
@@ -22,8 +22,10 @@ public:
   ~StateFile();
   StateFile(StateFile&&) noexcept;
 
-  /// After so many frames of a run that was ended; further ones are dropped.
+  /// After so many frames that a run had written by its last part(); further ones are dropped.
   void go_on(std::size_t frames);
+  /// The frames so far are what another process can go on after, from now on.
+  void part();
   void write(const Frame& frame, const plate::State* velocity);
   /// No frame comes after a table.
   void write(const std::string& name, const Table& table);
@@ -34,6 +36,7 @@ public:
   public:
     virtual ~Open() = default;
     virtual void go_on(std::size_t frames) = 0;
+    virtual void part() = 0;
     virtual void write(const Frame& frame, const plate::State* velocity) = 0;
     virtual void write(const std::string& name, const Table& table) = 0;
     virtual void close() = 0;

@@ -60,6 +60,7 @@ void Folder::tables(const Tables& tables) {
 
 std::vector<double> Folder::written() {
   wait_for_frame();
+  if (hdf5_) hdf5_->part();
   return times_;
 }
 
