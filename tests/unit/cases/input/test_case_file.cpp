@@ -1,5 +1,6 @@
 #include <sstream>
 
+#include "cases/input/keys.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "tests/unit/cases/case_text.hpp"
 

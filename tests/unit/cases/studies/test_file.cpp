@@ -1,4 +1,6 @@
 #include "post/studies/orders.hpp"
+
+#include "post/files/table.hpp"
 #include "tests/unit/cases/studies.hpp"
 
 using namespace studies;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "post/files/table.hpp"
 #include "tests/unit/cases/studies.hpp"
 
 using namespace studies;

@@ -32,7 +32,7 @@ struct Once {
 }  // namespace
 
 TEST_CASE("run once: at rest, a row, a frame and the summary") {
-  Once once({"discretization.spacing=0.1"});
+  Once once({"discretization.spacing=0.1", "discretization.formulation=ordinary"});
   const auto summary = once.run();
   CHECK(summary.outcome == "done");
   CHECK(summary.points == 400);

@@ -12,7 +12,9 @@ struct Things {
   std::optional<post::SrifOptions> srif;
   std::map<std::string, geometry::Point> probes;
 
-  fracture::RunPlan plan() const { return {problem, analysis, growth, srif, probes}; }
+  fracture::RunPlan plan() const {
+    return {problem, analysis, growth, srif, probes, "", "", "", "", {}, {}, true, true, {}, true};
+  }
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "post/files/table.hpp"
 #include "tests/unit/post/study_of_powers.hpp"
 
 using post::refinement, post::StudyTable, study_of_powers::row, study_of_powers::study;

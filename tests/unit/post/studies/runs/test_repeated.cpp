@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "post/files/summary.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using post::Ended, post::Ledger, post::RunRecord;
@@ -14,7 +15,7 @@ const RunRecord wanted{"a", "0123456789012345", "1", "done"};
 Ended run(const small_run::TemporaryFolder& folder, const std::string& outcome) {
   std::filesystem::create_directories(folder / "a");
   std::ofstream(folder / "counted", std::ios::app) << "x";
-  std::ofstream(folder / "a/summary.json") << R"({"outcome": "done", "seconds": {"solve": 1, "total": 2}})";
+  std::ofstream(folder / "a/summary.json") << post::to_json(post::Summary());
   return {outcome, outcome == "done" ? "" : "why"};
 }
 
