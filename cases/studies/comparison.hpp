@@ -14,7 +14,8 @@ struct ComparisonOptions {
   std::optional<double> within;         // the same for all measures
 };
 
-/// Prints how far the run is from its reference; is it within the tolerances? Throws CaseError where one says nothing.
+/// Prints how far the run is from its reference; is it within the tolerances? Throws CaseError where one says nothing,
+/// and where there is nothing to compare.
 bool compare(const ComparisonOptions& options);
 
 }  // namespace cases
