@@ -80,7 +80,7 @@ Results::Results(const CaseFile& file, const plate::Formulation& plate, const st
       reactions_(plate, case_.analysis.rotary_inertia, case_.analysis.method == Analysis::Method::lanczos),
       extremes_(plate) {
   if (!recorder_.draws() && !recorder_.stores()) return;
-  const auto mesh = plate.mesh();
+  const auto mesh = recorder_.draws() || report_ ? plate.mesh() : post::points_of(plate);
   if (report_) pictures_.open(mesh);
   recorder_.open(mesh);
 }
