@@ -87,16 +87,25 @@ int run_extremes(const Arguments& a) {
   return missed > 0 ? failed_numbers : done;
 }
 
-int compare(const Arguments& a) {
-  post::Tolerances tolerances;
+/// As far as the case of the run is there, and can be read.
+bool is_si(const std::filesystem::path& folder) {
   try {
-    tolerances = post::tolerances(a.tolerances, a.within);
-  } catch (const std::invalid_argument& error) {
-    throw cases::CaseError({{"compare", "--tolerance", error.what()}});
+    return cases::read_case(folder / "case.resolved.toml", {}).content.units == "SI";
+  } catch (const cases::CaseError&) {
+    return false;
   }
-  const auto compared = post::compared(a.folder, a.reference, tolerances);
+}
+
+int compare(const Arguments& a) {
+  post::ComparedRun compared;
+  try {
+    if (!std::filesystem::exists(a.reference)) throw std::invalid_argument("no such file");
+    compared = post::compared(a.folder, a.reference, post::tolerances(a.tolerances, a.within));
+  } catch (const std::exception& error) {  // it reads and compares what the arguments name, and does nothing else
+    throw cases::CaseError({{a.reference, "compare", error.what()}});
+  }
   fmt::print("{}", post::to_text(compared));
-  post::write(compared, a.plot, a.json);
+  post::write(compared, a.plot, a.json, is_si(a.folder));
   return compared.above.empty() ? done : beyond_tolerance;
 }
 

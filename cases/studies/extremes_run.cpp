@@ -6,6 +6,7 @@
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/files/table.hpp"
+#include "post/report/html/study_report.hpp"
 #include "post/report/say.hpp"
 #include "post/studies/study.hpp"
 
@@ -65,6 +66,7 @@ std::vector<post::Verdict> run_extremes(const Extremes& extremes, const ExtremeO
       post::say(fmt::format("[{}/{}] {}: {}, {:.1f} s\n", runs.size(), wanted.size(), row.title,
                             std::ranges::all_of(found, &post::Verdict::holds) ? "holds" : "MISSED", run.seconds));
   }
+  if (!verdicts.empty()) post::write_extremes_report(options.folder, extremes.title);
   return verdicts;
 }
 

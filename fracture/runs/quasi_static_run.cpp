@@ -110,7 +110,7 @@ void QuasiStaticRun::record() {
   const bool solved = state_.cols() > 0;
   if (solved && !framed_) frame();
   if (solved && recorder_->stores())
-    recorder_->final_state(model_->plate().mesh(),
+    recorder_->final_state(post::points_of(model_->plate()),
                            post::frame_of(model_->plate(), double(advance_), advance_, state_, false));
   if (tips_ || plan_.srif) recorder_->table("srif", srifs_);
   if (!reactions_.empty()) recorder_->table("reactions", reactions_.table());

@@ -50,7 +50,7 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
       reactions_(plate, plan.analysis.rotary_inertia, plan.analysis.method == plate::Analysis::Method::lanczos),
       extremes_(plate) {
   if (!recorder_.draws() && !recorder_.stores()) return;
-  const auto mesh = plate.mesh();
+  const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
   if (plan_.report) pictures_.open(mesh);
   recorder_.open(mesh);
 }

@@ -4,6 +4,7 @@
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/model/section.hpp"
 #include "post/files/archive.hpp"
 #include "post/files/digest.hpp"
 #include "post/files/gate.hpp"
@@ -25,6 +26,18 @@ Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, c
   frame.resultants = plate.resultants(state);
   frame.damage.assign(plate_points, 0);
   return frame;
+}
+
+Mesh points_of(const plate::Formulation& plate) {
+  const auto& [units, positions, areas, plate_points] = plate.cloud();
+  const auto count = std::ptrdiff_t(plate_points);
+  return {{positions.begin(), positions.begin() + count},
+          {areas.begin(), areas.begin() + count},
+          plate.cut(),
+          {},
+          {},
+          units.spacing,
+          plate.section().thickness};
 }
 
 Recorder::Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version)

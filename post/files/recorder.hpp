@@ -27,6 +27,9 @@ struct Sample {
 Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, const plate::State& state,
                bool resultants);
 
+/// The points of the plate without cells: what state.h5 holds of them.
+Mesh points_of(const plate::Formulation& plate);
+
 /// A place whose displacements are wanted, and the points that give them.
 struct Probe {
   std::string name;

@@ -112,7 +112,11 @@ void add(std::vector<ComparedQuantity>& rows, const Table& computed, const Table
     for (const std::string& name : reference_columns(reference, quantity)) {
       const Curve known = curve(reference, "t", name);
       if (std::ranges::all_of(known.y, [](double y) { return y == 0; })) continue;
-      rows.push_back({quantity, name, compare(run.t, run.y, known.t, known.y), run, known});
+      try {
+        rows.push_back({quantity, name, compare(run.t, run.y, known.t, known.y), run, known});
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("{}: {}", name, error.what()));
+      }
     }
   }
 }
@@ -132,7 +136,7 @@ std::string legend(const ComparedQuantity& row) {
 
 std::vector<ComparedQuantity> compare(const std::filesystem::path& results, const std::filesystem::path& reference) {
   const Table curves = read_csv(reference);
-  if (!has(curves, "t")) throw std::runtime_error(reference.string() + ": no column t, so it holds no curves");
+  if (!has(curves, "t")) throw std::invalid_argument("no column t, so it holds no curves");
   std::vector<ComparedQuantity> rows;
   std::optional<Place> near;
   if (const auto probes = read_if_there(results / "probes.csv")) {
@@ -144,8 +148,7 @@ std::vector<ComparedQuantity> compare(const std::filesystem::path& results, cons
     add(rows, tip_history(*srifs, near), curves, std::array{"F1", "F2", "F3", "K1", "K2", "K3"});
   }
   if (rows.empty()) {
-    throw std::runtime_error(
-        fmt::format("{} and {} have no curve in common", (results / "{probes,srif}.csv").string(), reference.string()));
+    throw std::invalid_argument(fmt::format("no curve in common with {}", (results / "{probes,srif}.csv").string()));
   }
   return rows;
 }
@@ -255,7 +258,7 @@ std::string to_text(const std::vector<ComparedQuantity>& rows) {
   return text;
 }
 
-CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title) {
+CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title, bool si) {
   constexpr std::array lines{Line::reference, Line::second_reference, Line::third_reference};
   CurvePlot result{title, {}};
   for (std::size_t first = 0, next = 0; first < rows.size(); first = next) {
@@ -266,7 +269,10 @@ CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& tit
           return row.quantity.starts_with('F') && row.quantity.substr(1) == quantity.substr(1);
         });
     if (normalized_too) continue;
-    Panel panel{"time", described(quantity), {}};
+    const auto unit = si ? si_unit(quantity) : std::string();
+    Panel panel{si ? "time [s]" : "time",
+                unit.empty() ? described(quantity) : fmt::format("{} [{}]", described(quantity), unit),
+                {}};
     for (std::size_t i = first; i < next; ++i)
       panel.series.push_back({legend(rows[i]), lines[std::min(i - first, lines.size() - 1)], rows[i].known});
     panel.series.push_back({"computed", Line::computed, rows[first].computed});

@@ -22,7 +22,8 @@ struct ComparedQuantity {
 /// Compares the probe and the tip of a finished run with the curves of a reference file, which has a column `t`.
 /// The probe is the one called `tip`, or else the first; the tip is the nearest to that probe, or else the first; the
 /// method is the first that is listed for it. Columns of the reference that are zero throughout are left out.
-/// Throws std::runtime_error where the reference has no column `t`, or run and reference have no curve in common.
+/// Throws std::invalid_argument where the reference has no column `t`, or run and reference have no curve, or fewer
+/// than two times of one, in common.
 std::vector<ComparedQuantity> compare(const std::filesystem::path& results, const std::filesystem::path& reference);
 
 /// A measure that is above its tolerance.
@@ -53,8 +54,8 @@ std::string to_text(const std::vector<Exceeded>& above);
 std::string to_text(const std::vector<ComparedQuantity>& rows);
 
 /// The computed curves over their references: one panel for each quantity, K left out where F of the same mode is
-/// there.
-CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title);
+/// there; `si`: with units.
+CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title, bool si = false);
 
 /// The title in summary.json of a finished run, or else the name of its folder.
 std::string title_of(const std::filesystem::path& results);

@@ -128,7 +128,10 @@ Comparison compare(const std::vector<double>& t, const std::vector<double>& y, c
     squares += reference_y[i] * reference_y[i];
     ++result.samples;
   }
-  if (result.samples < 2) throw std::invalid_argument(fmt::format("{} samples in common", result.samples));
+  if (result.samples < 2)
+    throw std::invalid_argument(fmt::format(
+        "{} samples in common, where two are needed: computed are times {:g} to {:g}, the reference has {:g} to {:g}",
+        result.samples, t.front(), t.back(), reference_t.front(), reference_t.back()));
   if (squares == 0) throw std::invalid_argument("the reference is zero where the curves overlap");
   const Extremum computed = peak(t, y, from, to), reference = peak(reference_t, reference_y, from, to);
   result.relative_rms = std::sqrt(differences / squares);

@@ -38,12 +38,12 @@ function section(title, ...children) {
 const screen_note = (...children) => element("p", { class: "note screen" }, ...children);
 const note = (...children) => element("p", { class: "note" }, ...children);
 
-/** A table: `columns` of {title, unit, left}; rows of cells. */
+/** A table: `columns` of {title, unit, left, long}; rows of cells. */
 function table(columns, rows, attributes = {}) {
   const head = columns.map(column => element("th", { class: column.left ? "left" : null, scope: "col" }, column.title,
     column.unit ? element("span", { class: "unit" }, ` ${column.unit}`) : null));
   const body = rows.map(row => element("tr", { class: row.kind ?? null },
-    (row.cells ?? row).map((cell, i) => element("td", { class: columns[i].left ? "left" : null }, cell ?? "–"))));
+    (row.cells ?? row).map((cell, i) => element("td", { class: columns[i].long ? "left long" : columns[i].left ? "left" : null }, cell ?? "–"))));
   return element("div", { class: "scroll" }, element("table", attributes, element("thead", {}, element("tr", {}, head)), element("tbody", {}, body)));
 }
 

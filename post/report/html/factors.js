@@ -93,7 +93,8 @@ function largest_section(list, title) {
   const size = one => Math.abs(one.value) * (one.quantity === "K3" ? thickness : 1), is_factor = one => /^K[123]$/.test(one.quantity);
   const noise = one => is_factor(one) && all.some(other => is_factor(other) && other.tip === one.tip && size(one) < 1e-5 * size(other));
   const timed = all.some(one => one.time !== undefined);
-  const place = (one, i) => (one.tip !== undefined ? `tip ${one.tip}` : one.x === undefined ? "anywhere" : ["(", value(`${list}[${i}].x`, 4), ", ", value(`${list}[${i}].y`, 4), ")"]);
+  const place = (one, i) => (one.tip !== undefined ? `tip ${one.tip}` : one.x === undefined ? "anywhere" : ["(", value(`${list}[${i}].x`, 4, rounded(one.x)), ", ", value(`${list}[${i}].y`, 4, rounded(one.y)), ")"]);
+  const rounded = x => (Math.abs(x) < 1e-9 * extent() ? "0" : null);
   const words = one => (one.outside === undefined ? "" : ` no nearer than ${shown(one.outside, 2)} to tips, pins and point forces`);
   const columns = [{ title: "quantity", left: true }, { title: "largest" }, { title: "", left: true }, ...(timed ? [{ title: "at time", unit: unit("time") }] : []), { title: "where", left: true }];
   const rows = all.map((one, i) => (noise(one) ? null : [names[one.quantity] ?? spaced(one.quantity), value(`${list}[${i}].value`), unit(one.quantity),

@@ -111,7 +111,7 @@ function field_picture(field, chosen) {
     element("figcaption", {}, element("b", {}, capital(quantity)), axis_words("", field.name, colours.power), " ", when),
     element("div", { class: "framed" }, holder, colours.shape),
     element("p", { class: "note" }, readout,
-      `${shown(field.least, 4)} to ${shown(field.largest, 4)}${of}${pictures.frames.length > 1 ? " in the last frame" : ""}; ` +
+      `${shown(pictures.frames.length > 1 ? field.least : Math.min(field.least, field.low), 4)} to ${shown(field.largest, 4)}${of}${pictures.frames.length > 1 ? " in the last frame" : ""}; ` +
       (field.name === "damage" ? "colours from 0 to the largest." : `colours between the percentiles ${100 * low_share} and ${100 * high_share}.`)));
   let frame = pictures.frames.at(-1), map = null;
   const draw = () => {

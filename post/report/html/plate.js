@@ -3,6 +3,9 @@
 
 const plate = data.plate;
 
+/** The longer side of the plate. */
+const extent = () => (({ low, high }) => Math.max(high[0] - low[0], high[1] - low[1]))(bounds(plate.outline));
+
 function bounds(points) {
   const xs = points.map(p => p[0]), ys = points.map(p => p[1]);
   return { low: [Math.min(...xs), Math.min(...ys)], high: [Math.max(...xs), Math.max(...ys)] };

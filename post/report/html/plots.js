@@ -10,8 +10,8 @@ function thousand(values) {
 
 function axis_words(label, quantity, power) {
   const ten = power ? `10${superscripts(String(power))}` : "";
-  const inside = [ten, unit(quantity)].filter(Boolean).join(" ");
-  return inside ? `${label} [${inside}]` : label;
+  const [, words, stated] = label.match(/^(.*?)(?: \[(.*)\])?$/), inside = [ten, stated || unit(quantity)].filter(Boolean).join(" ");
+  return inside ? `${words} [${inside}]` : words;
 }
 
 /** One to nine of every decade in a range. */

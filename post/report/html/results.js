@@ -65,7 +65,7 @@ function growth_section() {
 function reactions_section() {
   const { reactions } = data.summary;
   if (!reactions?.supports) return null;
-  const parts = ["force", "moment_x", "moment_y"], most = reactions.supports.some(one => one.largest_force !== undefined), size = name => 1e-9 * largest([reactions.loads, ...reactions.supports].map(one => one?.[name]));
+  const parts = ["force", "moment_x", "moment_y"], most = reactions.supports.some(one => one.largest_force !== undefined), most_of = name => largest([reactions.loads, ...reactions.supports].map(one => one?.[name])), size = name => 1e-9 * Math.max(most_of(name), name === "force" ? 0 : extent() * most_of("force"));
   const cells = (path, one) => parts.map(name => (Math.abs(one[name]) <= size(name) ? "0" : value(`${path}.${name}`)));
   const rows = reactions.supports.map((one, i) => [one.x === undefined ? one.support : `${one.support} at (${shown(one.x, 4)}, ${shown(one.y, 4)})`, ...cells(`reactions.supports[${i}]`, one),
     ...(most ? [value(`reactions.supports[${i}].largest_force`), value(`reactions.supports[${i}].time_of_largest_force`, 5)] : [])]);

@@ -75,7 +75,8 @@ function csv_cell(name, i) {
 
 function csv_table(columns, rows, kind = () => null) {
   const words = columns.some(name => (csv[name] ?? []).some(x => typeof x === "string"));
-  return table(columns.map(name => ({ title: spaced(name), left: words && (csv[name] ?? []).some(x => typeof x === "string") })),
+  const some = (name, is) => (csv[name] ?? []).some(x => typeof x === "string" && is(x));
+  return table(columns.map(name => ({ title: spaced(name), left: words && some(name, () => true), long: words && some(name, x => x.length > 24) })),
     rows.map(i => ({ kind: kind(i), cells: columns.map(name => csv_cell(name, i)) })), { "data-table": data.kind });
 }
 
@@ -108,16 +109,16 @@ function extremes_sections() {
   const kind = i => (cell_of("holds", i) === "yes" ? null : "missed");
   return [element("header", {}, element("h1", {}, data.title), facts([
     ["Outcome", element("b", { class: missed.length ? "failed" : "done" }, `${count - missed.length} of ${count} oracles hold`)],
-    ["Cases", `${new Set(csv.row).size} in ${new Set(csv.group).size} groups`],
+    ["Cases", `${new Set(csv.row).size} in ${new Set(csv.group).size} ${new Set(csv.group).size === 1 ? "group" : "groups"}`],
   ])), missed.length ? element("section", { class: "warnings" }, element("h2", {}, "Missed"), csv_table(columns, missed)) : null,
   ...[...grouped(rows, i => cell_of("group", i))].map(([group, indices]) => section(capital(String(group)), csv_table(columns, indices.map(k => rows[k]), kind))), links()];
 }
 
 /** A run against reference curves, which are dashed. */
 function comparison_sections() {
-  const panels = data.panels.map(panel => plot({ title: panel.y, x: { label: panel.x }, y: { label: panel.y },
+  const panels = data.panels.map(panel => plot({ title: capital(panel.y.replace(/ \[.*\]$/, "")), x: { label: panel.x }, y: { label: panel.y },
     lines: panel.series.map((one, i) => ({ ...one, label: one.label || "computed", dash: one.reference ? [7, 5] : [], number: one.reference ? [6, 7, 4][i % 3] : i })) }));
-  return [element("header", {}, element("h1", {}, data.title)), section("Against reference curves", element("pre", {}, data.table), plots(panels),
+  return [element("header", {}, element("h1", {}, data.title)), section("Against reference curves", element("pre", { class: "wide" }, data.table), plots(panels),
     screen_note("Drag over a plot to zoom, double click to go back; the values under the pointer stand below it."))];
 }
 

@@ -12,10 +12,20 @@ const double* number(const Cell& cell) {
   return std::get_if<double>(&cell);
 }
 
+/// Has a table several rows of one instant, which stay together: one for each tip, probe or support?
+bool is_in_time(const Table& table) {
+  return !table.columns.empty() && (table.columns[0] == "time" || table.columns[0] == "advance");
+}
+
 std::set<std::size_t> rows_of(const Table& table, std::size_t most) {
   std::set<std::size_t> rows;
   const auto size = table.rows.size(), step = size / most + 1;
-  for (std::size_t i = 0; i < size; i += step) rows.insert(i);
+  const bool together = is_in_time(table);
+  for (std::size_t i = 0, instant = 0; i < size; ++i) {
+    const bool same = together && i > 0 && table.rows[i][0] == table.rows[i - 1][0];
+    if (i > 0 && !same) ++instant;
+    if (instant % step == 0) rows.insert(i);
+  }
   if (size == 0) return rows;
   rows.insert(size - 1);
   for (std::size_t column = 0; column < table.columns.size() && step > 1; ++column) {

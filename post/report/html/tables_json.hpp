@@ -7,7 +7,7 @@
 namespace post {
 
 /// A table as JSON, a list per column; a column without any cell is left out. Of more than `most` rows every n-th is
-/// kept, and those where a column is largest or least.
+/// kept, of tables in time all rows of every n-th instant, and those where a column is largest or least.
 std::string table_json(const Table& table, std::size_t most = 1500);
 
 /// The rows of srif.csv by the recommended method: the first of each time and tip.

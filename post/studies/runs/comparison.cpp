@@ -16,12 +16,12 @@ std::string to_text(const ComparedRun& run) {
   return to_text(run.rows) + to_text(run.above);
 }
 
-void write(const ComparedRun& run, const std::filesystem::path& drawing, const std::filesystem::path& json) {
-  const auto curves = plot(run.rows, title_of(run.folder));
-  if (drawing.extension() == ".html")
-    write_whole(drawing, comparison_page(curves, to_text(run.rows)));
-  else if (!drawing.empty())
-    write_whole(drawing, to_svg(curves));
+void write(const ComparedRun& run, const std::filesystem::path& drawing, const std::filesystem::path& json, bool si) {
+  if (!drawing.empty()) {
+    const auto curves = plot(run.rows, title_of(run.folder), si);
+    const bool page = drawing.extension() == ".html";
+    write_whole(drawing, page ? comparison_page(curves, to_text(run.rows)) : to_svg(curves));
+  }
   if (!json.empty()) write_whole(json, to_json(run.rows, run.above));
 }
 

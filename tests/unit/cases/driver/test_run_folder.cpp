@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "cases/driver/run.hpp"
+#include "post/files/hdf5/state_file.hpp"
 #include "post/files/summary.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
@@ -43,4 +44,17 @@ TEST_CASE("run folder: a case that is refused leaves the results of an earlier r
   CHECK_THROWS_WITH(cases::run(case_text::read(coarse), {scratch / "home", true}),
                     Catch::Contains("holds a, b, ..., but no results of a run"));
   CHECK(std::distance(fs::directory_iterator(scratch / "home"), {}) == 4);
+}
+
+TEST_CASE("run folder: state.h5 alone holds what it holds beside fields") {
+  const small_run::TemporaryFolder scratch;
+  cases::run(case_text::read(coarse, {"output.fields=[\"hdf5\"]", "output.report=false"}), {scratch / "alone", true});
+  cases::run(case_text::read(coarse, {"output.fields=[\"vtk\",\"hdf5\"]"}), {scratch / "both", true});
+  const auto alone = post::read_run(scratch / "alone/state.h5"), both = post::read_run(scratch / "both/state.h5");
+  CHECK(!alone.positions.empty());
+  CHECK(alone.positions == both.positions);
+  CHECK(alone.times == both.times);
+  REQUIRE(alone.states.size() == 1);
+  CHECK(alone.states[0] == both.states[0]);
+  CHECK_FALSE(fs::exists(scratch / "alone/fields.pvd"));
 }

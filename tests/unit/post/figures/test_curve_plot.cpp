@@ -227,6 +227,10 @@ TEST_CASE("a comparison has a panel for each quantity, its references under the 
   CHECK(factor[2].line == Line::computed);
   CHECK_THAT(factor[0].label, Catch::Contains("F1_J") && Catch::Contains("2.31 %") && Catch::Contains("\u22120.85 %"));
   CHECK(is_balanced(to_svg(plot)));
+  const auto metres = post::plot({{"w", "w", errors, curve, curve}, {"F1", "F1", errors, curve, curve}}, "plate", true);
+  CHECK(metres.panels[0].y_title == "deflection w [m]");
+  CHECK(metres.panels[0].t_title == "time [s]");
+  CHECK(metres.panels[1].y_title == "normalized factor F1");
 }
 
 TEST_CASE("the title is that of the summary, or else the name of the folder") {

@@ -61,7 +61,7 @@ TEST_CASE("curves that cannot be compared are refused") {
   CHECK_THROWS_WITH(compare({0, 1}, {0}, {0, 1}, {0, 1}), "computed: 2 times, 1 values");
   CHECK_THROWS_WITH(compare({0, 1}, {0, 1}, {}, {}), "reference: no samples");
   CHECK_THROWS_WITH(compare({1, 0}, {0, 1}, {0, 1}, {0, 1}), "computed: time goes back");
-  CHECK_THROWS_WITH(compare({0, 1}, {0, 1}, {1, 2}, {0, 1}), "1 samples in common");
+  CHECK_THROWS_WITH(compare({0, 1}, {0, 1}, {1, 2}, {0, 1}), Catch::StartsWith("1 samples in common"));
   CHECK_THROWS_WITH(compare({0, 1}, {0, 1}, {0, 1}, {0, 0}), "the reference is zero where the curves overlap");
 }
 

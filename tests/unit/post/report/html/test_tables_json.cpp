@@ -22,6 +22,23 @@ TEST_CASE("of many rows the first, the last and the largest are kept") {
   CHECK(std::ranges::is_sorted(times));
 }
 
+TEST_CASE("of many rows in time all parts are kept alike") {
+  post::Table table{{"time", "support", "force"}, {}};
+  for (int i = 0; i < 1000; ++i)
+    for (const char* name : {"left", "right", "loads"}) table.rows.push_back({double(i), name, std::sin(i)});
+  for (const std::size_t most : {100, 500, 999, 1000, 1001, 1500}) {
+    INFO(most);
+    const auto json = nlohmann::json::parse(post::table_json(table, most));
+    const std::vector<std::string> names = json["support"];
+    std::vector<std::ptrdiff_t> counts;
+    for (const char* name : {"left", "right", "loads"}) counts.push_back(std::ranges::count(names, name));
+    CHECK(counts[0] >= std::ptrdiff_t(most / 6));
+    CHECK(names.size() <= most + 9);
+    CHECK(std::abs(counts[0] - counts[1]) <= 6);  // those of the extremes
+    CHECK(std::abs(counts[0] - counts[2]) <= 6);
+  }
+}
+
 TEST_CASE("the recommended method is the first of each time and tip") {
   const post::Table table{{"time", "tip", "method"},
                           {{0.0, 0.0, "a"}, {0.0, 0.0, "b"}, {0.0, 1.0, "b"}, {1.0, 1.0, "c"}, {1.0, 1.0, "a"}}};
