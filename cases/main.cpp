@@ -87,15 +87,6 @@ int run_extremes(const Arguments& a) {
   return missed > 0 ? failed_numbers : done;
 }
 
-/// As far as the case of the run is there, and can be read.
-bool is_si(const std::filesystem::path& folder) {
-  try {
-    return cases::read_case(folder / "case.resolved.toml", {}).content.units == "SI";
-  } catch (const cases::CaseError&) {
-    return false;
-  }
-}
-
 int compare(const Arguments& a) {
   post::ComparedRun compared;
   try {
@@ -105,7 +96,7 @@ int compare(const Arguments& a) {
     throw cases::CaseError({{a.reference, "compare", error.what()}});
   }
   fmt::print("{}", post::to_text(compared));
-  post::write(compared, a.plot, a.json, is_si(a.folder));
+  post::write(compared, a.plot, a.json);
   return compared.above.empty() ? done : beyond_tolerance;
 }
 

@@ -1,47 +1,30 @@
 #include "cases/input/refused.hpp"
 
 #include <fmt/format.h>
+#include <map>
 
 namespace cases {
 
 std::string key_of(const plate::Refusal& refusal) {
   using enum plate::Subject;
-  switch (refusal.subject) {
-    case geometry:
-      return "geometry";
-    case cracks:
-      return "geometry.cracks";
-    case spacing:
-      return "discretization.spacing";
-    case volume_correction:
-      return "discretization.volume_correction";
-    case support:
-      return "support";
-    case support_points:
-      return fmt::format("support[{}].points", refusal.number);
-    case support_edges:
-    case support_direction:
-      return fmt::format("support[{}].edges", refusal.number);
-    case load_position:
-      return fmt::format("load[{}].position", refusal.number);
-    case load_edges:
-      return fmt::format("load[{}].edges", refusal.number);
-    case preconditioner:
-      return "analysis.preconditioner";
-    case precision:
-      return "analysis.precision";
-    case modes:
-      return "analysis.modes";
-    case time_step:
-      return "analysis.time_step";
-    case duration:
-      return "analysis.duration";
-    case rows:
-      return "output.history_every";
-    case density:
-      return "section.density";
-  }
-  return "";
+  static const std::map<plate::Subject, const char*> keys{{geometry, "geometry"},
+                                                          {cracks, "geometry.cracks"},
+                                                          {spacing, "discretization.spacing"},
+                                                          {volume_correction, "discretization.volume_correction"},
+                                                          {support, "support"},
+                                                          {support_points, "support[{}].points"},
+                                                          {support_edges, "support[{}].edges"},
+                                                          {support_direction, "support[{}].edges"},
+                                                          {load_position, "load[{}].position"},
+                                                          {load_edges, "load[{}].edges"},
+                                                          {preconditioner, "analysis.preconditioner"},
+                                                          {precision, "analysis.precision"},
+                                                          {modes, "analysis.modes"},
+                                                          {time_step, "analysis.time_step"},
+                                                          {duration, "analysis.duration"},
+                                                          {rows, "output.history_every"},
+                                                          {density, "section.density"}};
+  return fmt::format(fmt::runtime(keys.at(refusal.subject)), refusal.number);
 }
 
 std::vector<Problem> problems_of(const CaseFile& file, const std::vector<plate::Refusal>& refusals) {

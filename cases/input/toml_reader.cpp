@@ -172,18 +172,15 @@ std::string contents(const std::filesystem::path& path) {
 
 /// The line with a key of more parts than any that there is: the library follows the parts by recursion, and 100,000
 /// of them are the end of its stack.
-std::optional<std::size_t> line_of_deep_key(const std::string& text) {
+std::optional<long> line_of_deep_key(std::string_view text) {
   constexpr std::size_t deepest = 64;
-  std::size_t line = 1, parts = 0;
-  char before = ' ';
+  std::size_t parts = 0;
   bool comment = false;
-  for (const char c : text) {
-    if (c == '\n') ++line, comment = false;
-    if (c == '#') comment = true;
-    if (comment || c == ' ' || c == '\t') continue;
-    if (c == '.' && before != '.' && ++parts > deepest) return line;
-    if (std::string_view("\n,=[]{}").find(c) != std::string_view::npos) parts = 0;
-    before = c;
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    comment = text[i] == '#' || (comment && text[i] != '\n');
+    if (std::string_view("\n,=[]{}").find(text[i]) != std::string_view::npos) parts = 0;
+    parts += !comment && text[i] == '.' && text[i - 1] != '.';
+    if (parts > deepest) return 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(i), '\n');
   }
   return std::nullopt;
 }

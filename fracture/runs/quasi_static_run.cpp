@@ -145,6 +145,7 @@ post::Summary QuasiStaticRun::finish() {
   if (state_.cols() > 0) summary = about(plan_, model_->plate(), warnings_);
   summary.warnings = warnings_;
   summary.title = plan_.title;
+  summary.units = plan_.units;
   summary.formulation = plan_.problem.discretization.formulation->name;
   summary.formulation_reason = plan_.formulation_reason;
   summary.analysis.kind = plate::name_of(plate::Analysis::Kind::static_);

@@ -29,6 +29,7 @@ std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>&
 post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings) {
   auto summary = post::about(plate, plan.analysis, {plan.srif.has_value(), plan.fields});
   summary.title = plan.title;
+  summary.units = plan.units;
   summary.formulation_reason = plan.formulation_reason;
   summary.warnings = std::move(warnings);
   return summary;

@@ -204,6 +204,7 @@ void describe(Summary::Analysis& analysis, const std::string& method, const plat
 std::string to_json(const Summary& summary) {
   Json json;
   json["title"] = summary.title;
+  json["units"] = summary.units;
   json["outcome"] = summary.outcome;
   json["formulation"] = summary.formulation;
   json["formulation_reason"] = summary.formulation_reason;

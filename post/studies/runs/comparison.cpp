@@ -2,6 +2,7 @@
 
 #include "post/files/whole_file.hpp"
 #include "post/report/html/comparison_page.hpp"
+#include "post/studies/runs/read_summary.hpp"
 
 namespace post {
 
@@ -16,9 +17,10 @@ std::string to_text(const ComparedRun& run) {
   return to_text(run.rows) + to_text(run.above);
 }
 
-void write(const ComparedRun& run, const std::filesystem::path& drawing, const std::filesystem::path& json, bool si) {
+void write(const ComparedRun& run, const std::filesystem::path& drawing, const std::filesystem::path& json) {
   if (!drawing.empty()) {
-    const auto curves = plot(run.rows, title_of(run.folder), si);
+    const auto summary = read_summary(run.folder / "summary.json");
+    const auto curves = plot(run.rows, title_of(run.folder), summary && summary->units == "SI");
     const bool page = drawing.extension() == ".html";
     write_whole(drawing, page ? comparison_page(curves, to_text(run.rows)) : to_svg(curves));
   }

@@ -16,8 +16,7 @@ ComparedRun compared(const std::filesystem::path& folder, const std::filesystem:
 
 std::string to_text(const ComparedRun& run);
 
-/// Writes the curves as a drawing (SVG), or a page (.html), and all numbers as JSON, where these have a name. `si`: of
-/// a run in SI units.
-void write(const ComparedRun& run, const std::filesystem::path& drawing, const std::filesystem::path& json, bool si);
+/// Writes the curves as a drawing (SVG), or a page (.html), and all numbers as JSON, where these have a name.
+void write(const ComparedRun& run, const std::filesystem::path& drawing, const std::filesystem::path& json);
 
 }  // namespace post

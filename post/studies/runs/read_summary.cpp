@@ -47,7 +47,7 @@ GrowthSummary growth_of(const Json& json) {
 
 Summary summary_of(const Json& json) {
   Summary summary;
-  summary.title = json.at("title"), summary.outcome = json.at("outcome");
+  summary.units = json.value("units", ""), summary.title = json.at("title"), summary.outcome = json.at("outcome");
   summary.version = json.at("version"), summary.digest = json.at("digest");
   summary.points = json.at("points");
   summary.analysis.kind = json.at("analysis").at("kind");
