@@ -24,14 +24,8 @@
 
 namespace {
 
-enum ExitCode {
-  done = 0,
-  beyond_tolerance = 1,
-  wrong_case = 2,
-  failed_numbers = 3,
-  failed_machine = 4,
-  interrupted = 5
-};
+// 0 to 5, as cases/README.md lists them
+enum ExitCode { done, beyond_tolerance, wrong_case, failed_numbers, failed_machine, interrupted };
 
 struct Arguments {
   std::string file, folder, key, only, reference, plot, json;

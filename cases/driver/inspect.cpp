@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include "cases/driver/discretised.hpp"
 #include "cases/driver/foretell.hpp"
 #include "cases/driver/results.hpp"
@@ -91,11 +92,7 @@ void report_again(const std::filesystem::path& folder) {
 
 post::Table srif_again(const std::filesystem::path& folder, const std::vector<std::string>& methods) {
   std::vector<std::string> overrides;
-  if (!methods.empty()) {
-    std::string list;
-    for (const auto& method : methods) list += (list.empty() ? "" : ", ") + fmt::format("\"{}\"", method);
-    overrides.push_back("srif.methods=[" + list + "]");
-  }
+  if (!methods.empty()) overrides.push_back(fmt::format("srif.methods=[\"{}\"]", fmt::join(methods, "\", \"")));
   const CaseFile file = read_case(folder / "case.resolved.toml", overrides);
   const Case& c = file.content;
   if (c.growth)

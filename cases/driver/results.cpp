@@ -24,24 +24,12 @@ fracture::Recording recording_of(const Case& c, const RunOptions& options) {
 }
 
 fracture::RunPlan plan_of(const Case& c, const RunOptions& options) {
-  const auto& output = c.output;
-  fracture::RunPlan plan{c,
-                         c.analysis,
-                         c.growth,
-                         c.srif,
-                         output.probes,
-                         c.title,
-                         c.source,
-                         c.units,
-                         c.formulation_reason,
-                         output.every,
-                         output.history_every,
-                         output.vtk,
-                         output.hdf5,
-                         {},
-                         options.quiet};
-  if (!options.kept && output.reports()) plan.report = options.folder;
-  return plan;
+  const auto& [vtk, hdf5, report, every, history_every, checkpoint_every, probes] = c.output;
+  std::optional<std::filesystem::path> folder_of_report;
+  if (!options.kept && c.output.reports()) folder_of_report = options.folder;
+  return {
+      c,     c.analysis,    c.growth, c.srif, probes,           c.title,      c.source, c.units, c.formulation_reason,
+      every, history_every, vtk,      hdf5,   folder_of_report, options.quiet};
 }
 
 }  // namespace cases

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -22,7 +23,11 @@ inline std::string message() {
     return 0;
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep, &text);
-  return text;
+  // "file write failed: time = ..., error message = 'File too large', buf = ..."
+  constexpr std::string_view system = "error message = '";
+  const auto begin = text.find(system);
+  if (begin == std::string::npos) return text;
+  return text.substr(begin + system.size(), text.find('\'', begin + system.size()) - begin - system.size());
 }
 
 /// Passes on what a call of HDF5 returned; throws where that says failure.

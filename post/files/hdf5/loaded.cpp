@@ -1,5 +1,8 @@
+#include <stdexcept>
+
 #include "post/files/files.hpp"
 #include "post/files/hdf5/state_file.hpp"
+#include "post/files/whole_file.hpp"
 
 namespace post {
 
@@ -29,7 +32,11 @@ void StateFile::close() {
 }
 
 StoredRun read_run(const std::filesystem::path& path) {
-  return files().read_run(path);
+  auto run = files().read_run(path);
+  const auto beside = path.parent_path() / "case.resolved.toml";
+  if (std::filesystem::exists(beside) && read_text(beside) != run.resolved_case)
+    throw std::runtime_error(path.string() + " is of another case than case.resolved.toml beside it");
+  return run;
 }
 
 }  // namespace post

@@ -51,6 +51,17 @@ void check_version(hid_t file) {
   }
 }
 
+std::string text_attribute(hid_t file, const char* name) {
+  const Id attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
+  const Id type(H5Aget_type(attribute), H5Tclose, name), space(H5Aget_space(attribute), H5Sclose, name);
+  if (H5Tis_variable_str(type) <= 0) throw std::runtime_error(fmt::format("{} is no text", name));
+  char* characters = nullptr;
+  checked(H5Aread(attribute, type, &characters), name);
+  std::string text = characters ? characters : "";
+  checked(H5Dvlen_reclaim(type, space, H5P_DEFAULT, &characters), name);
+  return text;
+}
+
 StoredRun read_frames(hid_t file) {
   check_version(file);
   const Numbers position(file, "/points/position", 2), time(file, "/frames/time", 1), state(file, "/frames/state", 3);
@@ -59,7 +70,7 @@ StoredRun read_frames(hid_t file) {
     throw std::runtime_error("the frames do not fit the points");
   }
   StoredRun run{std::vector<Eigen::Vector2d>(points), std::vector<double>(frames),
-                std::vector<plate::State>(frames, plate::State(3, points))};
+                std::vector<plate::State>(frames, plate::State(3, points)), text_attribute(file, "case")};
   position.read(run.positions.data()->data());
   time.read(run.times.data());
   Eigen::Matrix3Xd by_points(3, points);

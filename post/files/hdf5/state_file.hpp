@@ -51,8 +51,10 @@ struct StoredRun {
   std::vector<Eigen::Vector2d> positions;
   std::vector<double> times;
   std::vector<plate::State> states;
+  std::string resolved_case = {};
 };
 
+/// Throws std::runtime_error where the file is damaged, or the case beside it is not the one that it is of.
 StoredRun read_run(const std::filesystem::path& path);
 
 }  // namespace post

@@ -1,6 +1,5 @@
 // A quasi-static growth ends as it really did: an expected end is a value, an error is an error, and what was found
 // until then stays.
-#include "cases/driver/growth_run.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -65,7 +64,7 @@ cases::CaseFile edge_crack(const plate::FormulationKind& kind) {
 
 TEST_CASE("growth run: cracks that the points cannot follow are an error of the numbers, not a split plate") {
   const small_run::TemporaryFolder folder;
-  CHECK_THROWS_WITH(cases::grow(edge_crack(fussy), {folder.path(), true}),
+  CHECK_THROWS_WITH(cases::run(edge_crack(fussy), {folder.path(), true}),
                     "the plate cannot be discretised with its cracks as they have grown: too long; refine");
   const auto growth = post::read_csv(folder / "growth.csv");
   REQUIRE(growth.rows.size() >= 2);  // lengths 0.5, 0.6, 0.7
@@ -79,7 +78,7 @@ TEST_CASE("growth run: refused before it starts, it writes nothing") {
   const small_run::TemporaryFolder folder;
   auto file = edge_crack(fussy);
   file.content.cracks = {{{0, 0.5}, {0.8, 0.5}}};
-  CHECK_THROWS_AS(cases::grow(file, {folder / "results", true}), cases::CaseError);
+  CHECK_THROWS_AS(cases::run(file, {folder / "results", true}), cases::CaseError);
   CHECK_FALSE(fs::exists(folder / "results"));
 }
 
@@ -87,7 +86,7 @@ TEST_CASE("growth run: one row per advance in growth.csv, one per tip and advanc
   const small_run::TemporaryFolder folder;
   auto file = edge_crack(plate::galerkin);
   file.content.growth->max_advances = 2;
-  const auto summary = cases::grow(file, {folder.path(), true});
+  const auto summary = cases::run(file, {folder.path(), true});
   CHECK(summary.growth->outcome == "the largest number of advances");
   const auto growth = post::read_csv(folder / "growth.csv"), tips = post::read_csv(folder / "tips.csv");
   REQUIRE(growth.rows.size() == 3);
@@ -115,11 +114,11 @@ TEST_CASE("growth run: after a failure the last state is that of the last row, n
     return file;
   };
   discretised_so_far = 0;
-  CHECK_THROWS_WITH(cases::grow(inclined(tired), {folder / "failed", true}), Catch::Contains("enough"));
+  CHECK_THROWS_WITH(cases::run(inclined(tired), {folder / "failed", true}), Catch::Contains("enough"));
   REQUIRE(discretised_so_far == 3);
   auto first = inclined(plate::galerkin);
   first.content.growth->max_advances = 0;
-  cases::grow(first, {folder / "first", true});
+  cases::run(first, {folder / "first", true});
   const auto failed = post::read_run(folder / "failed/state.h5"), expected = post::read_run(folder / "first/state.h5");
   REQUIRE(post::read_csv(folder / "failed/growth.csv").rows.size() == 1);
   REQUIRE(failed.states.size() == 1);

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <csignal>
+#include <functional>
 #include <optional>
 
 #include "post/files/hdf5/state_file.hpp"
@@ -75,6 +76,24 @@ private:
 };
 
 const std::string long_case(200000, '#');  // more than the 64 KiB that an attribute can hold in place
+
+void write_with_velocity(post::StateFile& file, std::size_t number) {
+  const auto frame = small_run::frame(0.5 * double(number), number);
+  const plate::State velocity = 3 * frame.state;
+  file.write(frame, &velocity);
+}
+
+/// In a process that is killed after it.
+void killed(const std::function<void()>& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    work();
+    raise(SIGKILL);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  REQUIRE(WIFSIGNALED(status));
+}
 
 }  // namespace
 
@@ -178,25 +197,10 @@ TEST_CASE("what cannot be opened or read is an error with the path") {
 TEST_CASE("a process that is killed leaves the frames of its parts, and others go on after them") {
   const TemporaryFolder folder;
   const post::StateFile::Options options{folder / "state.h5", long_case, "1", true};
-  const auto write = [](post::StateFile& file, std::size_t number) {
-    const auto frame = small_run::frame(0.5 * double(number), number);
-    const plate::State velocity = 3 * frame.state;
-    file.write(frame, &velocity);
-  };
-  const auto killed = [](const auto& work) {
-    const pid_t child = fork();
-    if (child == 0) {
-      work();
-      raise(SIGKILL);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    REQUIRE(WIFSIGNALED(status));
-  };
   killed([&] {
     auto* file = new post::StateFile(options, small_run::mesh());
     for (std::size_t i = 0; i < 5; ++i) {
-      write(*file, i);
+      write_with_velocity(*file, i);
       if (i == 1 || i == 3) file->part();
     }
   });
@@ -206,7 +210,7 @@ TEST_CASE("a process that is killed leaves the frames of its parts, and others g
     auto* file = new post::StateFile(again, small_run::mesh());
     file->go_on(4);
     for (std::size_t i = 4; i < 8; ++i) {
-      write(*file, i);
+      write_with_velocity(*file, i);
       if (i == 5) file->part();
     }
   });
@@ -229,7 +233,7 @@ TEST_CASE("a process that is killed leaves the frames of its parts, and others g
       post::StateFile file(again, small_run::mesh());
       const std::size_t first = last == 8 ? 6 : 3;
       file.go_on(first);
-      for (std::size_t i = first; i <= last; ++i) write(file, i);
+      for (std::size_t i = first; i <= last; ++i) write_with_velocity(file, i);
       file.write("table", {{"a"}, {{double(last)}}});
       file.close();
     }
