@@ -22,7 +22,10 @@ endforeach()
 
 # Cases and documents stand to each other as in the tree, so that their links hold.
 install(FILES README.md DESTINATION ${share})
-install(FILES plate/theory.md DESTINATION ${share}/plate)
+foreach(page plate/theory.md tests/verification/README.md tests/benchmarks/README.md)
+  cmake_path(GET page PARENT_PATH page_folder)
+  install(FILES ${page} DESTINATION ${share}/${page_folder})
+endforeach()
 install(DIRECTORY cases/ DESTINATION ${share}/cases FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv" PATTERN "*.md" PATTERN "*.png"
         PATTERN "*.svg" PATTERN driver EXCLUDE PATTERN input EXCLUDE PATTERN studies EXCLUDE PATTERN report EXCLUDE
         PATTERN package EXCLUDE PATTERN python EXCLUDE)

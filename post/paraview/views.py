@@ -302,6 +302,7 @@ def main():
 
 
 if __name__ == "__main__":
+    sys.stdout = open(1, "w", buffering=1, closefd=False, encoding="utf-8")  # what pvbatch puts in its place is lost by _exit
     main()
     sys.stdout.flush()
     os._exit(0)  # Debian's pvbatch ends with an error of the X server that its pictures have been taken from

@@ -68,6 +68,7 @@ def main():
 
 if __name__ == "__main__":
     import os
+    sys.stdout = open(1, "w", buffering=1, closefd=False, encoding="utf-8")  # what pvbatch puts in its place is lost by _exit
     status = main()
     sys.stdout.flush()
     os._exit(status)
