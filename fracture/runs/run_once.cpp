@@ -80,7 +80,7 @@ std::function<void(const plate::Instant&)> observer(const Going& run, std::size_
     const bool is_last = now.step == last;
     results.sample(now, is_last);
     stopwatch.lap("srif");
-    if (is_last || plate::stop_is_asked() || now.time >= results.next_frame() - between / 2) results.frame(now);
+    if (is_last || now.interrupted || now.time >= results.next_frame() - between / 2) results.frame(now);
     stopwatch.lap("output");
     summary.analysis.steps = now.step;
     summary.energy = {

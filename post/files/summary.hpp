@@ -95,7 +95,7 @@ struct AccuracySummary {
 /// What summary.json holds; cases/files.md documents every field.
 struct Summary {
   std::string title, outcome, version, digest;
-  std::string units;                            // "SI", or empty: of the user's choice
+  std::string units;                            // "SI" or "none"
   std::string formulation, formulation_reason;  // "ordinary" or "galerkin", and why
   std::size_t points = 0, bonds = 0;            // of the plate; bonds counted from both ends, intact at the end
   std::size_t fictitious_points = 0, fictitious_bonds = 0;  // outside the plate, for supports

@@ -230,6 +230,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
       require_finite(state, step, time);
       auto instant = seen(now, force, work, masses, constraints);
       instant.held_force = std::move(held_force);
+      instant.interrupted = stops;
       observe(instant);
     }
     if (step == options.steps) return;

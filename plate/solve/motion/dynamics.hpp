@@ -28,6 +28,7 @@ struct Instant {
   std::function<State()> acceleration = {};  // as velocity; none in statics
   /// Internal force on what is held (Constraints::on_held()), where it is at hand.
   std::optional<Eigen::VectorXd> held_force = {};
+  bool interrupted = false;  // a signal ends the motion after it
 };
 
 /// A step of a motion, as those who change the plate see it. Before the force they may change state and velocity too.

@@ -89,14 +89,13 @@ public:
     hdf5::keep_quiet();
     if (options_.goes_on) return;
     remove_files();  // some may be links to what is somebody's
-    file_ = created(part(0));
-    write_attribute(file_, "program", "PDPlate");
-    write_attribute(file_, "version", options_.version);
-    write_attribute(file_, "case", options_.resolved_case);
-    write_attribute(file_, "format_version", H5T_NATIVE_INT, &hdf5::format_version);
-    write_points(file_, mesh);
-    new_group(file_, "tables");
-    series_ = Frames(file_, points_, options_.velocities);
+    try {
+      begin(mesh);
+    } catch (...) {
+      file_.release();
+      remove_files();
+      throw;
+    }
   }
 
   ~OpenStateFile() override {
@@ -130,6 +129,7 @@ private:
     series_.release();
     checked(file_.release(), "closing");
   }
+  void begin(const Mesh& mesh);
   void remove_files() const;
   void drop();
   void assemble();
@@ -142,6 +142,17 @@ private:
   Id file_;
   Frames series_;
 };
+
+void OpenStateFile::begin(const Mesh& mesh) {
+  file_ = created(part(0));
+  write_attribute(file_, "program", "PDPlate");
+  write_attribute(file_, "version", options_.version);
+  write_attribute(file_, "case", options_.resolved_case);
+  write_attribute(file_, "format_version", H5T_NATIVE_INT, &hdf5::format_version);
+  write_points(file_, mesh);
+  new_group(file_, "tables");
+  series_ = Frames(file_, points_, options_.velocities);
+}
 
 void OpenStateFile::remove_files() const {
   std::error_code ignored;

@@ -1,5 +1,7 @@
 #include "post/studies/runs/comparison.hpp"
 
+#include <stdexcept>
+
 #include "post/files/whole_file.hpp"
 #include "post/report/html/comparison_page.hpp"
 #include "post/studies/runs/read_summary.hpp"
@@ -8,6 +10,7 @@ namespace post {
 
 ComparedRun compared(const std::filesystem::path& folder, const std::filesystem::path& reference,
                      const Tolerances& tolerances) {
+  if (!std::filesystem::exists(reference)) throw std::invalid_argument("no such file");
   auto rows = compare(folder, reference);
   auto above = exceeded(rows, tolerances);
   return {folder, std::move(rows), std::move(above)};

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "geometry/shape/crack_extension.hpp"
 #include "plate/formulation/discretised.hpp"

@@ -19,7 +19,7 @@ TEST_CASE("quasi-static run: a row for every advance, longer cracks in the end")
   const auto file = read(plain, {"growth={fracture_energy=1,max_advances=1}"});
   post::Kept kept;
   fracture::QuasiStaticRun run(cases::plan_of(file.content, {{}, true, &kept}), plate::discretise(file.content));
-  const auto summary = run({std::make_unique<post::KeptSink>(kept), "", ""});
+  const auto summary = run({std::make_unique<post::KeptSink>(kept), "", ""}, nullptr);
   REQUIRE(summary.growth);
   CHECK(summary.growth->advances == 1);
   CHECK(geometry::length(run.cracks().front()) > 0.6);

@@ -45,10 +45,11 @@ TEST_CASE("summary.json has the fields of its contract in their order") {
   summary.warnings = {"first"};
   const auto json = ordered_json::parse(post::to_json(summary));
 
-  CHECK(names(json) == std::vector<std::string>{"title", "outcome", "formulation", "formulation_reason", "points",
-                                                "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon",
-                                                "analysis", "seconds", "peak_memory_bytes", "srif", "energy", "scene",
-                                                "warnings", "version", "digest"});
+  CHECK(names(json) ==
+        std::vector<std::string>{"title",   "units",    "outcome",           "formulation",       "formulation_reason",
+                                 "points",  "bonds",    "fictitious_points", "fictitious_bonds",  "spacing",
+                                 "horizon", "analysis", "seconds",           "peak_memory_bytes", "srif",
+                                 "energy",  "scene",    "warnings",          "version",           "digest"});
   CHECK(json["title"] == "plate \xC3\xA9 \xEF\xBF\xBD");
   CHECK(json["bonds"] == 123456789012);
   CHECK(names(json["analysis"]) == std::vector<std::string>{"kind", "method", "iterations", "residual", "stop_reason"});

@@ -194,7 +194,7 @@ TEST_CASE("a motion that goes on from its memory moves as if it had never stoppe
   const auto m = held();
   Load second;
   second.value = -2;
-  auto loads = pressure(m, 3, {{{0, 0}, {0.02, 1}, {0.05, -1}}});
+  auto loads = pressure(m, 3, {History::Kind::table, 0, 0, {{0, 0}, {0.02, 1}, {0.05, -1}}});
   loads.push_back({nodal_forces(second, m.boundary.cloud, m.outline), {}});
   const State start = GENERATE(false, true) ? State(State::Zero(3, Eigen::Index(m.points()))) : State();
   struct Seen {
