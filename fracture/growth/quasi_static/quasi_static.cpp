@@ -21,8 +21,10 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
                             const std::function<void(const Equilibrium&)>& observe, const Continuation& continuation) {
   Grown result;
   QuasiStaticLoad load(growth.control);
+  const auto books = [&] { return Ledger{load.ledger.external_work, load.ledger.strain, model.fracture_energy()}; };
   if (continuation.from) {
     load = *continuation.from;
+    result.ledger = books();
     model.advance(load.factor());
   }
   while (true) {
@@ -32,7 +34,7 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
       return result;
     }
     const auto step = load.to(plate.displacement, plate.critical);
-    result.ledger = {load.ledger.external_work, load.ledger.strain, model.fracture_energy()};
+    result.ledger = books();
     const auto end = end_of(growth, model, plate, step);
     const Equilibrium state{model.advances(), load.factor(),   load.displacement(), plate.critical,
                             step.stable,      end.has_value(), result.ledger};
