@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <omp.h>
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -24,8 +23,7 @@
 
 namespace {
 
-// 0 to 5, as cases/README.md lists them
-enum ExitCode { done, beyond_tolerance, wrong_case, failed_numbers, failed_machine, interrupted };
+enum ExitCode { done, beyond_tolerance, wrong_case, failed_numbers, failed_machine, interrupted };  // 0 to 5
 
 struct Arguments {
   std::string file, folder, key, only, reference, plot, json;

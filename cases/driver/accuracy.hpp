@@ -13,8 +13,7 @@ struct Prepared;
 struct Accurate {
   std::unique_ptr<Prepared> plate;  // the finest, solved
   post::AccuracySummary found;
-  std::vector<std::vector<post::Srif>>
-      rows;  // at all times: for each tip what all discretisations tend to, then those of the finest
+  std::vector<std::vector<post::Srif>> rows;  // at all times: of each tip what all tend to, then of the finest
 };
 
 /// Refines until every factor of the case, static or in motion, is known to srif.accuracy, or time, memory or sizes

@@ -7,6 +7,7 @@ namespace cases {
 
 struct Case;
 
+fracture::RecordingOptions recording_options(const Case& c, const RunOptions& options);
 /// Where the results of a run of the case go. Throws fracture::RefusedFolder.
 fracture::Recording recording_of(const Case& c, const RunOptions& options);
 

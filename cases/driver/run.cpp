@@ -10,6 +10,7 @@
 #include "fracture/runs/quasi_static_run.hpp"
 #include "fracture/runs/run_once.hpp"
 #include "fracture/runs/trial.hpp"
+#include "plate/solve/interruption.hpp"
 #include "post/files/gate.hpp"
 
 namespace cases {
@@ -82,6 +83,7 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
   tip_methods(with_factors, *found.plate);  // for what they refuse
   fracture::QuasiStaticRun run(plan_of(c, options), std::move(found));
   auto [recorder, keeper] = recording_of(c, options);
+  const plate::StopOnSignals signals;
   auto summary = run(std::move(recorder), keeper.get());
   if (run.grown().ended.how == fracture::End::unstable && c.growth->unstable == fracture::Growth::Unstable::move)
     cases::run(in_motion(file, run), options.part("motion"));
@@ -103,6 +105,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
   }
   auto [recorder, keeper] = recording_of(prepared.file.content, options);
   auto results = results_of(prepared, options, std::move(recorder));
+  const plate::StopOnSignals signals;
   stopwatch.lap("output");
   if (c.srif && c.srif->richardson)
     results.factors().coarser(coarser_srifs(file, prepared.warnings)), stopwatch.lap("srif");
@@ -122,6 +125,9 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
 }  // namespace
 
 post::Summary run(const CaseFile& file, const RunOptions& options) {
+  const Case& c = file.content;
+  if (options.resume && !(c.growth && c.growth->unstable == fracture::Growth::Unstable::move))
+    if (auto done = fracture::done_before(recording_options(c, options), c.output.reports())) return std::move(*done);
   try {
     return run_in_folder(file, options);
   } catch (const fracture::RefusedFolder& refused) {

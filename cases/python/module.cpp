@@ -2,6 +2,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include "cases/python/door.hpp"
+#include "plate/solve/interruption.hpp"
 
 namespace py = pybind11;
 namespace door = cases::door;
@@ -47,6 +48,8 @@ PYBIND11_MODULE(_door, module) {
       if (pointer) std::rethrow_exception(pointer);
     } catch (const door::Wrong& error) {
       PyErr_SetObject(wrong.ptr(), py::make_tuple(error.what(), error.problems).ptr());
+    } catch (const plate::Interrupted&) {
+      PyErr_SetNone(PyExc_KeyboardInterrupt);
     }
   });
   module.def("run",

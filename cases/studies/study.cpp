@@ -78,9 +78,9 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
   StudyOutcome outcome{{study.axis_names(), {}}};
   auto& table = outcome.table;
   fs::create_directories(options.folder);
-  if (options.again) fs::remove(options.folder / "runs.csv");
   const post::FolderLock lock(options.folder);
   if (!lock.held()) throw CaseError({{"--out", options.folder.string(), "another study writes to this folder"}});
+  if (options.again) fs::remove(options.folder / "runs.csv");
   const plate::StopOnSignals signals;
   post::Ledger ledger(options.folder / "runs.csv");
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
@@ -92,7 +92,7 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
     });
     outcome.wrong_cases += record.outcome == "refused";
     outcome.failed_numbers += record.outcome == "failed";
-    outcome.killed += record.outcome == "killed";
+    outcome.killed += record.outcome == "killed" || record.outcome == "interrupted";
     const auto rows = post::rows_of(record, bare_row(run), run.wanted, options.folder);
     table.rows.insert(table.rows.end(), rows.begin(), rows.end());
     post::refer_to_finest(table);

@@ -1,37 +1,64 @@
 #include "fracture/runs/keeper.hpp"
 
-#include <istream>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
 #include <sstream>
 
 #include "plate/solve/archive.hpp"
+#include "post/report/say.hpp"
 
 namespace fracture {
 
 Keeper::Keeper(post::Checkpoints checkpoints, double every) : checkpoints_(std::move(checkpoints)), every_(every) {}
 
 bool Keeper::find(std::vector<std::string>& refused) {
-  if (auto found = checkpoints_.read(refused)) memory_ = std::move(*found);
+  if (auto found = checkpoints_.read(refused)) found_ = std::move(*found);
   return goes_on();
-}
-
-bool Keeper::due() const {
-  return Clock::now() - last_ >= every_;
-}
-
-void Keeper::keep(const std::function<void(plate::OutArchive&)>& remember) {
-  checkpoints_.write([&](std::ostream& stream) {
-    plate::OutArchive archive(stream);
-    remember(archive);
-  });
-  last_ = Clock::now();
 }
 
 bool Keeper::recall(const std::function<void(plate::InArchive&)>& recall) {
   if (!goes_on()) return false;
-  std::istringstream stream(std::exchange(memory_, {}));
+  std::istringstream stream(std::exchange(found_, {}));
   plate::InArchive archive(stream);
   recall(archive);
   return true;
+}
+
+bool Keeper::due() const {
+  return Clock::now() - written_ >= every_;
+}
+
+void Keeper::take(const Remember& remember) {
+  std::ostringstream stream;
+  plate::OutArchive archive(stream);
+  remember(archive);
+  held_ = std::move(stream).str();
+  taken_ = Clock::now();
+}
+
+void Keeper::keep(const Remember& remember) {
+  take(remember);
+  write();
+}
+
+void Keeper::hold(const Remember& remember) {
+  constexpr std::chrono::duration<double> second(1);
+  if (Clock::now() - taken_ >= std::min(every_, second)) take(remember);
+  if (due()) write();
+}
+
+void Keeper::write() {
+  if (held_.empty()) return;
+  try {
+    checkpoints_.write([this](std::ostream& stream) { stream.write(held_.data(), std::streamsize(held_.size())); });
+  } catch (const std::filesystem::filesystem_error& error) {
+    if (!std::exchange(failed_, true)) post::say(fmt::format("no checkpoint: {}\n", error.what()));
+  }
+  held_.clear();
+  held_.shrink_to_fit();
+  written_ = Clock::now();
 }
 
 }  // namespace fracture

@@ -2,40 +2,50 @@
 #include <chrono>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "plate/solve/archive_types.hpp"
 #include "post/files/sinks/checkpoint.hpp"
 
 namespace fracture {
 
-/// Keeps what a run must remember in its folder, from time to time, and gives back what was kept there.
+/// Keeps what a run must remember in its folder, from time to time, and gives back what was kept there. Where that
+/// cannot be written the run goes on, with a word.
 class Keeper {
 public:
+  using Remember = std::function<void(plate::OutArchive&)>;
+
   /// `every` [s].
   Keeper(post::Checkpoints checkpoints, double every);
 
   /// Looks for a checkpoint to go on from: there is none, or its memory waits for recall(). What was wrong with others
   /// goes into `refused`.
   bool find(std::vector<std::string>& refused);
-  bool goes_on() const { return !memory_.empty(); }
+  bool goes_on() const { return !found_.empty(); }
+  /// What was found; false where nothing was.
+  bool recall(const std::function<void(plate::InArchive&)>& recall);
 
   /// Is it time to keep?
   bool due() const;
-  /// Throws std::filesystem::filesystem_error.
-  void keep(const std::function<void(plate::OutArchive&)>& remember);
-  /// What was found; false where nothing was.
-  bool recall(const std::function<void(plate::InArchive&)>& recall);
+  /// Writes a checkpoint now.
+  void keep(const Remember& remember);
+  /// Takes the memory, once a second, and writes it where it is time.
+  void hold(const Remember& remember);
+  /// Writes what was last taken.
+  void write();
 
   /// The run has ended: nothing goes on from it.
   void done() const { checkpoints_.remove(); }
 
 private:
   using Clock = std::chrono::steady_clock;
+  void take(const Remember& remember);
 
   post::Checkpoints checkpoints_;
   std::chrono::duration<double> every_;
-  Clock::time_point last_ = Clock::now();
-  std::string memory_;
+  Clock::time_point written_ = Clock::now(), taken_ = {};
+  std::string found_, held_;
+  bool failed_ = false;
 };
 
 }  // namespace fracture

@@ -8,7 +8,7 @@ namespace fracture {
 template <typename Archive>
 void QuasiStaticRun::memory(Archive& archive) {
   auto& [work, strain, fracture] = grown_.ledger;
-  archive(reactions_, pictures_, srifs_, latest_, work, strain, fracture, advance_, factor_, largest_factor_,
+  archive(reactions_, pictures_, srifs_, latest_, work, strain, fracture, advance_, factor_, largest_factor_, doubt_,
           first_factor_, framed_);
 }
 
@@ -21,15 +21,19 @@ Continuation QuasiStaticRun::continuation(Keeper& keeper, QuasiStaticLoad& load)
     model_->recall(archive);
     state_ = factor_ * model_->state();
   });
-  const auto keep = [&](const QuasiStaticLoad& now) {
-    keeper.keep([&](plate::OutArchive& archive) {
+  const auto hold = [&](const QuasiStaticLoad& now) {
+    keeper.hold([&](plate::OutArchive& archive) {
       archive(now);
       recorder_->remember(archive);
       memory(archive);
       model_->remember(archive);
     });
   };
-  return {goes_on ? &load : nullptr, [&keeper] { return keeper.due(); }, keep};
+  return {goes_on ? &load : nullptr, hold};
+}
+
+void QuasiStaticRun::write_held(Keeper* keeper) {
+  if (keeper) keeper->write();
 }
 
 }  // namespace fracture

@@ -68,6 +68,7 @@ post::Summary QuasiStaticRun::operator()(post::Recorder recorder, Keeper* keeper
     throw;
   } catch (const plate::Interrupted& asked) {
     grown_.ended = {End::interrupted, asked.what()};
+    write_held(keeper);
     finish();
     throw;
   }
@@ -86,6 +87,7 @@ void QuasiStaticRun::observe(const Equilibrium& now) {
   reactions_.add(time, plate, model_->forces(), state_, now.factor);
   if (auto factors = model_->factors(now.factor)) {
     post::require_finite(*factors, when);
+    if (tips_) doubt_ = std::max(doubt_, post::largest_error(*factors));
     post::append(srifs_, time, *factors);
     latest_ = std::move(*factors);
   }
@@ -139,7 +141,12 @@ post::GrowthSummary QuasiStaticRun::growth_summary() const {
 }
 
 post::Summary QuasiStaticRun::finish() {
+  constexpr double much = 0.1;  // load factors are square roots of energy release rates
   record();
+  if (doubt_ > much)
+    warnings_.push_back(fmt::format(
+        "the intensity factors that the tips go by are uncertain by {:.0f} % at some advance, and so are load factors",
+        100 * doubt_));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   post::Summary summary;
   if (state_.cols() > 0) summary = about(plan_, model_->plate(), warnings_);

@@ -30,6 +30,7 @@ public:
 
 private:
   Continuation continuation(Keeper& keeper, QuasiStaticLoad& load);
+  static void write_held(Keeper* keeper);
   template <typename Archive>
   void memory(Archive& archive);
   void observe(const Equilibrium& now);
@@ -55,6 +56,7 @@ private:
   Grown grown_;
   std::size_t advance_ = 0;  // its number
   double factor_ = 0, largest_factor_ = 0;
+  double doubt_ = 0;  // largest estimated error of the factors that tips go by, relative
   std::optional<double> first_factor_;
   bool framed_ = true;
 };

@@ -8,6 +8,7 @@
 #include "post/files/earlier.hpp"
 #include "post/files/sinks/folder.hpp"
 #include "post/report/say.hpp"
+#include "post/studies/runs/read_summary.hpp"
 
 namespace fracture {
 namespace {
@@ -20,9 +21,9 @@ void require_lock(const post::FolderLock& lock) {
 }
 
 /// Looks for what an earlier run has kept; true where this one goes on from it.
-bool finds(Keeper& keeper, const RecordingOptions& options) {
+bool finds(Keeper* keeper, const RecordingOptions& options) {
   std::vector<std::string> refused;
-  const bool found = keeper.find(refused);
+  const bool found = keeper && keeper->find(refused);
   if (!found && !refused.empty()) throw RefusedFolder(go_on, fmt::format("{}", fmt::join(refused, "; ")));
   for (const auto& one : refused) post::say(one + ": goes on from the one before\n");
   if (!options.quiet)
@@ -43,6 +44,17 @@ void check_folder(const std::filesystem::path& folder) {
                                          fmt::join(found, ", ")));
 }
 
+std::optional<post::Summary> done_before(const RecordingOptions& options, bool report) {
+  const auto& folder = options.folder;
+  auto summary = post::read_summary(folder / "summary.json");
+  if (!summary || summary->outcome != "done" || summary->digest != post::digest(options.resolved) ||
+      summary->version != options.version || post::Checkpoints(folder, "").any() ||
+      (report && !std::filesystem::exists(folder / "report.html")))
+    return std::nullopt;
+  if (!options.quiet) post::say(folder.string() + ": this run is done already\n");
+  return summary;
+}
+
 Recording recording(const RecordingOptions& options) {
   const auto& [folder, resolved, version, vtk, hdf5, velocities, every, resumes, quiet] = options;
   std::filesystem::create_directories(folder);
@@ -53,8 +65,9 @@ Recording recording(const RecordingOptions& options) {
     const auto of = fmt::format("case {}, program {} of {}", post::digest(resolved), version, plate::build());
     keeper = std::make_unique<Keeper>(post::Checkpoints(folder, of), every);
   }
-  const bool goes_on = resumes && keeper && finds(*keeper, options);
-  const auto removed = goes_on ? 0 : post::remove_earlier(folder);
+  const bool goes_on = resumes && finds(keeper.get(), options);
+  const bool same = resumes && post::is_of(folder, resolved);  // then runs that belong to it may go on
+  const auto removed = goes_on ? 0 : post::remove_earlier(folder, same ? post::Parts::stay : post::Parts::go);
   if (removed > 0 && !quiet)
     post::say(fmt::format("{}: removed {} files of an earlier run\n", folder.string(), removed));
   auto sink = std::make_unique<post::Folder>(

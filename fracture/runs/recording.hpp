@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "fracture/runs/keeper.hpp"
@@ -30,6 +31,10 @@ struct RecordingOptions {
   bool goes_on = false;         // from what an earlier run has kept, if it has
   bool quiet = false;
 };
+
+/// The summary of such a run that this version of the program has done, with all that came after it: nothing is left to
+/// go on with. `report`: one is wanted.
+std::optional<post::Summary> done_before(const RecordingOptions& options, bool report);
 
 /// Where the results of a run go, and what it keeps to go on later: none where nothing is kept.
 struct Recording {

@@ -36,7 +36,14 @@ void settle_process([[maybe_unused]] char** argv) {
 }
 
 std::string build() {
-  return std::to_string(std::filesystem::last_write_time("/proc/self/exe").time_since_epoch().count());
+#if defined __AVX512F__
+  constexpr auto kernels = " AVX-512";  // of a package that holds several
+#elif defined __AVX2__
+  constexpr auto kernels = " AVX2";
+#else
+  constexpr auto kernels = "";
+#endif
+  return std::to_string(std::filesystem::last_write_time("/proc/self/exe").time_since_epoch().count()) + kernels;
 }
 
 }  // namespace plate

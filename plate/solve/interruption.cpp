@@ -2,6 +2,10 @@
 
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <mutex>
 #include <string>
 
 namespace plate {
@@ -10,31 +14,41 @@ namespace {
 constexpr std::array signals{SIGINT, SIGTERM};
 constexpr char notice[] = "\nstopping at the next step; once more to stop at once\n";
 
-volatile std::sig_atomic_t asked = 0;
-int nesting = 0;
+volatile std::sig_atomic_t asked = 0;  // the signal
 
+std::mutex mutex;
+int living = 0;
+std::array<struct sigaction, signals.size()> before;
+
+/// The same signal again ends the process; another one may come from whoever passes the first on.
 void ask(int signal) {
-  if (asked) {
+  if (asked == signal) {
     std::signal(signal, SIG_DFL);
     raise(signal);
     return;
   }
-  asked = 1;
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, notice, sizeof notice - 1);
+  const int error = errno;
+  if (asked == 0) [[maybe_unused]]
+    const auto written = write(STDERR_FILENO, notice, sizeof notice - 1);
+  asked = signal;
+  errno = error;
 }
 
 }  // namespace
 
 StopOnSignals::StopOnSignals() {
-  if (nesting++ == 0) asked = 0;
+  const std::lock_guard lock(mutex);
+  if (living++ > 0) return;
   struct sigaction action {};
   action.sa_handler = ask;  // without SA_RESTART: who waits for another process hears of it
-  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before[i]);
 }
 
 StopOnSignals::~StopOnSignals() {
-  --nesting;
-  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+  const std::lock_guard lock(mutex);
+  if (--living > 0) return;
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before[i], nullptr);
+  asked = 0;
 }
 
 bool stop_is_asked() noexcept {

@@ -1,6 +1,4 @@
 #pragma once
-#include <array>
-#include <csignal>
 #include <stdexcept>
 
 namespace plate {
@@ -11,16 +9,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// While it lives, Ctrl-C and SIGTERM ask for the end at the next step of whatever is solved; a second one of them ends
-/// the process at once.
+/// While one lives, Ctrl-C and SIGTERM ask for the end at the next step of whatever is solved; the same signal again
+/// ends the process at once.
 class StopOnSignals {
 public:
   StopOnSignals();
   ~StopOnSignals();
   StopOnSignals(const StopOnSignals&) = delete;
-
-private:
-  std::array<struct sigaction, 2> before_;
 };
 
 /// Has a signal asked for the end?

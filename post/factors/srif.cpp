@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace post {
 namespace {
@@ -25,6 +26,14 @@ bool of_opening(const std::string& method) {
 
 double largest_factor(const Srif& srif, double thickness) {
   return std::max({std::abs(srif.K1), std::abs(srif.K2), std::abs(srif.K3) * thickness});
+}
+
+double largest_error(const std::vector<Srif>& factors) {
+  double largest = 0;
+  std::optional<std::size_t> tip;
+  for (const auto& srif : factors)
+    if (std::exchange(tip, srif.tip) != srif.tip) largest = std::max(largest, srif.estimated_error.value_or(0));
+  return largest;
 }
 
 void widen(Srif& srif, const Srif& coarser, double thickness) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <regex>
 
+#include "post/files/whole_file.hpp"
+
 namespace post {
 namespace {
 
@@ -29,16 +31,26 @@ std::vector<std::string> strangers(const fs::path& folder) {
   return names;
 }
 
-std::size_t remove_earlier(const fs::path& folder) {
+bool is_of(const fs::path& folder, const std::string& resolved) {
+  std::error_code none;
+  return fs::exists(folder / mark, none) && read_text(folder / mark) == resolved;
+}
+
+std::size_t remove_earlier(const fs::path& folder, Parts parts) {
   std::error_code none;
   if (!fs::exists(folder / mark, none)) return 0;
   std::vector<fs::path> old;
   for (const auto& entry : fs::directory_iterator(folder, none))
     if (entry.is_regular_file(none) && is_result(entry.path().filename().string())) old.push_back(entry.path());
-  // the mark goes last: a folder that was cleared in part is still one of results
-  std::ranges::sort(old, {}, [](const fs::path& path) { return path.filename() == mark; });
+  // what one could go on from, or take for an end, goes first; the mark last: a folder that was cleared in part is
+  // still one of results
+  std::ranges::sort(old, {}, [](const fs::path& path) {
+    const auto name = path.filename().string();
+    return name == mark ? 2 : name.starts_with("checkpoint") || name == "summary.json" ? 0 : 1;
+  });
   std::size_t count = 0;
   for (const char* part : {"motion", "ordinary", "galerkin"}) {
+    if (parts == Parts::stay) break;
     count += remove_earlier(folder / part);
     if (fs::is_empty(folder / part, none) && !none) fs::remove(folder / part, none);
   }

@@ -44,7 +44,7 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
       result.ended = {*end};
       return result;
     }
-    if (continuation.keep && (plate::stop_is_asked() || continuation.due())) continuation.keep(load);
+    if (continuation.hold) continuation.hold(load);
     plate::stop_if_asked("a quasi-static growth");
     model.advance(load.factor());
   }

@@ -78,10 +78,8 @@ struct Grown {
 
 /// How a growth goes on after it was ended, and remembers what it needs for it.
 struct Continuation {
-  const QuasiStaticLoad* from = nullptr;  // of a model that has recalled the same equilibrium
-  /// Asked at every equilibrium: are load and model to be kept now? They are, too, before a signal ends the growth.
-  std::function<bool()> due = {};
-  std::function<void(const QuasiStaticLoad&)> keep = {};
+  const QuasiStaticLoad* from = nullptr;                  // of a model that has recalled the same equilibrium
+  std::function<void(const QuasiStaticLoad&)> hold = {};  // sees the load of every one, with the model as it is then
 };
 
 /// Lets a model grow, load by load: the plate is linear between advances, so the load factor of the next one is known

@@ -131,6 +131,9 @@ private:
   }
   void begin(const Mesh& mesh);
   void remove_files() const;
+  void remove_parts(std::size_t first) const;
+  std::size_t last_part_of(std::size_t frames);
+  void shorten(const std::filesystem::path& path, std::size_t frames) const;
   void drop();
   void assemble();
 
@@ -157,7 +160,15 @@ void OpenStateFile::begin(const Mesh& mesh) {
 void OpenStateFile::remove_files() const {
   std::error_code ignored;
   std::filesystem::remove(beside(".partial"), ignored);
-  for (std::size_t i = 0; std::filesystem::remove(part(i), ignored) || i < parts_.size(); ++i) continue;
+  remove_parts(0);
+}
+
+/// The last one first: what is left where the process is killed is found again.
+void OpenStateFile::remove_parts(std::size_t first) const {
+  std::error_code ignored;
+  std::size_t end = first;
+  while (std::filesystem::exists(part(end), ignored)) ++end;
+  while (end > first) std::filesystem::remove(part(--end), ignored);
 }
 
 /// What is no good, unless another process may go on from it.
@@ -176,17 +187,33 @@ void OpenStateFile::go_on(std::size_t frames) {
     remove_files();
     std::filesystem::rename(options_.path, part(0));
   }
-  while (frames > 0) {
-    const auto file = opened(part(parts_.size()), H5F_ACC_RDONLY);
-    parts_.push_back(std::min(frames, Frames(file).time.length()));
-    frames -= parts_.back();
-  }
-  if (parts_.empty()) parts_.push_back(0);  // it has the points
-  for (auto i = parts_.size(); std::filesystem::remove(part(i), none);) ++i;
+  remove_parts(last_part_of(frames) + 1);
 }
 
+/// Takes the parts with the first frames; all of them are whole, but what follows in the last one is dropped.
+std::size_t OpenStateFile::last_part_of(std::size_t frames) {
+  do {  // the first has the points, if no frame
+    const auto path = part(parts_.size());
+    const auto length = Frames(opened(path, H5F_ACC_RDONLY)).time.length();
+    if (length > frames) shorten(path, frames);
+    parts_.push_back(std::min(frames, length));
+    frames -= parts_.back();
+  } while (frames > 0);
+  return parts_.size() - 1;
+}
+
+void OpenStateFile::shorten(const std::filesystem::path& path, std::size_t frames) const {
+  const auto copy = beside(".partial");
+  std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
+  auto file = opened(copy, H5F_ACC_RDWR);
+  Frames(file).keep(frames);
+  checked(file.release(), "closing");
+  std::filesystem::rename(copy, path);
+}
+
+/// A checkpoint may name a part that has no frame yet: it is whole as well.
 void OpenStateFile::part() {
-  if (in_part_ == 0) return;
+  if (file_ < 0) return;
   release();
   parts_.push_back(std::exchange(in_part_, 0));
 }

@@ -1,6 +1,7 @@
 #include "post/files/sinks/checkpoint.hpp"
 
 #define XXH_INLINE_ALL
+#define XXH_VECTOR 0  // scalar: gcc 12 warns of its own AVX-512 header; still several GB/s
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -62,7 +63,9 @@ private:
 /// Waits until a file, or the names in a folder, are on the disk.
 void sync(const fs::path& path) {
   const int opened = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synced = opened >= 0 && fsync(opened) == 0;
+  bool synced = false;
+  do synced = opened >= 0 && fsync(opened) == 0;
+  while (!synced && opened >= 0 && errno == EINTR);
   const int error = errno;
   if (opened >= 0) close(opened);
   errno = error;
@@ -117,16 +120,26 @@ std::optional<std::string> Checkpoints::read(std::vector<std::string>& refused) 
   for (const auto* name : names) {
     const auto path = folder_ / name;
     if (!fs::exists(path)) continue;
-    auto text = read_text(path);
-    const auto fault = fault_of(text, of_);
-    if (fault.empty()) return content_of(std::move(text));
-    refused.push_back(fmt::format("{} {}", path.string(), fault));
+    try {
+      auto text = read_text(path);
+      const auto fault = fault_of(text, of_);
+      if (fault.empty()) return content_of(std::move(text));
+      refused.push_back(fmt::format("{} {}", path.string(), fault));
+    } catch (const fs::filesystem_error& error) {
+      refused.push_back(error.what());
+    }
   }
   return std::nullopt;
 }
 
+bool Checkpoints::any() const {
+  std::error_code none;
+  return std::ranges::any_of(names, [&](const char* name) { return fs::exists(folder_ / name, none); });
+}
+
 void Checkpoints::remove() const {
   std::error_code none;
+  fs::remove(folder_ / "checkpoint.partial", none);  // of a process that was killed
   for (const auto* name : names) fs::remove(folder_ / name, none);
 }
 

@@ -16,13 +16,14 @@ public:
   /// `of`: one line that says which run of which program may go on from it.
   Checkpoints(std::filesystem::path folder, std::string of) : folder_(std::move(folder)), of_(std::move(of)) {}
 
-  /// `remember` writes the memory. Throws std::filesystem::filesystem_error; the last two stay then.
+  /// `remember` writes the memory. Throws std::filesystem::filesystem_error; the last one stays then.
   void write(const std::function<void(std::ostream&)>& remember) const;
 
   /// The memory in the newest checkpoint that is whole and of this run, if there is one. What is wrong with others goes
   /// into `refused`.
   std::optional<std::string> read(std::vector<std::string>& refused) const;
 
+  bool any() const;
   void remove() const;
 
 private:

@@ -35,14 +35,14 @@ void write_all(int to, const std::string& text) {
   }
 }
 
-/// What `child` writes, which is asked to end where this process is.
-std::string read_all(int from, pid_t child) {
+/// What `child` writes, which is asked to end where this process is, unless it knows. SIGINT: a SIGTERM may have
+/// reached both.
+std::string read_all(int from, pid_t child, bool passed_on) {
   constexpr int patience = 200;  // [ms]
   std::string text;
   char part[4096];
-  bool passed_on = false;
   for (;;) {
-    if (plate::stop_is_asked() && !std::exchange(passed_on, true)) kill(child, SIGTERM);
+    if (plate::stop_is_asked() && !std::exchange(passed_on, true)) kill(child, SIGINT);
     pollfd ready{from, POLLIN, 0};
     if (poll(&ready, 1, patience) <= 0) continue;
     const auto count = ::read(from, part, sizeof part);
@@ -74,6 +74,7 @@ Ended isolated(const std::function<Ended()>& work) {
   if (pipe(ends) != 0) throw std::runtime_error(std::string("no pipe: ") + strerror(errno));
   std::fflush(nullptr);  // or both processes would write what waits
   const int threads = omp_get_max_threads();
+  const bool knows = plate::stop_is_asked();  // so does the new process
   const pid_t parent = getpid(), child = fork();
   if (child == 0) {
     close(ends[0]);
@@ -84,7 +85,7 @@ Ended isolated(const std::function<Ended()>& work) {
     close(ends[0]);
     throw std::runtime_error(std::string("no process: ") + strerror(errno));
   }
-  const auto said = read_all(ends[0], child);
+  const auto said = read_all(ends[0], child, knows);
   close(ends[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;

@@ -74,3 +74,13 @@ TEST_CASE("an energy release rate that is not positive gives no factors, unless 
   CHECK(estimated({none}, {{1, 4, 0, 0, 0}, {1, 3, 0, 0, 0}}, {0.05}).front().resolved ==
         std::array{false, false, false});
 }
+
+TEST_CASE("the largest error of factors is of the first of every tip") {
+  const auto of = [](std::size_t tip, std::optional<double> error) {
+    post::Srif srif;
+    srif.tip = tip, srif.estimated_error = error;
+    return srif;
+  };
+  CHECK(post::largest_error({}) == 0);
+  CHECK(post::largest_error({of(0, {}), of(0, 3.0), of(2, 0.2), of(2, 0.9), of(5, 0.1)}) == 0.2);
+}

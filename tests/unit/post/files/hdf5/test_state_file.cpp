@@ -245,3 +245,48 @@ TEST_CASE("a process that is killed leaves the frames of its parts, and others g
     CHECK_THROWS_AS(file.go_on(6), std::filesystem::filesystem_error);  // there are five
   }
 }
+
+TEST_CASE("frames that are dropped once stay dropped: a part is no longer than what goes on after it") {
+  const TemporaryFolder folder;
+  const post::StateFile::Options options{folder / "state.h5", long_case, "1", true};
+  {
+    post::StateFile file(options, small_run::mesh());
+    for (std::size_t i = 0; i < 6; ++i) write_with_velocity(file, i);
+    file.close();  // asked to end; its checkpoint is of five frames
+  }
+  auto again = options;
+  again.goes_on = true;
+  killed([&] {
+    auto* file = new post::StateFile(again, small_run::mesh());
+    file->go_on(5);
+    file->part();
+    for (std::size_t i = 10; i < 12; ++i) write_with_velocity(*file, i);
+    file->part();
+  });
+  {
+    post::StateFile file(again, small_run::mesh());
+    file.go_on(7);
+    file.close();
+  }
+  CHECK(post::read_run(folder / "state.h5").times == std::vector<double>{0, 0.5, 1, 1.5, 2, 5, 5.5});
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a part without frames is one to go on after") {
+  const TemporaryFolder folder;
+  post::StateFile::Options options{folder / "state.h5", long_case, "1", true};
+  killed([&] {
+    auto* file = new post::StateFile(options, small_run::mesh());
+    file->part();
+    write_with_velocity(*file, 0);
+  });
+  options.goes_on = true;
+  {
+    post::StateFile file(options, small_run::mesh());
+    file.go_on(0);
+    write_with_velocity(file, 0), write_with_velocity(file, 1);
+    file.close();
+  }
+  CHECK(post::read_run(folder / "state.h5").times == std::vector<double>{0, 0.5});
+  CHECK(folder.entries() == 1);
+}
