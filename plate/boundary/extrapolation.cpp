@@ -1,0 +1,133 @@
+#include "plate/boundary/extrapolation.hpp"
+
+#include <fmt/format.h>
+#include "plate/boundary/taylor.hpp"
+#include "plate/model/refused.hpp"
+
+namespace plate {
+
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+constexpr double same = 1e-9;  // spacings: lattice positions differ by more, or are equal but for rounding
+
+/// What an expansion stands on: a real node, or a surface node and the cells behind it.
+struct Stand {
+  int cell;     // a real node
+  int face;     // its surface node; -1: expanded about the real node itself
+  int unknown;  // the column of its value
+  Eigen::Vector3d position;
+};
+
+Stand on_node(const LatticeBody& b, int k) {
+  return {k, -1, k, b.position(k)};
+}
+
+Stand on_surface(const LatticeBody& b, int s) {
+  return {b.surface[std::size_t(s)].inner, s, b.real + s, b.surface_position(s)};
+}
+
+/// Numbers of steps along each of `axes`, no more than `order` together; none first.
+std::vector<LatticeBody::Index> principal_lattice(const std::vector<int>& axes, int order) {
+  std::vector<LatticeBody::Index> steps{{0, 0, 0}};
+  for (const int axis : axes) {
+    const auto before = steps;
+    for (int k = 1; k <= order; ++k)
+      for (auto step : before)
+        if (step.sum() + k <= order) step[axis] = k, steps.push_back(step);
+  }
+  return steps;
+}
+
+/// The node that so many steps lead to, away from `at`; the first step from a surface node leads to its real node.
+Stand stepped(const LatticeBody& b, const Stand& from, LatticeBody::Index steps, const Eigen::Vector3d& at) {
+  LatticeBody::Index place = b.nodes[std::size_t(from.cell)];
+  const int normal = from.face < 0 ? -1 : b.surface[std::size_t(from.face)].axis;
+  const bool on_face = normal >= 0 && steps[normal] == 0;
+  if (normal >= 0 && !on_face) --steps[normal];
+  for (int axis = 0; axis < b.dimension; ++axis)
+    place[axis] += at[axis] > from.position[axis] ? -steps[axis] : steps[axis];
+  const int k = b.node(place);
+  const auto missing = [&] {
+    return Refused({{Subject::spacing, 0,
+                     fmt::format("an edge has too few nodes behind it at ({}, {}, {}) of the "
+                                 "lattice for an extrapolation of this order; refine",
+                                 place[0], place[1], place[2])}});
+  };
+  if (k < 0 || k >= b.real) throw missing();
+  if (!on_face) return on_node(b, k);
+  const auto& face = b.surface[std::size_t(from.face)];
+  const int s = b.surface_node(k, face.axis, face.side);
+  if (s < 0) throw missing();
+  return on_surface(b, s);
+}
+
+void add_expansion(const LatticeBody& b, const Stand& centre, const Eigen::Vector3d& at, int order, int row,
+                   double share, Triplets& to) {
+  std::vector<int> axes;
+  for (int axis = 0; axis < b.dimension; ++axis)
+    if (std::abs(at[axis] - centre.position[axis]) > same) axes.push_back(axis);
+  const auto lattice = principal_lattice(axes, order);
+  Eigen::MatrixXd nodes(Eigen::Index(axes.size()), Eigen::Index(lattice.size()));
+  std::vector<int> unknowns;
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const Stand node = stepped(b, centre, lattice[i], at);
+    nodes.col(Eigen::Index(i)) = node.position(axes);
+    unknowns.push_back(node.unknown);
+  }
+  const Eigen::VectorXd weights = axes.empty() ? Eigen::VectorXd::Ones(1) : taylor_weights(nodes, at(axes), order);
+  for (std::size_t i = 0; i < unknowns.size(); ++i) to.emplace_back(row, unknowns[i], share * weights[Eigen::Index(i)]);
+}
+
+/// All that are as near as the nearest.
+std::vector<Stand> nearest(const std::vector<Stand>& all, const Eigen::Vector3d& at) {
+  std::vector<Stand> result;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& one : all) {
+    const double distance = (one.position - at).norm();
+    if (distance < least - same) result.clear();
+    if (distance < least + same) result.push_back(one);
+    least = std::min(least, distance);
+  }
+  return result;
+}
+
+}  // namespace
+
+Weights extrapolation(const LatticeBody& b, Centre centre, int order) {
+  const bool surface = centre == Centre::surface_node;
+  std::vector<Stand> centres;
+  for (std::size_t s = 0; s < b.surface.size(); ++s)
+    centres.push_back(surface ? on_surface(b, int(s)) : on_node(b, b.surface[s].inner));
+  Triplets entries;
+  for (int k = 0; k < b.real; ++k) entries.emplace_back(k, k, 1.0);
+  for (int k = b.real; k < b.count(); ++k) {
+    const auto near = nearest(centres, b.position(k));
+    for (const auto& one : near) add_expansion(b, one, b.position(k), order, k, 1.0 / double(near.size()), entries);
+  }
+  Weights rows(b.count(), b.real + (surface ? Eigen::Index(b.surface.size()) : 0));
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+Weights surface_values(const LatticeBody& b, int order) {
+  Triplets entries;
+  for (int s = 0; s < int(b.surface.size()); ++s)
+    add_expansion(b, on_node(b, b.surface[std::size_t(s)].inner), b.surface_position(s), order, s, 1, entries);
+  Weights rows(Eigen::Index(b.surface.size()), b.real);
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+Weights for_each_unknown(const Weights& rows, int unknowns) {
+  Triplets entries;
+  for (Eigen::Index row = 0; row < rows.outerSize(); ++row)
+    for (Weights::InnerIterator entry(rows, row); entry; ++entry)
+      for (int i = 0; i < unknowns; ++i)
+        entries.emplace_back(i + unknowns * row, i + unknowns * entry.col(), entry.value());
+  Weights result(unknowns * rows.rows(), unknowns * rows.cols());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+}  // namespace plate

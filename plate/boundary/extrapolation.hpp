@@ -1,0 +1,30 @@
+#pragma once
+#include <Eigen/SparseCore>
+#include "plate/boundary/lattice_body.hpp"
+
+namespace plate {
+
+/// Rows of weights.
+using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// About which node a fictitious value is expanded: the nearest real node, from real nodes (Sca21 30, 42-46), or the
+/// nearest surface node, from surface nodes and real nodes (Sca23 29-32).
+enum class Centre { real_node, surface_node };
+
+/// Values at all nodes from those at real nodes (Centre::real_node), or at real and, behind them, surface nodes
+/// (Centre::surface_node): real nodes keep theirs, fictitious nodes take a Taylor expansion. Straight beyond a face it
+/// runs along the column of nodes behind it (Sca21 6.1), at corners over the principal lattice of as many dimensions as
+/// the corner has: columns t = 0 to order of order + 1 - t nodes. Nodes as near as the nearest: the mean of their
+/// expansions. Order 0 takes the nearest value over. The same rows serve every unknown of a node.
+/// @return  nodes x (real) or nodes x (real + surface)
+/// @throws Refused  where the body has too few nodes for the order
+Weights extrapolation(const LatticeBody& body, Centre centre, int order);
+
+/// Values at surface nodes from those at real nodes, by the expansion about their inner node (Sca21 58).
+/// @return  surface x real
+Weights surface_values(const LatticeBody& body, int order);
+
+/// The same rows for each of several unknowns of a node, unknown i of node k at i + unknowns * k.
+Weights for_each_unknown(const Weights& rows, int unknowns);
+
+}  // namespace plate

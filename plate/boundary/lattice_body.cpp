@@ -1,0 +1,116 @@
+#include "plate/boundary/lattice_body.hpp"
+
+#include <fmt/format.h>
+
+namespace plate {
+
+namespace {
+
+using Index = LatticeBody::Index;
+
+Index axis_step(int axis, int side) {
+  Index step(0, 0, 0);
+  step[axis] = side;
+  return step;
+}
+
+/// Every place from `first` to `last`, both among them.
+void each_place(const Index& first, const Index& last, const std::function<void(const Index&)>& visit) {
+  for (int z = first[2]; z <= last[2]; ++z)
+    for (int y = first[1]; y <= last[1]; ++y)
+      for (int x = first[0]; x <= last[0]; ++x) visit({x, y, z});
+}
+
+Index reach_of(int dimension, int reach) {
+  Index result(0, 0, 0);
+  result.head(dimension).setConstant(reach);
+  return result;
+}
+
+int place_in_box(const LatticeBody& b, const Index& place) {
+  const Index from = place - b.lowest;
+  if ((from < 0).any() || (from >= b.extent).any()) return -1;
+  return from[0] + b.extent[0] * (from[1] + b.extent[1] * from[2]);
+}
+
+void enclose(LatticeBody& b, int reach) {
+  Index highest = b.nodes.front();
+  b.lowest = highest;
+  for (const auto& place : b.nodes) b.lowest = b.lowest.min(place), highest = highest.max(place);
+  b.lowest -= reach_of(b.dimension, reach);
+  b.extent = highest + reach_of(b.dimension, reach) - b.lowest + 1;
+  b.at.assign(std::size_t(b.extent.prod()), -1);
+  for (int k = 0; k < b.real; ++k) b.at[std::size_t(place_in_box(b, b.nodes[std::size_t(k)]))] = k;
+}
+
+void add_fictitious_nodes(LatticeBody& b, int reach) {
+  std::vector<char> wanted(b.at.size(), false);
+  for (int k = 0; k < b.real; ++k) {
+    const Index centre = b.nodes[std::size_t(k)], away = reach_of(b.dimension, reach);
+    each_place(centre - away, centre + away,
+               [&](const Index& place) { wanted[std::size_t(place_in_box(b, place))] = true; });
+  }
+  each_place(b.lowest, b.lowest + b.extent - 1, [&](const Index& place) {
+    const auto i = std::size_t(place_in_box(b, place));
+    if (!wanted[i] || b.at[i] >= 0) return;
+    b.at[i] = b.count();
+    b.nodes.push_back(place);
+  });
+}
+
+void add_surface_nodes(LatticeBody& b, const FaceDistance& distance) {
+  b.faces.assign(std::size_t(b.real), {-1, -1, -1, -1, -1, -1});
+  for (int axis = 0; axis < b.dimension; ++axis)
+    for (const int side : {-1, 1})
+      for (int k = 0; k < b.real; ++k) {
+        const Index& inner = b.nodes[std::size_t(k)];
+        const int neighbour = b.node(inner + axis_step(axis, side));
+        if (neighbour >= 0 && neighbour < b.real) continue;
+        const double d = distance(inner, axis, side);
+        if (!(d > 0 && d < 1))
+          throw std::invalid_argument(fmt::format("a face {} spacings from its node is not between two nodes", d));
+        b.faces[std::size_t(k)][std::size_t(2 * axis + (side > 0))] = int(b.surface.size());
+        b.surface.push_back({k, axis, side, d});
+      }
+}
+
+}  // namespace
+
+int LatticeBody::node(const Index& place) const {
+  const int i = place_in_box(*this, place);
+  return i < 0 ? -1 : at[std::size_t(i)];
+}
+
+int LatticeBody::surface_node(int inner, int axis, int side) const {
+  return inner < 0 || inner >= real ? -1 : faces[std::size_t(inner)][std::size_t(2 * axis + (side > 0))];
+}
+
+Eigen::Vector3d LatticeBody::surface_position(int s) const {
+  const auto& node = surface[std::size_t(s)];
+  Eigen::Vector3d x = position(node.inner);
+  x[node.axis] += node.side * node.distance;
+  return x;
+}
+
+LatticeBody lattice_body(int dimension, std::vector<Index> real, int reach, const FaceDistance& distance) {
+  if (dimension < 1 || dimension > 3) throw std::invalid_argument("a body has one, two or three dimensions");
+  if (real.empty()) throw std::invalid_argument("a body needs a node");
+  LatticeBody b;
+  b.dimension = dimension;
+  b.nodes = std::move(real);
+  b.real = b.count();
+  enclose(b, std::max(reach, 1));
+  add_fictitious_nodes(b, reach);
+  add_surface_nodes(b, distance);
+  return b;
+}
+
+LatticeBody box_body(const std::vector<int>& counts, int reach) {
+  Index last(0, 0, 0);
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, counts.size()); ++i) last[Eigen::Index(i)] = counts[i] - 1;
+  std::vector<Index> places;
+  each_place({0, 0, 0}, last, [&](const Index& place) { places.push_back(place); });
+  return lattice_body(int(counts.size()), std::move(places), reach, [](const Index&, int, int) { return 0.5; });
+}
+
+}  // namespace plate

@@ -1,0 +1,52 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace plate {
+
+/// A surface node: stands for the face of an outer cell (Sca23 3).
+struct SurfaceNode {
+  int inner;        // the real node of its cell
+  int axis, side;   // outward normal: axis 0, 1, 2, side -1 or +1
+  double distance;  // from the inner node, in spacings, between 0 and 1; 1/2 in the papers
+};
+
+/// Real nodes on a lattice, in one to three dimensions, and fictitious nodes about them. Lengths in spacings; of
+/// indices and positions only the first `dimension` components are used, the others are 0.
+struct LatticeBody {
+  using Index = Eigen::Array3i;
+
+  int dimension = 0;
+  std::vector<Index> nodes;  // real nodes, then fictitious nodes
+  int real = 0;
+  std::vector<SurfaceNode> surface;
+
+  int count() const { return int(nodes.size()); }
+  int fictitious() const { return count() - real; }
+  /// The node at a place of the lattice; -1: none.
+  int node(const Index& place) const;
+  /// The surface node of a real node's face; -1: none.
+  int surface_node(int inner, int axis, int side) const;
+  Eigen::Vector3d position(int k) const { return nodes[std::size_t(k)].matrix().cast<double>(); }
+  Eigen::Vector3d surface_position(int s) const;
+
+  // of the look-up
+  Index lowest{0, 0, 0}, extent{0, 0, 0};
+  std::vector<int> at;                      // node of each place in the box, -1: none
+  std::vector<std::array<int, 6>> faces{};  // per real node: its surface nodes, -1: none; axis * 2 + (side > 0)
+};
+
+/// Distance of a face from the real node of its cell, in spacings.
+using FaceDistance = std::function<double(const LatticeBody::Index& inner, int axis, int side)>;
+
+/// The body of these real nodes, with a surface node wherever a neighbour is missing and with fictitious nodes up to
+/// `reach` spacings away in each direction.
+/// @throws std::invalid_argument  a dimension other than 1, 2, 3; a distance that is not between 0 and 1; no nodes
+LatticeBody lattice_body(int dimension, std::vector<LatticeBody::Index> real, int reach, const FaceDistance& distance);
+
+/// A bar, a rectangle or a box of `counts` nodes, faces half a spacing beyond its nodes.
+LatticeBody box_body(const std::vector<int>& counts, int reach);
+
+}  // namespace plate

@@ -1,0 +1,36 @@
+#include "plate/boundary/lattice_body.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace plate;
+
+TEST_CASE("lattice body: nodes, fictitious nodes and surface nodes of bars, rectangles and boxes") {
+  const auto bar = box_body({5}, 3), plane = box_body({4, 3}, 2), box = box_body({3, 2, 2}, 1);
+  CHECK((bar.real == 5 && bar.fictitious() == 6 && bar.surface.size() == 2));
+  CHECK((plane.real == 12 && plane.fictitious() == 8 * 7 - 12 && plane.surface.size() == 14));
+  CHECK((box.real == 12 && box.fictitious() == 5 * 4 * 4 - 12 && box.surface.size() == 2 * (4 + 6 + 6)));
+  CHECK(plane.node({1, 2, 0}) == 9);
+  CHECK(plane.node({-2, -2, 0}) >= plane.real);
+  CHECK(plane.node({-3, 0, 0}) == -1);
+  CHECK(plane.surface_position(plane.surface_node(plane.node({3, 1, 0}), 0, 1)) == Eigen::Vector3d(3.5, 1, 0));
+  CHECK(plane.surface_node(plane.node({1, 1, 0}), 0, 1) == -1);
+}
+
+TEST_CASE("lattice body: a re-entrant corner has faces on both sides") {
+  std::vector<LatticeBody::Index> nodes;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < (y < 2 ? 4 : 2); ++x) nodes.push_back({x, y, 0});
+  const auto body = lattice_body(2, nodes, 1, [](const LatticeBody::Index&, int, int) { return 0.5; });
+  CHECK(body.surface.size() == 16);
+  CHECK(body.surface_node(body.node({1, 2, 0}), 0, 1) >= 0);
+  CHECK(body.surface_node(body.node({2, 1, 0}), 1, 1) >= 0);
+  CHECK(body.node({2, 2, 0}) >= body.real);
+}
+
+TEST_CASE("lattice body: what is not one is refused") {
+  const auto at = [](double d) { return [d](const LatticeBody::Index&, int, int) { return d; }; };
+  CHECK_THROWS_AS(lattice_body(2, {}, 1, at(0.5)), std::invalid_argument);
+  CHECK_THROWS_AS(lattice_body(4, {{0, 0, 0}}, 1, at(0.5)), std::invalid_argument);
+  CHECK_THROWS_AS(lattice_body(2, {{0, 0, 0}}, 1, at(0)), std::invalid_argument);
+  CHECK_THROWS_AS(lattice_body(2, {{0, 0, 0}}, 1, at(1)), std::invalid_argument);
+}
