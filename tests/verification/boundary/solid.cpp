@@ -158,15 +158,4 @@ Eigen::VectorXd at_unknowns(const Solid& s, const Field& field) {
   return u;
 }
 
-Eigen::VectorXd largest_errors(const Solid& s, const Eigen::VectorXd& u, const Field& expected) {
-  const int D = s.dimension();
-  Eigen::ArrayXd error = Eigen::ArrayXd::Zero(D), size = error;
-  for (int k = 0; k < s.body.real; ++k) {
-    const Eigen::ArrayXd exact = expected(s.at(k)).head(D);
-    error = error.max((u.segment(D * k, D).array() - exact).abs());
-    size = size.max(exact.abs());
-  }
-  return error / size;
-}
-
 }  // namespace boundary_bodies

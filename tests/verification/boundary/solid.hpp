@@ -73,7 +73,4 @@ plate::Stiffness uncorrected_stiffness(const Solid& solid);
 /// A field at real nodes and, behind them, surface nodes.
 Eigen::VectorXd at_unknowns(const Solid& solid, const Field& field);
 
-/// Largest |u - expected| over the real nodes, component by component over the largest expected of it.
-Eigen::VectorXd largest_errors(const Solid& solid, const Eigen::VectorXd& u, const Field& expected);
-
 }  // namespace boundary_bodies
