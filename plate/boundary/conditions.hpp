@@ -5,7 +5,7 @@
 namespace plate {
 
 /// The stiffness of extrapolated bodies, not symmetric; both ways of solving factorise the whole matrix.
-using Stiffness = Eigen::SparseMatrix<double>;
+using SparseStiffness = Eigen::SparseMatrix<double>;
 
 /// u and multipliers of K u + B^T multipliers = f, B u = c (Sca21 61-63). Where the extrapolation carries the solution
 /// exactly, equilibrium needs no multipliers and they are rounding; else they say how far conditions and equilibrium
@@ -15,13 +15,13 @@ struct MultipliedSolution {
 };
 
 /// [K B^T; B 0] (Sca21 63).
-Stiffness with_multipliers(const Stiffness& K, const Stiffness& B);
+SparseStiffness with_multipliers(const SparseStiffness& K, const SparseStiffness& B);
 
 /// Boundary conditions by Lagrange multipliers: values and fluxes are rows of B. What holds the body is the flux
 /// through its faces (Sca21, remark 3), not the multipliers.
 /// @throws NumericalError  where conditions contradict each other or leave the body loose
-MultipliedSolution solution_with_multipliers(const Stiffness& K, const Stiffness& B, const Eigen::VectorXd& f,
-                                             const Eigen::VectorXd& c);
+MultipliedSolution solution_with_multipliers(const SparseStiffness& K, const SparseStiffness& B,
+                                             const Eigen::VectorXd& f, const Eigen::VectorXd& c);
 
 /// An unknown that has its value.
 struct HeldUnknown {
@@ -37,6 +37,6 @@ struct HeldSolution {
 
 /// Boundary conditions on unknowns of surface nodes: values are held, fluxes are in f.
 /// @throws NumericalError  where the body is loose
-HeldSolution solution_held(const Stiffness& K, const Eigen::VectorXd& f, const std::vector<HeldUnknown>& held);
+HeldSolution solution_held(const SparseStiffness& K, const Eigen::VectorXd& f, const std::vector<HeldUnknown>& held);
 
 }  // namespace plate

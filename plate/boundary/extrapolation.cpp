@@ -94,7 +94,7 @@ std::vector<Stand> nearest(const std::vector<Stand>& all, const Eigen::Vector3d&
 
 }  // namespace
 
-Weights extrapolation(const LatticeBody& b, Centre centre, int order) {
+WeightRows extrapolation(const LatticeBody& b, Centre centre, int order) {
   const bool surface = centre == Centre::surface_node;
   std::vector<Stand> centres;
   for (std::size_t s = 0; s < b.surface.size(); ++s)
@@ -105,29 +105,39 @@ Weights extrapolation(const LatticeBody& b, Centre centre, int order) {
     const auto near = nearest(centres, b.position(k));
     for (const auto& one : near) add_expansion(b, one, b.position(k), order, k, 1.0 / double(near.size()), entries);
   }
-  Weights rows(b.count(), b.real + (surface ? Eigen::Index(b.surface.size()) : 0));
+  WeightRows rows(b.count(), b.real + (surface ? Eigen::Index(b.surface.size()) : 0));
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }
 
-Weights surface_values(const LatticeBody& b, int order) {
+WeightRows surface_values(const LatticeBody& b, int order) {
   Triplets entries;
   for (int s = 0; s < int(b.surface.size()); ++s)
     add_expansion(b, on_node(b, b.surface[std::size_t(s)].inner), b.surface_position(s), order, s, 1, entries);
-  Weights rows(Eigen::Index(b.surface.size()), b.real);
+  WeightRows rows(Eigen::Index(b.surface.size()), b.real);
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }
 
-Weights for_each_unknown(const Weights& rows, int unknowns) {
+WeightRows for_each_unknown(const std::vector<WeightRows>& rows) {
+  if (rows.empty()) throw std::invalid_argument("a node needs an unknown");
+  const Eigen::Index unknowns = Eigen::Index(rows.size());
   Triplets entries;
-  for (Eigen::Index row = 0; row < rows.outerSize(); ++row)
-    for (Weights::InnerIterator entry(rows, row); entry; ++entry)
-      for (int i = 0; i < unknowns; ++i)
+  for (Eigen::Index i = 0; i < unknowns; ++i) {
+    const auto& own = rows[std::size_t(i)];
+    if (own.rows() != rows[0].rows() || own.cols() != rows[0].cols())
+      throw std::invalid_argument("the unknowns of a node have values at other nodes");
+    for (Eigen::Index row = 0; row < own.outerSize(); ++row)
+      for (WeightRows::InnerIterator entry(own, row); entry; ++entry)
         entries.emplace_back(i + unknowns * row, i + unknowns * entry.col(), entry.value());
-  Weights result(unknowns * rows.rows(), unknowns * rows.cols());
+  }
+  WeightRows result(unknowns * rows[0].rows(), unknowns * rows[0].cols());
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
+}
+
+WeightRows for_each_unknown(const WeightRows& rows, int unknowns) {
+  return for_each_unknown(std::vector<WeightRows>(std::size_t(unknowns), rows));
 }
 
 }  // namespace plate

@@ -5,7 +5,7 @@
 namespace plate {
 
 /// Rows of weights.
-using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using WeightRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// About which node a fictitious value is expanded: the nearest real node, from real nodes (Sca21 30, 42-46), or the
 /// nearest surface node, from surface nodes and real nodes (Sca23 29-32).
@@ -18,13 +18,16 @@ enum class Centre { real_node, surface_node };
 /// expansions. Order 0 takes the nearest value over. The same rows serve every unknown of a node.
 /// @return  nodes x (real) or nodes x (real + surface)
 /// @throws Refused  where the body has too few nodes for the order
-Weights extrapolation(const LatticeBody& body, Centre centre, int order);
+WeightRows extrapolation(const LatticeBody& body, Centre centre, int order);
 
 /// Values at surface nodes from those at real nodes, by the expansion about their inner node (Sca21 58).
 /// @return  surface x real
-Weights surface_values(const LatticeBody& body, int order);
+WeightRows surface_values(const LatticeBody& body, int order);
 
-/// The same rows for each of several unknowns of a node, unknown i of node k at i + unknowns * k.
-Weights for_each_unknown(const Weights& rows, int unknowns);
+/// Rows for several unknowns of a node, each with its own or all with the same; unknown i of node k is at
+/// i + unknowns * k.
+/// @throws std::invalid_argument  rows of unlike shapes, or none
+WeightRows for_each_unknown(const std::vector<WeightRows>& rows);
+WeightRows for_each_unknown(const WeightRows& rows, int unknowns);
 
 }  // namespace plate

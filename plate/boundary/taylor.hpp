@@ -3,9 +3,9 @@
 
 namespace plate {
 
-/// Weights of the values at `nodes` whose sum is the value at `at` of a Taylor expansion of the order given about the
-/// first node; the other nodes' own expansions give its derivatives (Sca21 42-46, Sca23 25-32). As many nodes as there
-/// are terms: the polynomial through all of them. More: least squares, still through the first.
+/// WeightRows of the values at `nodes` whose sum is the value at `at` of a Taylor expansion of the order given about
+/// the first node; the other nodes' own expansions give its derivatives (Sca21 42-46, Sca23 25-32). As many nodes as
+/// there are terms: the polynomial through all of them. More: least squares, still through the first.
 /// @param nodes  dimension x count [length]
 /// @param at     dimension
 /// @param order  0 or more; polynomials up to it are reproduced

@@ -8,16 +8,6 @@ Eigen::Vector3d normal(const plate::SurfaceNode& face) {
   return face.side * Eigen::Vector3d::Unit(face.axis);
 }
 
-Eigen::VectorXd loads(const Solid& s, const Conditions& c) {
-  const int D = s.dimension();
-  Eigen::VectorXd f(D * s.body.real);
-  for (int k = 0; k < s.body.real; ++k) {
-    const Eigen::Vector3d load = c.load(s.at(k));
-    for (int a = 0; a < D; ++a) f[D * k + a] = s.volume() * load[a];
-  }
-  return f;
-}
-
 /// Of each component over the nodes: differences, and the largest expected.
 std::pair<Eigen::ArrayXXd, Eigen::ArrayXd> differences(const Solid& s, const Eigen::VectorXd& u,
                                                        const Field& solution) {
@@ -35,7 +25,7 @@ std::pair<Eigen::ArrayXXd, Eigen::ArrayXd> differences(const Solid& s, const Eig
 }
 
 struct Equations {
-  plate::Stiffness K;
+  plate::SparseStiffness K;
   Eigen::VectorXd f;
   std::vector<plate::HeldUnknown> held;
 };
@@ -59,7 +49,7 @@ Equations equations(const Solid& s, int order, plate::FluxRule rule, const Condi
 }
 
 /// All unknowns from those on the lower side of the middle of an axis; and the places of these among all.
-std::pair<plate::Stiffness, std::vector<int>> mirror(const Solid& s, int axis) {
+std::pair<plate::SparseStiffness, std::vector<int>> mirror(const Solid& s, int axis) {
   const int D = s.dimension(), real = s.body.real;
   int last = 0;
   for (int k = 0; k < real; ++k) last = std::max(last, s.body.nodes[std::size_t(k)][axis]);
@@ -84,12 +74,22 @@ std::pair<plate::Stiffness, std::vector<int>> mirror(const Solid& s, int axis) {
     const int other = s.body.surface_node(image(face.inner), face.axis, face.axis == axis ? -face.side : face.side);
     add(real + i, real + other, face.inner);
   }
-  plate::Stiffness all(D * (real + Eigen::Index(s.body.surface.size())), Eigen::Index(lower.size()));
+  plate::SparseStiffness all(D * (real + Eigen::Index(s.body.surface.size())), Eigen::Index(lower.size()));
   all.setFromTriplets(entries.begin(), entries.end());
   return {all, lower};
 }
 
 }  // namespace
+
+Eigen::VectorXd loads(const Solid& s, const Conditions& c) {
+  const int D = s.dimension();
+  Eigen::VectorXd f(D * s.body.real);
+  for (int k = 0; k < s.body.real; ++k) {
+    const Eigen::Vector3d load = c.load(s.at(k));
+    for (int a = 0; a < D; ++a) f[D * k + a] = s.volume() * load[a];
+  }
+  return f;
+}
 
 Eigen::VectorXd with_surface_nodes(const Solid& s, int order, plate::FluxRule rule, const Conditions& c) {
   const auto [K, f, held] = equations(s, order, rule, c);
@@ -104,11 +104,11 @@ Eigen::VectorXd with_surface_nodes_mirrored(const Solid& s, int order, plate::Fl
   for (const auto& one : held)
     if (const auto found = std::ranges::find(lower, one.unknown); found != lower.end())
       lower_held.push_back({found - lower.begin(), one.value});
-  const plate::Stiffness folded = plate::Stiffness(all.transpose()) * K * all;
+  const plate::SparseStiffness folded = plate::SparseStiffness(all.transpose()) * K * all;
   return all * plate::solution_held(folded, all.transpose() * f, lower_held).values;
 }
 
-Eigen::VectorXd uncorrected(const Solid& s, const Conditions& c, const Field& solution) {
+Eigen::VectorXd on_nodes(const Solid& s, const plate::SparseStiffness& K, const Conditions& c, const Field& solution) {
   const int D = s.dimension();
   Eigen::VectorXd f = loads(s, c);
   std::vector<plate::HeldUnknown> held;
@@ -123,7 +123,11 @@ Eigen::VectorXd uncorrected(const Solid& s, const Conditions& c, const Field& so
         f[unknown] += s.area() * p[a];
     }
   }
-  return plate::solution_held(uncorrected_stiffness(s), f, held).values;
+  return plate::solution_held(K, f, held).values;
+}
+
+Eigen::VectorXd uncorrected(const Solid& s, const Conditions& c, const Field& solution) {
+  return on_nodes(s, uncorrected_stiffness(s), c, solution);
 }
 
 Errors errors(const Solid& s, const Eigen::VectorXd& u, const Field& solution) {

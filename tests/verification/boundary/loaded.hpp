@@ -19,8 +19,16 @@ Eigen::VectorXd with_surface_nodes(const Solid& solid, int order, plate::FluxRul
 Eigen::VectorXd with_surface_nodes_mirrored(const Solid& solid, int order, plate::FluxRule rule,
                                             const Conditions& conditions, int axis);
 
-/// Without corrections: nodes next to a face have the field that is the solution, or the traction (Sca23 4).
+/// Conditions at the nodes next to faces: the field that is the solution, or the traction (Sca23 4). `K`: of real
+/// nodes.
+Eigen::VectorXd on_nodes(const Solid& solid, const plate::SparseStiffness& K, const Conditions& conditions,
+                         const Field& solution);
+
+/// The same without any correction.
 Eigen::VectorXd uncorrected(const Solid& solid, const Conditions& conditions, const Field& solution);
+
+/// Loads inside, over real nodes.
+Eigen::VectorXd loads(const Solid& solid, const Conditions& conditions);
 
 /// Of real nodes: all components over the largest of each (Sca23 38).
 struct Errors {

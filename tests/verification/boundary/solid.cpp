@@ -4,8 +4,8 @@ namespace boundary_bodies {
 
 namespace {
 
-using plate::Stiffness;
-using plate::Weights;
+using plate::SparseStiffness;
+using plate::WeightRows;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 Material material(int dimension, double bulk, double shear) {
@@ -59,7 +59,7 @@ Actions assembled(const Solid& s, const Eigen::VectorXd& m, int nodes, std::opti
         for (const auto& crossing : crossings(b, i, j, *rule)) add(b.real + crossing.surface, crossing.share);
     }
   const Eigen::Index rows = D * (b.real + (rule ? Eigen::Index(b.surface.size()) : 0));
-  Actions result{Weights(b.real, D * nodes), Stiffness(rows, D * nodes), Stiffness(rows, nodes)};
+  Actions result{WeightRows(b.real, D * nodes), SparseStiffness(rows, D * nodes), SparseStiffness(rows, nodes)};
   result.dilatation.setFromTriplets(theta.begin(), theta.end());
   result.of_values.setFromTriplets(values.begin(), values.end());
   result.of_dilatation.setFromTriplets(dilatation.begin(), dilatation.end());
@@ -111,12 +111,12 @@ Actions actions(const Solid& s, plate::FluxRule rule) {
   return assembled(s, Eigen::VectorXd::Constant(s.body.count(), full_weighted_volume(s)), s.body.count(), rule);
 }
 
-Stiffness stiffness(const Solid& s, plate::Centre centre, int order, plate::FluxRule rule) {
+SparseStiffness stiffness(const Solid& s, plate::Centre centre, int order, plate::FluxRule rule) {
   const Actions a = actions(s, rule);
-  const Weights expanded = plate::for_each_unknown(plate::extrapolation(s.body, centre, order), s.dimension());
-  const Weights theta = a.dilatation * expanded;
-  const Stiffness dilatations = plate::extrapolation(s.body, plate::Centre::real_node, order - 1) * theta;
-  return a.of_values * Stiffness(expanded) + a.of_dilatation * dilatations;
+  const WeightRows expanded = plate::for_each_unknown(plate::extrapolation(s.body, centre, order), s.dimension());
+  const WeightRows theta = a.dilatation * expanded;
+  const SparseStiffness dilatations = plate::extrapolation(s.body, plate::Centre::real_node, order - 1) * theta;
+  return a.of_values * SparseStiffness(expanded) + a.of_dilatation * dilatations;
 }
 
 Eigen::VectorXd actions_of(const Solid& s, const Field& field, plate::FluxRule rule) {
@@ -137,7 +137,7 @@ Eigen::VectorXd actions_of(const Solid& s, const Field& field, plate::FluxRule r
   return a.of_values * U + a.of_dilatation * theta;
 }
 
-Stiffness uncorrected_stiffness(const Solid& s) {
+SparseStiffness uncorrected_stiffness(const Solid& s) {
   Eigen::VectorXd m = Eigen::VectorXd::Zero(s.body.real);
   for (int i = 0; i < s.body.real; ++i)
     for (const auto& neighbour : s.family) {
@@ -147,7 +147,7 @@ Stiffness uncorrected_stiffness(const Solid& s) {
       m[i] += bond.influence * bond.length * bond.length * s.volume();
     }
   const Actions a = assembled(s, m, s.body.real, {});
-  return a.of_values + Stiffness(a.of_dilatation * Stiffness(a.dilatation));
+  return a.of_values + SparseStiffness(a.of_dilatation * SparseStiffness(a.dilatation));
 }
 
 Eigen::VectorXd at_unknowns(const Solid& s, const Field& field) {

@@ -49,17 +49,17 @@ struct Solid {
 
 /// What is linear in the displacements of all nodes U, fictitious ones among them, and in their dilatations.
 struct Actions {
-  plate::Weights dilatation;                  // real nodes x unknowns of U
-  plate::Stiffness of_values, of_dilatation;  // (real nodes, then surface nodes) x dimension: minus the force on the
-                                              // node; the flux times area out of the face
+  plate::WeightRows dilatation;                     // real nodes x unknowns of U
+  plate::SparseStiffness of_values, of_dilatation;  // (real nodes, then surface nodes) x dimension: minus the force on
+                                                    // the node; the flux times area out of the face
 };
 Actions actions(const Solid& solid, plate::FluxRule rule);
 
 /// Rows of equilibrium of real nodes (Sca21 54, Sca23 33) and of fluxes of surface nodes (Sca21 60, Sca23 36) with
 /// fictitious nodes expanded: displacements to the order, dilatations to one less about the nearest real node.
 /// Unknowns: those of real nodes; behind them, where expanded about them, those of surface nodes.
-plate::Stiffness stiffness(const Solid& solid, plate::Centre centre, int order,
-                           plate::FluxRule rule = plate::FluxRule::crossing_point);
+plate::SparseStiffness stiffness(const Solid& solid, plate::Centre centre, int order,
+                                 plate::FluxRule rule = plate::FluxRule::crossing_point);
 
 using Field = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
@@ -68,7 +68,7 @@ using Field = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 Eigen::VectorXd actions_of(const Solid& solid, const Field& field, plate::FluxRule rule);
 
 /// Equilibrium without fictitious nodes: families and weighted volumes as the body cuts them.
-plate::Stiffness uncorrected_stiffness(const Solid& solid);
+plate::SparseStiffness uncorrected_stiffness(const Solid& solid);
 
 /// A field at real nodes and, behind them, surface nodes.
 Eigen::VectorXd at_unknowns(const Solid& solid, const Field& field);

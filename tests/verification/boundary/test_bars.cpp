@@ -48,12 +48,12 @@ struct Solved {
 /// Surface nodes of a bar: 0 at its lower end, 1 at its upper end.
 Solved with_multipliers(const Problem& p, int order) {
   const Solid s = bar();
-  const plate::Weights rows = bb::stiffness(s, plate::Centre::real_node, order);
-  plate::Weights B(2, s.body.real);
+  const plate::WeightRows rows = bb::stiffness(s, plate::Centre::real_node, order);
+  plate::WeightRows B(2, s.body.real);
   B.topRows(1) = plate::surface_values(s.body, order).topRows(1);
   B.bottomRows(1) = rows.bottomRows(1);
   const auto solution =
-      plate::solution_with_multipliers(plate::Stiffness(rows.topRows(s.body.real)), plate::Stiffness(B),
+      plate::solution_with_multipliers(plate::SparseStiffness(rows.topRows(s.body.real)), plate::SparseStiffness(B),
                                        forces(s, p).head(s.body.real), Eigen::Vector2d(0, p.end_force));
   return {solution.values, (rows * solution.values)[s.body.real], solution.multipliers.cwiseAbs()};
 }

@@ -93,8 +93,8 @@ private:
 
 /// Rows of values at the edges that are 0: both components, at the cells of corners the normal one only (Sca21, remark
 /// 4).
-plate::Stiffness clamps(const Solid& s, int order) {
-  const plate::Weights values = plate::for_each_unknown(plate::surface_values(s.body, order), 2);
+plate::SparseStiffness clamps(const Solid& s, int order) {
+  const plate::WeightRows values = plate::for_each_unknown(plate::surface_values(s.body, order), 2);
   const auto& surface = s.body.surface;
   std::vector<int> faces(std::size_t(s.body.real), 0);
   for (const auto& face : surface) ++faces[std::size_t(face.inner)];
@@ -104,17 +104,17 @@ plate::Stiffness clamps(const Solid& s, int order) {
     for (int a = 0; a < 2; ++a)
       if (a == surface[i].axis || faces[std::size_t(surface[i].inner)] == 1)
         rows.emplace_back(count++, 2 * int(i) + a, 1.0);
-  plate::Weights chosen(count, 2 * Eigen::Index(surface.size()));
+  plate::WeightRows chosen(count, 2 * Eigen::Index(surface.size()));
   chosen.setFromTriplets(rows.begin(), rows.end());
-  return plate::Weights(chosen * values);
+  return plate::WeightRows(chosen * values);
 }
 
 Eigen::VectorXd by_multipliers(const Solid& s, int order) {
-  const plate::Weights all = bb::stiffness(s, plate::Centre::real_node, order);
-  const plate::Stiffness B = clamps(s, order);
+  const plate::WeightRows all = bb::stiffness(s, plate::Centre::real_node, order);
+  const plate::SparseStiffness B = clamps(s, order);
   Eigen::VectorXd f = Eigen::VectorXd::Zero(2 * s.body.real);
   for (int k = 0; k < s.body.real; ++k) f[2 * k] = load * s.volume();
-  return plate::solution_with_multipliers(plate::Stiffness(all.topRows(2 * s.body.real)), B, f,
+  return plate::solution_with_multipliers(plate::SparseStiffness(all.topRows(2 * s.body.real)), B, f,
                                           Eigen::VectorXd::Zero(B.rows()))
       .values;
 }

@@ -101,7 +101,7 @@ TEST_CASE("surface effect of a bar: sums over a lattice tend to the integrals, w
   for (const int ratio : {20, 40, 80}) {
     const bb::Solid s = bar(ratio);
     const Eigen::VectorXd strained = bb::at_unknowns(s, [](const Eigen::Vector3d& x) { return x; });
-    const plate::Stiffness K = bb::uncorrected_stiffness(s);
+    const plate::SparseStiffness K = bb::uncorrected_stiffness(s);
     const Eigen::VectorXd force = K * strained.head(s.body.real);  // what holds the strain, per node
     double flux_between = 0, error = 0, largest = 0;
     for (int k = 0; k < 2 * ratio; ++k) {

@@ -40,13 +40,13 @@ Eigen::VectorXd series(double time) {
 /// Accelerations of the nodes, the flux through the upper end among the rows, of a bar whose fictitious nodes are
 /// expanded about its surface nodes (ScaDyn 3-5).
 struct Bar {
-  plate::Weights accelerations;  // nodes x (nodes, surface nodes)
-  Eigen::VectorXd flux;          // of the upper end, on the same
+  plate::WeightRows accelerations;  // nodes x (nodes, surface nodes)
+  Eigen::VectorXd flux;             // of the upper end, on the same
 };
 
 Bar corrected(int order, double kernel) {
   const auto body = plate::box_body({count}, ratio);
-  const plate::Weights expanded = plate::extrapolation(body, plate::Centre::surface_node, order);
+  const plate::WeightRows expanded = plate::extrapolation(body, plate::Centre::surface_node, order);
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd flux = Eigen::VectorXd::Zero(body.count());
   for (int i = 0; i < body.count(); ++i)
@@ -58,7 +58,7 @@ Bar corrected(int order, double kernel) {
       for (const auto& crossing : plate::crossings(body, i, j, plate::FluxRule::crossing_point))
         if (crossing.surface == 1) flux[j] += crossing.share * pull, flux[i] -= crossing.share * pull;
     }
-  plate::Weights rows(body.real, body.count());
+  plate::WeightRows rows(body.real, body.count());
   rows.setFromTriplets(entries.begin(), entries.end());
   return {rows * expanded, expanded.transpose() * flux};
 }
@@ -74,7 +74,7 @@ Bar uncorrected() {
       const double xi = spacing * away[0], pull = speed * speed / (horizon * xi * xi) * fraction * spacing;
       entries.emplace_back(i, j, pull), entries.emplace_back(i, i, -pull);
     }
-  plate::Weights rows(count, count + 2);
+  plate::WeightRows rows(count, count + 2);
   rows.setFromTriplets(entries.begin(), entries.end());
   return {rows, none};
 }

@@ -9,7 +9,7 @@ using namespace plate;
 namespace {
 
 /// A chain of springs of stiffness 2 between four points.
-Stiffness chain() {
+SparseStiffness chain() {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(4, 4);
   for (int i = 0; i < 3; ++i) K.block<2, 2>(i, i) += 2 * Eigen::Matrix2d{{1, -1}, {-1, 1}};
   return K.sparseView();
@@ -26,7 +26,7 @@ TEST_CASE("conditions: held unknowns have their values and reactions balance the
 }
 
 TEST_CASE("conditions: a multiplier on a value is minus what holds it; none on a value that is there anyway") {
-  const Stiffness B = Eigen::MatrixXd(Eigen::RowVector4d(1, 0, 0, 0)).sparseView();
+  const SparseStiffness B = Eigen::MatrixXd(Eigen::RowVector4d(1, 0, 0, 0)).sparseView();
   const auto solution = solution_with_multipliers(chain(), B, force, Eigen::VectorXd::Constant(1, 0.5));
   CHECK((solution.values - Eigen::Vector4d(0.5, 3.5, 6.5, 9.5)).norm() < 1e-13);
   CHECK(solution.multipliers[0] == Approx(6));
@@ -37,7 +37,7 @@ TEST_CASE("conditions: a multiplier on a value is minus what holds it; none on a
 }
 
 TEST_CASE("conditions: [K B^T; B 0]") {
-  const Stiffness B = Eigen::MatrixXd(Eigen::RowVector4d(1, 2, 3, 4)).sparseView();
+  const SparseStiffness B = Eigen::MatrixXd(Eigen::RowVector4d(1, 2, 3, 4)).sparseView();
   const Eigen::MatrixXd all = with_multipliers(chain(), B);
   CHECK(all.topLeftCorner(4, 4) == Eigen::MatrixXd(chain()));
   CHECK(all.row(4).head(4) == Eigen::RowVector4d(1, 2, 3, 4));
@@ -47,6 +47,6 @@ TEST_CASE("conditions: [K B^T; B 0]") {
 
 TEST_CASE("conditions: a loose body and contradictions are found") {
   CHECK_THROWS_AS(solution_held(chain(), force, {}), NumericalError);
-  const Stiffness B = Eigen::MatrixXd{{1, 0, 0, 0}, {2, 0, 0, 0}}.sparseView();
+  const SparseStiffness B = Eigen::MatrixXd{{1, 0, 0, 0}, {2, 0, 0, 0}}.sparseView();
   CHECK_THROWS_AS(solution_with_multipliers(chain(), B, force, Eigen::Vector2d(0, 1)), NumericalError);
 }

@@ -54,7 +54,7 @@ TEST_CASE("extrapolation: order 1 of a bar, by hand (Sca21 49; ScaDyn 4)") {
 
 TEST_CASE("extrapolation: beyond an edge only its column, on the diagonal of a corner the mean of both edges") {
   const auto body = box_body({4, 4}, 2);
-  const Weights rows = extrapolation(body, Centre::surface_node, 1);
+  const WeightRows rows = extrapolation(body, Centre::surface_node, 1);
   const int beside = body.node({-2, 2, 0}), diagonal = body.node({-1, -1, 0});
   CHECK(Eigen::MatrixXd(rows.row(beside)).cwiseAbs().count() == 2);
   const Eigen::MatrixXd both = rows.row(diagonal);
@@ -63,13 +63,17 @@ TEST_CASE("extrapolation: beyond an edge only its column, on the diagonal of a c
   CHECK(both.cwiseAbs().count() == 5);  // two surface nodes on each edge and the node of the corner
 }
 
-TEST_CASE("extrapolation: the same rows for each unknown of a node") {
+TEST_CASE("extrapolation: several unknowns of a node, each with its own order or all with the same") {
   const auto body = box_body({4, 3}, 2);
-  const Weights rows = extrapolation(body, Centre::surface_node, 1);
-  const Eigen::MatrixXd u = Eigen::MatrixXd::Random(rows.cols(), 3);
-  const Eigen::MatrixXd by_node = u.transpose();  // unknowns x nodes
-  const Eigen::VectorXd all = for_each_unknown(rows, 3) * by_node.reshaped();
-  CHECK((all - Eigen::MatrixXd((rows * u).transpose()).reshaped()).norm() < 1e-14);
+  const WeightRows first = extrapolation(body, Centre::surface_node, 1);
+  const WeightRows second = extrapolation(body, Centre::surface_node, 2);
+  const Eigen::MatrixXd by_node = Eigen::MatrixXd::Random(3, first.cols());  // unknowns x nodes
+  const Eigen::MatrixXd same = (for_each_unknown(first, 3) * by_node.reshaped()).reshaped(3, body.count());
+  CHECK((same - by_node * first.transpose()).norm() < 1e-13);
+  const Eigen::MatrixXd own = (for_each_unknown({second, first, first}) * by_node.reshaped()).reshaped(3, body.count());
+  CHECK((own.row(0) - by_node.row(0) * second.transpose()).norm() < 1e-13);
+  CHECK((own.bottomRows(2) - same.bottomRows(2)).norm() < 1e-13);
+  CHECK_THROWS_AS(for_each_unknown({first, extrapolation(body, Centre::real_node, 1)}), std::invalid_argument);
 }
 
 TEST_CASE("extrapolation: refuses an order that the body has too few nodes for") {
