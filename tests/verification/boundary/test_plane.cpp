@@ -30,6 +30,22 @@ TEST_CASE("plane strain, pulled: with shares of cells fitted to the local moduli
   }
 }
 
+TEST_CASE("plane strain, pulled: edges anywhere between two rows of nodes") {
+  for (const auto rule : {FluxRule::crossing_point, FluxRule::lever})
+    for (const int order : {1, 2}) {
+      Solid s = bb::plane_square(0.3, 10);
+      s.body = plate::lattice_body(2, plate::box_body({10, 8}, 0).nodes, 3,
+                                   [](const plate::LatticeBody::Index&, int axis, int side) {
+                                     return axis == 0 ? (side < 0 ? 0.3 : 0.9) : (side < 0 ? 0.75 : 0.4);
+                                   });
+      const bb::Field field = bb::pulled_square_of_lattice(s);
+      bb::Conditions conditions = bb::pulled(1, 1);
+      conditions.displacement = field;
+      const Eigen::VectorXd u = bb::with_surface_nodes(s, order, rule, conditions);
+      CHECK(bb::largest_errors(s, u, field).maxCoeff() < 1e-12);  // measured: 2.5e-13; by the lever 1.4e-14
+    }
+}
+
 TEST_CASE(
     "plane strain, made-up loading: all loads from sums over the lattice, the field to rounding at order 3 only") {
   const Solid s = bb::plane_square(0.3);
