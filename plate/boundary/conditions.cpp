@@ -1,6 +1,8 @@
 #include "plate/boundary/conditions.hpp"
 
 #include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
 #include "plate/model/numerical_error.hpp"
 
 namespace plate {

@@ -1,5 +1,7 @@
 #include "plate/boundary/crossings.hpp"
 
+#include <cmath>
+
 namespace plate {
 
 namespace {

@@ -1,6 +1,8 @@
 #include "plate/boundary/extrapolation.hpp"
 
 #include <fmt/format.h>
+#include <limits>
+#include <stdexcept>
 #include "plate/boundary/taylor.hpp"
 #include "plate/model/refused.hpp"
 

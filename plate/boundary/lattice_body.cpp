@@ -1,6 +1,7 @@
 #include "plate/boundary/lattice_body.hpp"
 
 #include <fmt/format.h>
+#include <stdexcept>
 
 namespace plate {
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <Eigen/QR>
+#include <cmath>
+#include <functional>
 #include "plate/model/refused.hpp"
 
 namespace plate {
