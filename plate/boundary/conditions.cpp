@@ -10,9 +10,11 @@ namespace plate {
 namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
+constexpr double left_over = 1e-9;  // of the right side and the solution; a regular matrix leaves 1e-15
 
 /// A^-1 b, rows and columns scaled to their largest entries first: those of values and of forces have other units.
 Eigen::VectorXd solved(const SparseStiffness& A, const Eigen::VectorXd& b) {
+  if (A.rows() == 0) return b;
   Eigen::VectorXd rows = Eigen::VectorXd::Zero(A.rows()), columns = Eigen::VectorXd::Zero(A.cols());
   for (Eigen::Index j = 0; j < A.outerSize(); ++j)
     for (SparseStiffness::InnerIterator e(A, j); e; ++e) rows[e.row()] = std::max(rows[e.row()], std::abs(e.value()));
@@ -28,7 +30,7 @@ Eigen::VectorXd solved(const SparseStiffness& A, const Eigen::VectorXd& b) {
   if (factor.info() != Eigen::Success) throw NumericalError("a body that is loose, or conditions that contradict");
   Eigen::VectorXd x = factor.solve(right);
   x += factor.solve(Eigen::VectorXd(right - scaled * x));
-  if (!((scaled * x - right).norm() <= 1e-6 * std::max(right.norm(), x.norm())))
+  if (!((scaled * x - right).norm() <= left_over * std::max(right.norm(), x.norm())))
     throw NumericalError("a body that is loose, or conditions that contradict");
   return x.cwiseQuotient(columns);
 }

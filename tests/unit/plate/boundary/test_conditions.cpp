@@ -25,6 +25,11 @@ TEST_CASE("conditions: held unknowns have their values and reactions balance the
   CHECK(solution.reactions[0] == Approx(-6));
 }
 
+TEST_CASE("conditions: with all unknowns held, reactions alone") {
+  const auto solution = solution_held(chain(), Eigen::Vector4d::Zero(), {{0, 0}, {1, 0}, {2, 0}, {3, 1}});
+  CHECK((solution.reactions - Eigen::Vector4d(0, 0, -2, 2)).norm() < 1e-14);
+}
+
 TEST_CASE("conditions: a multiplier on a value is minus what holds it; none on a value that is there anyway") {
   const SparseStiffness B = Eigen::MatrixXd(Eigen::RowVector4d(1, 0, 0, 0)).sparseView();
   const auto solution = solution_with_multipliers(chain(), B, force, Eigen::VectorXd::Constant(1, 0.5));
