@@ -3,7 +3,7 @@
 
 namespace plate {
 
-/// WeightRows of the values at `nodes` whose sum is the value at `at` of a Taylor expansion of the order given about
+/// Weights of the values at `nodes` whose sum is the value at `at` of a Taylor expansion of the order given about
 /// the first node; the other nodes' own expansions give its derivatives (Sca21 42-46, Sca23 25-32). As many nodes as
 /// there are terms: the polynomial through all of them. More: least squares, still through the first.
 /// @param nodes  dimension x count [length]
