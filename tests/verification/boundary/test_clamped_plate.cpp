@@ -34,57 +34,73 @@ std::pair<double, double> shape(int i, double x) {
   return {(1 - x * x) * p, (1 - x * x) * slope - 2 * x * p};
 }
 
-/// Least energy over products of shapes: u even in x and y, v odd in both, the middle of the plate at 0.
+/// Least energy over products of shapes: u even in x and y, v odd in both, the middle of the plate at 0. Unknown
+/// c n^2 + i n + j: component c, shapes 2 i + c along x and 2 j + c along y.
 class Ritz {
 public:
   explicit Ritz(int count) : n_(count) {
+    const auto products = shape_products(2 * n_);
+    const auto& [plain, left, both, sums] = products;
+    const double x = 2 / length, y = 2 / width, C = young / (1 - poisson * poisson), G = C * (1 - poisson) / 2;
     const int all = 2 * n_ * n_;
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(all, all);
+    Eigen::MatrixXd K(all, all);
     Eigen::VectorXd f = Eigen::VectorXd::Zero(all);
-    const Eigen::Matrix3d C =
-        young / (1 - poisson * poisson) * Eigen::Matrix3d{{1, poisson, 0}, {poisson, 1, 0}, {0, 0, (1 - poisson) / 2}};
-    const int points = 4 * n_ + 8;  // more than the degree of the integrands
-    for (int a = 0; a < points; ++a)
-      for (int b = 0; b < points; ++b) {
-        const auto [x, wx] = quadrature(a, points);
-        const auto [y, wy] = quadrature(b, points);
-        const auto [value, strain] = at(x, y);
-        const double area = wx * wy * length * width / 4;
-        K.noalias() += area * strain.transpose() * C * strain;
-        f += area * load * value.row(0).transpose();
+    for (int row = 0; row < all; ++row) {
+      const auto [c, a, b] = shapes(row);
+      if (c == 0) f[row] = load * sums[a] * sums[b];
+      for (int column = 0; column < all; ++column) {
+        const auto [d, e, g] = shapes(column);
+        const double by_x = x * x * both(a, e) * plain(b, g), by_y = y * y * plain(a, e) * both(b, g);
+        K(row, column) = c != d ? 0 : c == 0 ? C * by_x + G * by_y : C * by_y + G * by_x;
+        if (c == 0 && d == 1)
+          K(row, column) = x * y * (C * poisson * left(a, e) * left(g, b) + G * left(e, a) * left(b, g));
       }
+    }
+    const int half = n_ * n_;
+    K.bottomLeftCorner(half, half) = K.topRightCorner(half, half).transpose();
     weights_ = dense::solution(K, f);
   }
 
   Eigen::Vector3d operator()(const Eigen::Vector3d& from_corner) const {
-    const auto [value, strain] = at(2 * from_corner[0] / length - 1, 2 * from_corner[1] / width - 1);
-    const Eigen::Vector2d u = value * weights_;
-    return {u[0], u[1], 0};
+    Eigen::Vector3d u(0, 0, 0);
+    Eigen::ArrayXd along_x(2 * n_), along_y(2 * n_);
+    for (int i = 0; i < 2 * n_; ++i) {
+      along_x[i] = shape(i, 2 * from_corner[0] / length - 1).first;
+      along_y[i] = shape(i, 2 * from_corner[1] / width - 1).first;
+    }
+    for (int k = 0; k < 2 * n_ * n_; ++k) {
+      const auto [c, a, b] = shapes(k);
+      u[c] += weights_[k] * along_x[a] * along_y[b];
+    }
+    return u;
   }
 
 private:
-  /// Fejer's rule.
-  static std::pair<double, double> quadrature(int i, int points) {
-    const double t = (i + 0.5) * std::numbers::pi / points;
-    double sum = 0;
-    for (int k = 1; k <= points / 2; ++k) sum += std::cos(2 * k * t) / (4.0 * k * k - 1);
-    return {std::cos(t), 2.0 / points * (1 - 2 * sum)};
+  /// Integrals over [-1, 1] of shape a times shape b, of the derivative of a times b, of both derivatives, of shape a.
+  struct Products {
+    Eigen::MatrixXd plain, left, both;
+    Eigen::VectorXd sums;
+  };
+
+  static Products shape_products(int count) {
+    const int points = 2 * count + 8;  // of Fejer's rule, more than the degree of the integrands
+    Eigen::MatrixXd value(count, points), slope(count, points);
+    Eigen::VectorXd weight(points);
+    for (int q = 0; q < points; ++q) {
+      const double t = (q + 0.5) * std::numbers::pi / points;
+      double sum = 0;
+      for (int k = 1; k <= points / 2; ++k) sum += std::cos(2 * k * t) / (4.0 * k * k - 1);
+      weight[q] = 2.0 / points * (1 - 2 * sum);
+      for (int i = 0; i < count; ++i) std::tie(value(i, q), slope(i, q)) = shape(i, std::cos(t));
+    }
+    const Eigen::MatrixXd weighted = value * weight.asDiagonal();
+    return {weighted * value.transpose(), slope * weighted.transpose(), slope * weight.asDiagonal() * slope.transpose(),
+            value * weight};
   }
 
-  /// Displacements and strains (2 gamma_xy) of each product.
-  std::pair<Eigen::MatrixXd, Eigen::MatrixXd> at(double x, double y) const {
-    Eigen::MatrixXd value = Eigen::MatrixXd::Zero(2, 2 * n_ * n_), strain = Eigen::MatrixXd::Zero(3, 2 * n_ * n_);
-    for (int i = 0; i < n_; ++i)
-      for (int j = 0; j < n_; ++j)
-        for (int c = 0; c < 2; ++c) {
-          const auto [p, dp] = shape(2 * i + c, x);
-          const auto [q, dq] = shape(2 * j + c, y);
-          const int column = c * n_ * n_ + i * n_ + j;
-          value(c, column) = p * q;
-          const double by_x = dp * q * 2 / length, by_y = p * dq * 2 / width;
-          strain.col(column) = c == 0 ? Eigen::Vector3d(by_x, 0, by_y) : Eigen::Vector3d(0, by_y, by_x);
-        }
-    return {value, strain};
+  std::array<int, 3> shapes(int unknown) const {
+    const int c = unknown / (n_ * n_), rest = unknown % (n_ * n_);
+    return {c, 2 * (rest / n_) + c, 2 * (rest % n_) + c};
   }
 
   int n_;
