@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ostream>
 #include <sstream>
 
 #include "plate/solve/archive.hpp"
@@ -52,7 +51,7 @@ void Keeper::hold(const Remember& remember) {
 void Keeper::write() {
   if (held_.empty()) return;
   try {
-    checkpoints_.write([this](std::ostream& stream) { stream.write(held_.data(), std::streamsize(held_.size())); });
+    checkpoints_.write(held_);
   } catch (const std::filesystem::filesystem_error& error) {
     if (!std::exchange(failed_, true)) post::say(fmt::format("no checkpoint: {}\n", error.what()));
   }

@@ -63,9 +63,10 @@ post::Summary QuasiStaticRun::operator()(post::Recorder recorder, Keeper* keeper
     progress.done();
     return finish();
   } catch (const plate::NumericalError& error) {
-    grown_.ended = {End::failed, error.what()};
+    const auto failed = error.point ? placed(error, model_->plate(), {}) : error;  // without one, there may be no plate
+    grown_.ended = {End::failed, failed.what()};
     finish();
-    throw;
+    throw failed;
   } catch (const plate::Interrupted& asked) {
     grown_.ended = {End::interrupted, asked.what()};
     write_held(keeper);
@@ -87,7 +88,7 @@ void QuasiStaticRun::observe(const Equilibrium& now) {
   reactions_.add(time, plate, model_->forces(), state_, now.factor);
   if (auto factors = model_->factors(now.factor)) {
     post::require_finite(*factors, when);
-    if (tips_) doubt_ = std::max(doubt_, post::largest_error(*factors));
+    if (tips_) doubt_ = std::max(doubt_, post::error_of_leading(*factors, plan_.problem.section.thickness));
     post::append(srifs_, time, *factors);
     latest_ = std::move(*factors);
   }
@@ -144,9 +145,10 @@ post::Summary QuasiStaticRun::finish() {
   constexpr double much = 0.1;  // load factors are square roots of energy release rates
   record();
   if (doubt_ > much)
-    warnings_.push_back(fmt::format(
-        "the intensity factors that the tips go by are uncertain by {:.0f} % at some advance, and so are load factors",
-        100 * doubt_));
+    warnings_.push_back(
+        fmt::format("the largest intensity factor of a tip is uncertain by {:.0f} % at some advance, and "
+                    "so are load factors{}; {}",
+                    100 * doubt_, doubt_ >= 1 ? ", which mean nothing" : "", model_->plate().remedy()));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   post::Summary summary;
   if (state_.cols() > 0) summary = about(plan_, model_->plate(), warnings_);

@@ -56,7 +56,7 @@ private:
   Grown grown_;
   std::size_t advance_ = 0;  // its number
   double factor_ = 0, largest_factor_ = 0;
-  double doubt_ = 0;  // largest estimated error of the factors that tips go by, relative
+  double doubt_ = 0;  // largest estimated error of a leading factor that tips go by, relative
   std::optional<double> first_factor_;
   bool framed_ = true;
 };

@@ -8,11 +8,11 @@
 #include "fracture/growth/motion/moving_growth.hpp"
 #include "fracture/growth/words.hpp"
 #include "geometry/lattice/cloud.hpp"
+#include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/archive.hpp"
-#include "post/files/gate.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/html/report.hpp"
 #include "post/report/scene.hpp"
@@ -35,6 +35,17 @@ post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::v
   return summary;
 }
 
+plate::NumericalError placed(const plate::NumericalError& error, const plate::Formulation& plate,
+                             const post::Summary& summary) {
+  std::string said = error.what();
+  if (const auto& places = plate.cloud().positions; error.point && *error.point < places.size())
+    said += fmt::format("; the point is at ({:g}, {:g})", places[*error.point].x(), places[*error.point].y());
+  if (const auto& analysis = summary.analysis; analysis.time_step && analysis.time_step_limit)
+    said += fmt::format("; the time step {:g} is {:.3g} of the stable one", *analysis.time_step,
+                        *analysis.time_step / *analysis.time_step_limit);
+  return plate::NumericalError(said);
+}
+
 void write_report(const RunPlan& plan, const post::Pictures& pictures) {
   if (plan.report)
     post::write_report(*plan.report, {plan.problem, plan.title, plan.source, plan.units, plan.probes}, pictures);
@@ -49,7 +60,8 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
       probes_(probes_of(plan.probes, plate)),
       factors_(plan.problem.section.thickness),
       reactions_(plate, plan.analysis.rotary_inertia, plan.analysis.method == plate::Analysis::Method::lanczos),
-      extremes_(plate) {
+      extremes_(plate),
+      energy_gate_(plan.growth ? post::EnergyGate::Plate::grows : post::EnergyGate::Plate::moves) {
   if (!recorder_.draws() && !recorder_.stores()) return;
   const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
   if (plan_.report) pictures_.open(mesh);
@@ -59,14 +71,17 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
 void Results::sample(const plate::Instant& now, bool last) {
   strain_energy_ = now.strain_energy;
   post::Sample row{now.time, now.step, now.state, now.strain_energy, now.kinetic_energy, now.external_work, 0};
-  row.discrete_energy = now.strain_energy + now.discrete_energy;
+  post::EnergyGate::Books books{now.strain_energy + now.kinetic_energy, now.strain_energy + now.discrete_kinetic_energy,
+                                now.external_work};
+  row.discrete_energy = books.kept + now.potential;
   if (growth_) {
     row.fracture_energy = growth_->fracture_energy();
-    row.energy_residual = residual_ =
-        now.external_work - now.strain_energy - now.kinetic_energy - row.fracture_energy - growth_->frozen_energy();
+    books.energy += row.fracture_energy + growth_->frozen_energy();
+    row.energy_residual = residual_ = now.external_work - books.energy;
     growth_->look(now.time);
   }
   recorder_.row(row, probes_, plate_.cloud().plate_points);
+  if (plan_.moves()) energy_gate_.look(books, fmt::format("at step {}, time {:g}", now.step, now.time));
   reactions_.add(now, growth_ ? growth_->plate() : plate_);
   if (!growth_) extremes_.row(now);
   times_.push_back(now.time);
@@ -145,7 +160,7 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
 
 template <typename Archive>
 void Results::memory(Archive& archive) {
-  archive(factors_, reactions_, extremes_, pictures_, times_, residual_, strain_energy_, next_frame_);
+  archive(factors_, reactions_, extremes_, pictures_, times_, residual_, energy_gate_, strain_energy_, next_frame_);
 }
 
 void Results::remember(plate::OutArchive& archive) {

@@ -2,6 +2,7 @@
 #include "fracture/runs/run_plan.hpp"
 #include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
+#include "post/files/gate.hpp"
 #include "post/files/recorder.hpp"
 #include "post/report/conclusion.hpp"
 #include "post/report/html/pictures.hpp"
@@ -9,6 +10,7 @@
 
 namespace plate {
 class Formulation;
+class NumericalError;
 class Stopwatch;
 struct Instant;
 struct Mode;
@@ -24,6 +26,10 @@ std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>&
 
 /// What is known of a run before it.
 post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings);
+
+/// What the error says, with the place of its point and, in a motion by steps, what its step is of the stable one.
+plate::NumericalError placed(const plate::NumericalError& error, const plate::Formulation& plate,
+                             const post::Summary& summary);
 
 /// Writes report.html into the folder of a finished run, where one is wanted.
 void write_report(const RunPlan& plan, const post::Pictures& pictures);
@@ -72,6 +78,7 @@ private:
   post::FactorRows factors_;
   post::ReactionRows reactions_;
   post::Extremes extremes_;
+  post::EnergyGate energy_gate_;
   std::vector<double> times_;
   std::vector<post::Frequency> frequencies_;
   std::optional<post::AccuracySummary> accuracy_;

@@ -58,7 +58,7 @@ void solve_static(const Going& run) {
   post::require_finite(solution.state, "in equilibrium");
   const double work = post::slow_work(plate, solution.state);
   const double strain = plate.strain_energy(solution.state);
-  const plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, -2 * work};
+  const plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
   results.sample(end, true);
   stopwatch.lap("srif");
   results.frame(end);
@@ -68,6 +68,7 @@ void solve_static(const Going& run) {
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
                                             solution.stop_reason, solution.residual, analysis.tolerance));
+  post::EnergyGate(post::EnergyGate::Plate::rests).look({strain, strain, work}, "in equilibrium");
 }
 
 /// Takes the rows and frames of a motion, as far as the step `last`.
@@ -223,10 +224,11 @@ post::Summary run_once(const Ready& ready, Results& results, plate::Stopwatch& s
     solve({ready, results, summary, stopwatch}, growth.get(), keeper);
     summary.outcome = "done";
   } catch (const plate::NumericalError& error) {
-    summary.outcome = fmt::format("failed: {}", error.what());
-    summary.analysis.stop_reason = error.what();
+    const auto failed = placed(error, *ready.plate, summary);
+    summary.outcome = fmt::format("failed: {}", failed.what());
+    summary.analysis.stop_reason = failed.what();
     results.finish(summary, stopwatch);
-    throw;
+    throw failed;
   } catch (const plate::Interrupted& asked) {
     summary.outcome = "interrupted";
     summary.analysis.stop_reason = asked.what();

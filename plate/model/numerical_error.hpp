@@ -1,5 +1,8 @@
 #pragma once
+#include <cstddef>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace plate {
 
@@ -7,6 +10,9 @@ namespace plate {
 class NumericalError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
+  NumericalError(const std::string& message, std::size_t at) : std::runtime_error(message), point(at) {}
+
+  std::optional<std::size_t> point = {};  // where it is one
 };
 
 /// A stiffness that is not positive: something can move without resistance.

@@ -4,8 +4,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
+#include <new>
 
 namespace plate {
 namespace {
@@ -23,6 +26,23 @@ namespace {
 }
 #endif
 
+/// What nobody catches, as of a thread that has no memory to begin with.
+[[noreturn]] void end_in_words() {
+  constexpr int failed_machine = 4;  // as of main
+  const auto thrown = std::current_exception();
+  const char* reason = "for no reason that is known";
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    reason = "the memory does not suffice";
+  } catch (const std::exception& error) {
+    reason = error.what();
+  } catch (...) {
+  }
+  dprintf(STDERR_FILENO, "failed: %s\n", reason);
+  _exit(failed_machine);
+}
+
 }  // namespace
 
 void settle_process([[maybe_unused]] char** argv) {
@@ -31,6 +51,7 @@ void settle_process([[maybe_unused]] char** argv) {
 #endif
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  std::set_terminate(end_in_words);
   mallopt(M_MMAP_THRESHOLD, 1 << 28);
   mallopt(M_TRIM_THRESHOLD, 1 << 28);
 }

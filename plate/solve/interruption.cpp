@@ -41,7 +41,10 @@ StopOnSignals::StopOnSignals() {
   if (living++ > 0) return;
   struct sigaction action {};
   action.sa_handler = ask;  // without SA_RESTART: who waits for another process hears of it
-  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before[i]);
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    sigaction(signals[i], nullptr, &before[i]);
+    if (before[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);  // ignored by whoever started this
+  }
 }
 
 StopOnSignals::~StopOnSignals() {

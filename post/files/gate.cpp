@@ -9,6 +9,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/finite.hpp"
 
 namespace post {
 
@@ -28,12 +29,9 @@ void require_finite(const std::vector<Srif>& factors, const std::string& when) {
 }
 
 void require_finite(const plate::State& state, const std::string& when) {
-  if (!std::isfinite(state.cwiseAbs().sum())) {  // a sum: comparisons pass over what is not a number
-    for (Eigen::Index k = 0; k < state.cols(); ++k)
-      if (!state.col(k).allFinite())
-        throw plate::NumericalError(fmt::format("the displacement of point {} is not finite {}", k, when));
+  plate::require_finite(state, when);
+  if (!std::isfinite(state.cwiseAbs().sum()))
     throw plate::NumericalError(fmt::format("the displacements are too large for double precision {}", when));
-  }
 }
 
 double slow_work(const plate::Formulation& plate, const plate::State& state) {
@@ -71,6 +69,20 @@ void require_motion(const plate::Formulation& plate, const std::vector<plate::Fo
   if (!moves(state, work))
     throw plate::NumericalError(fmt::format(
         "the loads do a work of {:g}: numbers are too small for double precision; choose other units", work));
+}
+
+void EnergyGate::look(const Books& now, const std::string& when) {
+  constexpr double allowed = 0.01, rounding = 1e-9;
+  constexpr double much = 4;  // near the stable step, energies of full steps are up to 2.8 times those that are kept
+  if (!before_) before_ = plate_ == Plate::rests ? 0 : now.kept - now.work;
+  largest_work_ = std::max(largest_work_, std::abs(now.work));
+  const double beyond = std::abs(now.kept - now.work - *before_);
+  const bool open = plate_ != Plate::grows && beyond > allowed * largest_work_ && beyond > rounding * now.energy;
+  if (open || last_energy_ > much * largest_work_)
+    throw plate::NumericalError(
+        fmt::format("the plate has an energy of {:g} {}, but the loads have done a work of {:g}: the numbers are wrong",
+                    now.energy, when, now.work));
+  last_energy_ = now.energy;
 }
 
 }  // namespace post

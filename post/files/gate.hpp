@@ -1,5 +1,6 @@
 #pragma once
 #include <initializer_list>
+#include <optional>
 
 #include "plate/formulation/formulation.hpp"
 #include "post/factors/srif.hpp"
@@ -26,5 +27,33 @@ bool moves(const plate::State& state, double work);
 /// that no load reaches what may move. `loads`: nodal forces, those that act together as one.
 void require_motion(const plate::Formulation& plate, const std::vector<plate::Forces>& loads, const plate::State& state,
                     double work, std::vector<std::string>& warnings);
+
+/// Looks after the energy of a plate, which is the work of its loads: what is not comes of steps that are too long, of
+/// a force that is not the derivative of an energy, or of a state that is no equilibrium.
+class EnergyGate {
+public:
+  enum class Plate { rests, moves, grows };
+  explicit EnergyGate(Plate plate) : plate_(plate) {}
+
+  struct Books {
+    double energy;  // strain, kinetic, and spent on growth so far: none is negative
+    double kept;    // the same, as central differences keep it, be they stable or not
+    double work;    // of the loads so far
+  };
+  /// Throws plate::NumericalError where what is kept and the work, in motion both since the first call, differ by more
+  /// than a hundredth of the largest work that there has been; and where the energy of the last call was some times as
+  /// much: loads that set in have done no work yet when the plate begins to move.
+  void look(const Books& now, const std::string& when);
+
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(largest_work_, last_energy_, before_);
+  }
+
+private:
+  Plate plate_;
+  double largest_work_ = 0, last_energy_ = 0;
+  std::optional<double> before_;  // what was kept less the work at the first call
+};
 
 }  // namespace post

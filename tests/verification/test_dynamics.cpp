@@ -49,7 +49,8 @@ Balance balance(const History& history, std::size_t steps = 1000, double share =
                 ? 0
                 : f.cwiseProduct(f.binaryExpr(mass, [](double g, double m) { return m > 0 ? g / m : 0.0; })).sum();
         result.largest_strain = std::max(result.largest_strain, strain);
-        if (now.time >= from) sums.push_back({sum, sum - dt * dt / 8 * accelerated, strain + now.discrete_energy});
+        if (now.time >= from)
+          sums.push_back({sum, sum - dt * dt / 8 * accelerated, strain + now.discrete_kinetic_energy + now.potential});
       });
   REQUIRE(sums.size() > 100);
   const double origin = from < 0 ? 0 : sums.front()[0];

@@ -13,7 +13,7 @@ constexpr double first_speed = 0.3;    // of a tip that starts: of the limit
 constexpr double least_speed = 0.02;   // of one that runs: of the limit
 constexpr double recent_length = 3;    // spacings: a lattice's steps under an angle to it
 constexpr double gain = 0.45, gain_of_all = 1.5;
-constexpr double gauge_reach = 20;  // spacings from a tip to the last bond that its gauge knows of: 12 at most
+constexpr double gauge_reach = 20;  // spacings: rings of 7.6 and two horizons about them, and more than that
 constexpr double look_after = 5;    // spacings gone without a look at the direction
 
 std::vector<geometry::Polyline> polylines(const std::vector<geometry::CrackPath>& paths) {

@@ -1,12 +1,14 @@
 #include "plate/solve/motion/dynamics.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <map>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/history.hpp"
 #include "plate/model/nodal_forces.hpp"
-#include "plate/model/numerical_error.hpp"
+#include "plate/solve/finite.hpp"
 #include "plate/solve/interruption.hpp"
 
 namespace plate {
@@ -148,17 +150,6 @@ private:
   bool varies_ = false;
 };
 
-void require_finite(const State& state, std::size_t step, double time) {
-  const auto size = static_cast<std::size_t>(state.cols());
-  std::size_t first = size;
-#pragma omp parallel for schedule(static) reduction(min : first)
-  for (std::size_t k = 0; k < size; ++k)
-    if (!state.col(static_cast<Eigen::Index>(k)).allFinite()) first = std::min(first, k);
-  if (first < size)
-    throw NumericalError("the state is not finite at step " + std::to_string(step) + ", time " + std::to_string(time) +
-                         ", first at point " + std::to_string(first));
-}
-
 /// What those who observe see of a step; all that is given must outlive it. `force`: folded.
 template <typename Real>
 Instant seen(const Step& now, const Values<Real>& force, double work, const Masses& masses,
@@ -184,15 +175,11 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
     constraints.impose(first);
     return first;
   };
-  return {now.step,
-          now.time,
-          now.state,
-          [combined, &velocity = now.velocity, half] { return combined(velocity, half); },
-          kinetic,
-          work,
-          strain,
-          product - potential,
-          [combined, points] { return combined(State::Zero(3, points), 1); },
+  return {now.step,   now.time,
+          now.state,  [combined, &velocity = now.velocity, half] { return combined(velocity, half); },
+          kinetic,    work,
+          strain,     product,
+          -potential, [combined, points] { return combined(State::Zero(3, points), 1); },
           {}};
 }
 
@@ -227,14 +214,14 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     if (masses.varies()) masses.at(time);
     const double work = observed || masses.varies() ? masses.work(time, state) : 0;
     if (observed) {
-      require_finite(state, step, time);
+      require_finite(state, fmt::format("at step {}, time {:g}", step, time));
       auto instant = seen(now, force, work, masses, constraints);
       instant.held_force = std::move(held_force);
       instant.interrupted = stops;
       observe(instant);
     }
     if (step == options.steps) return;
-    if (stops) throw Interrupted("asked to stop at step " + std::to_string(step) + ", time " + std::to_string(time));
+    if (stops) throw Interrupted(fmt::format("asked to stop at step {}, time {:g}", step, time));
     const double share = step == 0 ? dt / 2 : dt;
     masses.for_each(points, [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
       const double per_force = share * one.inverse_mass[c], load = one.load[c];

@@ -23,8 +23,9 @@ struct Instant {
   double kinetic_energy;
   double external_work;
   double strain_energy;
-  /// v(n-1/2) M v(n+1/2) / 2 - f u: with the strain energy, what central differences conserve under constant loads.
-  double discrete_energy = 0;
+  /// v(n-1/2) M v(n+1/2) / 2: with the strain energy, what central differences change by the work of the loads alone.
+  double discrete_kinetic_energy = 0;
+  double potential = 0;                      // of the loads: -f u
   std::function<State()> acceleration = {};  // as velocity; none in statics
   /// Internal force on what is held (Constraints::on_held()), where it is at hand.
   std::optional<Eigen::VectorXd> held_force = {};
@@ -80,9 +81,9 @@ struct DynamicOptions {
 };
 
 /// Central differences (Dai 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a
-/// dt^2 / 2. Calls `observe` at step 0, every `observe_every` steps and at the end. Throws NumericalError where the
-/// deflection is not finite, with step, time and point, and Interrupted where a signal asks for the end, once the step
-/// in hand has been observed.
+/// dt^2 / 2. Calls `observe` at step 0, every `observe_every` steps and at the end. Throws NumericalError where a
+/// displacement that is observed is not finite, with step, time and point, and Interrupted where a signal asks for the
+/// end, once the step in hand has been observed.
 void central_differences(const Operator& plate, const Constraints& constraints, Forces mass,
                          const std::vector<TimedLoad>& loads, const DynamicOptions& options,
                          const std::function<void(const Instant&)>& observe);

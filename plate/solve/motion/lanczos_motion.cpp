@@ -1,5 +1,7 @@
 #include "plate/solve/motion/lanczos_motion.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +10,7 @@
 
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/finite.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/lanczos_space.hpp"
 
@@ -165,7 +168,7 @@ void LanczosMotion::observe(std::size_t rows, const std::function<void(const Ins
       const auto& then = at[std::size_t(i)];
       const double time = time_of(first + std::size_t(i));
       const State state = Eigen::Map<const State>(states.col(i).data(), 3, points_);
-      if (!state.allFinite()) throw NumericalError("the state is not finite at time " + std::to_string(time));
+      require_finite(state, fmt::format("at time {:g}", time));
       const auto combined = [&](const VectorXd& of_modes) -> State {
         const VectorXd all = shapes_ * of_modes;
         return Eigen::Map<const State>(all.data(), 3, points_);
@@ -173,7 +176,7 @@ void LanczosMotion::observe(std::size_t rows, const std::function<void(const Ins
       const auto velocity = [&] { return combined(then.velocities()); };
       const auto acceleration = [&] { return combined(then.accelerations(time)); };
       see({first + std::size_t(i), time, state, velocity, then.kinetic_energy(), then.work(), then.strain_energy(),
-           then.kinetic_energy() + then.potential(time), acceleration});
+           then.kinetic_energy(), then.potential(time), acceleration});
     }
   }
 }

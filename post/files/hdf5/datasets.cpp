@@ -44,8 +44,9 @@ Id new_group(hid_t parent, const std::string& name) {
 
 void write_whole_dataset(hid_t parent, const std::string& name, hid_t type, const Sizes& sizes, const void* values,
                          const Meaning& meaning) {
-  const Id dataset = new_dataset(parent, name, type, space_of(sizes), meaning);
+  Id dataset = new_dataset(parent, name, type, space_of(sizes), meaning);
   checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+  checked(dataset.release(), name);  // small ones are written here; a file that is closed knows nothing of what failed
 }
 
 Series::Series(hid_t parent, const std::string& name, Sizes sizes, hsize_t chunk, const Meaning& meaning)

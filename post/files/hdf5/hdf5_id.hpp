@@ -38,7 +38,8 @@ Result checked(Result result, const std::string& what) {
                                           std::make_error_code(std::errc::io_error));
 }
 
-/// Leaves the reporting and the closing to us: at exit HDF5 would print, and crash over a file that it could not close.
+/// Leaves the reporting, of the calling thread, and the closing to us: at exit HDF5 would print, and crash over a file
+/// that it could not close.
 inline void keep_quiet() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

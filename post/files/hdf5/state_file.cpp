@@ -182,6 +182,7 @@ void OpenStateFile::drop() {
 
 /// A run that was asked to end has put its parts together.
 void OpenStateFile::go_on(std::size_t frames) {
+  hdf5::keep_quiet();
   std::error_code none;
   if (std::filesystem::exists(options_.path, none)) {
     remove_files();
@@ -213,12 +214,14 @@ void OpenStateFile::shorten(const std::filesystem::path& path, std::size_t frame
 
 /// A checkpoint may name a part that has no frame yet: it is whole as well.
 void OpenStateFile::part() {
+  hdf5::keep_quiet();
   if (file_ < 0) return;
   release();
   parts_.push_back(std::exchange(in_part_, 0));
 }
 
 void OpenStateFile::write(const Frame& frame, const plate::State* velocity) {
+  hdf5::keep_quiet();
   const auto fits = [&](const plate::State& state) { return static_cast<hsize_t>(state.cols()) == points_; };
   if (!fits(frame.state) || (velocity && !fits(*velocity))) {
     throw std::invalid_argument(fmt::format("{}: a frame does not have {} points", options_.path.string(), points_));
@@ -256,6 +259,7 @@ void OpenStateFile::assemble() {
 }
 
 void OpenStateFile::write(const std::string& name, const Table& table) {
+  hdf5::keep_quiet();
   constexpr std::size_t bytes_per_cell = 32;  // a word of a few letters
   require_space(options_.path, bytes_per_cell * table.rows.size() * table.columns.size());
   if (!assembled_) assemble();
@@ -264,6 +268,7 @@ void OpenStateFile::write(const std::string& name, const Table& table) {
 }
 
 void OpenStateFile::close() {
+  hdf5::keep_quiet();
   if (closed_) return;
   if (!assembled_) assemble();
   closed_ = true;

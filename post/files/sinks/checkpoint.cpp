@@ -1,7 +1,7 @@
 #include "post/files/sinks/checkpoint.hpp"
 
 #define XXH_INLINE_ALL
-#define XXH_VECTOR 0  // scalar: gcc 12 warns of its own AVX-512 header; still several GB/s
+#define XXH_VECTOR 0  // scalar: gcc 12 warns of its own AVX-512 header
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -28,38 +28,6 @@ constexpr const char* magic = "PDPlate checkpoint 1: ";  // the number of its fo
   throw fs::filesystem_error("cannot write", path, std::error_code(errno != 0 ? errno : EIO, std::generic_category()));
 }
 
-/// A file, with a checksum of what has been written to it.
-class Hashing : public std::streambuf {
-public:
-  explicit Hashing(const fs::path& path) : path_(path), state_(XXH3_createState(), XXH3_freeState) {
-    XXH3_64bits_reset(state_.get());
-    errno = 0;
-    if (!file_.open(path, std::ios::out | std::ios::binary | std::ios::trunc)) fail(path);
-  }
-  std::uint64_t checksum() const { return XXH3_64bits_digest(state_.get()); }
-  void close() {
-    errno = 0;
-    if (!file_.close()) fail(path_);
-  }
-
-private:
-  std::streamsize xsputn(const char* data, std::streamsize count) override {
-    XXH3_64bits_update(state_.get(), data, std::size_t(count));
-    errno = 0;
-    if (file_.sputn(data, count) != count) fail(path_);
-    return count;
-  }
-  int_type overflow(int_type c) override {
-    const char one = traits_type::to_char_type(c);
-    xsputn(&one, 1);
-    return c;
-  }
-
-  fs::path path_;
-  std::filebuf file_;
-  std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_;
-};
-
 /// Waits until a file, or the names in a folder, are on the disk.
 void sync(const fs::path& path) {
   const int opened = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -73,19 +41,21 @@ void sync(const fs::path& path) {
   if (!synced && errno != EINVAL) fail(path);
 }
 
-std::string hexadecimal(std::uint64_t number) {
-  return fmt::format("{:016x}", number);
-}
-
 constexpr std::size_t digits = 16;  // of the checksum, at the end
+
+std::string checksum(std::string_view line, std::string_view memory) {
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
+  XXH3_64bits_reset(state.get());
+  for (const auto part : {line, memory}) XXH3_64bits_update(state.get(), part.data(), part.size());
+  return fmt::format("{:016x}", XXH3_64bits_digest(state.get()));
+}
 
 /// What is wrong with a checkpoint; empty: nothing.
 std::string fault_of(std::string_view all, const std::string& of) {
   const auto line = all.find('\n');
   if (!all.starts_with(magic) || line == std::string_view::npos) return "is no checkpoint of this version";
   const auto before = all.substr(0, std::max(all.size(), digits) - digits);
-  if (before.size() <= line || hexadecimal(XXH3_64bits(before.data(), before.size())) != all.substr(before.size()))
-    return "is damaged or not whole";
+  if (before.size() <= line || checksum(before, {}) != all.substr(before.size())) return "is damaged or not whole";
   if (const auto found = all.substr(0, line).substr(std::string_view(magic).size()); found != of)
     return fmt::format("is of another run: {}, not {}", found, of);
   return {};
@@ -99,16 +69,15 @@ std::string content_of(std::string text) {
 
 }  // namespace
 
-void Checkpoints::write(const std::function<void(std::ostream&)>& remember) const {
+void Checkpoints::write(const std::string& memory) const {
   const auto newest = folder_ / names[0];
   write_whole(newest, [&](const fs::path& beside) {
-    Hashing file(beside);
-    std::ostream stream(&file);
-    stream.exceptions(std::ios::badbit);
-    stream << magic << of_ << '\n';
-    remember(stream);
-    stream << hexadecimal(file.checksum());
-    file.close();
+    const auto line = magic + of_ + "\n";
+    errno = 0;
+    std::ofstream file(beside, std::ios::binary);
+    file << line << memory << checksum(line, memory);
+    file.close();  // what is still in the buffer meets a full disk only here
+    if (!file) fail(beside);
     sync(beside);
     std::error_code none;  // there is none before the second
     fs::rename(newest, folder_ / names[1], none);

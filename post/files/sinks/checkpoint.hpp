@@ -1,7 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <functional>
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +14,8 @@ public:
   /// `of`: one line that says which run of which program may go on from it.
   Checkpoints(std::filesystem::path folder, std::string of) : folder_(std::move(folder)), of_(std::move(of)) {}
 
-  /// `remember` writes the memory. Throws std::filesystem::filesystem_error; the last one stays then.
-  void write(const std::function<void(std::ostream&)>& remember) const;
+  /// Throws std::filesystem::filesystem_error; the last one stays then.
+  void write(const std::string& memory) const;
 
   /// The memory in the newest checkpoint that is whole and of this run, if there is one. What is wrong with others goes
   /// into `refused`.

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCell.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
@@ -12,6 +11,7 @@
 #include <stdexcept>
 
 #include "post/files/files.hpp"
+#include "post/files/vtk/xml_text.hpp"
 
 namespace post {
 namespace {
@@ -62,10 +62,8 @@ Frame frame_of(vtkUnstructuredGrid& grid) {
 }  // namespace
 
 Drawn read_vtu(const std::filesystem::path& path) {
-  vtkNew<vtkCallbackCommand> silent;  // without it VTK prints to the terminal what is thrown below
-  silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, silent);
+  keep_quiet(*reader);
   reader->SetFileName(path.c_str());
   reader->Update();
   vtkUnstructuredGrid& grid = *reader->GetOutput();

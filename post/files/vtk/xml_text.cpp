@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
 #include <vtkErrorCode.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkXMLWriter.h>
 
@@ -10,10 +11,15 @@
 
 namespace post {
 
-std::string xml_text(vtkXMLWriter& writer, const std::string& what) {
-  vtkNew<vtkCallbackCommand> silent;  // without it VTK prints to the terminal what is thrown below
+void keep_quiet(vtkObject& object) {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkNew<vtkCallbackCommand> silent;
   silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  writer.AddObserver(vtkCommand::ErrorEvent, silent);
+  object.AddObserver(vtkCommand::ErrorEvent, silent);
+}
+
+std::string xml_text(vtkXMLWriter& writer, const std::string& what) {
+  keep_quiet(writer);
   writer.SetDataModeToBinary();
   // zlib's fastest level takes 2.6 times as long for files of three quarters the size, as numbers hardly shrink
   writer.SetCompressorTypeToLZ4();

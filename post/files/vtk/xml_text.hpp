@@ -1,9 +1,13 @@
 #pragma once
 #include <string>
 
+class vtkObject;
 class vtkXMLWriter;
 
 namespace post {
+
+/// Without it VTK prints to the terminal what its callers throw.
+void keep_quiet(vtkObject& object);
 
 /// What the writer has to say of its input, as text: the disk is met in write_whole alone, which knows what to do when
 /// it is full. Arrays are compressed and stand inline in base64, so that the text is well-formed XML: raw appended

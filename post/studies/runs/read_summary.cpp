@@ -49,8 +49,10 @@ Summary summary_of(const Json& json) {
   Summary summary;
   summary.units = json.value("units", ""), summary.title = json.at("title"), summary.outcome = json.at("outcome");
   summary.version = json.at("version"), summary.digest = json.at("digest");
-  summary.points = json.at("points");
+  summary.formulation = json.at("formulation"), summary.formulation_reason = json.value("formulation_reason", "");
+  summary.points = json.at("points"), summary.bonds = json.at("bonds");
   summary.analysis.kind = json.at("analysis").at("kind");
+  summary.analysis.stop_reason = json.at("analysis").value("stop_reason", "");
   summary.analysis.iterations = optional<std::size_t>(json.at("analysis"), "iterations");
   summary.analysis.steps = optional<std::size_t>(json.at("analysis"), "steps");
   for (const auto& [stage, spent] : json.at("seconds").items()) summary.seconds.emplace_back(stage, spent);

@@ -28,10 +28,10 @@ const Overrides motion{"section.density=1",
 /// Sends itself a signal after so many steps, as somebody beside it would: the folder has so many frames by then.
 std::string interrupted(const cases::CaseFile& file, const cases::RunOptions& options) {
   const plate::StopOnSignals guard;  // the run may have ended by then
-  const pid_t child = fork();
+  const pid_t parent = getpid(), child = fork();
   if (child == 0) {  // waits for the third frame
-    while (!fs::exists(options.folder / "fields_0002.vtu")) usleep(200);
-    kill(getppid(), SIGTERM);
+    while (!fs::exists(options.folder / "fields_0002.vtu") && getppid() == parent) usleep(200);
+    if (getppid() == parent) kill(parent, SIGTERM);
     _exit(0);
   }
   std::string said;

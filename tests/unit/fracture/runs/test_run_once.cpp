@@ -1,8 +1,12 @@
 #include "fracture/runs/run_once.hpp"
 
+#include <fmt/format.h>
+
 #include "cases/driver/results.hpp"
+#include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/motion/dynamics.hpp"
 #include "post/files/sinks/kept_sink.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
@@ -55,4 +59,35 @@ TEST_CASE("run once: frequencies, a frame for each") {
   CHECK(summary.frequencies.size() == 2);
   CHECK(once.has("frequencies"));
   CHECK(once.kept.frames.size() == 2);
+}
+
+TEST_CASE("run once: a motion whose energy grows without a load ends, and says where and by what step") {
+  Once once({"discretization.spacing=0.1", "discretization.formulation=ordinary", "section.density=1",
+             "analysis={kind=\"dynamic\",duration=1}", "load[0].history=[[0,1],[0.1,0]]"});
+  const double limit = plate::stable_time_step(*once.ready.plate, once.ready.plate->constraints(),
+                                               once.ready.plate->mass(once.file.content.analysis.rotary_inertia));
+  const double step = GENERATE_COPY(0.9 * limit, 1.02 * limit);
+  const std::size_t steps = 1000;
+  once.ready.steps = {limit, {step, steps, 10}};
+  if (step < limit) {
+    CHECK(once.run().outcome == "done");
+    return;
+  }
+  CHECK_THROWS_WITH(once.run(), Catch::Contains("the numbers are wrong") && Catch::Contains("the time step") &&
+                                    Catch::Contains("1.02 of the stable one"));
+  CHECK(once.has("history"));
+  CHECK_THAT(once.kept.summary, Catch::Contains("\"outcome\": \"failed: the plate has an energy of"));
+}
+
+TEST_CASE("run once: what is not finite is named with point, place and time") {
+  const Once once({"discretization.spacing=0.1"});
+  const plate::NumericalError at("w of point 3 is not finite at step 5, time 0.1", 3);
+  post::Summary summary;
+  const auto place = once.ready.plate->cloud().positions[3];
+  CHECK(std::string(fracture::placed(at, *once.ready.plate, summary).what()) ==
+        fmt::format("w of point 3 is not finite at step 5, time 0.1; the point is at ({:g}, {:g})", place.x(),
+                    place.y()));
+  summary.analysis.time_step = 1, summary.analysis.time_step_limit = 2;
+  CHECK_THAT(fracture::placed(plate::NumericalError("no"), *once.ready.plate, summary).what(),
+             Catch::Equals("no; the time step 1 is 0.5 of the stable one"));
 }

@@ -33,3 +33,13 @@ TEST_CASE("a signal asks for the end while a guard lives, and no longer") {
   CHECK(seen == 1);
   std::signal(SIGTERM, before);
 }
+
+TEST_CASE("a signal that is ignored stays so") {
+  const auto before = std::signal(SIGINT, SIG_IGN);
+  {
+    const StopOnSignals guard;
+    raise(SIGINT);
+    CHECK_FALSE(stop_is_asked());
+  }
+  std::signal(SIGINT, before);
+}

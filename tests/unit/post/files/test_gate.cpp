@@ -31,6 +31,26 @@ TEST_CASE("numbers that are not finite do not pass, and are named") {
   CHECK_THROWS_AS(post::require_finite(state, ""), plate::NumericalError);
 }
 
+TEST_CASE("the energy of a plate is the work of its loads") {
+  using post::EnergyGate;
+  EnergyGate moves(EnergyGate::Plate::moves);
+  moves.look({0, -0.5, 0}, "");  // half a step before the start
+  moves.look({1, -0.5 + 1e-10, 0}, "");
+  moves.look({5, 4.5, 5.001}, "");
+  moves.look({0, -0.46, 0}, "");  // nearly all taken back
+  CHECK_THROWS_AS(moves.look({0, -0.56, 0}, ""), plate::NumericalError);
+  CHECK_THROWS_WITH(moves.look({5.1, 4.6, 5}, "at step 7"),
+                    Catch::Contains("energy of 5.1 at step 7, but the loads have done a work of 5:"));
+  EnergyGate grows(EnergyGate::Plate::grows);
+  grows.look({1, 0, 0}, "");
+  grows.look({5, 0, 1}, "");  // bonds take energy with them
+  CHECK_THROWS_AS(grows.look({5, 0, 1}, ""), plate::NumericalError);
+  EnergyGate rests(EnergyGate::Plate::rests);
+  rests.look({1, 1, 1.001}, "");
+  CHECK_THROWS_AS(rests.look({1, 1, 1.02}, ""), plate::NumericalError);
+  CHECK_THROWS_AS(EnergyGate(EnergyGate::Plate::rests).look({1e-300, 1e-300, 0}, ""), plate::NumericalError);
+}
+
 TEST_CASE("a plate under a load moves") {
   std::vector<std::string> warnings;
   const auto passes = [&](const std::vector<std::string>& settings) {

@@ -211,7 +211,8 @@ TEST_CASE("a motion that goes on from its memory moves as if it had never stoppe
     options.due = [&] { return asked++ == kept_at; };
     if (kept) options.keep = [&](const MotionMemory& memory) { kept->push_back(memory); };
     central_differences(m.plate, m.boundary.constraints, mass_of(m), loads, options, [&](const Instant& now) {
-      rows.push_back({now.state, now.velocity(), now.external_work, now.strain_energy, now.discrete_energy});
+      rows.push_back({now.state, now.velocity(), now.external_work, now.strain_energy,
+                      now.discrete_kinetic_energy + now.potential});
     });
     return rows;
   };

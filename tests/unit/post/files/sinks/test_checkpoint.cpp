@@ -2,10 +2,10 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
-#include <ostream>
 
 #include "post/files/whole_file.hpp"
 #include "post/studies/scratch_folder.hpp"
+#include "tests/unit/post/small_run.hpp"
 
 using namespace post;
 
@@ -23,10 +23,6 @@ ReadBack read(const Checkpoints& checkpoints) {
   return result;
 }
 
-void write(const Checkpoints& checkpoints, const std::string& text) {
-  checkpoints.write([&](std::ostream& out) { out << text; });
-}
-
 }  // namespace
 
 TEST_CASE("checkpoints: the newest comes back, two are kept, none is left of what was removed") {
@@ -34,9 +30,9 @@ TEST_CASE("checkpoints: the newest comes back, two are kept, none is left of wha
   const Checkpoints checkpoints(scratch.path(), "case 1");
   CHECK_FALSE(read(checkpoints).memory);
   const std::string odd("first\n\0with zeros", 17);
-  write(checkpoints, odd);
+  checkpoints.write(odd);
   CHECK(read(checkpoints).memory == odd);
-  write(checkpoints, "second"), write(checkpoints, "third");
+  checkpoints.write("second"), checkpoints.write("third");
   CHECK(read(checkpoints).memory == "third");
   std::filesystem::remove(scratch.path() / "checkpoint");
   CHECK(read(checkpoints).memory == "second");
@@ -47,7 +43,7 @@ TEST_CASE("checkpoints: the newest comes back, two are kept, none is left of wha
 TEST_CASE("checkpoints: any byte that is damaged or missing gives the one before, with a word about it") {
   const ScratchFolder scratch("pdplate_checkpoint");
   const Checkpoints checkpoints(scratch.path(), "case 1");
-  write(checkpoints, "older"), write(checkpoints, "newer");
+  checkpoints.write("older"), checkpoints.write("newer");
   const auto path = scratch.path() / "checkpoint";
   const auto whole = read_text(path);
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -64,7 +60,7 @@ TEST_CASE("checkpoints: any byte that is damaged or missing gives the one before
 
 TEST_CASE("checkpoints of another run are refused") {
   const ScratchFolder scratch("pdplate_checkpoint");
-  write(Checkpoints(scratch.path(), "case 1"), "of case 1");
+  Checkpoints(scratch.path(), "case 1").write("of case 1");
   const auto found = read(Checkpoints(scratch.path(), "case 2"));
   CHECK_FALSE(found.memory);
   REQUIRE(found.refused.size() == 1);
@@ -74,7 +70,11 @@ TEST_CASE("checkpoints of another run are refused") {
 TEST_CASE("a checkpoint that cannot be written leaves those before") {
   const ScratchFolder scratch("pdplate_checkpoint");
   const Checkpoints checkpoints(scratch.path(), "case 1");
-  write(checkpoints, "good");
-  CHECK_THROWS_AS(checkpoints.write([](std::ostream&) { throw std::runtime_error("no more"); }), std::runtime_error);
+  checkpoints.write("good");
+  {
+    const small_run::FullDisk full(1000);
+    CHECK_THROWS_AS(checkpoints.write(std::string(100000, 'x')), std::filesystem::filesystem_error);
+  }
   CHECK(read(checkpoints).memory == "good");
+  CHECK_FALSE(std::filesystem::exists(scratch.path() / "checkpoint.partial"));
 }

@@ -7,7 +7,9 @@
 TEST_CASE("read_summary: what was written is read, to the last digit") {
   post::Summary summary;
   summary.title = "t", summary.outcome = "done", summary.version = "0.1", summary.digest = "1e5";
-  summary.points = 400;
+  summary.points = 400, summary.bonds = 12;
+  summary.formulation = "galerkin", summary.formulation_reason = "as the case says";
+  summary.analysis.stop_reason = "6 modes";
   summary.analysis.kind = "frequencies";
   summary.analysis.iterations = 17;
   summary.seconds = {{"solve", 0.1}, {"total", 1.0 / 3}};
@@ -27,6 +29,10 @@ TEST_CASE("read_summary: what was written is read, to the last digit") {
   CHECK(read->outcome == "done");
   CHECK(read->digest == "1e5");
   CHECK(read->points == 400);
+  CHECK(read->bonds == 12);
+  CHECK(read->formulation == "galerkin");
+  CHECK(read->formulation_reason == "as the case says");
+  CHECK(read->analysis.stop_reason == "6 modes");
   CHECK(read->analysis.iterations == 17);
   CHECK_FALSE(read->analysis.steps);
   CHECK(read->srif.size() == 1);

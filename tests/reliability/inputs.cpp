@@ -1,0 +1,194 @@
+/// Everything that the program reads, from bytes that may be anything: each input must be read or refused in words.
+/// Built in two ways:
+/// - as a program of the tests, which replays files:   inputs FOLDER   (FOLDER/TARGET/*, one folder per target)
+/// - with -DPDPLATE_FUZZ as what libFuzzer drives, for the target that PDPLATE_TARGET names:   tests/reliability/fuzz
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "cases/driver/prepared.hpp"
+#include "cases/studies/extremes.hpp"
+#include "cases/studies/study.hpp"
+#include "geometry/shape/outline.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "post/files/hdf5/state_file.hpp"
+#include "post/files/sinks/checkpoint.hpp"
+#include "post/studies/compare.hpp"
+#include "post/studies/scratch_folder.hpp"
+#include "tests/reliability/mutated.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* small_case = R"([section]
+young = 1000.0
+poisson = 0.3
+thickness = 0.1
+[geometry]
+outline = { rectangle = [-1.0, -1.0, 1.0, 1.0] }
+cracks = [[[-0.3, 0.0], [0.3, 0.0]]]
+[discretization]
+spacing = 0.1
+[[support]]
+kind = "clamped"
+edges = ["left"]
+[[load]]
+kind = "pressure"
+value = 1.0
+[analysis]
+kind = "static"
+)";
+
+void write(const fs::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+/// The folder in which the inputs lie, with what they may name.
+const fs::path& folder() {
+  static const post::ScratchFolder scratch("pdplate_inputs");
+  static const bool filled = [] {
+    write(scratch.path() / "case.toml", small_case);
+    write(scratch.path() / "case.resolved.toml", small_case);
+    write(scratch.path() / "reference.csv", "t,w\n0,0\n1,2\n");
+    write(scratch.path() / "probes.csv", "time,probe,x,y,w,theta_x,theta_y\n0,tip,0,0,0,0,0\n1,tip,0,0,2,0,0\n");
+    return true;
+  }();
+  (void)filled;
+  return scratch.path();
+}
+
+fs::path file_of(const std::string& name, const std::string& bytes) {
+  write(folder() / name, bytes);
+  return folder() / name;
+}
+
+/// Are the points few enough to be made thousands of times?
+bool small(const cases::Case& c) {
+  constexpr double points = 900, refinement = 8, ratio = 7;
+  const auto& d = c.discretization;
+  return geometry::area(c.outline) < points * d.spacing * d.spacing && d.horizon_ratio < ratio &&
+         std::min(d.spacing_at_tips(), d.hole_spacing.value_or(d.spacing)) * refinement > d.spacing &&
+         c.cracks.size() < 20 && c.output.probes.size() < 100 && !(c.srif && c.srif->accuracy);
+}
+
+/// A case that is read says the same when it is written and read again; a small one is discretised.
+void read_a_case(const std::string& bytes) {
+  try {
+    auto file = cases::read_case_text(bytes, "case.toml", {});
+    const auto text = cases::resolved_toml(file.content);
+    if (cases::resolved_toml(cases::read_case_text(text, "case.resolved.toml", {}).content) != text) std::abort();
+    if (small(file.content)) const cases::Prepared prepared(std::move(file));
+  } catch (const cases::CaseError&) {
+  } catch (const plate::NumericalError&) {
+  }
+}
+
+void read_a_study(const std::string& bytes) {
+  try {
+    cases::read_study(file_of("study.toml", bytes));
+  } catch (const cases::CaseError&) {
+  }
+}
+
+void read_extremes(const std::string& bytes) {
+  try {
+    cases::read_extremes(file_of("extremes.toml", bytes));
+  } catch (const cases::CaseError&) {
+  }
+}
+
+void read_a_reference(const std::string& bytes) {
+  try {
+    post::to_json(post::compare(folder(), file_of("reference.csv", bytes)), {});
+  } catch (const std::logic_error&) {
+  } catch (const std::runtime_error&) {
+  }
+}
+
+void read_a_checkpoint(const std::string& bytes) {
+  file_of("checkpoint", bytes);
+  std::vector<std::string> refused;
+  post::Checkpoints(folder(), "pdplate of a case").read(refused);
+}
+
+void read_a_state(const std::string& bytes) {
+  try {
+    post::read_run(file_of("state.h5", bytes));
+  } catch (const std::runtime_error&) {
+  }
+}
+
+struct Target {
+  std::string_view name;
+  void (*read)(const std::string& bytes);
+  bool text;  // of lines "key = value"
+};
+constexpr std::array targets{
+    Target{"case", read_a_case, true},
+    Target{"study", read_a_study, true},
+    Target{"extremes", read_extremes, true},
+    Target{"reference", read_a_reference, false},
+    Target{"checkpoint", read_a_checkpoint, false},
+    Target{"state", read_a_state, false},
+};
+
+}  // namespace
+
+#ifdef PDPLATE_FUZZ
+
+namespace {
+const Target& chosen() {
+  static const Target& target = [&]() -> const Target& {
+    const char* name = std::getenv("PDPLATE_TARGET");
+    const auto found = std::ranges::find(targets, std::string_view(name ? name : ""), &Target::name);
+    if (found == targets.end()) {
+      fmt::print(stderr, "PDPLATE_TARGET: one of case, study, extremes, reference, checkpoint, state\n");
+      std::exit(2);
+    }
+    return *found;
+  }();
+  return target;
+}
+}  // namespace
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+  if (!chosen().text || seed % 3 == 0) return LLVMFuzzerMutate(data, size, most);
+  const auto text = mutated({reinterpret_cast<const char*>(data), size}, seed).substr(0, most);
+  std::ranges::copy(text, data);
+  return text.size();
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  chosen().read({reinterpret_cast<const char*>(data), size});
+  return 0;
+}
+
+#else
+
+int main(int count, char** arguments) {
+  if (count != 2) return fmt::print(stderr, "inputs FOLDER: with a folder for each target\n"), 2;
+  std::size_t replayed = 0, altered = 0;
+  for (const auto& [name, read, text] : targets) {
+    std::size_t of_target = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(arguments[1]) / name)) {
+      std::ifstream stream(entry.path(), std::ios::binary);
+      const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+      fmt::print(stderr, "{}\n", entry.path().string());  // the last one is what ended it
+      read(bytes), ++of_target;
+      constexpr unsigned seeds = 5;
+      for (unsigned seed = 0; text && seed < seeds; ++seed, ++altered) read(mutated(bytes, seed));
+    }
+    if (of_target == 0) return fmt::print(stderr, "no inputs for {}\n", name), 1;
+    replayed += of_target;
+  }
+  fmt::print("{} inputs and {} changed ones were read or refused\n", replayed, altered);
+}
+
+#endif
