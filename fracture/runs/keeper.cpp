@@ -25,16 +25,23 @@ bool Keeper::recall(const std::function<void(plate::InArchive&)>& recall) {
   return true;
 }
 
+Keeper::Seconds Keeper::stretched(Seconds wanted, Seconds cost) const {
+  constexpr double share = 0.01;
+  return every_ < Seconds(1) ? wanted : std::max(wanted, cost / share);
+}
+
 bool Keeper::due() const {
-  return Clock::now() - written_ >= every_;
+  return Clock::now() - written_ >= stretched(every_, to_take_ + to_write_);
 }
 
 void Keeper::take(const Remember& remember) {
+  const auto begin = Clock::now();
   std::ostringstream stream;
   plate::OutArchive archive(stream);
   remember(archive);
   held_ = std::move(stream).str();
   taken_ = Clock::now();
+  to_take_ = taken_ - begin;
 }
 
 void Keeper::keep(const Remember& remember) {
@@ -43,13 +50,13 @@ void Keeper::keep(const Remember& remember) {
 }
 
 void Keeper::hold(const Remember& remember) {
-  constexpr std::chrono::duration<double> second(1);
-  if (Clock::now() - taken_ >= std::min(every_, second)) take(remember);
+  if (Clock::now() - taken_ >= stretched(std::min(every_, Seconds(1)), to_take_)) take(remember);
   if (due()) write();
 }
 
 void Keeper::write() {
   if (held_.empty()) return;
+  const auto begin = Clock::now();
   try {
     checkpoints_.write(held_);
   } catch (const std::filesystem::filesystem_error& error) {
@@ -58,6 +65,7 @@ void Keeper::write() {
   held_.clear();
   held_.shrink_to_fit();
   written_ = Clock::now();
+  to_write_ = written_ - begin;
 }
 
 }  // namespace fracture

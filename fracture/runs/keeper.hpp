@@ -15,7 +15,7 @@ class Keeper {
 public:
   using Remember = std::function<void(plate::OutArchive&)>;
 
-  /// `every` [s].
+  /// `every` [s]; from a second on it is stretched so that all that this does takes a hundredth of the run.
   Keeper(post::Checkpoints checkpoints, double every);
 
   /// Looks for a checkpoint to go on from: there is none, or its memory waits for recall(). What was wrong with others
@@ -29,7 +29,7 @@ public:
   bool due() const;
   /// Writes a checkpoint now.
   void keep(const Remember& remember);
-  /// Takes the memory, once a second, and writes it where it is time.
+  /// Takes the memory, about once a second, and writes it where it is time.
   void hold(const Remember& remember);
   /// Writes what was last taken.
   void write();
@@ -39,10 +39,13 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
   void take(const Remember& remember);
+  /// The wanted time from one to the next that takes so long.
+  Seconds stretched(Seconds wanted, Seconds cost) const;
 
   post::Checkpoints checkpoints_;
-  std::chrono::duration<double> every_;
+  Seconds every_, to_take_{0}, to_write_{0};  // the last: how long it took
   Clock::time_point written_ = Clock::now(), taken_ = {};
   std::string found_, held_;
   bool failed_ = false;
