@@ -76,8 +76,10 @@ void ReactionRows::add(double time, const plate::Formulation& plate, const plate
 
 Table ReactionRows::table() const {
   Table table{{"time", "support", "x", "y", "force", "moment_x", "moment_y", "residual"}, {}};
-  for (const auto& [time, balance] : balances_) {
-    const auto row = [&, t = time](const std::string& name, const std::optional<geometry::Point>& x, const Wrench& w) {
+  for (const auto& one : balances_) {
+    const auto& balance = one.second;
+    const auto row = [&, t = one.first](const std::string& name, const std::optional<geometry::Point>& x,
+                                        const Wrench& w) {
       table.rows.push_back({t, name, x ? Cell(x->x()) : Cell(), x ? Cell(x->y()) : Cell(), w.force, w.moment_x,
                             w.moment_y, balance.residual});
     };

@@ -50,7 +50,9 @@ std::vector<Way> ways(const StudyTable& study) {
   for (const auto& row : study.rows) {
     const auto error = row.error();
     if (row.quantity.empty() || !error || !std::isfinite(*error) || !row.seconds) continue;
-    const auto [problem_labels, way_labels] = split(study, problem, row);
+    const auto both = split(study, problem, row);
+    const auto& problem_labels = both.problem;
+    const auto& way_labels = both.way;
     auto found = std::ranges::find_if(result, [&](const Way& way) {
       return way.quantity == row.quantity && way.place == row.place && way.method == row.method &&
              way.labels == way_labels;

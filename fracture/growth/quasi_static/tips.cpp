@@ -56,8 +56,9 @@ void QuasiStaticTips::calibrate() {
   double predicted = 0, length = 0;
   const auto moved = std::exchange(moved_, {});
   for (const auto& [crack, at_back, G, gone] : moved) {
-    const auto now = std::ranges::find_if(
-        plate_.tips, [&](const auto& one) { return one.tip.crack == crack && one.tip.at_back == at_back; });
+    const auto now = std::ranges::find_if(plate_.tips, [tip = crack, back = at_back](const auto& one) {
+      return one.tip.crack == tip && one.tip.at_back == back;
+    });
     if (now == plate_.tips.end()) return;  // broken through
     predicted += gone * (G + *now->G) / 2;
     length += gone / double(moved.size());
