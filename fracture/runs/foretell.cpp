@@ -178,6 +178,9 @@ std::string of_solution(const ForetoldRun& run, const RunPlan& plan) {
   if (run.time_step > 0)
     return fmt::format("time step     {:.4g} (stable limit {:.4g})\nsteps         {:.0f}\n", run.time_step,
                        run.time_limit, run.whole.steps);
+  if (plan.analysis.kind == Analysis::Kind::frequencies)
+    return fmt::format("solution      Lanczos iteration, about {:.0f} iterations of its solver\n",
+                       run.costs.iterations);
   if (plan.analysis.kind != Analysis::Kind::static_)
     return fmt::format("solution      Lanczos vectors, about {:.0f}\n", run.costs.iterations);
   return fmt::format("solution      {}, about {:.0f} iterations{}\n", run.solver.words,
