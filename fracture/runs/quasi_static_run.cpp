@@ -144,14 +144,15 @@ post::GrowthSummary QuasiStaticRun::growth_summary() const {
 post::Summary QuasiStaticRun::finish() {
   constexpr double much = 0.1;  // load factors are square roots of energy release rates
   record();
-  if (doubt_ > much)
+  const bool solved = state_.cols() > 0;  // else there may be no plate
+  if (solved && doubt_ > much)
     warnings_.push_back(
         fmt::format("the largest intensity factor of a tip is uncertain by {:.0f} % at some advance, and "
                     "so are load factors{}; {}",
                     100 * doubt_, doubt_ >= 1 ? ", which mean nothing" : "", model_->plate().remedy()));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   post::Summary summary;
-  if (state_.cols() > 0) summary = about(plan_, model_->plate(), warnings_);
+  if (solved) summary = about(plan_, model_->plate(), warnings_);
   summary.warnings = warnings_;
   summary.title = plan_.title;
   summary.units = plan_.units;
