@@ -1,0 +1,66 @@
+#pragma once
+#include <functional>
+#include "plate/surface/actions.hpp"
+#include "plate/surface/edges.hpp"
+
+namespace plate {
+
+/// Orders of the Taylor expansions beyond the edges. A plate in pure bending has rotations of first and deflections of
+/// second order without shear: the deflection must be one order above the rotations, or fictitious nodes shear.
+struct ExpansionOrders {
+  int deflection = 2, rotation = 1;
+};
+
+/// A rectangular plate with surface nodes on its edges (Sca23, for the Mindlin plate). All families are full.
+struct SurfacePlate {
+  LatticeBody body;
+  LatticeBonds bonds;
+  geometry::Point first{0, 0};  // the node (0, 0) of the lattice [length]
+  ExpansionOrders orders = {};
+  FluxRule rule = FluxRule::lever;
+
+  int unknowns() const { return 3 * (body.real + int(body.surface.size())); }
+  geometry::Point at(int k) const;  // [length]
+  geometry::Point at_surface(int s) const;
+  geometry::Point normal(int s) const;  // outward
+  double beyond(int s) const;           // how far the edge lies beyond the border of the outermost cell [length]
+};
+
+/// The points of a lattice, of which `corner` is the corner of a cell, inside the rectangle from `low` to `high`.
+/// @throws Refused  a rectangle without points
+LatticeBody rectangle_body(const geometry::Point& low, const geometry::Point& high, const geometry::Point& corner,
+                           double spacing, int reach);
+
+/// A plate on the lattice whose cells begin in its lower left corner.
+SurfacePlate surface_plate(const Section& section, const Discretization& discretization, const geometry::Point& low,
+                           const geometry::Point& high);
+
+/// Values of all nodes from those of real and, behind them, surface nodes: 3 nodes x unknowns().
+WeightRows expansion(const SurfacePlate& plate);
+
+/// Equilibrium of real nodes (Sca23 33) and fluxes of surface nodes (Sca23 36), expanded fictitious nodes in them:
+/// deflections and rotations about the nearest surface node, dilatations to one order below the rotations about the
+/// nearest real node. Not symmetric.
+/// @throws std::invalid_argument  rotations of order 0, deflections of order 1 or below the rotations
+/// @throws Refused                where the plate has too few points for the orders
+SparseStiffness stiffness(const SurfacePlate& plate);
+
+/// Loads at a place, conjugate to w, theta_x and theta_y [force / area, force / length].
+using AreaLoad = std::function<Eigen::Vector3d(const geometry::Point& at)>;
+/// The conditions at a place of the edge with this outward normal.
+using EdgeConditions = std::function<EdgeCondition(const geometry::Point& at, const geometry::Point& normal)>;
+
+/// Right sides and what is held.
+struct EdgeProblem {
+  Eigen::VectorXd right;          // [unknowns()]
+  std::vector<HeldUnknown> held;  // of surface nodes
+};
+
+/// What lies between the border of an outermost cell and an edge beyond it is loaded too; it goes to the surface node.
+EdgeProblem edge_problem(const SurfacePlate& plate, const EdgeConditions& edges, const AreaLoad& load);
+
+/// Values of real and surface nodes, and what holds the held unknowns, in their order.
+/// @throws Refused  where the plate can move, and as stiffness() does
+HeldSolution solution(const SurfacePlate& plate, const EdgeConditions& edges, const AreaLoad& load);
+
+}  // namespace plate
