@@ -207,7 +207,9 @@ void OpenStateFile::shorten(const std::filesystem::path& path, std::size_t frame
   const auto copy = beside(".partial");
   std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
   auto file = opened(copy, H5F_ACC_RDWR);
-  Frames(file).keep(frames);
+  Frames first(file);
+  first.keep(frames);
+  first.release();
   checked(file.release(), "closing");
   std::filesystem::rename(copy, path);
 }
@@ -256,6 +258,7 @@ void OpenStateFile::assemble() {
   Frames all(file_);
   all.keep(parts_.front());
   for (std::size_t i = 1; i < parts_.size(); ++i) all.append(Frames(opened(part(i), H5F_ACC_RDONLY)), parts_[i]);
+  all.release();  // a file that is closed knows nothing of what failed when its datasets were
 }
 
 void OpenStateFile::write(const std::string& name, const Table& table) {

@@ -11,8 +11,12 @@
 
 namespace post {
 
-void keep_quiet(vtkObject& object) {
+/// From the start: VTK also speaks of objects that it has no memory for, which nobody observes.
+[[gnu::constructor]] static void turn_off_log() {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+}
+
+void keep_quiet(vtkObject& object) {
   vtkNew<vtkCallbackCommand> silent;
   silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   object.AddObserver(vtkCommand::ErrorEvent, silent);
