@@ -8,6 +8,10 @@ namespace {
 
 using geometry::Point;
 
+/// Of a radius: circles go through points of a lattice (5 layers of a plate 5 spacings thick do, at (4.5, 6.5)), which
+/// are all in or all out. By rounding alone K2 was 1e-4 of K1 in a symmetric plate.
+constexpr double rounding = 1e-9;
+
 /// Points; 16 spacings about a tip hold 800.
 constexpr std::size_t enough = 1200;
 
@@ -16,7 +20,7 @@ std::vector<std::uint32_t> points_within(const TipView& plate, const TipFrame& f
   for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
     const Point x = frame.local(plate.positions[k]);
     const double r = x.norm();
-    if (r < range.inner || r > range.outer) continue;
+    if (r < range.inner * (1 - rounding) || r > range.outer * (1 + rounding)) continue;
     if (x.x() < 0 && std::abs(x.y()) < plate.doubtful) continue;
     result.push_back(k);
   }
@@ -61,7 +65,7 @@ std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& ti
                       share == 1 ? range.order : fit_order(plate.section, share * range.outer)};
     std::vector<Eigen::Index> within, columns;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (places[i].r <= narrower.outer) within.push_back(Eigen::Index(i));
+      if (places[i].r <= narrower.outer * (1 + rounding)) within.push_back(Eigen::Index(i));
     for (std::size_t n = 0; n < series.orders().size(); ++n)
       if (series.orders()[n] <= narrower.order) columns.push_back(Eigen::Index(n));
     constexpr double least_surplus = 1.5;  // equations per unknown

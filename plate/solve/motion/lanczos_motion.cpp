@@ -69,7 +69,7 @@ public:
       found.col(n) = now.shapes * now.modes.amplitudes();
     }
     MatrixXd difference = found;
-    difference.topRows(before_.rows()) -= before_;
+    if (before_.size() > 0) difference.topRows(before_.rows()) -= before_;
     Change result{
         before_.size() == 0 ? 1 : share(difference.colwise().norm().maxCoeff(), found.colwise().norm().maxCoeff()), {}};
     before_ = std::move(found);
