@@ -68,7 +68,7 @@ std::vector<double> distances(const std::vector<Beside>& beside, double row, dou
 std::vector<double> face_distances(const std::vector<Beside>& beside, double window, double spacing) {
   std::vector<double> r;
   for (const auto& b : beside)
-    if (b.face > 0 && std::abs(b.y) < 1e-4 * spacing && b.r > 2.5 * spacing && b.r <= window * (1 + 1e-9))
+    if (b.face > 0 && std::abs(b.y) < 1e-4 * spacing && b.r > 2.5 * spacing * (1 - 1e-9) && b.r <= window * (1 + 1e-9))
       r.push_back(b.r);
   std::sort(r.begin(), r.end());
   return r;
