@@ -81,7 +81,9 @@ void Results::sample(const plate::Instant& now, bool last) {
     growth_->look(now.time);
   }
   recorder_.row(row, probes_, plate_.cloud().plate_points);
-  if (plan_.moves()) energy_gate_.look(books, fmt::format("at step {}, time {:g}", now.step, now.time));
+  const auto when = fmt::format("at step {}, time {:g}", now.step, now.time);
+  if (plan_.moves()) energy_gate_.look(books, when);
+  if (plan_.moves() && last) energy_gate_.look(books, when);  // no further row looks back at this one
   reactions_.add(now, growth_ ? growth_->plate() : plate_);
   if (!growth_) extremes_.row(now);
   times_.push_back(now.time);
