@@ -1,13 +1,33 @@
 #include "plate/formulations.hpp"
 
 #include "plate/bonds/ordinary_plate.hpp"
+#include "plate/formulation/discretised.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/surface/surface_formulation.hpp"
 
 namespace plate {
 
 const std::vector<const FormulationKind*>& formulations() {
   static const std::vector<const FormulationKind*> known{&galerkin, &ordinary};
   return known;
+}
+
+const FormulationKind& other_formulation(const FormulationKind& one) {
+  const auto& known = formulations();
+  return one.name == known.front()->name ? *known.back() : *known.front();
+}
+
+const FormulationKind& formulation_of(const Discretization& d) {
+  return d.boundary == EdgeMethod::surface_nodes && d.formulation == &ordinary ? bonds_with_surface_nodes
+                                                                               : *d.formulation;
+}
+
+Discretised discretise(const Problem& problem) {
+  require_memory(problem);
+  Problem settled = problem;
+  settled.discretization.formulation = &formulation_of(problem.discretization);
+  return settled.discretization.formulation->discretise(settled);
 }
 
 }  // namespace plate

@@ -6,6 +6,7 @@
 #include "cases/driver/second_formulation.hpp"
 #include "cases/input/refused.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulations.hpp"
 #include "plate/model/free_memory.hpp"
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/stored_factors.hpp"
@@ -57,8 +58,8 @@ std::string of_plate(const CaseFile& file) {
 std::string cost(const CaseFile& file) {
   constexpr double soon_made = 60000;  // points: 0.2 s
   const Case& c = file.content;
-  std::string text =
-      fmt::format("{}\nformulation   {} ({})\n", c.title, c.discretization.formulation->name, c.formulation_reason);
+  std::string text = fmt::format("{}\nformulation   {} ({})\n", c.title, plate::formulation_of(c.discretization).name,
+                                 c.formulation_reason);
   if (c.srif && c.srif->accuracy)
     return text +
            fmt::format(

@@ -1,7 +1,7 @@
 #include "cases/driver/second_formulation.hpp"
 
-#include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
+#include "plate/formulations.hpp"
 
 namespace cases {
 
@@ -11,7 +11,7 @@ CaseFile in_other_formulation(const CaseFile& file) {
   const auto given = c.discretization;
   c.discretization = {};
   c.discretization.spacing = given.spacing;
-  c.discretization.formulation = &other_formulation(*given.formulation);
+  c.discretization.formulation = &plate::other_formulation(*given.formulation);
   c.formulation_reason = "the other one of srif.second_formulation";
   c.analysis.preconditioner = plate::Preconditioning::automatic;
   c.analysis.precision = Analysis::Precision::double_;

@@ -27,6 +27,7 @@ void add_horizon(const plate::Discretization& d, const Reading& reading, std::ve
   add("volume_correction", d.volume_correction == standard.volume_correction, Feature::volume_correction);
   add("surface_correction", d.surface_correction == standard.surface_correction, Feature::surface_correction);
   add("full_horizon", d.full_horizon == standard.full_horizon, Feature::full_horizon);
+  add("boundary", d.boundary == standard.boundary, Feature::surface_nodes);
   add("twist_match", d.twist_match == standard.twist_match, Feature::twist_match);
 }
 
@@ -117,13 +118,12 @@ void settle_method(Case& content, const Reading& reading) {
     analysis.method = Analysis::Method::lanczos;
 }
 
-const plate::FormulationKind& other_formulation(const plate::FormulationKind& one) {
-  const auto& known = plate::formulations();
-  return one.name == known.front()->name ? *known.back() : *known.front();
-}
-
 void check_formulation(const Case& content, Reading& reading) {
-  const auto& kind = *content.discretization.formulation;
+  const auto& kind = plate::formulation_of(content.discretization);
+  if (const auto& a = content.analysis;
+      !kind.offers(Feature::symmetry) &&
+      (a.kind != Analysis::Kind::static_ || a.method != Analysis::Method::direct || content.growth))
+    reading.complain("analysis.method", kind.lacks.at(Feature::symmetry) + "; choose kind = \"static\", \"direct\"");
   if (content.analysis.preconditioner == plate::Preconditioning::levels && !kind.offers(Feature::levels))
     reading.complain("analysis.preconditioner",
                      kind.lacks.at(Feature::levels) + "; choose \"auto\", \"diagonal\", \"local\" or \"two_level\"");

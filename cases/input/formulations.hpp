@@ -31,9 +31,6 @@ void settle_formulation(bool stated, Case& content, Reading& reading);
 /// least spacing.
 void settle_method(Case& content, const Reading& reading);
 
-/// The other formulation that a case may be run in beside its own.
-const plate::FormulationKind& other_formulation(const plate::FormulationKind& one);
-
 /// What its formulation cannot do.
 void check_formulation(const Case& content, Reading& reading);
 

@@ -129,11 +129,6 @@ void require_memory(const Problem& problem) {
                                 spacing, points, points * least / 1e9, there / 1e9)}});
 }
 
-Discretised discretise(const Problem& problem) {
-  require_memory(problem);
-  return problem.discretization.formulation->discretise(problem);
-}
-
 std::vector<MemoryPart> memory_of(const Formulation& plate, bool single) {
   const double all = double(plate.cloud().size()), fictitious = double(plate.fictitious_points());
   std::vector<MemoryPart> parts{{"points", "geometry", all * (2 * sizeof(geometry::Point) + sizeof(double))},

@@ -247,6 +247,7 @@ const FormulationKind galerkin{
      {Feature::volume_correction, "its families end at whole cells"},
      {Feature::surface_correction, "points lie on edges and cracks, nothing is to be corrected there"},
      {Feature::full_horizon, "its families need no calibration"},
+     {Feature::surface_nodes, "its points lie on the edges themselves"},
      {Feature::twist_match, "its families need no calibration"},
      {Feature::layers,
       "a layer outside the plate has no meaning with formulation = \"galerkin\", whose points lie on the edges"},

@@ -25,6 +25,10 @@ enum class FullHorizon { continuum, lattice };
 /// Calibration of b_b in the arbitrary horizon domain: independent of the axes, or Dai 35.
 enum class TwistMatch { frame_invariant, paper };
 
+/// What stands beyond the edges: mirror images and rows that follow where edges are held, or surface nodes on all edges
+/// (Sca23, for the plate).
+enum class EdgeMethod { images, surface_nodes };
+
 /// How the plate is turned into points and bonds.
 struct Discretization {
   double spacing = 0;            // [length]
@@ -34,6 +38,7 @@ struct Discretization {
   SurfaceCorrection surface_correction = SurfaceCorrection::position_aware;
   FullHorizon full_horizon = FullHorizon::continuum;
   TwistMatch twist_match = TwistMatch::frame_invariant;
+  EdgeMethod boundary = EdgeMethod::images;
 
   const FormulationKind* formulation = nullptr;     // which one discretises
   std::optional<double> tip_spacing, hole_spacing;  // of graded points [length]

@@ -14,6 +14,7 @@ enum class Feature {
   volume_correction,
   surface_correction,
   full_horizon,
+  surface_nodes,  // on edges
   twist_match,
   layers,         // supports by layers outside the plate
   any_direction,  // supports of every kind on edges of any direction
@@ -23,6 +24,7 @@ enum class Feature {
   factor,         // the plate itself, factorised
   single_precision,
   lanczos,         // motion by Lanczos vectors
+  symmetry,        // of the stiffness: iterations, motion and frequencies
   breaking_bonds,  // bonds that break one by one
   running_tips     // tips that run while the plate moves
 };

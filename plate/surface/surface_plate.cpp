@@ -20,20 +20,6 @@ void check_orders(const ExpansionOrders& orders) {
         "otherwise fictitious nodes shear in pure bending");
 }
 
-/// No rigid motion leaves all that is held at rest.
-bool holds(const SurfacePlate& p, const std::vector<HeldUnknown>& held) {
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(3, Eigen::Index(held.size())), 3);
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    const int node = int(held[i].unknown) / 3, component = int(held[i].unknown) % 3;
-    const Point at = (node < p.body.real ? p.at(node) : p.at_surface(node - p.body.real)) / p.bonds.spacing;
-    // w = 1; w = x, theta_y = -1; w = y, theta_x = 1
-    motions.row(Eigen::Index(i)) = component == 0   ? Eigen::RowVector3d(1, at.x(), at.y())
-                                   : component == 1 ? Eigen::RowVector3d(0, 0, 1)
-                                                    : Eigen::RowVector3d(0, -1, 0);
-  }
-  return Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(motions).rank() == 3;
-}
-
 }  // namespace
 
 Point SurfacePlate::at(int k) const {
@@ -114,9 +100,22 @@ EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, con
   return result;
 }
 
+int rigid_motions(const SurfacePlate& p, const std::vector<HeldUnknown>& held) {
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(3, Eigen::Index(held.size())), 3);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const int node = int(held[i].unknown) / 3, component = int(held[i].unknown) % 3;
+    const Point at = (node < p.body.real ? p.at(node) : p.at_surface(node - p.body.real)) / p.bonds.spacing;
+    // w = 1; w = x, theta_y = -1; w = y, theta_x = 1
+    motions.row(Eigen::Index(i)) = component == 0   ? Eigen::RowVector3d(1, at.x(), at.y())
+                                   : component == 1 ? Eigen::RowVector3d(0, 0, 1)
+                                                    : Eigen::RowVector3d(0, -1, 0);
+  }
+  return 3 - int(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(motions).rank());
+}
+
 HeldSolution solution(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {
   const auto [right, held] = edge_problem(p, edges, load);
-  if (!holds(p, held)) throw Refused({{Subject::support, 0, "the supports leave the plate free to move"}});
+  if (rigid_motions(p, held) > 0) throw Refused({{Subject::support, 0, "the supports leave the plate free to move"}});
   return solution_held(stiffness(p), right, held);
 }
 

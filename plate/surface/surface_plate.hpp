@@ -59,6 +59,9 @@ struct EdgeProblem {
 /// What lies between the border of an outermost cell and an edge beyond it is loaded too; it goes to the surface node.
 EdgeProblem edge_problem(const SurfacePlate& plate, const EdgeConditions& edges, const AreaLoad& load);
 
+/// How many of the three rigid motions leave all that is held at rest.
+int rigid_motions(const SurfacePlate& plate, const std::vector<HeldUnknown>& held);
+
 /// Values of real and surface nodes, and what holds the held unknowns, in their order.
 /// @throws Refused  where the plate can move, and as stiffness() does
 HeldSolution solution(const SurfacePlate& plate, const EdgeConditions& edges, const AreaLoad& load);

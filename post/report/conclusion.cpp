@@ -26,6 +26,10 @@ void conclude(Summary& summary, Found found) {
   if (found.options) summary.toughness = found.options->toughness;
   for (const auto& srif : summary.srif) summary.faces.push_back(at_faces(srif, found.section, summary.toughness));
   summary.reactions = found.reactions.summary();
+  if (constexpr double close = 0.01; summary.reactions && summary.reactions->largest_residual > close)
+    summary.warnings.push_back(
+        fmt::format("the reactions balance the loads to {:.2g} % only: do not rely on them more than that",
+                    100 * summary.reactions->largest_residual));
   if (const auto w = largest_deflection(found.history)) {
     summary.deflection_over_thickness = *w / found.section.thickness;
     if (found.si && *summary.deflection_over_thickness > small_deflection)

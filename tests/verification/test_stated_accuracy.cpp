@@ -36,7 +36,8 @@ TEST_CASE("stated accuracy: F1 of a plate in motion is inside its estimate at ev
   REQUIRE(summary.accuracy);
   CHECK(summary.accuracy->outcome == "reached");
   CHECK(*summary.accuracy->reached <= 0.03);
-  CHECK(summary.warnings.size() == 1);  // the case's own spacing is not used
+  CHECK(summary.warnings.size() ==
+        2);  // the case's own spacing is not used; Lanczos vectors leave 1.8 % of the reactions
 
   const auto reference =
       post::curve(post::read_csv(cases_folder() / "references/dynamic_4.2_ss_soft.csv"), "t", "F1_J");

@@ -1,0 +1,46 @@
+#include "plate/boundary/scaled_factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include "plate/model/numerical_error.hpp"
+
+namespace plate {
+
+namespace {
+
+constexpr double left_over = 1e-9;  // of the right side and the solution; a regular matrix leaves 1e-15
+
+}  // namespace
+
+ScaledFactor::ScaledFactor(const SparseStiffness& A)
+    : rows_(Eigen::VectorXd::Zero(A.rows())), columns_(Eigen::VectorXd::Zero(A.cols())) {
+  for (Eigen::Index j = 0; j < A.outerSize(); ++j)
+    for (SparseStiffness::InnerIterator e(A, j); e; ++e) rows_[e.row()] = std::max(rows_[e.row()], std::abs(e.value()));
+  for (Eigen::Index j = 0; j < A.outerSize(); ++j)
+    for (SparseStiffness::InnerIterator e(A, j); e; ++e)
+      columns_[j] = std::max(columns_[j], std::abs(e.value()) / rows_[e.row()]);
+  if (A.rows() == 0) return;
+  if (!(rows_.minCoeff() > 0 && columns_.minCoeff() > 0))
+    throw NumericalError("a body with an unknown without stiffness, or a condition on nothing");
+  scaled_ = rows_.cwiseInverse().asDiagonal() * A * columns_.cwiseInverse().asDiagonal();
+  factor_.compute(scaled_);
+  if (factor_.info() != Eigen::Success) throw NumericalError("a body that is loose, or conditions that contradict");
+}
+
+Eigen::VectorXd ScaledFactor::solve(const Eigen::VectorXd& b) const {
+  if (b.size() == 0) return b;
+  const Eigen::VectorXd right = b.cwiseQuotient(rows_);
+  Eigen::VectorXd x = factor_.solve(right);
+  x += factor_.solve(Eigen::VectorXd(right - scaled_ * x));
+  if (!((scaled_ * x - right).norm() <= left_over * std::max(right.norm(), x.norm())))
+    throw NumericalError("a body that is loose, or conditions that contradict");
+  return x.cwiseQuotient(columns_);
+}
+
+std::size_t ScaledFactor::bytes() const {
+  constexpr std::size_t entry = sizeof(double) + sizeof(int);
+  const auto entries = rows_.size() == 0 ? 0 : factor_.nnzL() + factor_.nnzU() + scaled_.nonZeros();
+  return std::size_t(entries) * entry;
+}
+
+}  // namespace plate

@@ -1,0 +1,218 @@
+#include "plate/surface/surface_formulation.hpp"
+
+#include <fmt/format.h>
+#include "plate/bonds/mesh.hpp"
+#include "plate/bonds/parameters/horizon_parameters.hpp"
+#include "plate/bonds/resultants.hpp"
+#include "plate/bonds/tip_view.hpp"
+#include "plate/boundary/scaled_factor.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/interpolation.hpp"
+#include "plate/formulation/preconditioner.hpp"
+#include "plate/model/refused.hpp"
+#include "plate/surface/surface_layout.hpp"
+
+namespace plate {
+
+namespace {
+
+using geometry::Point;
+
+/// Degree of freedom after degree of freedom, as the matrices have them.
+Eigen::VectorXd by_points(const State& state) {
+  return Eigen::Map<const Eigen::VectorXd>(Eigen::Matrix3Xd(state).data(), state.size());
+}
+
+State by_components(const Eigen::VectorXd& values) {
+  return Eigen::Map<const Eigen::Matrix3Xd>(values.data(), 3, values.size() / 3);
+}
+
+/// The rows of what is held by crossing points, so that reactions leave nothing out at corners; the others by the rule
+/// of the plate.
+SparseStiffness stiffness_with_reactions(SurfacePlate plate, const Constraints& constraints) {
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> own = stiffness(plate);
+  plate.rule = FluxRule::crossing_point;
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> crossed = stiffness(plate);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index row = 0; row < own.rows(); ++row) {
+    const auto& from = constraints.held(std::uint32_t(row)) ? crossed : own;
+    for (std::decay_t<decltype(own)>::InnerIterator e(from, row); e; ++e)
+      entries.emplace_back(int(row), int(e.col()), e.value());
+  }
+  SparseStiffness result(own.rows(), own.cols());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+/// The free degrees of freedom, factorised.
+class FreeFactor : public Preconditioner {
+public:
+  FreeFactor(const SparseStiffness& K, const Constraints& constraints) : factor_(free_part(K, constraints, free_)) {}
+
+  void apply(const Forces& residual, State& result) const override {
+    const Eigen::VectorXd all = by_points(residual);
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(all.size());
+    values(free_) = factor_.solve(all(free_));
+    result = by_components(values);
+  }
+  std::size_t bytes() const override { return factor_.bytes(); }
+
+private:
+  static SparseStiffness free_part(const SparseStiffness& K, const Constraints& constraints,
+                                   std::vector<Eigen::Index>& free) {
+    std::vector<int> place(std::size_t(K.cols()), -1);
+    for (Eigen::Index i = 0; i < K.cols(); ++i)
+      if (!constraints.held(std::uint32_t(i))) place[std::size_t(i)] = int(free.size()), free.push_back(i);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const Eigen::Index j : free)
+      for (SparseStiffness::InnerIterator e(K, j); e; ++e)
+        if (const int row = place[std::size_t(e.row())]; row >= 0)
+          entries.emplace_back(row, place[std::size_t(j)], e.value());
+    SparseStiffness result(Eigen::Index(free.size()), Eigen::Index(free.size()));
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  std::vector<Eigen::Index> free_;
+  ScaledFactor factor_;
+};
+
+/// Bonds of the points of the plate among each other; surface nodes have none.
+geometry::Families families_of(const Boundary& b, double horizon) {
+  geometry::Cloud points = b.cloud;
+  points.positions.resize(points.plate_points), points.areas.resize(points.plate_points);
+  auto families = geometry::families(points, horizon, [](std::uint32_t, std::uint32_t) { return true; });
+  for (std::size_t k = points.plate_points; k < b.cloud.size(); ++k) families.set(k, {});
+  return families;
+}
+
+/// All nodes of the lattice, full families, what the values of fictitious nodes are: for what is read off a state.
+struct Surroundings {
+  Surroundings(const SurfacePlate& plate, const geometry::LatticeUnits& units, double horizon)
+      : rows(expansion(plate)) {
+    geometry::Cloud cloud{units, {}, {}, 0};
+    for (int k = 0; k < plate.body.count(); ++k) cloud.positions.push_back(plate.at(k));
+    cloud.plate_points = cloud.positions.size();
+    cloud.areas.assign(cloud.size(), plate.bonds.spacing * plate.bonds.spacing);
+    families = geometry::families(cloud, horizon, [](std::uint32_t, std::uint32_t) { return true; });
+    areas = std::move(cloud.areas);
+  }
+  WeightRows rows;
+  geometry::Families families;
+  std::vector<double> areas;
+};
+
+class SurfaceNodePlate : public Formulation {
+public:
+  SurfaceNodePlate(Layout layout, SurfacePlate plate)
+      : Formulation(std::move(layout)),
+        plate_(std::move(plate)),
+        stiffness_(stiffness_with_reactions(plate_, constraints())),
+        families_(families_of(boundary(), discretization().horizon())),
+        shapes_(bond_shapes(families_.vectors(), section(), discretization())),
+        around_(plate_, cloud().units, discretization().horizon()) {}
+
+  std::size_t points() const override { return cloud().size(); }
+  void internal_force(const State& state, Forces& forces) const override {
+    forces = by_components(-(stiffness_ * by_points(state)));
+  }
+  void absolute_product(const State& state, Forces& forces) const override {
+    forces = by_components(SparseStiffness(stiffness_.cwiseAbs()) * by_points(state));
+  }
+  Forces diagonal() const override { return by_components(stiffness_.diagonal().cwiseAbs()); }
+
+  const geometry::Families& families() const override { return families_; }
+  Eigen::VectorXd energies(const State& state) const override;
+  Resultants resultants(const State& state) const override {
+    const auto shapes = bond_shapes(around_.families.vectors(), section(), discretization());
+    return plate::resultants(everywhere(state), around_.families, shapes, around_.areas, cloud().plate_points,
+                             section());
+  }
+  std::vector<Share> interpolation(const Point& at) const override;
+  Mesh mesh() const override { return plate::mesh(boundary(), problem().outline, paths(), cut(), section().thickness); }
+  std::vector<double> cut_at(const StartOfCracks& start) const override { return start.cut; }
+  std::unique_ptr<TipView> tip_view() const override {
+    return std::make_unique<BondView>(cloud(), families_, shapes_, section(), discretization());
+  }
+  ChosenPreconditioner preconditioner(Preconditioning) const override { return {nullptr, "diagonal"}; }
+  std::unique_ptr<Preconditioner> factor() const override {
+    return std::make_unique<FreeFactor>(stiffness_, constraints());
+  }
+  std::vector<MemoryPart> memory(bool) const override {
+    constexpr std::size_t entry = sizeof(double) + sizeof(int);
+    return {{"stiffness with surface nodes", "parameters", double(std::size_t(stiffness_.nonZeros()) * entry)}};
+  }
+  std::vector<std::string> distrust(bool) const override { return {}; }
+  std::string remedy() const override {
+    return fmt::format("take discretization.spacing = {:.2g}", plate_.bonds.spacing / 2);
+  }
+
+private:
+  /// The state at all nodes, fictitious ones too.
+  State everywhere(const State& state) const { return by_components(around_.rows * by_points(state)); }
+
+  SurfacePlate plate_;
+  SparseStiffness stiffness_;
+  geometry::Families families_;
+  std::vector<BondShape> shapes_;
+  Surroundings around_;
+};
+
+Eigen::VectorXd SurfaceNodePlate::energies(const State& state) const {
+  const State all = everywhere(state);
+  const auto at = [&](int k) { return Kinematics<>{all(0, k), all(1, k), all(2, k)}; };
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(points()));
+  for (int k = 0; k < plate_.body.real; ++k) {
+    double dilatation = 0, sum = 0;
+    for (const auto& bond : plate_.bonds.bonds) {
+      const int j = plate_.body.node(plate_.body.nodes[std::size_t(k)] + bond.away);
+      const double curvature = curvature_difference(bond, at(k), at(j)), shear = shear_difference(bond, at(k), at(j));
+      dilatation += bond.D * curvature;
+      sum += (bond.curvature * curvature * curvature + bond.shear * shear * shear) / 4;  // one end's part
+    }
+    result[k] = plate_.bonds.dilatation_stiffness / 2 * dilatation * dilatation + sum;
+  }
+  return result;
+}
+
+/// Surface nodes are points like others there.
+std::vector<Share> SurfaceNodePlate::interpolation(const Point& at) const {
+  constexpr double reach = 1.6;  // spacings
+  const Point u = cloud().units.to_units(at);
+  std::vector<std::pair<std::uint32_t, Point>> near;
+  for (std::uint32_t k = 0; k < cloud().size(); ++k)
+    if ((boundary().lattice[k] - u).norm() <= reach) near.emplace_back(k, boundary().lattice[k]);
+  if (near.empty())
+    throw Refused({{Subject::geometry, 0, "no point of the plate is within 1.6 spacings of the place"}});
+  return plate::interpolation(near, u);
+}
+
+Discretised discretised(const Problem& problem) {
+  Discretised result;
+  auto [layout, plate] = surface_layout(problem);
+  result.stopwatch.lap("geometry");
+  result.plate = std::make_unique<SurfaceNodePlate>(std::move(layout), std::move(plate));
+  result.stopwatch.lap("parameters");
+  return result;
+}
+
+}  // namespace
+
+const FormulationKind bonds_with_surface_nodes{
+    "surface_nodes",
+    "bonds with surface nodes",
+    {{Feature::surface_correction, "all families are full with surface nodes"},
+     {Feature::full_horizon, "all families are full, with the lattice's constants"},
+     {Feature::layers, "surface nodes hold edges, not layers"},
+     {Feature::any_direction, "surface nodes are of edges along the axes"},
+     {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
+     {Feature::short_horizon, "the stiffness with surface nodes is not symmetric: it is solved directly"},
+     {Feature::levels, "the stiffness with surface nodes is not symmetric: it is solved directly"},
+     {Feature::single_precision, "the stiffness with surface nodes is not symmetric: motion on it would grow"},
+     {Feature::lanczos, "the stiffness with surface nodes is not symmetric: motion on it would grow"},
+     {Feature::symmetry, "the stiffness with surface nodes is not symmetric: it is solved directly, at rest"},
+     {Feature::breaking_bonds, "surface nodes are of plates without cracks"},
+     {Feature::running_tips, "surface nodes are of plates without cracks"}},
+    discretised};
+
+}  // namespace plate

@@ -1,0 +1,90 @@
+// Surface nodes through the program: case files, results, refusals.
+#include <algorithm>
+#include <filesystem>
+
+#include "cases/driver/run.hpp"
+#include "post/files/summary.hpp"
+#include "post/files/table.hpp"
+#include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/post/small_run.hpp"
+#include "tests/verification/boundary/local_plate.hpp"
+
+namespace {
+
+const std::vector<std::string> clamped{"geometry.cracks=[]", "support[0].edges=[\"left\",\"right\",\"bottom\",\"top\"]",
+                                       "discretization.boundary=surface_nodes",
+                                       "discretization.volume_correction=lattice_fitted", "analysis.method=direct"};
+
+std::vector<std::string> with(std::vector<std::string> settings, const std::string& more) {
+  settings.push_back(more);
+  return settings;
+}
+
+/// Everything that is wrong with a case, in one text.
+std::string wrong(const std::vector<std::string>& settings) {
+  const small_run::TemporaryFolder folder;
+  try {
+    cases::run(case_text::read(case_text::plain, settings), {folder / "run", true});
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("surface nodes in a case: a clamped plate under pressure, its reactions, probes and files") {
+  const small_run::TemporaryFolder folder;
+  const auto summary = cases::run(
+      case_text::read(case_text::plain + "[output]\nprobes = { centre = [0.0, 0.0], edge = [0.0, 1.0] }\n", clamped),
+      {folder / "run", true});
+  CHECK(summary.formulation == "surface_nodes");
+  const plate::Section section{1000, 0.3, 0.1};
+  const double w =
+      boundary_bodies::RitzPlate(section, 2, 1, plate::SupportKind::clamped, plate::SupportKind::clamped, 7)
+          .deflection(0, 0);
+  CHECK(std::abs(summary.reactions->largest_residual) < 1e-9);  // measured: 3e-13
+  for (const auto& one : summary.reactions->largest) CHECK(one.force == Approx(-1).epsilon(1e-6));
+  const auto probes = post::read_csv(folder / "run" / "probes.csv");
+  const auto probe = [&](const std::string& name) {
+    for (const auto& row : probes.rows)
+      if (std::get<std::string>(row[probes.column("probe")]) == name) return std::get<double>(row[probes.column("w")]);
+    return 0.0;
+  };
+  // 0.64 % off by the clamp, the rest by linear interpolation between four points
+  CHECK(probe("centre") == Approx(w).epsilon(0.012));  // measured: 0.0099
+  CHECK(std::abs(probe("edge")) < 2e-3 * w);           // measured: 1.0e-3, between surface nodes
+  CHECK(std::filesystem::exists(folder / "run" / "fields_0000.vtu"));
+}
+
+TEST_CASE("surface nodes in a case: reactions beside free edges, and the energy of coarse points, are warned of") {
+  const small_run::TemporaryFolder folder;
+  auto settings = clamped;
+  settings[1] = "support[0].edges=[\"left\"]", settings.push_back("discretization.spacing=0.1");
+  const auto summary = cases::run(case_text::read(case_text::plain, settings), {folder / "run", true});
+  const auto says = [&](const std::string& what) {
+    return std::ranges::any_of(summary.warnings, [&](const auto& one) { return one.find(what) != std::string::npos; });
+  };
+  CHECK(summary.reactions->largest_residual == Approx(0.0759).epsilon(0.01));  // measured: 0.0759
+  CHECK(says("balance the loads to"));
+  CHECK(says("how coarse the points are"));
+}
+
+TEST_CASE("surface nodes in a case: what they cannot serve is refused with the reason, by its key") {
+  CHECK(wrong(with(clamped, "analysis.method=cg")).find("not symmetric") != std::string::npos);
+  CHECK(wrong(with(clamped, "analysis.method=adr")).find("analysis.method") != std::string::npos);
+  CHECK(wrong(with(with(clamped, "section.density=1"), "analysis={kind=\"frequencies\"}")).find("not symmetric") !=
+        std::string::npos);
+  CHECK(wrong(with(with(clamped, "section.density=1"), "analysis={kind=\"dynamic\", duration=0.1}"))
+            .find("not symmetric") != std::string::npos);
+  CHECK(wrong(with(clamped, "geometry.cracks=[[[-0.3,0],[0.3,0]]]")).find("without cracks") != std::string::npos);
+  CHECK(wrong(with(clamped,
+                   "geometry.outline={polygon=[[-1,-1],[1,-1],[0.5,1],[-1,1]], "
+                   "edges=[\"bottom\",\"right\",\"top\",\"left\"]}"))
+            .find("rectangles") != std::string::npos);
+  CHECK(wrong(with(clamped, "discretization.formulation=galerkin")).find("on the edges themselves") !=
+        std::string::npos);
+  CHECK(wrong(with(clamped, "support[0].kind=clamped_layer")).find("not layers") != std::string::npos);
+  CHECK(wrong(with(clamped, "load=[{kind=\"edge_moment\",value=1,edges=[\"left\"]}]")).find("is held") !=
+        std::string::npos);
+}
