@@ -9,7 +9,6 @@
 #include "plate/solve/suitability.hpp"
 
 namespace cases {
-
 namespace {
 
 /// Shape and cracks; true where edges and points can be checked against the shape.

@@ -5,7 +5,6 @@
 #include "post/studies/accuracy/path.hpp"
 
 namespace cases {
-
 namespace {
 
 /// analysis.kind decides about other keys: it is needed before they are read.
@@ -39,7 +38,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
 }  // namespace
 
 CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  return case_of(parsed(path), path, overrides);
+  return case_of(parsed(path, "run"), path, overrides);
 }
 
 CaseFile read_case_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {

@@ -3,7 +3,6 @@
 #include "cases/input/case.hpp"
 
 namespace cases {
-
 namespace {
 
 Field<Case> text(const std::string& name, std::string Case::*member, const std::string& standard,

@@ -5,7 +5,6 @@
 #include "cases/input/toml_reader.hpp"
 
 namespace cases {
-
 namespace {
 
 constexpr char removal = '-';  // begins a setting that takes a key out

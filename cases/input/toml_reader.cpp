@@ -195,8 +195,14 @@ toml::table parsed_text(const std::string& text, const std::string& name) {
   }
 }
 
-toml::table parsed(const std::filesystem::path& path) {
-  return parsed_text(contents(path), path.string());
+toml::table parsed(const std::filesystem::path& path, const std::string& command) {
+  toml::table root = parsed_text(contents(path), path.string());
+  const std::string right = root.contains("row")       ? "extremes"
+                            : root.contains("axis")    ? "study"
+                            : root.contains("section") ? "run"
+                                                       : command;
+  if (right != command) throw CaseError({{path.string(), "", "this file is for pdplate " + right}});
+  return root;
 }
 
 }  // namespace cases

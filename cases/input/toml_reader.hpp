@@ -87,8 +87,8 @@ using plate::number_text;
 using plate::quoted;
 using plate::text_of;
 
-/// A file, or text that has such a name, as a tree. Throws CaseError where it is no TOML.
-toml::table parsed(const std::filesystem::path& path);
+/// A file, or text that has such a name, as a tree. Throws CaseError where it is no TOML, or for another `command`.
+toml::table parsed(const std::filesystem::path& path, const std::string& command);
 toml::table parsed_text(const std::string& text, const std::string& name);
 
 }  // namespace cases

@@ -70,7 +70,7 @@ void check_rows(const Extremes& extremes, Reading& reading) {
 }  // namespace
 
 Extremes read_extremes(const std::filesystem::path& path) {
-  const toml::table root = parsed(path);
+  const toml::table root = parsed(path, "extremes");
   Reading reading(path.string());
   Extremes extremes;
   extremes.title = path.stem().string();

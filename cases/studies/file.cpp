@@ -165,7 +165,7 @@ void check_finest(const Study& study, Reading& reading) {
 }  // namespace
 
 Study read_study(const fs::path& path) {
-  const toml::table root = parsed(path);
+  const toml::table root = parsed(path, "study");
   Reading reading(path.string());
   Study study;
   study.title = path.stem().string();

@@ -2,7 +2,6 @@
 #include "plate/model/problem.hpp"
 
 namespace cases {
-
 namespace {
 
 using geometry::Circle;

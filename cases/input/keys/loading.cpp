@@ -3,7 +3,6 @@
 #include "plate/model/supports.hpp"
 
 namespace cases {
-
 namespace {
 
 using plate::History;

@@ -27,13 +27,15 @@ Bond bond_of(const Solid& s, const Neighbour& n) {
 Actions assembled(const Solid& s, const Eigen::VectorXd& m, int nodes, std::optional<plate::FluxRule> rule) {
   const int D = s.dimension();
   const auto& b = s.body;
-  const auto& [c_theta, k_theta, k_e] = s.material;
+  const double c_theta = s.material.c_theta, k_theta = s.material.k_theta, k_e = s.material.k_e;
   Triplets theta, values, dilatation;
   for (int i = 0; i < nodes; ++i)
     for (const auto& neighbour : s.family) {
       const int j = b.node(b.nodes[std::size_t(i)] + neighbour.away);
       if (j < 0 || j >= nodes) continue;
-      const auto [direction, length, influence] = bond_of(s, neighbour);
+      const Bond bond = bond_of(s, neighbour);  // not taken apart: clang 16 leaves closures no names of parts
+      const auto& direction = bond.direction;
+      const double length = bond.length, influence = bond.influence;
       const double pull = influence * s.volume() * s.volume();
       const auto add = [&](int row, double share) {  // share of the bond's force along its direction
         for (int a = 0; a < D; ++a) {

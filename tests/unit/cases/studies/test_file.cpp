@@ -214,3 +214,12 @@ TEST_CASE("a study goes on where it was ended: what is done is taken, all else i
   cases::run_study(read("500"), {studies.out(), true});
   CHECK(std::filesystem::exists(file));
 }
+
+TEST_CASE("a file for another command is refused in one line that names the command") {
+  const Studies studies;
+  expect(studies.problems(case_text::plain), {"this file is for pdplate run"});
+  expect(studies.problems("[[row]]\ntitle = \"one\"\n"), {"this file is for pdplate extremes"});
+  const small_run::TemporaryFolder folder;
+  std::ofstream(folder / "study.toml") << "case = \"a.toml\"\n" + axis("way", {"label = \"one\""});
+  CHECK_THROWS_WITH(cases::read_case(folder / "study.toml", {}), Catch::Contains("this file is for pdplate study"));
+}
