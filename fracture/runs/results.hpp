@@ -47,6 +47,7 @@ public:
   /// How the discretisation was found.
   void found(post::AccuracySummary accuracy) { accuracy_ = std::move(accuracy); }
   post::FactorRows& factors() { return factors_; }
+  post::ReactionRows& reactions() { return reactions_; }
 
   /// A row of history, probes and intensity factors; of the last, all rings go into the summary.
   void sample(const plate::Instant& now, bool last);

@@ -14,6 +14,7 @@
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
+#include "post/balance/supports.hpp"
 #include "post/factors/watched_motion.hpp"
 #include "post/files/gate.hpp"
 #include "post/report/progress.hpp"
@@ -110,10 +111,12 @@ void solve_by_lanczos(const Going& run) {
   };
   std::optional<plate::LanczosMotion> own;
   if (!ready.motion) {
-    own = post::lanczos_motion(analysis, *ready.plate, ready.tip_methods, INFINITY, found);
+    const auto reactions = post::Supports(ready.plate->boundary()).elastic_forces(*ready.plate);
+    own = post::lanczos_motion(analysis, *ready.plate, ready.tip_methods, reactions, INFINITY, found);
     results.factors().truncated(own->truncated());
   }
   const auto& motion = own ? *own : *ready.motion;
+  for (const double share : motion.truncated_told()) results.reactions().truncated(share);
   motion.observe(rows, observer(run, rows, progress));
   progress.done();
   summary.analysis.iterations = motion.vectors();

@@ -7,6 +7,7 @@
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "post/balance/supports.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/factors/watched_motion.hpp"
 #include "post/files/gate.hpp"
@@ -17,7 +18,9 @@ namespace {
 post::AccuracyTrial in_motion(Ready& ready, const plate::Analysis& analysis, const post::SrifOptions& options) {
   constexpr double of_truncation = 0.3;  // of the accuracy
   const auto& plate = *ready.plate;
-  ready.motion.emplace(post::lanczos_motion(analysis, plate, ready.tip_methods, of_truncation * *options.accuracy, {}));
+  const auto reactions = post::Supports(plate.boundary()).elastic_forces(plate);
+  ready.motion.emplace(
+      post::lanczos_motion(analysis, plate, ready.tip_methods, reactions, of_truncation * *options.accuracy, {}));
   post::AccuracyTrial result{&plate, {}, ready.motion->truncated(), 0, ready.motion->vectors()};
   ready.motion->observe(ready.steps->grid.steps, [&](const plate::Instant& now) {
     ready.stopwatch.lap("solve");

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "plate/formulation/operator.hpp"
+
 namespace post {
 namespace {
 
@@ -110,6 +112,22 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
     largest = std::max(largest, size(inertia->sum, centre_, arm_));
   }
   result.residual = largest > 0 ? size(left, centre_, arm_) / largest : 0;
+  return result;
+}
+
+Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
+  constexpr std::size_t most = 16;
+  const auto& held = boundary_->constraints.held();
+  const auto points = Eigen::Index(plate.points());
+  const bool each = boundary_->holders.size() <= most;
+  std::vector<plate::State> units(each ? boundary_->holders.size() : 1, plate::State::Zero(3, points));
+  for (const auto& [holder, i, unit] : shares_) units[each ? holder : 0].reshaped()[held[i]] += unit.force;
+  Eigen::MatrixXd result(Eigen::Index(units.size()), 3 * points);
+  plate::Forces forces;
+  for (std::size_t s = 0; s < units.size(); ++s) {  // the stiffness is symmetric
+    plate.internal_force(units[s], forces);
+    result.row(Eigen::Index(s)) = forces.reshaped().transpose();
+  }
   return result;
 }
 

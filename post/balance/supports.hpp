@@ -2,6 +2,10 @@
 #include "plate/formulation/boundary.hpp"
 #include "post/files/summary.hpp"
 
+namespace plate {
+class Operator;
+}
+
 namespace post {
 
 /// Of the nodal force `value`, conjugate to w (component 0) or a rotation (1, 2), at a place.
@@ -28,6 +32,9 @@ public:
   Applied applied(const plate::Forces& forces) const;
   /// `internal`: force -K u on what is held; `loads`: that act; `inertia`: mass times acceleration, in motion.
   Balance balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia) const;
+  /// What the elastic forces of the plate do along w to every support, as functionals of its state [supports x 3
+  /// points, as State::data()]; of many supports, to all together.
+  Eigen::MatrixXd elastic_forces(const plate::Operator& plate) const;
 
 private:
   /// What a unit of force on a degree of freedom that is held does to its holder, with what its leaders take.

@@ -9,12 +9,14 @@
 namespace post {
 
 plate::LanczosMotion lanczos_motion(const plate::Analysis& analysis, const plate::Formulation& plate,
-                                    const std::vector<TipMethods>& methods, double truncation,
+                                    const std::vector<TipMethods>& methods, const Eigen::MatrixXd& reactions,
+                                    double truncation,
                                     const std::function<void(std::size_t vectors, double change)>& progress) {
   plate::LanczosOptions options{analysis.duration, analysis.tolerance};
   options.from_equilibrium = analysis.start == plate::Analysis::Start::equilibrium;
   for (const auto& tip : methods) options.watched.push_back(tip.functionals());
   options.watched_tolerance = truncation;
+  options.told = {reactions};
   options.progress = progress;
   const auto& constraints = plate.constraints();
   const auto inertia = plate.inertia(analysis.rotary_inertia);

@@ -111,6 +111,7 @@ Json json_of(const ReactionSummary& reactions, bool rows) {
   if (const auto& inertia = reactions.balance.inertia) json["inertia"] = json_of(*inertia);
   json["residual"] = reactions.balance.residual;
   if (rows) json["largest_residual"] = reactions.largest_residual;
+  if (reactions.truncation) json["truncation"] = *reactions.truncation;
   return json;
 }
 

@@ -70,6 +70,8 @@ struct ReactionSummary {
   Balance balance;               // at this time
   double largest_residual = 0;   // of all rows
   std::vector<Largest> largest;  // force of every support, of all rows
+  /// Estimated error of them by the truncation of Lanczos vectors, relative to the largest.
+  std::optional<double> truncation = {};
 };
 
 /// How a growth of cracks ended.

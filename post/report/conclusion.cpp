@@ -19,6 +19,19 @@ std::optional<double> largest_deflection(const Table& history) {
   return largest;
 }
 
+void warn_of(const ReactionSummary& reactions, std::vector<std::string>& warnings) {
+  constexpr double close = 0.01;
+  if (reactions.truncation.value_or(0) > close)
+    warnings.push_back(fmt::format(
+        "reactions are off by up to {:.2g} % of the largest: a motion needs more Lanczos vectors for them than for "
+        "factors and deflections; take a smaller analysis.tolerance, or loads that do not set in at once",
+        100 * *reactions.truncation));
+  else if (reactions.largest_residual > close)
+    warnings.push_back(
+        fmt::format("the reactions balance the loads to {:.2g} % only: do not rely on them more than that",
+                    100 * reactions.largest_residual));
+}
+
 }  // namespace
 
 void conclude(Summary& summary, Found found) {
@@ -26,10 +39,7 @@ void conclude(Summary& summary, Found found) {
   if (found.options) summary.toughness = found.options->toughness;
   for (const auto& srif : summary.srif) summary.faces.push_back(at_faces(srif, found.section, summary.toughness));
   summary.reactions = found.reactions.summary();
-  if (constexpr double close = 0.01; summary.reactions && summary.reactions->largest_residual > close)
-    summary.warnings.push_back(
-        fmt::format("the reactions balance the loads to {:.2g} % only: do not rely on them more than that",
-                    100 * summary.reactions->largest_residual));
+  if (summary.reactions) warn_of(*summary.reactions, summary.warnings);
   if (const auto w = largest_deflection(found.history)) {
     summary.deflection_over_thickness = *w / found.section.thickness;
     if (found.si && *summary.deflection_over_thickness > small_deflection)

@@ -129,7 +129,8 @@ void faces(Text out, const Summary& summary, bool si) {
 
 void reactions(Text out, const ReactionSummary& reactions, bool si) {
   constexpr std::size_t most = 12;
-  const auto& [supports, time, balance, largest_residual, largest] = reactions;
+  const auto& supports = reactions.supports;
+  const auto& balance = reactions.balance;
   double size = std::abs(balance.loads.force);
   for (const auto& one : balance.supports) size = std::max(size, std::abs(one.force));
   const auto force = [&](const Wrench& wrench) {

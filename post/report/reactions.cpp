@@ -101,6 +101,7 @@ std::optional<ReactionSummary> ReactionRows::summary() const {
   }
   for (const auto& [time, balance] : balances_)
     result.largest_residual = std::max(result.largest_residual, balance.residual);
+  result.truncation = truncation_;
   return result;
 }
 

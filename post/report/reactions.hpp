@@ -30,6 +30,9 @@ public:
   void add(double time, const plate::Formulation& plate, const plate::Operator& forces, const plate::State& state,
            double share);
 
+  /// By the Lanczos vectors that move the plate: ReactionSummary::truncation.
+  void truncated(double share) { truncation_ = share; }
+
   bool empty() const { return balances_.empty(); }
   /// The rows of reactions.csv.
   Table table() const;
@@ -46,6 +49,7 @@ private:
 
   std::vector<ReactionSummary::Support> supports_;
   std::vector<std::pair<double, Balance>> balances_;
+  std::optional<double> truncation_;
   // of one plate:
   const plate::Formulation* plate_ = nullptr;
   double rotary_ = 1;

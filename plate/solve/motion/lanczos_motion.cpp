@@ -50,8 +50,8 @@ Solved solved(const LanczosSpace& space, const std::vector<TimedLoad>& loads, bo
 
 /// How much more vectors change what is wanted.
 struct Change {
-  double motion;                // in the norm of the mass, relative to the largest
-  std::vector<double> watched;  // LanczosMotion::truncated()
+  double motion;                      // in the norm of the mass, relative to the largest
+  std::vector<double> watched, told;  // LanczosMotion::truncated(), truncated_told()
 };
 
 /// The motion in growing spaces, at some times.
@@ -71,40 +71,44 @@ public:
     MatrixXd difference = found;
     if (before_.size() > 0) difference.topRows(before_.rows()) -= before_;
     Change result{
-        before_.size() == 0 ? 1 : share(difference.colwise().norm().maxCoeff(), found.colwise().norm().maxCoeff()), {}};
+        before_.size() == 0 ? 1 : share(difference.colwise().norm().maxCoeff(), found.colwise().norm().maxCoeff()),
+        {},
+        {}};
     before_ = std::move(found);
-    result.watched = truncated(space);
+    result.watched = truncated(space, options_.watched, watched_);
+    result.told = truncated(space, options_.told, told_);
     return result;
   }
 
 private:
   static double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-  std::vector<double> truncated(const LanczosSpace& space) {
-    constexpr double fewer = 0.7, safety = 4;
-    Look now{space.size(), {}};
-    for (const auto& group : options_.watched)
-      now.values.push_back(group.rows() > 0 ? MatrixXd(group * space.vectors() * before_) : MatrixXd::Zero(1, 1));
-    const auto other = std::find_if(looks_.rbegin(), looks_.rend(), [&](const Look& look) {
-      return double(look.vectors) <= fewer * double(now.vectors);
-    });
-    std::vector<double> result(options_.watched.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t g = 0; g < result.size() && other != looks_.rend(); ++g)
-      result[g] =
-          safety * share((now.values[g] - other->values[g]).cwiseAbs().maxCoeff(), now.values[g].cwiseAbs().maxCoeff());
-    looks_.push_back(std::move(now));
-    return result;
-  }
-
   struct Look {
     Index vectors;
-    std::vector<MatrixXd> values;  // of every watched group
+    std::vector<MatrixXd> values;  // of every group
   };
+
+  std::vector<double> truncated(const LanczosSpace& space, const std::vector<MatrixXd>& groups,
+                                std::vector<Look>& looks) {
+    constexpr double fewer = 0.7, safety = 4;
+    Look now{space.size(), {}};
+    for (const auto& group : groups)
+      now.values.push_back(group.rows() > 0 ? MatrixXd(group * space.vectors() * before_) : MatrixXd::Zero(1, 1));
+    const auto other = std::find_if(looks.rbegin(), looks.rend(), [&](const Look& look) {
+      return double(look.vectors) <= fewer * double(now.vectors);
+    });
+    std::vector<double> result(groups.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t g = 0; g < result.size() && other != looks.rend(); ++g)
+      result[g] =
+          safety * share((now.values[g] - other->values[g]).cwiseAbs().maxCoeff(), now.values[g].cwiseAbs().maxCoeff());
+    looks.push_back(std::move(now));
+    return result;
+  }
 
   const std::vector<TimedLoad>& loads_;
   const LanczosOptions& options_;
   MatrixXd before_;  // amplitudes of the vectors
-  std::vector<Look> looks_;
+  std::vector<Look> watched_, told_;
 };
 
 /// Adds vectors until they change the motion, and what is watched, no more.
@@ -115,7 +119,8 @@ Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const Lanc
   Index most = 0;  // for what is watched
   for (Index next = 0, look = 8;; ++next) {
     const bool exhausted = next >= space.size();
-    if (exhausted) return {0, std::vector<double>(options.watched.size(), 0)};
+    if (exhausted)
+      return {0, std::vector<double>(options.watched.size(), 0), std::vector<double>(options.told.size(), 0)};
     if (space.size() >= look) {
       look = space.size() + more_vectors(space.size());
       Change change = watch.look(space);
@@ -142,7 +147,7 @@ LanczosMotion::LanczosMotion(const Operator& plate, const Constraints& constrain
     : duration_(options.duration), points_(Index(plate.points())), start_({}, {}, loads) {
   LanczosSpace space(plate, constraints, inertia, inverse);
   auto change = fill(space, loads, options);
-  change_ = change.motion, truncated_ = std::move(change.watched);
+  change_ = change.motion, truncated_ = std::move(change.watched), truncated_told_ = std::move(change.told);
   Solved motion = solved(space, loads, options.from_equilibrium);
   largest_frequency_ = std::sqrt(motion.largest_square) / (2 * std::numbers::pi);
   shapes_ = space.size() > 0 ? MatrixXd(space.vectors() * motion.shapes) : MatrixXd(3 * points_, 0);

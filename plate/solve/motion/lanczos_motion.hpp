@@ -19,6 +19,7 @@ struct LanczosOptions {
   /// Of the truncation of every group, as far as four times as many vectors as the motion needs reach it: a fit where
   /// points are few sees little but noise.
   double watched_tolerance = std::numeric_limits<double>::infinity();
+  std::vector<Eigen::MatrixXd> told = {};  // likewise, but however large it is
   std::function<void(std::size_t vectors, double change)> progress = {};
 };
 
@@ -42,6 +43,8 @@ public:
   /// Estimated error of every watched group at any time, relative to the largest of its functionals: four times the
   /// largest difference from at most 0.7 times as many vectors (theory.md, "Dynamics").
   const std::vector<double>& truncated() const { return truncated_; }
+  /// The same of every group of LanczosOptions::told.
+  const std::vector<double>& truncated_told() const { return truncated_told_; }
   /// That the vectors hold [1/time].
   double largest_frequency() const { return largest_frequency_; }
 
@@ -51,7 +54,7 @@ private:
   Eigen::MatrixXd shapes_;  // of the modes: columns, each a state flattened
   MovingModes start_;
   double change_ = 0, largest_frequency_ = 0;
-  std::vector<double> truncated_;
+  std::vector<double> truncated_, truncated_told_;
 };
 
 }  // namespace plate

@@ -1,6 +1,7 @@
 #include "post/factors/watched_motion.hpp"
 
 #include "plate/formulation/discretised.hpp"
+#include "post/balance/supports.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
@@ -12,8 +13,24 @@ TEST_CASE("watched motion: more vectors where the factors of the tips are to be 
   const auto c = read(moving + "[srif]\n", {"discretization.spacing=0.1"}).content;
   const auto plate = plate::discretise(c).plate;
   const auto methods = post::tip_methods(*plate, *c.srif);
-  const auto loose = post::lanczos_motion(c.analysis, *plate, methods, INFINITY, {});
-  const auto watched = post::lanczos_motion(c.analysis, *plate, methods, 1e-3, {});
+  const auto forces = post::Supports(plate->boundary()).elastic_forces(*plate);
+  const auto loose = post::lanczos_motion(c.analysis, *plate, methods, forces, INFINITY, {});
+  const auto watched = post::lanczos_motion(c.analysis, *plate, methods, forces, 1e-3, {});
   CHECK(loose.truncated().size() == 2);
   CHECK(watched.vectors() >= loose.vectors());
+  REQUIRE(loose.truncated_told().size() == 1);  // of the reactions
+  const auto reactions = [&](const plate::LanczosMotion& motion) {
+    std::vector<double> result;
+    motion.observe(200, [&](const plate::Instant& now) { result.push_back((forces * now.state.reshaped()).value()); });
+    return result;
+  };
+  auto tight = c.analysis;
+  tight.tolerance = 1e-5;
+  const auto found = reactions(loose),
+             exact = reactions(post::lanczos_motion(tight, *plate, methods, forces, INFINITY, {}));
+  double error = 0, largest = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    error = std::max(error, std::abs(found[i] - exact[i])), largest = std::max(largest, std::abs(exact[i]));
+  CHECK(error < 1.5 * largest * loose.truncated_told()[0]);
+  CHECK(error > 0.1 * largest * loose.truncated_told()[0]);
 }
