@@ -58,7 +58,7 @@ gs::Norms quadratic_patch(const gs::Body& b, const Eigen::MatrixXd& K) {
 }
 
 Eigen::MatrixXd petrov(const gs::Body& b, const gs::System& test, gs::Petrov kind = gs::Petrov::first) {
-  return gs::petrov_stiffness(patch_solid, b, gs::moving(b), test, kind);
+  return gs::petrov_stiffness(gs::law(patch_solid), b, gs::moving(b), test, kind);
 }
 
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& K) {
@@ -202,7 +202,7 @@ TEST_CASE("Galerkin quadratic patch (Bode 7.4-7.6): only the second-order correc
   CHECK((first.L2 > 1e-4 && first.L2 < raw.L2 / 10));  // measured: 0.011; thesis 6e-4
   CHECK((first.H1 > 1e-3 && first.H1 < raw.H1 / 10));  // measured: 0.027; thesis 0.019
   const auto test = gs::second_order_consistent(b, u1);
-  const auto K = gs::petrov_stiffness(patch_solid, b, gs::quadratic_static(b), test, gs::Petrov::second);
+  const auto K = gs::petrov_stiffness(gs::law(patch_solid), b, gs::quadratic_static(b), test, gs::Petrov::second);
   const auto second = quadratic_patch(b, K);
   CHECK(second.L2 < rounding);  // measured: 4e-16; thesis 7e-16
   CHECK(second.H1 < rounding);  // measured: 2e-15; thesis 1e-14

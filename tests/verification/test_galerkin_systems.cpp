@@ -218,3 +218,35 @@ TEST_CASE("Galerkin systems: which lock, thickness 1/1000 of the side on 16 x 16
   CHECK(unscaled.simply == Approx(-69).margin(0.6));   // measured: -69.3
   CHECK(unscaled.clamped == Approx(-83).margin(0.6));  // measured: -82.9
 }
+
+TEST_CASE(
+    "Galerkin systems: shear assumed constant in each family passes the patch with bonds, and has spurious modes") {
+  const gs::Plate p;
+  const auto thin = plate_of(1e-3);
+  const auto ritz = gs::ritz_frequencies(p, 12);
+  const auto exact = ritz_deflections(thin);
+  const auto mass = gs::lumped_mass(p, gs::body(square(10)));
+  const gs::Body b = gs::body(patch_plate(0.3));
+  for (const auto& f : gs::assumed_shear()) {
+    const auto K = gs::stiffness(p, f, patch_plate(0.3));
+    const auto values = gs::all_frequencies(K, Eigen::VectorXd::Ones(K.rows()));
+    const auto squared = gs::all_frequencies(gs::stiffness(p, f, square(10)), mass);
+    const auto below = (squared.array() < ritz[29]).count();
+    const auto [simply, clamped] = deflection_errors(thin, f, 16, exact);
+    const double shear = patch_error(p, b, K, flat, {1, 0.5}), error = frequency_error(squared, ritz, 10);
+    CAPTURE(f.name, below, error, simply, clamped, shear);
+    for (const auto& kappa : {kx, ky, kxy}) {
+      if (f.consistent) CHECK(patch_error(p, b, K, kappa) < rounding);  // measured: 8e-14
+      if (!f.consistent) CHECK(patch_error(p, b, K, kappa) > 0.01);     // measured: 0.023 to 0.043, direct
+    }
+    CHECK(shear > 0.5);  // measured: 0.71 to 2.3
+    CHECK(values.head(3).cwiseAbs().maxCoeff() / values.tail(1)[0] < 1e-13);
+    CHECK(values[3] / values.tail(1)[0] > 1e-5);  // measured: 3e-5
+    if (f.stable) CHECK(below < 50);              // measured: 41, of 30
+    if (!f.stable) CHECK(below > 100);            // measured: 109 direct, 121
+    if (!f.stable) CHECK(error < -40);            // measured: -60 to -68 %
+    if (f.locks) CHECK(simply < -30);             // measured: -37 direct, -64 % across bonds
+    if (!f.locks) CHECK(std::abs(simply) < 1);    // measured: -0.58, scaled -0.48 %
+    if (!f.locks) CHECK(std::abs(clamped) < 15);  // measured: -11.6, scaled 0.49 %
+  }
+}

@@ -80,6 +80,21 @@ const std::vector<Formulation>& formulations() {
   return table;
 }
 
+const std::vector<Formulation>& assumed_shear() {
+  using L = const Lattice&;
+  static const std::vector<Formulation> table{
+      {"VC Unl, assumed shear", [](L l, double) { return consistent_unl(near(l)); }, true, false, false,
+       Shear::assumed_bond},
+      {"VC Unl, assumed shear scaled", [](L l, double h) { return scaled(l, consistent_unl(near(l)), h); }, true, false,
+       false, Shear::assumed_bond},
+      {"VC Unl, assumed direct shear", [](L l, double) { return consistent_unl(near(l)); }, false, false, true,
+       Shear::assumed_direct},
+      {"VC Unl, shear assumed across bonds", [](L l, double) { return consistent_unl(near(l)); }, true, true, true,
+       Shear::assumed_along},
+  };
+  return table;
+}
+
 const Formulation& formulation(const std::string& name) {
   for (const Formulation& f : formulations())
     if (f.name == name) return f;

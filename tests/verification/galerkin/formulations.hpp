@@ -17,7 +17,10 @@ struct Formulation {
 
 const std::vector<Formulation>& formulations();
 
-/// The row of that name; throws std::out_of_range.
+/// Those whose transverse shear is a field of its own, constant in each family.
+const std::vector<Formulation>& assumed_shear();
+
+/// The row of that name in formulations(); throws std::out_of_range.
 const Formulation& formulation(const std::string& name);
 
 Sparse stiffness(const Plate& plate, const Formulation& f, const Lattice& lattice);

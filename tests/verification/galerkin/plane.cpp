@@ -7,21 +7,6 @@
 namespace galerkin_systems {
 namespace {
 
-/// Strains xx, yy, 2 xy of gradients per node.
-Eigen::MatrixXd strain(const Eigen::Matrix2Xd& gradient) {
-  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(3, 2 * gradient.cols());
-  for (Eigen::Index i = 0; i < gradient.cols(); ++i) {
-    B(0, 2 * i) = B(2, 2 * i + 1) = gradient(0, i);
-    B(1, 2 * i + 1) = B(2, 2 * i) = gradient(1, i);
-  }
-  return B;
-}
-
-Eigen::Matrix3d law(const Solid& s) {
-  const double l = s.lambda(), m = s.mu();
-  return Eigen::Matrix3d{{l + 2 * m, l, 0}, {l, l + 2 * m, 0}, {0, 0, m}};
-}
-
 std::vector<Eigen::Index> unknowns(const Nodes& nodes) {
   std::vector<Eigen::Index> list;
   for (const int node : nodes) list.insert(list.end(), {2 * node, 2 * node + 1});
@@ -56,6 +41,25 @@ Moments moments(const Body& b, const Nodes& nodes) {
 
 }  // namespace
 
+Eigen::MatrixXd strain(const Eigen::Matrix2Xd& gradient) {
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(3, 2 * gradient.cols());
+  for (Eigen::Index i = 0; i < gradient.cols(); ++i) {
+    B(0, 2 * i) = B(2, 2 * i + 1) = gradient(0, i);
+    B(1, 2 * i + 1) = B(2, 2 * i) = gradient(1, i);
+  }
+  return B;
+}
+
+Eigen::Matrix3d law(const Solid& s) {
+  const double l = s.lambda(), m = s.mu();
+  return Eigen::Matrix3d{{l + 2 * m, l, 0}, {l, l + 2 * m, 0}, {0, 0, m}};
+}
+
+Eigen::Matrix3d isochoric_law(const Solid& s) {
+  const double m = s.mu();
+  return Eigen::Matrix3d{{4 * m / 3, -2 * m / 3, 0}, {-2 * m / 3, 4 * m / 3, 0}, {0, 0, m}};
+}
+
 Eigen::MatrixXd family_stiffness(const Solid& solid, const Family& family) {
   const auto n = Eigen::Index(2 * family.nodes.size());
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
@@ -75,7 +79,7 @@ Eigen::MatrixXd plane_stiffness(const Solid& solid, const Body& b, const System&
   return K;
 }
 
-Eigen::MatrixXd petrov_stiffness(const Solid& solid, const Body& b, const System& trial, const System& test,
+Eigen::MatrixXd petrov_stiffness(const Eigen::Matrix3d& law, const Body& b, const System& trial, const System& test,
                                  Petrov kind) {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * b.points.cols(), 2 * b.points.cols());
   for (const Family& master : test)
@@ -88,7 +92,7 @@ Eigen::MatrixXd petrov_stiffness(const Solid& solid, const Body& b, const System
       bond_gradient << master.samples[0].gradient.col(Eigen::Index(i)),
           -master.samples[0].gradient.col(Eigen::Index(i));
       const double weight = b.areas[kind == Petrov::first ? k : j];
-      K(unknowns({j, k}), unknowns(family.nodes)) += weight * strain(bond_gradient).transpose() * law(solid) * B;
+      K(unknowns({j, k}), unknowns(family.nodes)) += weight * strain(bond_gradient).transpose() * law * B;
     }
   return K;
 }

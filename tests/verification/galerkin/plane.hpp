@@ -9,12 +9,21 @@ struct Solid {
 
   double lambda() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
   double mu() const { return young / (2 * (1 + poisson)); }
+  double bulk() const { return lambda() + 2 * mu() / 3; }
 
   /// P of a displacement gradient.
   Eigen::Matrix2d stress(const Eigen::Matrix2d& H) const {
     return mu() * (H + H.transpose()) + lambda() * H.trace() * Eigen::Matrix2d::Identity();
   }
 };
+
+/// Stresses of strains xx, yy, 2 xy: all of them, and those of the energy mu (eps:eps - tr^2 eps / 3) of the distortion
+/// that Bode 2.43 splits off.
+Eigen::Matrix3d law(const Solid& solid);
+Eigen::Matrix3d isochoric_law(const Solid& solid);
+
+/// Strains xx, yy, 2 xy of gradients per node, 3 x 2 nodes.
+Eigen::MatrixXd strain(const Eigen::Matrix2Xd& gradient);
 
 /// Bubnov-Galerkin: the sum of squares of a system's samples.
 Eigen::MatrixXd plane_stiffness(const Solid& solid, const Body& b, const System& system);
@@ -25,7 +34,7 @@ Eigen::MatrixXd family_stiffness(const Solid& solid, const Family& family);
 /// Petrov-Galerkin, unsymmetric: PPG1 (Bode 4.21) V_k P^ik . G^k_i on the difference of test displacements at i and k,
 /// PPG2 (Bode 4.22) V_i P^ki . G^k_i. `trial` has a sample per node of each family, `test` one at each master.
 enum class Petrov { first, second };
-Eigen::MatrixXd petrov_stiffness(const Solid& solid, const Body& b, const System& trial, const System& test,
+Eigen::MatrixXd petrov_stiffness(const Eigen::Matrix3d& law, const Body& b, const System& trial, const System& test,
                                  Petrov kind);
 
 /// Constant-plus-linear correction V1 of a test system for PPG2: Bode 5.17 and 5.25 hold for every family.

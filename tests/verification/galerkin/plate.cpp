@@ -23,18 +23,39 @@ Rows curvature(const Sample& s) {
 }
 
 /// gamma of a sample; X: bonds from the master.
-Rows transverse_shear(const Sample& s, const Eigen::Matrix2Xd& X, Shear shear) {
+Rows transverse_shear(const Sample& s, const Eigen::Matrix2Xd& X, bool direct) {
   Rows B = Rows::Zero(2, 3 * s.gradient.cols());
   for (Eigen::Index i = 0; i < s.gradient.cols(); ++i) {
     B.col(3 * i) = s.gradient.col(i);
-    if (shear == Shear::bond) {
+    if (!direct) {
       const Eigen::Matrix2d half = s.gradient.col(i) * X.col(i).transpose() / 2;
       B.middleCols(3 * i + 1, 2) -= half;
       B.middleCols(1, 2) -= half;
     }
   }
-  if (shear == Shear::direct) B.middleCols(3 * s.at + 1, 2) -= Eigen::Matrix2d::Identity();
+  if (direct) B.middleCols(3 * s.at + 1, 2) -= Eigen::Matrix2d::Identity();
   return B;
+}
+
+/// gamma of all samples of a family, two rows each.
+Rows transverse_shear(const Family& f, const Eigen::Matrix2Xd& X, Shear shear) {
+  Rows all(2 * Eigen::Index(f.samples.size()), 3 * X.cols()), mean = Rows::Zero(2, all.cols());
+  double sum = 0;
+  for (std::size_t i = 0; i < f.samples.size(); ++i) {
+    const Sample& s = f.samples[i];
+    const Rows own = transverse_shear(s, X, shear == Shear::direct || shear == Shear::assumed_direct);
+    all.middleRows<2>(2 * Eigen::Index(i)) = own;
+    mean += s.weight * own;
+    sum += s.weight;
+  }
+  mean /= sum;
+  if (shear == Shear::bond || shear == Shear::direct) return all;
+  for (std::size_t i = 0; i < f.samples.size(); ++i) {
+    const Eigen::Vector2d n = shear == Shear::assumed_along ? f.samples[i].bond : Eigen::Vector2d::Zero();
+    auto own = all.middleRows<2>(2 * Eigen::Index(i));
+    own = mean + n * (n.transpose() * (own - mean)).eval();
+  }
+  return all;
 }
 
 Eigen::Matrix3d bending_law(const Plate& p) {
@@ -53,10 +74,11 @@ Sparse stiffness(const Plate& plate, const System& system, const Body& b, Shear 
     for (std::size_t i = 0; i < f.nodes.size(); ++i)
       X.col(Eigen::Index(i)) = b.points.col(f.nodes[i]) - b.points.col(f.nodes[0]);
     Rows strain(5 * Eigen::Index(f.samples.size()), 3 * X.cols()), stress = strain;
+    const Rows gamma = transverse_shear(f, X, shear);
     for (Eigen::Index i = 0; i < Eigen::Index(f.samples.size()); ++i) {
       const Sample& s = f.samples[std::size_t(i)];
       strain.middleRows<3>(5 * i) = curvature(s);
-      strain.middleRows<2>(5 * i + 3) = transverse_shear(s, X, shear);
+      strain.middleRows<2>(5 * i + 3) = gamma.middleRows<2>(2 * i);
       stress.middleRows<3>(5 * i) = s.weight * law * strain.middleRows<3>(5 * i);
       stress.middleRows<2>(5 * i + 3) = s.weight * s.shear * plate.kG() * strain.middleRows<2>(5 * i + 3);
     }

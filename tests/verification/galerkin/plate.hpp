@@ -14,7 +14,9 @@ struct Plate {
 };
 
 /// bond: gamma = sum_i G_i s_ki with s_ki = w_i - w_k - X.(psi_i + psi_k) / 2; direct: grad w - psi at the sample.
-enum class Shear { bond, direct };
+/// Assumed: constant in each family, the plate's counterpart of UnlP0 (Bode 6.9); condensed, the samples' weighted
+/// mean. Along: at a bond's sample the bond's own shear along it, the family's mean across it.
+enum class Shear { bond, direct, assumed_bond, assumed_direct, assumed_along };
 
 using Sparse = Eigen::SparseMatrix<double>;
 

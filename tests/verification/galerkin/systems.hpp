@@ -29,7 +29,8 @@ struct Body {
   double width, height;
 };
 
-enum class Reach { cells, two_cells };  ///< of a family: the cells at its master, 5 x 5 points
+/// Of a family: the cells at its master, 5 x 5 points, the 21 within the thesis' 2.51 spacings.
+enum class Reach { cells, two_cells, circle };
 
 struct Lattice {
   double width, height;
@@ -38,7 +39,19 @@ struct Lattice {
   Reach reach = Reach::cells;
 };
 
-Body body(const Lattice& lattice);
+/// From the rectangle of a lattice to another shape; empty: none.
+using Map = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
+
+/// Throws std::runtime_error where perturbation or map turn a triangle over.
+Body body(const Lattice& lattice, const Map& map = {});
+
+struct Part {
+  Body body;
+  Nodes names;  ///< of its points in the whole
+};
+
+/// The cells whose middles a predicate holds, as a body of its own, its families cut at its outline.
+Part part(const Body& whole, const std::function<bool(const Eigen::Vector2d&)>& holds);
 
 /// One evaluation of a family: a field's gradient there is sum_i f_i (x) gradient_i; sum_i gradient_i = 0.
 struct Sample {
@@ -58,6 +71,9 @@ using System = std::vector<Family>;
 
 System operator+(System a, const System& b);
 System operator*(double factor, System a);
+
+/// A part's system by the whole's node numbers.
+System renamed(System system, const Nodes& names);
 
 /// Averages of the linear triangles around each point: PG-CA's gradient, variationally consistent by itself.
 System central_average(const Body& b);
