@@ -64,7 +64,7 @@ TEST_CASE("mixed bases: the linear patch (Bode 7.1, 7.2) passes with variational
     const auto K = gs::condensed(patch_solid, gs::blocks(patch_solid, b, basis));
     const auto [L2, H1] = patch(b, K, gs::load_normals(b, basis));
     CAPTURE(basis.name, L2, H1);
-    if (corrected(basis)) CHECK(std::max(L2, H1) < rounding);  // measured: 5e-12 VC U2, the others 2e-14
+    if (corrected(basis)) CHECK(std::max(L2, H1) < rounding);  // measured: 6e-13 VC U2, the others 6e-15
     if (!corrected(basis)) CHECK(L2 > 0.03);                   // measured: 0.039 Unl to 0.114 U2P1C, U1 0.48
     if (!corrected(basis)) CHECK(H1 > 0.1);                    // measured: 0.17 to 0.31, U1 0.81
   }
@@ -81,7 +81,7 @@ TEST_CASE("mixed bases: PPG UnlP0 passes the linear patch with corrections V1 an
     const auto test = gs::variationally_consistent(b, u1, correction);
     const auto [L2, H1] = patch(b, petrov_constant_pressure(b, test), b.normals);
     CAPTURE(L2, H1);
-    CHECK(std::max(L2, H1) < rounding);  // measured: ; thesis V1 6e-3, V3 4e-14
+    CHECK(std::max(L2, H1) < rounding);  // measured: 3e-15; thesis V1 6e-3, V3 4e-14
   }
 }
 
@@ -90,23 +90,25 @@ TEST_CASE("mixed bases: U2P1 is U2, as the gradients of a quadratic basis vary l
   const auto K = [&](const char* name) {
     return gs::condensed(block_solid, gs::blocks(block_solid, b, gs::basis(name)));
   };
-  CHECK((K("U2P1") - K("U2")).norm() / K("U2").norm() < 1e-12);           // measured:
-  CHECK((K("VC U2P1") - K("VC U2")).norm() / K("VC U2").norm() < 1e-12);  // measured:
-  CHECK((K("VC U2P1C") - K("VC U2")).norm() / K("VC U2").norm() > 1e-3);  // measured: 0.71
+  CHECK((K("U2P1") - K("U2")).norm() / K("U2").norm() < 1e-12);           // measured: 6e-16
+  CHECK((K("VC U2P1") - K("VC U2")).norm() / K("VC U2").norm() < 1e-12);  // measured: 1e-15
+  CHECK((K("VC U2P1C") - K("VC U2")).norm() / K("VC U2").norm() > 1e-3);  // measured: 0.60
 }
 
-TEST_CASE("mixed bases: three zero modes of a free block, few low ones, none of the mixed bases spurious at nu = 0.4") {
+TEST_CASE("mixed bases: three zero modes of a free block at nu = 0.4, many low ones only where masters alone are") {
   const gs::Body whole = gs::body({20, 10, 20, 10});
   const auto elements = dense::eigenvalues(gs::plane_stiffness(block_solid, whole, gs::bilinear(whole)));
   for (const auto& basis : gs::bases()) {
-    if (basis.pressure == gs::Pressure::displacement || !corrected(basis)) continue;
+    if (!corrected(basis)) continue;
     const gs::Body b = gs::body({20, 10, 20, 10, 0.3, basis.reach});
     const auto v = dense::eigenvalues(gs::condensed(block_solid, gs::blocks(block_solid, b, basis)));
     const auto low = (v.array() < elements[19]).count();
+    const bool spurious = basis.name == "VC U1" || basis.name == "CA, masters only";
     CAPTURE(basis.name, low, v[3] / elements[3]);
     CHECK(v.head(3).cwiseAbs().maxCoeff() / v.tail(1)[0] < 1e-13);  // measured: 7e-16
-    CHECK(v[3] / elements[3] > 0.85);                               // measured: 0.903 Unl+P1C to 0.96
-    CHECK((low >= 19 && low <= 31));                                // measured: 20 U2P1 to 29 Unl+P1C; elements 19
+    if (spurious) CHECK(low > 100);                                 // measured: 164 and 137; elements 19
+    if (!spurious) CHECK(v[3] / elements[3] > 0.85);                // measured: 0.903 Unl+P1C to 0.97
+    if (!spurious) CHECK((low >= 19 && low <= 31));                 // measured: 20 U2P1 to 29 Unl+P1C
   }
 }
 
