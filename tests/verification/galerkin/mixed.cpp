@@ -1,9 +1,7 @@
 // Assembly, condensation and solution of displacements with pressures.
 #include "tests/verification/galerkin/mixed.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tests/dense.hpp"
 #include "tests/verification/galerkin/plate.hpp"
@@ -51,10 +49,7 @@ Functions functions(const Body& b, const Family& f, int k, Pressure kind) {
     linear.values.rightCols(2) = X / std::sqrt(b.areas[f.nodes[0]]);
     return linear;
   }
-  Functions continuous{{}, X * f.samples[0].gradient};
-  for (std::size_t i = 0; i < f.nodes.size(); ++i) {
-    continuous.numbers.push_back(f.nodes[i]);
-  }
+  Functions continuous{f.nodes, X * f.samples[0].gradient};
   continuous.values.col(0).array() += 1;
   return continuous;
 }
@@ -84,7 +79,7 @@ Eigen::Index functions_count(const Body& b, Pressure kind) {
   return (kind == Pressure::linear ? 3 : 1) * b.points.cols();
 }
 
-/// One family's part; `own` is it before the bubble, `first` whether it is the first of its master.
+/// One family's part; `own` is it before the bubble. Families of masters already met (bond residuals) read no pressure.
 void add_family(Entries& e, const Solid& solid, const Body& b, const Family& own, const Family& f, Pressure pressure,
                 Eigen::Index displacements) {
   const bool first = e.read.empty() || own.nodes[0] > e.read.back().row();
