@@ -120,16 +120,9 @@ std::vector<Share> OrdinaryPlate::interpolation(const Point& at) const {
   constexpr double reach = 1.6;  // spacings: a place lies between points as near as this
   if (const double away = distance_to_points(cloud(), at); away > reach)
     throw Refused({{Subject::geometry, 0, too_far("probe", at, away, reach)}});
-  const auto& lattice = boundary().lattice;
   const Point u = cloud().units.to_lattice(at);
-  const auto cracks = geometry::to_lattice(paths(), cloud().units);
-  std::vector<std::pair<std::uint32_t, Point>> near;
-  for (std::uint32_t k = 0; k < cloud().plate_points; ++k) {
-    if ((lattice[k] - u).norm() > reach) continue;
-    bool parted = false;
-    for (const auto& crack : cracks) parted = parted || geometry::severs(crack, u, lattice[k]);
-    if (!parted) near.emplace_back(k, lattice[k]);
-  }
+  auto near =
+      seen_from(u, reach, boundary().lattice, cloud().plate_points, geometry::to_lattice(paths(), cloud().units));
   if (near.empty()) near.emplace_back(geometry::nearest_plate_point(cloud(), at), u);
   return plate::interpolation(near, u);
 }

@@ -3,11 +3,22 @@
 #include "geometry/cells/locator.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 namespace plate {
 
-std::vector<Share> interpolation(const std::vector<std::pair<std::uint32_t, geometry::Point>>& points,
-                                 const geometry::Point& at) {
+std::vector<PlacedPoint> seen_from(const geometry::Point& at, double reach, const std::vector<geometry::Point>& points,
+                                   std::size_t count, const std::vector<geometry::CrackPath>& cracks) {
+  std::vector<PlacedPoint> result;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const geometry::Point& x = points[k];
+    const auto part = [&](const auto& crack) { return geometry::severs(crack, at, x); };
+    if ((x - at).norm() <= reach && std::ranges::none_of(cracks, part)) result.emplace_back(k, x);
+  }
+  return result;
+}
+
+std::vector<Share> interpolation(const std::vector<PlacedPoint>& points, const geometry::Point& at) {
   const auto count = static_cast<Eigen::Index>(points.size());
   if (count == 0) return {};
   Eigen::MatrixXd basis(count, 3);

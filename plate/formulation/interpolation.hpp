@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <utility>
 #include <vector>
-#include "geometry/shape/outline.hpp"
+#include "geometry/shape/crack_path.hpp"
 
 namespace geometry {
 class CellLocator;
@@ -16,10 +16,15 @@ struct Share {
   double weight;
 };
 
+using PlacedPoint = std::pair<std::uint32_t, geometry::Point>;
+
+/// Of the first `count` points those as near as `reach` from which no crack parts the place. Lengths in spacings.
+std::vector<PlacedPoint> seen_from(const geometry::Point& at, double reach, const std::vector<geometry::Point>& points,
+                                   std::size_t count, const std::vector<geometry::CrackPath>& cracks);
+
 /// Linear moving least squares with weight 1/distance^2 over the points given: exact for linear fields where the
 /// points span the plane, the point's own value where `at` is one of them, empty without points. Lengths in spacings.
-std::vector<Share> interpolation(const std::vector<std::pair<std::uint32_t, geometry::Point>>& points,
-                                 const geometry::Point& at);
+std::vector<Share> interpolation(const std::vector<PlacedPoint>& points, const geometry::Point& at);
 
 /// Linear in a triangle, bilinear in a square: in the cell about `at` [length], or nearest to it. A place on a crack
 /// belongs to the cell on the side of +x, or of +y where the crack is horizontal.

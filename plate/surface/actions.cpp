@@ -11,10 +11,8 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 /// Rows of what bonds do.
 class Rows {
 public:
-  explicit Rows(const LatticeBonds& bonds) : stiffness_(bonds.dilatation_stiffness) {}
-
   /// Adds factor times the force f of the bond from node k to node j to a row.
-  void add_force(int row, int k, int j, const LatticeBond& bond, double factor) {
+  void add_force(int row, int k, int j, const ActingBond& bond, double factor) {
     const double f = factor * bond.shear, half = bond.length / 2, m[] = {bond.mx, bond.my};
     values_.emplace_back(row, 3 * j, f);
     values_.emplace_back(row, 3 * k, -f);
@@ -23,7 +21,7 @@ public:
   }
 
   /// Adds `share` times the force f and the couples m (c - lever f) of that bond to the rows of a node (theory (5)).
-  void add(int node, int k, int j, const LatticeBond& bond, double share, const std::array<double, 2>& lever) {
+  void add(int node, int k, int j, const ActingBond& bond, double share, const std::array<double, 2>& lever) {
     const double m[] = {bond.mx, bond.my};
     add_force(3 * node, k, j, bond, share);
     for (int a = 0; a < 2; ++a) {
@@ -34,14 +32,14 @@ public:
         values_.emplace_back(row, 3 * j + 1 + b, bend);
         values_.emplace_back(row, 3 * k + 1 + b, -bend);
       }
-      for (const int end : {k, j}) dilatation_.emplace_back(row, end, share * bond.D * stiffness_ * m[a]);
+      dilatation_.emplace_back(row, k, share * bond.own_couple * m[a]);
+      dilatation_.emplace_back(row, j, share * bond.other_couple * m[a]);
     }
   }
   const Triplets& values() const { return values_; }
   const Triplets& dilatation() const { return dilatation_; }
 
 private:
-  double stiffness_;
   Triplets values_, dilatation_;
 };
 
@@ -50,36 +48,39 @@ double strip(const LatticeBody& b, int surface) {
   return b.surface[std::size_t(surface)].distance - 0.5;
 }
 
-void add_fluxes(const LatticeBody& b, int k, int j, const LatticeBond& bond, FluxRule rule, Rows& rows) {
+void add_fluxes(const LatticeBody& b, int k, int j, const ActingBond& bond, FluxRule rule, Rows& rows) {
+  const auto away = b.nodes[std::size_t(j)] - b.nodes[std::size_t(k)];
   for (const auto& [s, share, cut] : crossings(b, k, j, rule)) {
     const int axis = b.surface[std::size_t(s)].axis;
     std::array<double, 2> lever{cut * bond.length, cut * bond.length};
-    lever[std::size_t(tangential_rotation(axis) - 1)] -= strip(b, s) / std::abs(bond.away[axis]) * bond.length;
+    lever[std::size_t(tangential_rotation(axis) - 1)] -= strip(b, s) / std::abs(away[axis]) * bond.length;
     rows.add(b.real + s, k, j, bond, share, lever);
   }
 }
 
 /// The shear force along the edge turns what lies between the border of a cell and an edge beyond it.
-void add_shear_of_strip(const LatticeBody& b, int s, const LatticeBonds& family, Rows& rows) {
+void add_shear_of_strip(const LatticeBody& b, int s, const LatticeBonds& family, const CutFamilies& cuts, Rows& rows) {
   const auto& face = b.surface[std::size_t(s)];
   const int rotation = tangential_rotation(face.axis);
   if (strip(b, s) == 0) return;
-  for (const auto& bond : family.bonds) {
+  for (std::size_t i = 0; i < family.bonds.size(); ++i) {
+    const int outer = b.node(b.nodes[std::size_t(face.inner)] + family.bonds[i].away);
+    const ActingBond bond = acting(family, cuts, face.inner, outer, i);
     const double m = rotation == 1 ? bond.mx : bond.my;
-    rows.add_force(3 * (b.real + s) + rotation, face.inner, b.node(b.nodes[std::size_t(face.inner)] + bond.away), bond,
-                   -strip(b, s) * m * bond.length / 2);
+    rows.add_force(3 * (b.real + s) + rotation, face.inner, outer, bond, -strip(b, s) * m * bond.length / 2);
   }
 }
 
 }  // namespace
 
-PlateActions actions(const LatticeBody& b, const LatticeBonds& family, FluxRule rule) {
-  Rows rows(family);
+PlateActions actions(const LatticeBody& b, const LatticeBonds& family, FluxRule rule, const CutFamilies& cuts) {
+  Rows rows;
   Triplets dilatation;
   for (int k = 0; k < b.count(); ++k)
-    for (const auto& bond : family.bonds) {
-      const int j = b.node(b.nodes[std::size_t(k)] + bond.away);
-      if (j < 0) continue;
+    for (std::size_t i = 0; i < family.bonds.size(); ++i) {
+      const int j = b.node(b.nodes[std::size_t(k)] + family.bonds[i].away);
+      if (j < 0 || cuts.severed(k, i)) continue;
+      const ActingBond bond = acting(family, cuts, k, j, i);
       if (k < b.real) {
         const double by[] = {bond.D * bond.mx, bond.D * bond.my};
         for (int c = 0; c < 2; ++c) {
@@ -91,7 +92,7 @@ PlateActions actions(const LatticeBody& b, const LatticeBonds& family, FluxRule 
       }
       add_fluxes(b, k, j, bond, rule, rows);
     }
-  for (int s = 0; s < int(b.surface.size()); ++s) add_shear_of_strip(b, s, family, rows);
+  for (int s = 0; s < int(b.surface.size()); ++s) add_shear_of_strip(b, s, family, cuts, rows);
   const Eigen::Index count = 3 * (b.real + Eigen::Index(b.surface.size())), nodes = b.count();
   PlateActions result{WeightRows(b.real, 3 * nodes), SparseStiffness(count, 3 * nodes), SparseStiffness(count, nodes)};
   result.dilatation.setFromTriplets(dilatation.begin(), dilatation.end());

@@ -2,7 +2,7 @@
 #include "plate/boundary/conditions.hpp"
 #include "plate/boundary/crossings.hpp"
 #include "plate/boundary/extrapolation.hpp"
-#include "plate/surface/lattice_bonds.hpp"
+#include "plate/surface/cut_families.hpp"
 
 namespace plate {
 
@@ -14,12 +14,12 @@ struct PlateActions {
   SparseStiffness of_dilatation;  // rows x nodes
 };
 
-/// Sums over the full families of all nodes (theory (5)). Of a surface node: the force and the couples, conjugate to
-/// theta, with which what lies outside acts on the plate through the face of its cell, spacing times the flux (Sca23
-/// 36). A bond that pulls on its inner node with f and m c acts at its cut, t of its length away, with f and
-/// m (c - t xi f): the force alone has a moment about the cut. Where an edge lies beyond the border of its cells, the
-/// shear force along it, of the inner node's family, turns the strip between: bonds along the edge do not cross it, and
-/// the couple along the edge is therefore that at the border and this one.
-PlateActions actions(const LatticeBody& body, const LatticeBonds& bonds, FluxRule rule);
+/// Sums over the families of all nodes (theory (5)), full but for what cracks cut. Of a surface node: the force and the
+/// couples, conjugate to theta, with which what lies outside acts on the plate through the face of its cell, spacing
+/// times the flux (Sca23 36). A bond that pulls on its inner node with f and m c acts at its cut, t of its length away,
+/// with f and m (c - t xi f): the force alone has a moment about the cut. Where an edge lies beyond the border of its
+/// cells, the shear force along it, of the inner node's family, turns the strip between: bonds along the edge do not
+/// cross it, and the couple along the edge is therefore that at the border and this one.
+PlateActions actions(const LatticeBody& body, const LatticeBonds& bonds, FluxRule rule, const CutFamilies& cuts = {});
 
 }  // namespace plate

@@ -1,29 +1,36 @@
 #include "plate/surface/lattice_bonds.hpp"
 
-#include "plate/bonds/parameters/horizon_parameters.hpp"
+#include <stdexcept>
+#include "plate/bonds/parameters/family_rule.hpp"
 #include "plate/bonds/parameters/influence.hpp"
 
 namespace plate {
 
+FamilyBond family_bond(const LatticeBonds& lattice, std::size_t i) {
+  const auto& bond = lattice.bonds[i];
+  return {lattice.spacing * bond.away.head<2>().cast<double>(), bond.weight};
+}
+
 LatticeBonds lattice_bonds(const Section& section, const Discretization& d, const std::vector<CellShare>& family) {
   const double area = d.spacing * d.spacing;
-  FamilySums sums;
-  std::vector<BondShape> shapes;
-  for (const auto& [away, share] : family) {
-    const Eigen::Array2d xi = d.spacing * away.head<2>().cast<double>();
-    const double length = xi.matrix().norm();
-    shapes.push_back({xi[1] / length, -xi[0] / length, length,
-                      influence(d.influence, length, d.horizon()) * share * section.thickness});
-    add(sums, shapes.back(), share, section.thickness, area);
-  }
-  const PointParameters p = arbitrary_horizon(section, d.twist_match, sums, sums.twist);
-  LatticeBonds result{{}, 2 * area * p.a, d.spacing, 0};
+  LatticeBonds result{{}, 0, d.spacing, 0};
+  std::vector<FamilyBond> bonds;
   for (std::size_t i = 0; i < family.size(); ++i) {
-    const auto& [mx, my, length, weight] = shapes[i];
-    const double weighted = weight * area;  // omega A
-    result.bonds.push_back(
-        {family[i].away, mx, my, length, p.d * weighted, 4 * area * p.b * weighted, area * p.C * weighted});
-    result.reach = std::max(result.reach, family[i].away.abs().maxCoeff());
+    const auto& [away, share] = family[i];
+    if ((away + family[family.size() - 1 - i].away).matrix().any())
+      throw std::invalid_argument("a family whose reverse does not have opposite directions");
+    const geometry::Point xi = d.spacing * away.head<2>().cast<double>();
+    const double length = xi.norm(), weight = influence(d.influence, length, d.horizon()) * share * section.thickness;
+    result.bonds.push_back({away, xi.y() / length, -xi.x() / length, length, weight * area, 0, 0, 0});
+    result.reach = std::max(result.reach, away.abs().maxCoeff());
+    bonds.push_back(family_bond(result, i));
+  }
+  const FamilyWeights weights = FamilyRule(section, d)(bonds);
+  result.dilatation_stiffness = 2 * area * weights.a;
+  for (std::size_t i = 0; i < bonds.size(); ++i) {
+    auto& bond = result.bonds[i];
+    const auto& [D, B, S] = weights.bonds[i];
+    bond.D = D, bond.curvature = 4 * area * B, bond.shear = 4 * area * S;
   }
   return result;
 }

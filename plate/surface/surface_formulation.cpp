@@ -5,6 +5,7 @@
 #include "plate/bonds/parameters/horizon_parameters.hpp"
 #include "plate/bonds/resultants.hpp"
 #include "plate/bonds/tip_view.hpp"
+#include "plate/bonds/trust.hpp"
 #include "plate/boundary/scaled_factor.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/interpolation.hpp"
@@ -77,24 +78,22 @@ private:
   ScaledFactor factor_;
 };
 
-/// Bonds of the points of the plate among each other; surface nodes have none.
-geometry::Families families_of(const Boundary& b, double horizon) {
-  geometry::Cloud points = b.cloud;
-  points.positions.resize(points.plate_points), points.areas.resize(points.plate_points);
-  auto families = geometry::families(points, horizon, [](std::uint32_t, std::uint32_t) { return true; });
-  for (std::size_t k = points.plate_points; k < b.cloud.size(); ++k) families.set(k, {});
-  return families;
-}
-
-/// All nodes of the lattice, full families, what the values of fictitious nodes are: for what is read off a state.
+/// All nodes of the lattice, their families, what the values of fictitious nodes are: for what is read off a state.
 struct Surroundings {
-  Surroundings(const SurfacePlate& plate, const geometry::LatticeUnits& units, double horizon)
+  Surroundings(const SurfacePlate& plate, const geometry::LatticeUnits& units, double horizon,
+               const std::vector<geometry::CrackPath>& cracks)
       : rows(expansion(plate)) {
     geometry::Cloud cloud{units, {}, {}, 0};
     for (int k = 0; k < plate.body.count(); ++k) cloud.positions.push_back(plate.at(k));
     cloud.plate_points = cloud.positions.size();
     cloud.areas.assign(cloud.size(), plate.bonds.spacing * plate.bonds.spacing);
-    families = geometry::families(cloud, horizon, [](std::uint32_t, std::uint32_t) { return true; });
+    std::vector<Point> places;
+    for (const auto& x : cloud.positions) places.push_back(units.to_lattice(x));
+    families = geometry::families(cloud, horizon, [&](std::uint32_t k, std::uint32_t j) {
+      if (!plate.cuts.of(int(k))) return true;
+      const auto parts = [&](const auto& crack) { return geometry::severs(crack, places[k], places[j]); };
+      return std::ranges::none_of(cracks, parts);
+    });
     areas = std::move(cloud.areas);
   }
   WeightRows rows;
@@ -104,13 +103,14 @@ struct Surroundings {
 
 class SurfaceNodePlate : public Formulation {
 public:
-  SurfaceNodePlate(Layout layout, SurfacePlate plate)
-      : Formulation(std::move(layout)),
-        plate_(std::move(plate)),
+  explicit SurfaceNodePlate(SurfaceLayout made)
+      : Formulation(std::move(made.layout)),
+        plate_(std::move(made.plate)),
         stiffness_(stiffness_with_reactions(plate_, constraints())),
-        families_(families_of(boundary(), discretization().horizon())),
+        families_(std::move(made.families)),
         shapes_(bond_shapes(families_.vectors(), section(), discretization())),
-        around_(plate_, cloud().units, discretization().horizon()) {}
+        cracks_(geometry::to_lattice(paths(), cloud().units)),
+        around_(plate_, cloud().units, discretization().horizon(), cracks_) {}
 
   std::size_t points() const override { return cloud().size(); }
   void internal_force(const State& state, Forces& forces) const override {
@@ -142,7 +142,7 @@ public:
     constexpr std::size_t entry = sizeof(double) + sizeof(int);
     return {{"stiffness with surface nodes", "parameters", double(std::size_t(stiffness_.nonZeros()) * entry)}};
   }
-  std::vector<std::string> distrust(bool) const override { return {}; }
+  std::vector<std::string> distrust(bool factors) const override { return distrust_of_bonds(*this, factors); }
   std::string remedy() const override {
     return fmt::format("take discretization.spacing = {:.2g}", plate_.bonds.spacing / 2);
   }
@@ -155,6 +155,7 @@ private:
   SparseStiffness stiffness_;
   geometry::Families families_;
   std::vector<BondShape> shapes_;
+  std::vector<geometry::CrackPath> cracks_;  // [spacings]
   Surroundings around_;
 };
 
@@ -163,14 +164,17 @@ Eigen::VectorXd SurfaceNodePlate::energies(const State& state) const {
   const auto at = [&](int k) { return Kinematics<>{all(0, k), all(1, k), all(2, k)}; };
   Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(points()));
   for (int k = 0; k < plate_.body.real; ++k) {
-    double dilatation = 0, sum = 0;
-    for (const auto& bond : plate_.bonds.bonds) {
-      const int j = plate_.body.node(plate_.body.nodes[std::size_t(k)] + bond.away);
+    double couple = 0, dilatation = 0, sum = 0;  // couple: 2 A a theta
+    for (std::size_t i = 0; i < plate_.bonds.bonds.size(); ++i) {
+      if (plate_.cuts.severed(k, i)) continue;
+      const int j = plate_.body.node(plate_.body.nodes[std::size_t(k)] + plate_.bonds.bonds[i].away);
+      const auto& bond = plate_.bonds.bonds[i];
+      const BondHalf own = half(plate_.bonds, plate_.cuts, k, i);
       const double curvature = curvature_difference(bond, at(k), at(j)), shear = shear_difference(bond, at(k), at(j));
-      dilatation += bond.D * curvature;
-      sum += (bond.curvature * curvature * curvature + bond.shear * shear * shear) / 4;  // one end's part
+      couple += own.dilatation_couple * curvature, dilatation += own.D * curvature;
+      sum += (own.curvature * curvature * curvature + own.shear * shear * shear) / 2;
     }
-    result[k] = plate_.bonds.dilatation_stiffness / 2 * dilatation * dilatation + sum;
+    result[k] = couple * dilatation / 2 + sum;
   }
   return result;
 }
@@ -178,10 +182,8 @@ Eigen::VectorXd SurfaceNodePlate::energies(const State& state) const {
 /// Surface nodes are points like others there.
 std::vector<Share> SurfaceNodePlate::interpolation(const Point& at) const {
   constexpr double reach = 1.6;  // spacings
-  const Point u = cloud().units.to_units(at);
-  std::vector<std::pair<std::uint32_t, Point>> near;
-  for (std::uint32_t k = 0; k < cloud().size(); ++k)
-    if ((boundary().lattice[k] - u).norm() <= reach) near.emplace_back(k, boundary().lattice[k]);
+  const Point u = cloud().units.to_lattice(at);
+  const auto near = seen_from(u, reach, boundary().lattice, boundary().lattice.size(), cracks_);
   if (near.empty())
     throw Refused({{Subject::geometry, 0, "no point of the plate is within 1.6 spacings of the place"}});
   return plate::interpolation(near, u);
@@ -189,9 +191,9 @@ std::vector<Share> SurfaceNodePlate::interpolation(const Point& at) const {
 
 Discretised discretised(const Problem& problem) {
   Discretised result;
-  auto [layout, plate] = surface_layout(problem);
+  auto layout = surface_layout(problem);
   result.stopwatch.lap("geometry");
-  result.plate = std::make_unique<SurfaceNodePlate>(std::move(layout), std::move(plate));
+  result.plate = std::make_unique<SurfaceNodePlate>(std::move(layout));
   result.stopwatch.lap("parameters");
   return result;
 }
@@ -201,9 +203,7 @@ Discretised discretised(const Problem& problem) {
 const FormulationKind bonds_with_surface_nodes{
     "surface_nodes",
     "bonds with surface nodes",
-    {{Feature::surface_correction, "all families are full with surface nodes"},
-     {Feature::full_horizon, "all families are full, with the lattice's constants"},
-     {Feature::layers, "surface nodes hold edges, not layers"},
+    {{Feature::layers, "surface nodes hold edges, not layers"},
      {Feature::any_direction, "surface nodes are of edges along the axes"},
      {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
      {Feature::short_horizon, "the stiffness with surface nodes is not symmetric: it is solved directly"},
@@ -211,8 +211,10 @@ const FormulationKind bonds_with_surface_nodes{
      {Feature::single_precision, "the stiffness with surface nodes is not symmetric: motion on it would grow"},
      {Feature::lanczos, "the stiffness with surface nodes is not symmetric: motion on it would grow"},
      {Feature::symmetry, "the stiffness with surface nodes is not symmetric: it is solved directly, at rest"},
-     {Feature::breaking_bonds, "surface nodes are of plates without cracks"},
-     {Feature::running_tips, "surface nodes are of plates without cracks"}},
+     {Feature::breaking_bonds,
+      "the stiffness with surface nodes is not symmetric: cracks grow with boundary = \"images\""},
+     {Feature::running_tips,
+      "the stiffness with surface nodes is not symmetric: cracks grow with boundary = \"images\""}},
     discretised};
 
 }  // namespace plate

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include "geometry/lattice/seeding.hpp"
+#include "plate/bonds/parameters/horizon_parameters.hpp"
+#include "plate/bonds/precrack.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {
@@ -22,9 +24,19 @@ std::pair<Point, Point> rectangle_of(const Problem& problem) {
   if (!problem.outline.holes.empty() || edges.size() != 4 || !std::ranges::all_of(edges, along_axes))
     refuse(Subject::geometry,
            "surface nodes are of rectangles along the axes without holes: choose boundary = \"images\"");
-  if (!problem.cracks.empty())
-    refuse(Subject::cracks, "surface nodes are of plates without cracks: choose boundary = \"images\"");
   return geometry::bounding_box(problem.outline);
+}
+
+/// What lies beyond an edge is expanded from points that must see each other.
+void check_cracks(const Problem& problem, const std::vector<geometry::CrackPath>& paths) {
+  const double horizon = problem.discretization.horizon();
+  for (const auto& path : paths)
+    for (const auto& vertex : path.vertices)
+      if (const double away = geometry::distance_to_boundary(problem.outline, vertex); away <= horizon)
+        refuse(Subject::cracks,
+               fmt::format("a crack is {:.3g} away from an edge: surface nodes need more than a horizon, {:.3g}, "
+                           "between them: choose boundary = \"images\"{}",
+                           away, horizon, away > 1e-9 * horizon ? ", or a smaller spacing" : ""));
 }
 
 SurfacePlate plate_of(const Problem& problem, const Point& low, const Point& high) {
@@ -64,7 +76,7 @@ Boundary boundary_of(const Problem& problem, const SurfacePlate& plate) {
     b.cloud.positions.push_back(plate.at_surface(s));
     b.cloud.areas.push_back(0);
   }
-  for (const auto& x : b.cloud.positions) b.lattice.push_back(b.cloud.units.to_units(x));
+  for (const auto& x : b.cloud.positions) b.lattice.push_back(b.cloud.units.to_lattice(x));
   b.sides = sides_of(geometry::to_lattice(problem.outline, b.cloud.units), problem.supports);
   b.holders = holders_of(problem.supports);
   b.active.assign(b.cloud.size(), 1);
@@ -119,22 +131,46 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
   return Eigen::Map<const Eigen::Matrix3Xd>(right.data(), 3, Eigen::Index(b.cloud.size()));
 }
 
+/// Bonds of the points of the plate among each other; surface nodes have none.
+geometry::Families families_of(const Boundary& b, double horizon) {
+  geometry::Cloud points = b.cloud;
+  points.positions.resize(points.plate_points), points.areas.resize(points.plate_points);
+  auto families = geometry::families(points, horizon, [](std::uint32_t, std::uint32_t) { return true; });
+  for (std::size_t k = points.plate_points; k < b.cloud.size(); ++k) families.set(k, {});
+  return families;
+}
+
+/// With a bond from each surface node to its inner node: what holds the one holds the other.
+geometry::Families tied(geometry::Families families, const SurfacePlate& plate) {
+  for (std::size_t s = 0; s < plate.body.surface.size(); ++s) {
+    const int k = plate.body.real + int(s);
+    families.set(std::size_t(k), {{plate.body.surface[s].inner - k, 0}});
+  }
+  return families;
+}
+
 }  // namespace
 
 SurfaceLayout surface_layout(const Problem& problem) {
   const auto [low, high] = rectangle_of(problem);
+  auto paths = crack_paths(problem);
+  check_cracks(problem, paths);
   SurfacePlate plate = plate_of(problem, low, high);
-  Layout layout{problem, {}, {}, boundary_of(problem, plate), {}, {}};
+  Layout layout{problem, {}, geometry::tips(paths), boundary_of(problem, plate), {}, {}};
   auto& b = layout.boundary;
+  const auto in_spacings = geometry::to_lattice(paths, b.cloud.units);
+  plate.cuts = CutFamilies(plate.body, plate.bonds, FamilyRule(problem.section, problem.discretization), in_spacings);
   const auto side_of = sides_of_nodes(plate, b);
   hold(plate, side_of, b);
-  layout.cut.assign(b.cloud.plate_points, 0);
+  const auto whole = families_of(b, problem.discretization.horizon());
+  auto families = sever(b, whole, in_spacings, problem.discretization.horizon_ratio);
+  const auto shapes = bond_shapes(families.vectors(), problem.section, problem.discretization);
+  layout.cut = cut_share(whole, families, shapes, b.cloud.plate_points);
+  layout.pieces = pieces(b, tied(families, plate));
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
     layout.loads.push_back({forces_of(problem.loads[i], i, plate, b, problem.outline), problem.loads[i].history});
-  std::vector<HeldUnknown> held;
-  for (const auto dof : b.constraints.held()) held.push_back({Eigen::Index(dof), 0});
-  layout.pieces = {{b.cloud.plate_points, b.cloud.positions.front(), 0, rigid_motions(plate, held)}};
-  return {std::move(layout), std::move(plate)};
+  layout.paths = std::move(paths);
+  return {std::move(layout), std::move(plate), std::move(families)};
 }
 
 }  // namespace plate

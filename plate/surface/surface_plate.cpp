@@ -68,7 +68,7 @@ WeightRows expansion(const SurfacePlate& p) {
 
 SparseStiffness stiffness(const SurfacePlate& p) {
   const WeightRows expanded = expansion(p);
-  const PlateActions a = actions(p.body, p.bonds, p.rule);
+  const PlateActions a = actions(p.body, p.bonds, p.rule, p.cuts);
   const WeightRows own = a.dilatation * expanded;
   const WeightRows dilatation = extrapolation(p.body, Centre::real_node, p.orders.rotation - 1) * own;
   return a.of_values * SparseStiffness(expanded) + a.of_dilatation * SparseStiffness(dilatation);

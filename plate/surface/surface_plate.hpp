@@ -11,13 +11,15 @@ struct ExpansionOrders {
   int deflection = 2, rotation = 1;
 };
 
-/// A rectangular plate with surface nodes on its edges (Sca23, for the Mindlin plate). All families are full.
+/// A rectangular plate with surface nodes on its edges (Sca23, for the Mindlin plate). All families are full but for
+/// what cracks cut, which stay a horizon away from the edges.
 struct SurfacePlate {
   LatticeBody body;
   LatticeBonds bonds;
   geometry::Point first{0, 0};  // the node (0, 0) of the lattice [length]
   ExpansionOrders orders = {};
   FluxRule rule = FluxRule::lever;
+  CutFamilies cuts = {};
 
   int unknowns() const { return 3 * (body.real + int(body.surface.size())); }
   geometry::Point at(int k) const;  // [length]

@@ -32,6 +32,7 @@ SurfacePlate plate_of_shares(const plate::Section& section, double spacing, cons
                              const Point& low, const Point& high, const Point& corner) {
   plate::Discretization d;
   d.spacing = spacing, d.horizon_ratio = 3, d.twist_match = plate::TwistMatch::paper;
+  d.surface_correction = plate::SurfaceCorrection::arbitrary_horizon;
   auto bonds = plate::lattice_bonds(section, d, shares);
   auto body = plate::rectangle_body(low, high, corner, spacing, bonds.reach);
   return {std::move(body), std::move(bonds), corner + Point::Constant(spacing / 2)};

@@ -5,6 +5,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/discretised.hpp"
+#include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/resultants.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
@@ -102,11 +103,30 @@ TEST_CASE("surface nodes: moments on opposite edges bend the plate alike everywh
   CHECK(made.plate->strain_energy(state) == Approx(4 * density).epsilon(1e-8));
 }
 
+TEST_CASE("surface nodes: values beside a crack are read off its own side, and a piece that cracks cut out is loose") {
+  auto problem = square({{SupportKind::clamped, all, {}}}, {pressure()}, 0.125);
+  problem.cracks = {{{-0.5, 0}, {0.5, 0}}};
+  const auto made = bonds_with_surface_nodes.discretise(problem);
+  const auto& at = made.plate->cloud().positions;
+  for (const double y : {-0.01, 0.01})
+    for (const auto& share : made.plate->interpolation({0.02, y})) CHECK(at[share.point].y() * y > 0);
+  CHECK(made.plate->cut()[8 * 16 + 8] > 0.1);
+  CHECK(made.plate->cut()[0] == 0);
+  CHECK(made.plate->held());
+  problem.cracks = {
+      {{-0.5, -0.5}, {0.5, -0.5}}, {{0.5, -0.5}, {0.5, 0.5}}, {{0.5, 0.5}, {-0.5, 0.5}}, {{-0.5, 0.5}, {-0.5, -0.5}}};
+  CHECK(!bonds_with_surface_nodes.discretise(problem).plate->held());
+}
+
 TEST_CASE("surface nodes: what they cannot carry is refused with the reason") {
   const std::vector<Support> clamp{{SupportKind::clamped, all, {}}};
   auto cracked = square(clamp, {pressure()});
-  cracked.cracks = {{{-0.3, 0}, {0.3, 0}}};
+  cracked.cracks = {{{-0.3, 0}, {0.3, 0}}};  // 0.7 from the edges, the horizon being 0.754
   CHECK(refused(cracked) == Subject::cracks);
+  cracked.cracks = {{{-1, 0}, {0, 0}}};
+  CHECK(refused(cracked) == Subject::cracks);
+  cracked.cracks = {{{-0.2, 0}, {0.2, 0}}};
+  CHECK(bonds_with_surface_nodes.discretise(cracked).plate->tips().size() == 2);
   auto round = square(clamp, {pressure()});
   round.outline.holes.push_back(geometry::Circle{{0, 0}, 0.3, "hole"});
   CHECK(refused(round) == Subject::geometry);

@@ -1,0 +1,117 @@
+// Cracks inside rectangles with surface nodes on the edges.
+#include <catch2/catch.hpp>
+
+#include "plate/solve/solution.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+namespace vp = verified_plate;
+using namespace plate;
+
+namespace {
+
+const std::vector<std::string> all{"left", "right", "bottom", "top"};
+
+cases::Case cracked(double spacing, const geometry::Polyline& crack, EdgeMethod edges = EdgeMethod::surface_nodes) {
+  auto c = vp::square(spacing);
+  c.discretization.boundary = edges;
+  c.analysis.kind = cases::Analysis::Kind::static_;
+  c.analysis.method = cases::Analysis::Method::direct;
+  c.cracks = {crack};
+  c.srif.emplace();
+  c.srif->methods = {"virtual_crack_extension", "domain_integral", "displacement_extrapolation"};
+  return c;
+}
+
+/// Moments of one tensor on all edges of a plate that three points keep in place.
+void turn(cases::Case& c, const std::array<double, 3>& tensor) {
+  auto& load = c.loads[0];
+  load.kind = Load::Kind::edge_moment, load.edges = all, load.has_tensor = true, load.tensor = tensor;
+  c.supports = {{SupportKind::pinned, {}, {{-0.97, -0.97}, {0.97, -0.97}, {0.97, 0.97}}}};
+}
+
+struct Solved {
+  std::unique_ptr<Formulation> plate;
+  State state;
+  std::vector<post::Srif> srifs;
+};
+
+Solved solved(const cases::Case& c) {
+  auto a = vp::assembled(c);
+  auto result = static_solution(*a, c.analysis, {1e-8, 10, {}});
+  REQUIRE(result.solution.converged);
+  auto srifs = post::srifs(*a, *c.srif, cases::tip_methods({c, {}}, *a), result.solution.state);
+  return {std::move(a), std::move(result.solution.state), std::move(srifs)};
+}
+
+}  // namespace
+
+TEST_CASE("surface nodes with a crack: inside, every force is that of the ordinary plate") {
+  for (const auto correction : {SurfaceCorrection::position_aware, SurfaceCorrection::arbitrary_horizon}) {
+    auto c = cracked(0.1, {{-0.3, -0.15}, {0.23, 0.18}});
+    c.discretization.surface_correction = correction, c.discretization.full_horizon = FullHorizon::lattice;
+    c.supports = {vp::held(SupportKind::clamped, all)};
+    const auto own = vp::assembled(c);
+    c.discretization.boundary = EdgeMethod::images;
+    const auto ordinary = vp::assembled(c);
+    const auto points = Eigen::Index(own->cloud().plate_points);
+    State at_points = State::Random(3, points), u = State::Zero(3, vp::size(*own)),
+          v = State::Zero(3, vp::size(*ordinary));
+    u.leftCols(points) = at_points, v.leftCols(points) = at_points;
+    Forces f, g;
+    own->internal_force(u, f), ordinary->internal_force(v, g);
+    double largest = 0, size = 0;
+    int inside = 0;
+    for (Eigen::Index k = 0; k < points; ++k) {
+      if (own->cloud().positions[std::size_t(k)].cwiseAbs().maxCoeff() > 1 - 6.1 * 0.1) continue;
+      largest = std::max(largest, (f.col(k) - g.col(k)).norm()), size = std::max(size, g.col(k).norm()), ++inside;
+    }
+    CHECK(inside == 64);
+    CHECK(largest < 1e-13 * size);  // measured: 6e-16
+  }
+}
+
+TEST_CASE("surface nodes with a crack: reactions of edges held all round balance the load") {
+  auto c = cracked(0.08, {{-0.3, -0.15}, {0.23, 0.18}});
+  c.supports = {vp::held(SupportKind::clamped, all)};
+  const auto s = solved(c);
+  Forces force;
+  s.plate->internal_force(s.state, force);
+  const auto held = s.plate->constraints().on_held(force);
+  double sum = 0;
+  for (std::size_t i = 0; i < s.plate->constraints().held().size(); ++i)
+    if (s.plate->constraints().held()[i] % 3 == 0) sum += held[Eigen::Index(i)];
+  CHECK(sum == Approx(4).epsilon(1e-9));  // measured: 4e-16
+}
+
+TEST_CASE("surface nodes with a crack: a plate turned by a quarter has the same factors") {
+  auto along = cracked(0.0625, {{-0.375, 0}, {0.375, 0}}), across = cracked(0.0625, {{0, -0.375}, {0, 0.375}});
+  along.supports = {vp::held(SupportKind::simply_supported_hard, {"bottom", "top"})};
+  across.supports = {vp::held(SupportKind::simply_supported_hard, {"left", "right"})};
+  const auto x = solved(along), y = solved(across);
+  REQUIRE(x.srifs.size() == y.srifs.size());
+  for (std::size_t i = 0; i < x.srifs.size(); ++i) {
+    CHECK(y.srifs[i].K1 == Approx(x.srifs[i].K1).epsilon(1e-9));  // measured: 1.4e-12
+  }
+}
+
+TEST_CASE("surface nodes with a crack: under moments on all edges it has the factors of free edges by images") {
+  std::vector<std::vector<post::Srif>> found;
+  for (const auto edges : {EdgeMethod::surface_nodes, EdgeMethod::images})
+    for (const auto& tensor : {std::array<double, 3>{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}) {
+      auto c = cracked(0.0625, {{-0.375, 0}, {0.375, 0}}, edges);
+      c.section.thickness = 0.3;
+      turn(c, tensor);
+      found.push_back(solved(c).srifs);
+    }
+  REQUIRE(found[0].size() == 6);  // two tips, three methods
+  for (std::size_t i = 0; i < found[0].size(); ++i) {
+    const auto &bent = found[0][i], &twisted = found[1][i], &along = found[2][i];
+    CAPTURE(bent.method);
+    CHECK(bent.K1 == Approx(found[3][i].K1).epsilon(0.002));     // measured: -0.11 to +0.02 %
+    CHECK(twisted.K2 == Approx(found[4][i].K2).epsilon(0.015));  // measured: -1.3 to +0.4 %
+    CHECK(twisted.K3 == Approx(found[4][i].K3).epsilon(0.010));  // measured: +0.6 to +0.8 %
+    CHECK(std::abs(twisted.K1) < 1e-9 * bent.K1);                // measured: 1e-12
+    CHECK(std::abs(along.K1) < 0.06 * bent.K1);                  // measured: 5.0 % by virtual crack extension, else 0
+  }
+}
