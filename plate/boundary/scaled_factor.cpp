@@ -22,25 +22,21 @@ ScaledFactor::ScaledFactor(const SparseStiffness& A)
   if (A.rows() == 0) return;
   if (!(rows_.minCoeff() > 0 && columns_.minCoeff() > 0))
     throw NumericalError("a body with an unknown without stiffness, or a condition on nothing");
-  scaled_ = rows_.cwiseInverse().asDiagonal() * A * columns_.cwiseInverse().asDiagonal();
-  factor_.compute(scaled_);
-  if (factor_.info() != Eigen::Success) throw NumericalError("a body that is loose, or conditions that contradict");
+  factor_.emplace(rows_.cwiseInverse().asDiagonal() * A * columns_.cwiseInverse().asDiagonal());
 }
 
 Eigen::VectorXd ScaledFactor::solve(const Eigen::VectorXd& b) const {
   if (b.size() == 0) return b;
   const Eigen::VectorXd right = b.cwiseQuotient(rows_);
-  Eigen::VectorXd x = factor_.solve(right);
-  x += factor_.solve(Eigen::VectorXd(right - scaled_ * x));
-  if (!((scaled_ * x - right).norm() <= left_over * std::max(right.norm(), x.norm())))
+  const Eigen::VectorXd x = factor_->solve(right);
+  if (!((factor_->matrix() * x - right).norm() <= left_over * std::max(right.norm(), x.norm())))
     throw NumericalError("a body that is loose, or conditions that contradict");
   return x.cwiseQuotient(columns_);
 }
 
 std::size_t ScaledFactor::bytes() const {
   constexpr std::size_t entry = sizeof(double) + sizeof(int);
-  const auto entries = rows_.size() == 0 ? 0 : factor_.nnzL() + factor_.nnzU() + scaled_.nonZeros();
-  return std::size_t(entries) * entry;
+  return factor_ ? factor_->bytes() + std::size_t(factor_->matrix().nonZeros()) * entry : 0;
 }
 
 }  // namespace plate

@@ -1,6 +1,7 @@
 #pragma once
-#include <Eigen/SparseLU>
+#include <optional>
 #include "plate/boundary/conditions.hpp"
+#include "plate/solve/matrices/general_factor.hpp"
 
 namespace plate {
 
@@ -11,7 +12,7 @@ public:
   /// @throws NumericalError  where the body is loose, or conditions contradict
   explicit ScaledFactor(const SparseStiffness& A);
 
-  /// A^-1 b, refined once.
+  /// A^-1 b.
   /// @throws NumericalError  as the constructor
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
@@ -19,8 +20,7 @@ public:
 
 private:
   Eigen::VectorXd rows_, columns_;
-  SparseStiffness scaled_;
-  Eigen::SparseLU<SparseStiffness> factor_;
+  std::optional<GeneralFactor> factor_;  // none of an empty matrix
 };
 
 }  // namespace plate

@@ -1,0 +1,43 @@
+#include "plate/solve/matrices/general_factor.hpp"
+
+#include <suitesparse/umfpack.h>
+
+#include "plate/model/numerical_error.hpp"
+#include "plate/solve/matrices/one_thread.hpp"
+
+namespace plate {
+
+namespace {
+
+std::shared_ptr<void> held(void* object, void (*release)(void**)) {
+  return {object, [release](void* one) { release(&one); }};
+}
+
+}  // namespace
+
+GeneralFactor::GeneralFactor(Eigen::SparseMatrix<double> A) : A_(std::move(A)) {
+  const OneThread one_thread;
+  const int n = int(A_.cols());
+  double info[UMFPACK_INFO]{};
+  void *symbolic = nullptr, *numeric = nullptr;
+  int status =
+      umfpack_di_symbolic(n, n, A_.outerIndexPtr(), A_.innerIndexPtr(), A_.valuePtr(), &symbolic, nullptr, info);
+  const auto order = held(symbolic, umfpack_di_free_symbolic);
+  if (status == UMFPACK_OK)
+    status =
+        umfpack_di_numeric(A_.outerIndexPtr(), A_.innerIndexPtr(), A_.valuePtr(), symbolic, &numeric, nullptr, info);
+  numeric_ = held(numeric, umfpack_di_free_numeric);
+  if (status == UMFPACK_ERROR_out_of_memory) throw NumericalError("the factors of the stiffness do not fit in memory");
+  if (status != UMFPACK_OK) throw NumericalError("a body that is loose, or conditions that contradict");
+  bytes_ = std::size_t(info[UMFPACK_NUMERIC_SIZE] * info[UMFPACK_SIZE_OF_UNIT]);
+}
+
+Eigen::VectorXd GeneralFactor::solve(const Eigen::VectorXd& b) const {
+  const OneThread one_thread;
+  Eigen::VectorXd x(b.size());
+  umfpack_di_solve(UMFPACK_A, A_.outerIndexPtr(), A_.innerIndexPtr(), A_.valuePtr(), x.data(), b.data(), numeric_.get(),
+                   nullptr, nullptr);
+  return x;
+}
+
+}  // namespace plate
