@@ -1,7 +1,5 @@
 #include "cases/driver/accuracy.hpp"
-
 #include <fmt/format.h>
-
 #include "cases/driver/prepared.hpp"
 #include "fracture/runs/trial.hpp"
 #include "post/report/progress.hpp"

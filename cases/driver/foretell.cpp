@@ -1,11 +1,10 @@
 #include "cases/driver/foretell.hpp"
-
 #include <cmath>
 #include <ctime>
-
 #include "cases/driver/results.hpp"
 #include "cases/input/refused.hpp"
 #include "plate/formulation/stopwatch.hpp"
+#include "plate/model/numerical_error.hpp"
 #include "post/studies/scratch_folder.hpp"
 
 namespace cases {
@@ -47,8 +46,10 @@ fracture::ForetoldRun foretell(const CaseFile& file) {
       return run_of(file, solver, less);
     } catch (const CaseError&) {
       if (less.wider == 1) throw;
-      return {};
+    } catch (const plate::NumericalError&) {
+      if (less.wider == 1) throw;
     }
+    return {};
   };
   return unless_refused(file, [&] { return fracture::foretell(plan_of(file.content, {}), run); });
 }

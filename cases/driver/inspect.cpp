@@ -47,8 +47,9 @@ std::string of_plate(const CaseFile& file) {
   auto [plate, warnings, stopwatch] = discretised(file);
   check_growing_tips(file, *plate, warnings);
   tip_methods(file, *plate);
-  std::string text = fmt::format("tips          {}\nfictitious    {} points, {} bonds to them\n", plate->tips().size(),
-                                 plate->fictitious_points(), plate->fictitious_bonds());
+  std::string text =
+      fmt::format("tips          {}\nfictitious    {} points, {} bonds to them\n{}", plate->tips().size(),
+                  plate->fictitious_points(), plate->fictitious_bonds(), plate->of_edges());
   for (const auto& warning : warnings) text += "warning: " + warning + "\n";
   return text;
 }

@@ -24,6 +24,19 @@ namespace {
 
 using plate::Analysis;
 
+/// Where forces are no derivative of an energy, that and the work tell how coarse the points are. Measured with surface
+/// nodes on plates 0.1 to 0.02 thick, spacing 0.1: deflections 2 % off where they are 41 % apart, 56 % where 130 %.
+void look_for_coarseness(double strain, double work, const plate::Formulation& plate,
+                         std::vector<std::string>& warnings) {
+  constexpr double told = 0.01, most = 0.5;
+  const double apart = std::abs(strain / work - 1);
+  const auto text = fmt::format(
+      "the strain energy is {:.1f} % off the work of the loads, which tells how coarse the points are for this plate",
+      100 * apart);
+  if (apart > most) throw plate::NumericalError(fmt::format("{}: {}", text, plate.remedy()));
+  if (apart > told) warnings.push_back(text);
+}
+
 /// A run on its way.
 struct Going {
   const Ready& ready;
@@ -71,11 +84,8 @@ void solve_static(const Going& run) {
                                             solution.stop_reason, solution.residual, analysis.tolerance));
   if (plate.offers(plate::Feature::symmetry))
     post::EnergyGate(post::EnergyGate::Plate::rests).look({strain, strain, work}, "in equilibrium");
-  else if (const double apart = std::abs(strain / work - 1); apart > 0.01)
-    summary.warnings.push_back(
-        fmt::format("the strain energy is {:.1f} % off the work of the loads: where forces are no derivative of an "
-                    "energy, that tells how coarse the points are for this plate",
-                    100 * apart));
+  else
+    look_for_coarseness(strain, work, plate, summary.warnings);
 }
 
 /// Takes the rows and frames of a motion, as far as the step `last`.

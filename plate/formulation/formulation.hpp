@@ -118,12 +118,13 @@ public:
   /// What is kept of the formulation itself, beside points and families. `single`: with the forces in single precision.
   virtual std::vector<MemoryPart> memory(bool single) const = 0;
   virtual std::optional<MatchCounts> matched() const { return std::nullopt; }
+  /// A line on what a small plate with the same edges tells of them; nothing of kinds that are sound with any.
+  virtual std::string of_edges() const { return ""; }
   /// What of the results is not to be trusted at this discretisation. `factors`: intensity factors are asked for.
   virtual std::vector<std::string> distrust(bool factors) const = 0;
   /// What would resolve the layer beside faces in which K2 and K3 live: "take discretization.spacing = 0.01".
   virtual std::string remedy() const = 0;
-  /// How far the pins that alone hold the plate are from one line, where the places of points decide about that
-  /// [spacings].
+  /// How far the pins that alone hold the plate are from one line, where places of points decide about it [spacings].
   virtual std::optional<double> width_of_pins() const { return std::nullopt; }
   /// Share of deflections by which edges between the points are usually off.
   virtual double error_of_edges() const { return 0; }
@@ -135,8 +136,7 @@ private:
   std::unique_ptr<const Layout> layout_;
 };
 
-/// Memory of a plate that is ready to solve: its points, families and loads, and what its formulation keeps beside
-/// them.
+/// Memory of a plate that is ready to solve: points, families, loads, and what its formulation keeps beside them.
 std::vector<MemoryPart> memory_of(const Formulation& plate, bool single);
 
 /// Wave number of the lowest bending that the supports leave: half a wave between edges that are held, along the longer

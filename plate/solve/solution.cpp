@@ -16,7 +16,10 @@ StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMe
     return {adaptive_dynamic_relaxation(plate, constraints, load, options), "adr", {}, 0};
   if (method == StaticMethod::direct) {
     const auto factor = plate.factor();
-    return {conjugate_gradients(plate, constraints, load, options, factor.get()), "direct", {}, factor->bytes()};
+    const auto solution = plate.offers(Feature::symmetry)
+                              ? conjugate_gradients(plate, constraints, load, options, factor.get())
+                              : refined(plate, constraints, load, options, *factor);
+    return {solution, "direct", {}, factor->bytes()};
   }
   const auto [inverse, name] = plate.preconditioner(wanted);
   return {conjugate_gradients(plate, constraints, load, options, inverse.get()), "cg", name,

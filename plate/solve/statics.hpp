@@ -41,4 +41,9 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
                                    const Forces& load, const StaticOptions& options,
                                    const Preconditioner* preconditioner = nullptr);
 
+/// The solution by an exact inverse, improved until it is good enough; of any stiffness, symmetric or not.
+/// Throws NumericalError where a number is not finite.
+StaticSolution refined(const Operator& plate, const Constraints& constraints, const Forces& load,
+                       const StaticOptions& options, const Preconditioner& inverse);
+
 }  // namespace plate

@@ -11,6 +11,7 @@
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/refused.hpp"
+#include "plate/surface/spectrum.hpp"
 #include "plate/surface/surface_layout.hpp"
 
 namespace plate {
@@ -143,6 +144,7 @@ public:
     return {{"stiffness with surface nodes", "parameters", double(std::size_t(stiffness_.nonZeros()) * entry)}};
   }
   std::vector<std::string> distrust(bool factors) const override { return distrust_of_bonds(*this, factors); }
+  std::string of_edges() const override;
   std::string remedy() const override {
     return fmt::format("take discretization.spacing = {:.2g}", plate_.bonds.spacing / 2);
   }
@@ -187,6 +189,21 @@ std::vector<Share> SurfaceNodePlate::interpolation(const Point& at) const {
   if (near.empty())
     throw Refused({{Subject::geometry, 0, "no point of the plate is within 1.6 spacings of the place"}});
   return plate::interpolation(near, u);
+}
+
+std::string SurfaceNodePlate::of_edges() const {
+  const Point cells(10, 8);
+  const auto small = surface_plate(section(), discretization(), {0, 0}, plate_.bonds.spacing * cells);
+  const auto edges = [&](const Point& at, const Point& normal) {
+    const auto side = std::ranges::find_if(
+        boundary().sides, [&](const Side& one) { return one.outward(cloud().units.to_units(at)).dot(normal) > 0.5; });
+    return edge_condition(side->kind);
+  };
+  const auto [lowest, asymmetry, negative] = spectrum(small, edges, section().thickness);
+  return fmt::format(
+      "edges         of {:g} x {:g} points like these: lowest square of a frequency {:.1e} of the largest, asymmetry "
+      "{:.1e}, motions that grow: {}\n",
+      cells.x(), cells.y(), lowest, asymmetry, negative);
 }
 
 Discretised discretised(const Problem& problem) {

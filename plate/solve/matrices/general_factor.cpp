@@ -1,6 +1,7 @@
 #include "plate/solve/matrices/general_factor.hpp"
 
 #include <suitesparse/umfpack.h>
+#include <new>
 
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/matrices/one_thread.hpp"
@@ -27,7 +28,7 @@ GeneralFactor::GeneralFactor(Eigen::SparseMatrix<double> A) : A_(std::move(A)) {
     status =
         umfpack_di_numeric(A_.outerIndexPtr(), A_.innerIndexPtr(), A_.valuePtr(), symbolic, &numeric, nullptr, info);
   numeric_ = held(numeric, umfpack_di_free_numeric);
-  if (status == UMFPACK_ERROR_out_of_memory) throw NumericalError("the factors of the stiffness do not fit in memory");
+  if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
   if (status != UMFPACK_OK) throw NumericalError("a body that is loose, or conditions that contradict");
   bytes_ = std::size_t(info[UMFPACK_NUMERIC_SIZE] * info[UMFPACK_SIZE_OF_UNIT]);
 }

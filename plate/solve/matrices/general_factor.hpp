@@ -9,7 +9,8 @@ namespace plate {
 class GeneralFactor {
 public:
   /// `A`: square, compressed.
-  /// @throws NumericalError  where it is singular, or memory does not suffice
+  /// @throws NumericalError  where it is singular
+  /// @throws std::bad_alloc  where memory does not suffice, or its entries are too many for their numbers
   explicit GeneralFactor(Eigen::SparseMatrix<double> A);
 
   /// A^-1 b, refined.

@@ -68,6 +68,8 @@ TEST_CASE("surface nodes in a case: reactions beside free edges, and the energy 
   CHECK(summary.reactions->largest_residual == Approx(0.0759).epsilon(0.01));  // measured: 0.0759
   CHECK(says("balance the loads to"));
   CHECK(says("how coarse the points are"));
+  settings.push_back("section.thickness=0.02");
+  CHECK(wrong(settings).find("take discretization.spacing") != std::string::npos);
 }
 
 TEST_CASE("surface nodes in a case: what they cannot serve is refused with the reason, by its key") {

@@ -4,6 +4,7 @@
 
 #include "geometry/lattice/seeding.hpp"
 #include "plate/bonds/parameters/position_aware.hpp"
+#include "plate/formulation/preconditioner.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "tests/dense.hpp"
@@ -50,6 +51,20 @@ StaticSolution with_diagonal(const Operator& plate, const Constraints& constrain
                              const StaticOptions& options) {
   return conjugate_gradients(plate, constraints, load, options);
 }
+
+/// A multiple of the inverse.
+class Dense : public Preconditioner {
+public:
+  Dense(const small_plate::Model& model, double factor) : model_(model), factor_(factor) {}
+  void apply(const Forces& residual, State& result) const override {
+    result = factor_ * dense_solution(model_, residual);
+  }
+  std::size_t bytes() const override { return 0; }
+
+private:
+  const small_plate::Model& model_;
+  double factor_;
+};
 
 constexpr Solver solvers[] = {adaptive_dynamic_relaxation, with_diagonal};
 
@@ -147,4 +162,20 @@ TEST_CASE("the solution does not depend on the units") {
     CHECK((metres.state - millimetres.state).norm() < 1e-7 * metres.state.norm());  // measured: 4e-16
     CHECK(metres.iterations == Approx(double(millimetres.iterations)).margin(2));
   }
+}
+
+TEST_CASE("refined: an inverse that is nearly exact ends at the dense solution, one that is not is said not to") {
+  const auto m = held();
+  const Forces load = pressure(m);
+  const State expected = dense_solution(m, load);
+  const auto by = [&](double factor) {
+    return refined(m.plate, m.boundary.constraints, load, {1e-9, 20, {}}, Dense(m, factor));
+  };
+  const auto solution = by(1.001);
+  CHECK(solution.converged);
+  CHECK(solution.iterations > 1);
+  CHECK((solution.state - expected).norm() < 1e-7 * expected.norm());  // measured: 1e-9
+  CHECK(!by(0.1).converged);
+  CHECK(by(0.1).stop_reason == "the factor of the plate does not solve it");
+  CHECK(refined(m.plate, m.boundary.constraints, 0 * load, {1e-9, 20, {}}, Dense(m, 1)).converged);
 }

@@ -136,3 +136,15 @@ TEST_CASE("surface nodes: what they cannot carry is refused with the reason") {
   CHECK(!bonds_with_surface_nodes.discretise(square({}, {pressure()})).plate->held());
   CHECK(bonds_with_surface_nodes.discretise(square(clamp, {pressure()})).plate->held());
 }
+
+TEST_CASE("surface nodes: a small plate tells that no motion grows with these edges, and how asymmetric they are") {
+  const auto free = bonds_with_surface_nodes.discretise(
+      square({{SupportKind::pinned, {}, {{-0.9, -0.9}, {0.9, -0.9}, {0.1, 0.9}}}}, {moment({"left", "right"}, 2)}));
+  const auto clamped = bonds_with_surface_nodes.discretise(square({{SupportKind::clamped, all, {}}}, {pressure()}));
+  const auto of_clamped = clamped.plate->of_edges();
+  CHECK(free.plate->of_edges() != of_clamped);
+  for (const auto& text : {free.plate->of_edges(), of_clamped}) {
+    CHECK(text.find("motions that grow: 0") != std::string::npos);
+    CHECK(text.find("asymmetry") != std::string::npos);
+  }
+}
