@@ -1,5 +1,4 @@
 #include "cases/driver/results.hpp"
-
 #include "cases/input/case_file.hpp"
 #include "post/files/sinks/kept_sink.hpp"
 

@@ -1,7 +1,5 @@
 #include "cases/driver/run.hpp"
-
 #include <fmt/format.h>
-
 #include "cases/driver/accuracy.hpp"
 #include "cases/driver/discretised.hpp"
 #include "cases/driver/prepared.hpp"

@@ -110,11 +110,13 @@ void settle_formulation(bool stated, Case& content, Reading& reading) {
 
 void settle_method(Case& content, const Reading& reading) {
   auto& analysis = content.analysis;
-  if (analysis.kind != Analysis::Kind::dynamic || reading.given("analysis.method") || content.growth) return;
   const auto& d = content.discretization;
+  if (reading.given("analysis.method") || content.growth) return;
+  if (analysis.kind == Analysis::Kind::static_ && !plate::formulation_of(d).offers(Feature::symmetry))
+    analysis.method = Analysis::Method::direct;
+  const bool graded = d.tip_spacing || d.hole_spacing || reading.finds_spacing;
   const bool steps_asked = analysis.time_step || reading.given("analysis.safety");
-  if (d.formulation->offers(Feature::lanczos) && (d.tip_spacing || d.hole_spacing || reading.finds_spacing) &&
-      !steps_asked)
+  if (analysis.kind == Analysis::Kind::dynamic && d.formulation->offers(Feature::lanczos) && graded && !steps_asked)
     analysis.method = Analysis::Method::lanczos;
 }
 
@@ -123,7 +125,7 @@ void check_formulation(const Case& content, Reading& reading) {
   if (const auto& a = content.analysis;
       !kind.offers(Feature::symmetry) &&
       (a.kind != Analysis::Kind::static_ || a.method != Analysis::Method::direct || content.growth))
-    reading.complain("analysis.method", kind.lacks.at(Feature::symmetry) + "; choose kind = \"static\", \"direct\"");
+    reading.complain("analysis.method", kind.lacks.at(Feature::symmetry) + "; choose method = \"direct\"");
   if (content.analysis.preconditioner == plate::Preconditioning::levels && !kind.offers(Feature::levels))
     reading.complain("analysis.preconditioner",
                      kind.lacks.at(Feature::levels) + "; choose \"auto\", \"diagonal\", \"local\" or \"two_level\"");

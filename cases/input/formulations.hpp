@@ -27,8 +27,8 @@ bool states_formulation(const toml::table& root);
 /// it states another. Complains about keys of graded points in a case that needs a formulation without.
 void settle_formulation(bool stated, Case& content, Reading& reading);
 
-/// Graded points move by Lanczos vectors unless the case states a method or asks for steps: stable steps follow the
-/// least spacing.
+/// Unless the case states a method: direct at rest where the stiffness is not symmetric; for graded points in motion,
+/// whose stable steps follow the least spacing, Lanczos vectors if it does not ask for steps.
 void settle_method(Case& content, const Reading& reading);
 
 /// What its formulation cannot do.

@@ -74,6 +74,7 @@ TEST_CASE("surface nodes in a case: reactions beside free edges, and the energy 
 
 TEST_CASE("surface nodes in a case: what they cannot serve is refused with the reason, by its key") {
   CHECK(wrong(with(clamped, "analysis.method=cg")).find("not symmetric") != std::string::npos);
+  CHECK(wrong(with(clamped, "-analysis.method")) == "");  // then direct
   CHECK(wrong(with(clamped, "analysis.method=adr")).find("analysis.method") != std::string::npos);
   CHECK(wrong(with(with(clamped, "section.density=1"), "analysis={kind=\"frequencies\"}")).find("not symmetric") !=
         std::string::npos);
