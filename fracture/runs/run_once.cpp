@@ -25,10 +25,10 @@ namespace {
 using plate::Analysis;
 
 /// Where forces are no derivative of an energy, that and the work tell how coarse the points are. Measured with surface
-/// nodes on plates 0.1 to 0.02 thick, spacing 0.1: deflections 2 % off where they are 41 % apart, 56 % where 130 %.
+/// nodes, seven kinds of support, horizons of 0.7 to 2 thicknesses: deflections 4 % off where they are 34 % apart.
 void look_for_coarseness(double strain, double work, const plate::Formulation& plate,
                          std::vector<std::string>& warnings) {
-  constexpr double told = 0.01, most = 0.5;
+  constexpr double told = 0.01, most = 0.3;
   const double apart = std::abs(strain / work - 1);
   const auto text = fmt::format(
       "the strain energy is {:.1f} % off the work of the loads, which tells how coarse the points are for this plate",

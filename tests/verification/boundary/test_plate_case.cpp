@@ -60,16 +60,20 @@ TEST_CASE("surface nodes in a case: a clamped plate under pressure, its reaction
 TEST_CASE("surface nodes in a case: reactions beside free edges, and the energy of coarse points, are warned of") {
   const small_run::TemporaryFolder folder;
   auto settings = clamped;
-  settings[1] = "support[0].edges=[\"left\"]", settings.push_back("discretization.spacing=0.1");
+  settings[1] = "support[0].edges=[\"left\"]", settings.push_back("discretization.spacing=0.1"),
+  settings.push_back("section.thickness=0.2");
   const auto summary = cases::run(case_text::read(case_text::plain, settings), {folder / "run", true});
   const auto says = [&](const std::string& what) {
     return std::ranges::any_of(summary.warnings, [&](const auto& one) { return one.find(what) != std::string::npos; });
   };
-  CHECK(summary.reactions->largest_residual == Approx(0.0759).epsilon(0.01));  // measured: 0.0759
+  CHECK(summary.reactions->largest_residual == Approx(0.0417).epsilon(0.01));  // measured: 0.0417
   CHECK(says("balance the loads to"));
   CHECK(says("how coarse the points are"));
   settings.push_back("section.thickness=0.02");
-  CHECK(wrong(settings).find("take discretization.spacing") != std::string::npos);
+  CHECK(wrong(settings).find("times the thickness") != std::string::npos);
+  settings[1] = "support=[{kind=\"simply_supported\",edges=[\"left\",\"bottom\"]}]";
+  settings.push_back("section.thickness=0.22"), settings.push_back("discretization.spacing=0.14285714285714285");
+  CHECK(wrong(settings).find("how coarse the points are") != std::string::npos);  // measured: 34 % apart
 }
 
 TEST_CASE("surface nodes in a case: what they cannot serve is refused with the reason, by its key") {

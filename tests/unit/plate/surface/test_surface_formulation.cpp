@@ -19,7 +19,7 @@ namespace {
 
 Problem square(std::vector<Support> supports, std::vector<Load> loads, double spacing = 0.25) {
   Problem p;
-  p.section = {1000, 0.3, 0.2};
+  p.section = {1000, 0.3, 0.4};
   p.outline = geometry::rectangle(-1, -1, 1, 1);
   p.discretization.spacing = spacing, p.discretization.volume_correction = VolumeCorrection::lattice_fitted;
   p.discretization.formulation = &bonds_with_surface_nodes;
@@ -98,7 +98,7 @@ TEST_CASE("surface nodes: moments on opposite edges bend the plate alike everywh
     CHECK(M.shear(0, k) == Approx(0).margin(1e-8));
   }
   // the energy of a plate in pure bending: M^2 / (2 D (1 - nu^2)) on 2 x 2
-  const Section section{1000, 0.3, 0.2};
+  const Section section{1000, 0.3, 0.4};
   const double density = 4 / (2 * section.bending_stiffness() * (1 - 0.3 * 0.3));
   CHECK(made.plate->strain_energy(state) == Approx(4 * density).epsilon(1e-8));
 }
