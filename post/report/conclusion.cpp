@@ -22,10 +22,11 @@ std::optional<double> largest_deflection(const Table& history) {
 void warn_of(const ReactionSummary& reactions, std::vector<std::string>& warnings) {
   constexpr double close = 0.01;
   if (reactions.truncation.value_or(0) > close)
-    warnings.push_back(fmt::format(
-        "reactions are off by up to {:.2g} % of the largest: a motion needs more Lanczos vectors for them than for "
-        "factors and deflections; take a smaller analysis.tolerance, or loads that do not set in at once",
-        100 * *reactions.truncation));
+    warnings.push_back(
+        fmt::format("reactions are off by about {:.2g} % of the largest, or twice that: a motion needs more Lanczos "
+                    "vectors for them than for "
+                    "factors and deflections; take a smaller analysis.tolerance, or loads that do not set in at once",
+                    100 * *reactions.truncation));
   else if (reactions.largest_residual > close)
     warnings.push_back(
         fmt::format("the reactions balance the loads to {:.2g} % only: do not rely on them more than that",
