@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <experimental/simd>
+#include <utility>
 
 /// Values of several points at once, for the kernels of LatticeRows.
 namespace plate {
@@ -70,6 +71,15 @@ struct Following {
   Vector load(const Real* values, std::ptrdiff_t step = 0) const { return Vector::load(values + k + step); }
   void store(const Vector& value, Real* values) const { value.store(values + k); }
 };
+
+/// Calls visit with the constants 0 ... count - 1.
+template <int count, typename Visit>
+[[gnu::always_inline]] inline void unrolled(const Visit& visit) {
+  [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
+    (visit(std::integral_constant<int, i>{}), ...);
+  }
+  (std::make_integer_sequence<int, count>{});
+}
 
 /// Element by element: the gather instruction is slow where the processor guards against leaks through it.
 template <typename Real>

@@ -16,15 +16,6 @@ constexpr int disc_width(int radius_squared, int j) {
 template <typename Real>
 using FoldLane = std::conditional_t<(Lane<Real>::size() >= 8), Lane<Real>, simd::fixed_size_simd<Real, 8>>;
 
-/// Calls visit with the constants 0 ... count - 1.
-template <int count, typename Visit>
-[[gnu::always_inline]] inline void unrolled(const Visit& visit) {
-  [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
-    (visit(std::integral_constant<int, i>{}), ...);
-  }
-  (std::make_integer_sequence<int, count>{});
-}
-
 /// A row whose points have all lattice bonds of a disc, with weights that are their own mirror image across the row and
 /// along it. What lies i columns beside a point is summed over j once, for the two points that it lies beside, from
 /// sums and differences of the rows j above and below, which serve all i: half of the arithmetic of pairs, and
@@ -57,11 +48,12 @@ public:
 
 private:
   using Vector = FoldLane<Real>;
+  using Part = Lane<Real>;  // for the columns, whose sums fill the machine's registers
   static constexpr auto size = std::ptrdiff_t(Vector::size());
 
   /// What the columns i beside a point give: the same to both sides, and with opposite signs.
   struct Sums {
-    Vector even = 0, odd = 0;
+    Part even = 0, odd = 0;
   };
 
   static constexpr std::ptrdiff_t block = 4, pitch = (block + 1) * size;  // vectors kept, numbers
@@ -74,7 +66,8 @@ private:
     const std::ptrdiff_t vectors = (length_ + 2 * reach + size - 1) / size, ends = (length_ + size - 1) / size;
     for (std::ptrdiff_t begin = 0; begin < vectors; begin += block) {
       const std::ptrdiff_t end = std::min(vectors, begin + block);
-      for (std::ptrdiff_t v = begin; v < end; ++v) columns(v * size, (v - begin + 1) * size);
+      for (std::ptrdiff_t c = 0; c < (end - begin) * size; c += std::ptrdiff_t(Part::size()))
+        columns(begin * size + c, size + c);
       const std::ptrdiff_t last = end == vectors ? ends : end - 1;  // its neighbour to the right is not there yet
       for (std::ptrdiff_t v = std::max<std::ptrdiff_t>(begin - 1, 0); v < last; ++v)
         points(first_ + v * size, (v - begin + 1) * size, [&](const Vector& values, Real* to) {
@@ -107,7 +100,10 @@ private:
     if (i > 0) (sums.even - sums.odd).copy_to(kept(-i, component) + at, simd::vector_aligned);
   }
 
-  static Vector load(const Real* from) { return Vector(from, simd::element_aligned); }
+  template <typename Values = Vector>
+  static Values load(const Real* from) {
+    return Values(from, simd::element_aligned);
+  }
 
   void dilatation_columns(std::ptrdiff_t c, std::ptrdiff_t at) {
     const std::ptrdiff_t k = first_ - reach + c;
@@ -115,9 +111,9 @@ private:
     const typename RowPattern<Real>::Mirrored* bond = fold_.bonds.data();
     unrolled<reach + 1>([&](auto j) __attribute__((always_inline)) {
       const auto up = k + fold_.up[j], down = k + fold_.down[j];
-      const Vector y_up = load(in_.y + up);
-      const Vector y = j == 0 ? y_up : y_up + load(in_.y + down);
-      const Vector x = j == 0 ? Vector(0) : load(in_.x + up) - load(in_.x + down);
+      const Part y_up = load<Part>(in_.y + up);
+      const Part y = j == 0 ? y_up : y_up + load<Part>(in_.y + down);
+      const Part x = j == 0 ? Part(0) : load<Part>(in_.x + up) - load<Part>(in_.x + down);
       unrolled<disc_width(radius_squared, j) + 1>([&](auto i) __attribute__((always_inline)) {
         if constexpr (j > 0) sums[i].even += bond->Dx * x;
         if constexpr (i > 0) sums[i].odd += bond->Dy * y;
@@ -129,18 +125,18 @@ private:
 
   void force_columns(std::ptrdiff_t c, std::ptrdiff_t at) {
     const std::ptrdiff_t k = first_ - reach + c;
-    const Vector reference = in_.w[first_];  // keeps rigid motions free of force
+    const Part reference = in_.w[first_];  // keeps rigid motions free of force
     Sums force[reach + 1], couple_x[reach + 1], couple_y[reach + 1];
     const typename RowPattern<Real>::Mirrored* bond = fold_.bonds.data();
     unrolled<reach + 1>([&](auto j) __attribute__((always_inline)) {
       const auto up = k + fold_.up[j], down = k + fold_.down[j];
-      const Vector w_up = load(in_.w + up) - reference, x_up = load(in_.x + up), y_up = load(in_.y + up),
-                   q_up = load(in_.q + up);
-      const Vector w_down = j == 0 ? Vector(0) : load(in_.w + down) - reference;
-      const Vector x_down = j == 0 ? Vector(0) : load(in_.x + down), y_down = j == 0 ? Vector(0) : load(in_.y + down);
-      const Vector q_down = j == 0 ? Vector(0) : load(in_.q + down);
-      const Vector w = w_up + w_down, y = y_up + y_down, q = q_up + q_down, x = x_up + x_down;
-      const Vector dw = w_up - w_down, dx = x_up - x_down, dy = y_up - y_down, dq = q_up - q_down;
+      const auto below = [&](const Real* field) { return j == 0 ? Part(0) : load<Part>(field + down); };
+      const Part w_up = load<Part>(in_.w + up) - reference, w_down = j == 0 ? Part(0) : below(in_.w) - reference;
+      const Part x_up = load<Part>(in_.x + up), x_down = below(in_.x), y_up = load<Part>(in_.y + up),
+                 y_down = below(in_.y);
+      const Part q_up = load<Part>(in_.q + up), q_down = below(in_.q);
+      const Part w = w_up + w_down, y = y_up + y_down, q = q_up + q_down, x = x_up + x_down;
+      const Part dw = w_up - w_down, dx = x_up - x_down, dy = y_up - y_down, dq = q_up - q_down;
       unrolled<disc_width(radius_squared, j) + 1>([&](auto i) __attribute__((always_inline)) {
         force[i].even += bond->shear * w;
         if constexpr (j > 0) {
