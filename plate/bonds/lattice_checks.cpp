@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "geometry/lattice/cell_index.hpp"
+#include "plate/model/dense.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {
@@ -172,7 +172,7 @@ double width(const std::vector<Point>& pins) {
   for (const auto& x : pins) middle += x / double(pins.size());
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const auto& x : pins) spread += (x - middle) * (x - middle).transpose();
-  const Point across = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(0);
+  const Point across = eigenpairs(spread).vectors.col(0);
   double result = 0;
   for (const auto& x : pins) result = std::max(result, std::abs(across.dot(x - middle)));
   return result;

@@ -1,6 +1,8 @@
 #include "plate/bonds/resultants.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
+
+#include "plate/model/dense.hpp"
 
 namespace plate {
 
@@ -25,7 +27,7 @@ Gradients gradients(std::size_t k, const State& state, const geometry::Families&
   const double trace = shape.trace();
   const bool regular = shape.determinant() > 1e-8 * trace * trace;
   const Eigen::Matrix2d inverse =
-      regular ? Eigen::Matrix2d(shape.inverse()) : shape.completeOrthogonalDecomposition().pseudoInverse();
+      regular ? Eigen::Matrix2d(shape.inverse()) : Eigen::Matrix2d(pseudo_inverse(shape).inverse);
   return {sum.theta * inverse, inverse * sum.shear};
 }
 

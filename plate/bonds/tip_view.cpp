@@ -1,10 +1,10 @@
 #include "plate/bonds/tip_view.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 
 #include "plate/bonds/parameters/position_aware.hpp"
 #include "plate/bonds/resultants.hpp"
+#include "plate/model/dense.hpp"
 
 namespace plate {
 namespace {
@@ -93,9 +93,9 @@ std::optional<GradientShares> quadratic_shares(const TipView& plate, std::uint32
     basis.row(i) << x.x(), x.y(), x.x() * x.x(), x.x() * x.y(), x.y() * x.y();
     weight[i] = 1 / x.squaredNorm();
   }
-  const auto solver = (weight.asDiagonal() * basis).completeOrthogonalDecomposition();
-  if (solver.rank() < 5) return std::nullopt;
-  result.share = solver.pseudoInverse().topRows(2) * weight.asDiagonal() / plate.spacing;
+  const auto [inverse, rank] = pseudo_inverse(weight.asDiagonal() * basis);
+  if (rank < 5) return std::nullopt;
+  result.share = inverse.topRows(2) * weight.asDiagonal() / plate.spacing;
   return result;
 }
 
@@ -126,7 +126,7 @@ GradientShares BondView::gradient_shares(std::uint32_t k) const {
     basis.row(Eigen::Index(linear.bonds.size())) = families.vectors()[bond.vector_id].transpose();
     linear.bonds.push_back(bond);
   }
-  linear.share = basis.completeOrthogonalDecomposition().pseudoInverse();
+  linear.share = pseudo_inverse(basis).inverse;
   return linear;
 }
 

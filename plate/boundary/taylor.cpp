@@ -1,9 +1,9 @@
 #include "plate/boundary/taylor.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/QR>
 #include <cmath>
 #include <functional>
+#include "plate/model/dense.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {
@@ -48,9 +48,9 @@ Eigen::VectorXd taylor_weights(const Eigen::MatrixXd& nodes, const Eigen::Vector
   const double unit = apart.cwiseAbs().maxCoeff();
   Eigen::MatrixXd expansions(derivatives, count - 1);  // of each node about the first, without its value
   for (Eigen::Index q = 0; q + 1 < count; ++q) expansions.col(q) = monomials(apart.col(q) / unit, order).transpose();
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(expansions);
-  if (solver.rank() < derivatives) refuse();
-  weights.tail(count - 1) = solver.solve(monomials((at - nodes.col(0)) / unit, order).transpose());
+  const auto [shares, rank] = least_norm(expansions, monomials((at - nodes.col(0)) / unit, order).transpose());
+  if (rank < derivatives) refuse();
+  weights.tail(count - 1) = shares;
   weights[0] = 1 - weights.tail(count - 1).sum();
   return weights;
 }

@@ -1,8 +1,8 @@
 #include "plate/formulation/interpolation.hpp"
 
 #include "geometry/cells/locator.hpp"
+#include "plate/model/dense.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 
 namespace plate {
@@ -30,8 +30,7 @@ std::vector<Share> interpolation(const std::vector<PlacedPoint>& points, const g
     basis.row(i) << 1, x.x(), x.y();
     root[i] = 1 / x.norm();
   }
-  const Eigen::MatrixXd weighted = root.asDiagonal() * basis;
-  const Eigen::MatrixXd inverse = weighted.completeOrthogonalDecomposition().pseudoInverse() * root.asDiagonal();
+  const Eigen::MatrixXd inverse = pseudo_inverse(root.asDiagonal() * basis).inverse * root.asDiagonal();
   std::vector<Share> shares;
   for (Eigen::Index i = 0; i < count; ++i) shares.push_back({points[static_cast<std::size_t>(i)].first, inverse(0, i)});
   return shares;

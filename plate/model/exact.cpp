@@ -1,8 +1,9 @@
 #include "plate/model/exact.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+
+#include "plate/model/dense.hpp"
 
 namespace plate::exact {
 
@@ -48,7 +49,7 @@ double hole_moment_concentration(const Section& section, double radius) {
   free << psi.row(1) + nu * hoop,                                  // M_r
       (1 - nu) / 2 * (-2 * psi.row(0) + psi.row(3) - psi.row(2)),  // M_rs
       0, -8, -2 * S;                                               // Q_r
-  const Eigen::Vector3d factors = free.fullPivLu().solve(Eigen::Vector3d(-0.5, 0.5, 0));
+  const Eigen::Vector3d factors = least_norm(free, Eigen::Vector3d(-0.5, 0.5, 0)).x;
   return 1.5 - (hoop + nu * psi.row(1)).dot(factors);
 }
 

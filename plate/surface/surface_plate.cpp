@@ -1,7 +1,7 @@
 #include "plate/surface/surface_plate.hpp"
 
-#include <Eigen/QR>
 #include <stdexcept>
+#include "plate/model/dense.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {
@@ -110,7 +110,7 @@ int rigid_motions(const SurfacePlate& p, const std::vector<HeldUnknown>& held) {
                                    : component == 1 ? Eigen::RowVector3d(0, 0, 1)
                                                     : Eigen::RowVector3d(0, -1, 0);
   }
-  return 3 - int(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(motions).rank());
+  return 3 - int(pseudo_inverse(motions).rank);
 }
 
 HeldSolution solution(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {

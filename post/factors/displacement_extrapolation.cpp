@@ -1,9 +1,9 @@
 #include "post/factors/displacement_extrapolation.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/tip_frame.hpp"
+#include "plate/model/dense.hpp"
 #include "plate/model/state.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -83,7 +83,7 @@ Line fit(const std::vector<double>& r, const Eigen::VectorXd& value, int degree)
   Eigen::MatrixXd basis(value.size(), degree + 1);
   for (Eigen::Index i = 0; i < basis.rows(); ++i)
     for (int n = 0; n <= degree; ++n) basis(i, n) = std::pow(r[static_cast<std::size_t>(i)] / r.back(), n);
-  const Eigen::VectorXd coefficients = basis.colPivHouseholderQr().solve(value);
+  const Eigen::VectorXd coefficients = plate::least_norm(basis, value).x;
   return {coefficients[0], (basis * coefficients - value).norm() / std::sqrt(double(value.size()))};
 }
 

@@ -1,9 +1,10 @@
 #include "plate/bonds/parameters/position_aware.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "plate/model/dense.hpp"
 
 namespace plate {
 namespace {
@@ -31,11 +32,11 @@ std::optional<Eigen::Matrix<double, Count, 1>> polynomial(const std::vector<Harm
   for (std::size_t j = 0; j < t.size(); ++j)
     gram += weight[j] * t[j].template head<Count>() * t[j].template head<Count>().transpose();
   const double scale = gram(0, 0);
-  const Eigen::SelfAdjointEigenSolver<Square> eigen(gram / scale);
+  const Eigenpairs eigen = eigenpairs(gram / scale);
   using Vector = Eigen::Matrix<double, Count, 1>;
-  const Vector inverse = eigen.eigenvalues().unaryExpr([](double l) { return l > least_rank ? 1 / l : 0; });
+  const Vector inverse = eigen.values.unaryExpr([](double l) { return l > least_rank ? 1 / l : 0; });
   const Vector wanted = Vector::Unit(0) * (target / scale);
-  const Vector p = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose() * wanted;
+  const Vector p = eigen.vectors * inverse.cwiseProduct(eigen.vectors.transpose() * wanted);
   if ((gram / scale * p - wanted).norm() > least_rank * wanted.norm()) return std::nullopt;
   return p;
 }

@@ -1,10 +1,10 @@
 #include "plate/formulation/parts/mechanisms.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 
 #include "plate/formulation/parts/disjoint_sets.hpp"
+#include "plate/model/dense.hpp"
 
 namespace plate {
 namespace {
@@ -204,9 +204,9 @@ private:
 
 /// Columns: motions that meet every condition, in unknowns scaled by `scale`.
 Eigen::MatrixXd free_motions(const Eigen::MatrixXd& gram, const Eigen::VectorXd& scale) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * gram * scale.asDiagonal());
+  const Eigenpairs eigen = eigenpairs(scale.asDiagonal() * gram * scale.asDiagonal());
   constexpr double zero = 1e-11;  // rounding leaves about 1e-15, slender chains of parts 1e-6
-  return eigen.eigenvectors().leftCols((eigen.eigenvalues().array() < zero).count());
+  return eigen.vectors.leftCols((eigen.values.array() < zero).count());
 }
 
 struct Drive {

@@ -1,10 +1,10 @@
 #include "plate/formulation/parts/pieces.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <map>
 
 #include "plate/formulation/parts/disjoint_sets.hpp"
+#include "plate/model/dense.hpp"
 
 namespace plate {
 namespace {
@@ -85,8 +85,8 @@ std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& fa
     // scaled to a unit diagonal, because rows in lattice units grow with the size of the plate
     const Eigen::Matrix3d& g = gram[root];
     const Eigen::Vector3d scale = g.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0; });
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scale.asDiagonal() * g * scale.asDiagonal());
-    piece.free_modes = static_cast<int>((eigen.eigenvalues().array() < 1e-9).count());
+    const Eigenpairs eigen = eigenpairs(scale.asDiagonal() * g * scale.asDiagonal());
+    piece.free_modes = static_cast<int>((eigen.values.array() < 1e-9).count());
     result.push_back(piece);
   }
   std::stable_sort(result.begin(), result.end(), [](const Piece& a, const Piece& b) { return a.points > b.points; });

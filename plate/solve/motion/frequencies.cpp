@@ -1,7 +1,6 @@
 #include "plate/solve/motion/frequencies.hpp"
 
 #include <Spectra/SymEigsSolver.h>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/model/dense.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/section.hpp"
 #include "plate/solve/statics.hpp"
@@ -204,11 +204,10 @@ FrequencySolution frequencies(const Operator& plate, const Constraints& constrai
     const Forces force = pairs.stiffness_times(pairs.state(found.col(i)));
     for (Index j = 0; j < found.cols(); ++j) stiffness(j, i) = force.cwiseProduct(pairs.state(found.col(j))).sum();
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen((stiffness + stiffness.transpose()) / 2,
-                                                                 found.transpose() * found);
+  const Eigenpairs eigen = eigenpairs((stiffness + stiffness.transpose()) / 2, found.transpose() * found);
   FrequencySolution result{{}, inverse.solutions(), inverse.iterations()};
   for (Index i = 0; i < count; ++i)
-    result.modes.push_back(pairs.mode(eigen.eigenvalues()[i], pairs.state(found * eigen.eigenvectors().col(i))));
+    result.modes.push_back(pairs.mode(eigen.values[i], pairs.state(found * eigen.vectors.col(i))));
   return result;
 }
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
+#include "plate/model/dense.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/finite.hpp"
@@ -35,15 +35,13 @@ struct Solved {
 
 Solved solved(const LanczosSpace& space, const std::vector<TimedLoad>& loads, bool from_equilibrium) {
   if (space.size() == 0) return {{}, MovingModes({}, MatrixXd(0, Index(loads.size())), loads), 0};
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(space.stiffness());
-  const VectorXd& squares = eigen.eigenvalues();
-  if (eigen.info() != Eigen::Success || !(squares[0] > 0))
-    throw NumericalError("Lanczos vectors: the stiffness is not positive");
+  const Eigenpairs eigen = eigenpairs(space.stiffness());
+  const VectorXd& squares = eigen.values;
+  if (!eigen.found || !(squares[0] > 0)) throw NumericalError("Lanczos vectors: the stiffness is not positive");
   MatrixXd shares(space.size(), Index(loads.size()));
   for (std::size_t l = 0; l < loads.size(); ++l)
     shares.col(Index(l)) = space.vectors().transpose() * flat(loads[l].forces);
-  Solved result{eigen.eigenvectors(), MovingModes(squares, eigen.eigenvectors().transpose() * shares, loads),
-                squares.tail<1>()[0]};
+  Solved result{eigen.vectors, MovingModes(squares, eigen.vectors.transpose() * shares, loads), squares.tail<1>()[0]};
   if (from_equilibrium) result.modes.rest();
   return result;
 }

@@ -1,9 +1,9 @@
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <optional>
 #include <random>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/model/dense.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/reduction.hpp"
 
@@ -70,12 +70,10 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
     beta.push_back(std::sqrt(dot(next, next)));
     if (alpha.size() % check_every == 0) {
       const auto size = Eigen::Index(alpha.size());
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
-      ritz.computeFromTridiagonal(Eigen::Map<Eigen::VectorXd>(alpha.data(), size),
-                                  Eigen::Map<Eigen::VectorXd>(beta.data(), size - 1));
-      const double largest = ritz.eigenvalues()[size - 1];
-      if (beta.back() * std::abs(ritz.eigenvectors()(size - 1, size - 1)) < tolerance * largest)
-        return largest * (1 + margin);
+      const Eigenpairs ritz = tridiagonal_eigenpairs(Eigen::Map<Eigen::VectorXd>(alpha.data(), size),
+                                                     Eigen::Map<Eigen::VectorXd>(beta.data(), size - 1));
+      const double largest = ritz.values[size - 1];
+      if (beta.back() * std::abs(ritz.vectors(size - 1, size - 1)) < tolerance * largest) return largest * (1 + margin);
     }
     if (!(beta.back() > 0)) return std::nullopt;  // a plate so small that the space is exhausted
     before = std::move(now);
