@@ -26,13 +26,13 @@ namespace {
 enum ExitCode { done, beyond_tolerance, wrong_case, failed_numbers, failed_machine, interrupted };  // 0 to 5
 
 struct Arguments {
-  std::string file, folder, key, only, reference, plot, json;
+  std::string file, folder, key, only, reference, plot, json, part;
   std::vector<std::string> settings, removed, methods, tolerances;
   std::optional<double> within;  // tolerance of all measures
   post::ParisLaw law;
   double load = 1, ratio = 0;
   int threads = 0;
-  bool quiet = false, energy = false, schema = false, again = false, resume = false;
+  bool quiet = false, energy = false, schema = false, again = false, merge = false, resume = false;
 };
 
 void add_threads(CLI::App& command, Arguments& a) {
@@ -60,8 +60,9 @@ std::filesystem::path folder_of(const Arguments& a) {
 
 int run_study(const Arguments& a) {
   const auto study = cases::read_study(a.file);
-  const auto outcome = cases::run_study(study, {folder_of(a), a.quiet, a.again});
-  if (!a.quiet) fmt::print("{}", post::printed_study(outcome.table, study.title, folder_of(a)));
+  const auto outcome = cases::run_study(study, {folder_of(a), a.quiet, a.again, post::part_of(a.part), a.merge});
+  if (!a.quiet && a.part.empty()) fmt::print("{}", post::printed_study(outcome.table, study.title, folder_of(a)));
+  if (outcome.missing > 0) return interrupted;
   if (outcome.killed > 0) return failed_machine;
   if (outcome.failed_numbers > 0) return failed_numbers;
   return outcome.wrong_cases > 0 ? wrong_case : done;
@@ -217,7 +218,11 @@ void add_many(CLI::App& app, Arguments& a) {
   study->add_option("study", a.file, "study file (TOML)")->required();
   study->add_option("--out", a.folder, "folder of the results (default: results/STUDY)");
   add_threads(*study, a);
-  study->add_flag("--again", a.again, "make runs anew that are done already");
+  auto* again = study->add_flag("--again", a.again, "make runs anew that are done already");
+  study->add_option("--part", a.part, "make this share of the runs alone, and no tables: 3/16, the third of sixteen")
+      ->check(CLI::Validator(post::wrong_part, ""));
+  study->add_flag("--merge", a.merge, "make no run: tables, plots and report of what parts have made")
+      ->excludes("--part", again);
   study->add_flag("--quiet", a.quiet, "no lines on runs that succeed and no table");
   auto* extremes = app.add_subcommand("extremes", "cases at the edge of what can be computed, each against its oracle");
   extremes->add_option("table", a.file, "table of extremes (TOML)")->required();

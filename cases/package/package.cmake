@@ -30,6 +30,7 @@ install(DIRECTORY cases/ DESTINATION ${share}/cases FILES_MATCHING PATTERN "*.to
         PATTERN "*.svg" PATTERN driver EXCLUDE PATTERN input EXCLUDE PATTERN studies EXCLUDE PATTERN report EXCLUDE
         PATTERN package EXCLUDE PATTERN python EXCLUDE)
 install(FILES cases/python/crack_lengths.py DESTINATION ${share}/cases/python)
+install(PROGRAMS cases/studies/slurm.sh DESTINATION ${share}/cases/studies)
 install(FILES cases/package/copyright DESTINATION share/doc/pdplate)
 if(EXISTS ${PROJECT_SOURCE_DIR}/post/paraview)
   install(DIRECTORY post/paraview DESTINATION ${share}/post FILES_MATCHING PATTERN "*.py" PATTERN "*.md")

@@ -4,17 +4,12 @@
 
 #include "cases/driver/run.hpp"
 #include "cases/input/keys.hpp"
+#include "geometry/shape/outline.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/process.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/digest.hpp"
-#include "post/files/sinks/folder_lock.hpp"
 #include "post/files/summary.hpp"
-#include "post/report/say.hpp"
-#include "post/studies/orders.hpp"
-#include "post/studies/plots.hpp"
-#include "post/studies/runs/repeated.hpp"
-#include "post/studies/runs/study_files.hpp"
 
 namespace cases {
 namespace {
@@ -75,37 +70,18 @@ post::StudyRow bare_row(const StudyRun& run) {
 }
 
 StudyOutcome run_study(const Study& study, const StudyOptions& options) {
-  StudyOutcome outcome{{study.axis_names(), {}}};
-  auto& table = outcome.table;
-  fs::create_directories(options.folder);
-  const post::FolderLock lock(options.folder);
-  if (!lock.held()) throw CaseError({{"--out", options.folder.string(), "another study writes to this folder"}});
-  if (options.again) fs::remove(options.folder / "runs.csv");
-  const plate::StopOnSignals signals;
-  post::Ledger ledger(options.folder / "runs.csv");
-  for (std::size_t i = 0; i < study.runs.size(); ++i) {
-    const auto& run = study.runs[i];
-    const auto wanted = wanted_record(run);
-    const auto kept = post::kept_record(wanted, study.repeats, options.folder, ledger);
-    const auto record = kept ? *kept : post::new_record(wanted, study.repeats, options.folder, ledger, [&] {
-      return run_once(run.file, options.folder / run.folder);
-    });
-    outcome.wrong_cases += record.outcome == "refused";
-    outcome.failed_numbers += record.outcome == "failed";
-    outcome.killed += record.outcome == "killed" || record.outcome == "interrupted";
-    const auto rows = post::rows_of(record, bare_row(run), run.wanted, options.folder);
-    table.rows.insert(table.rows.end(), rows.begin(), rows.end());
-    post::refer_to_finest(table);
-    post::write_study(table, titles(study), options.folder);
-    for (const auto& row : rows) {
-      const bool is_first = &row == &rows.front();
-      if ((is_first && !options.quiet) || !row.message.empty())
-        post::say(fmt::format("[{}/{}] {}{}\n", i + 1, study.runs.size(), post::to_text(row),
-                              kept && is_first ? " (done before)" : ""));
-    }
-    plate::stop_if_asked("a study: the same command goes on from here");
+  post::StudyJobs work{titles(study), study.axis_names(), {}, study.repeats};
+  for (const auto& run : study.runs) {
+    const auto& c = run.file.content;
+    work.jobs.push_back({wanted_record(run), bare_row(run), run.wanted,
+                         post::weight(geometry::area(c.outline), c.discretization.spacing),
+                         [&] { return run_once(run.file, options.folder / run.folder); }});
   }
-  return outcome;
+  try {
+    return post::run_study(work, options);
+  } catch (const post::StudyRefused& refused) {
+    throw CaseError({{refused.option, refused.value, refused.what()}});
+  }
 }
 
 }  // namespace cases

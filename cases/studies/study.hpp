@@ -1,6 +1,7 @@
 #pragma once
 #include "cases/input/case_file.hpp"
 #include "cases/studies/plan.hpp"
+#include "post/studies/runs/study_run.hpp"
 
 namespace cases {
 
@@ -25,21 +26,9 @@ post::StudyRow bare_row(const StudyRun& run);
 /// Throws CaseError with all problems of the study file and of all cases.
 Study read_study(const std::filesystem::path& path);
 
-struct StudyOptions {
-  std::filesystem::path folder;  // one folder per run, and the tables
-  bool quiet = false;
-  bool again = false;  // makes runs anew that are done already
-};
+using post::StudyOptions, post::StudyOutcome;
 
-struct StudyOutcome {
-  post::StudyTable table;
-  std::size_t wrong_cases = 0, failed_numbers = 0, killed = 0;  // runs by what ended them
-};
-
-/// Runs a study: each run in a process and into a folder of its own, unless it is done already, with the same settings
-/// and by the same program; study.csv, study.json, orders.csv, runs.csv and the plots after every run. A run that is
-/// refused, fails or is killed becomes a row with its message; other errors (disk full) end the study. A line per run,
-/// unless quiet; failures are always said.
+/// Runs a study, a part of it, or merges its parts: post::run_study. Throws CaseError where another process is at it.
 StudyOutcome run_study(const Study& study, const StudyOptions& options);
 
 }  // namespace cases

@@ -27,6 +27,7 @@ std::vector<std::string> strangers(const fs::path& folder) {
   std::vector<std::string> names;
   if (!fs::is_directory(folder, none) || fs::exists(folder / mark, none)) return names;
   for (const auto& entry : fs::directory_iterator(folder, none)) names.push_back(entry.path().filename().string());
+  std::erase(names, std::string(mark) + ".partial");  // of a run that was killed at its first file
   std::ranges::sort(names);
   return names;
 }

@@ -1,14 +1,14 @@
 // Every case file of the tree reads and runs, coarse, through the program itself.
-#include <sys/wait.h>
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 
 #include "cases/studies/study.hpp"
+#include "tests/cases/program.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/unit/post/xml.hpp"
 
 namespace fs = std::filesystem;
+using program_run::Ended, program_run::program;
 using small_run::TemporaryFolder;
 using small_run::text_of;
 
@@ -26,25 +26,6 @@ std::vector<fs::path> toml_files(bool studies) {
       if (entry.path().extension() == ".toml" && is_study(entry.path()) == studies) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
-}
-
-std::string quoted(const std::string& text) {
-  REQUIRE(text.find('\'') == std::string::npos);
-  return "'" + text + "'";
-}
-
-struct Ended {
-  int exit_code;
-  std::string output;  // standard output and errors
-};
-
-Ended program(const std::vector<std::string>& arguments) {
-  const TemporaryFolder scratch;
-  std::string command = quoted(PDPLATE_PROGRAM);
-  for (const auto& argument : arguments) command += " " + quoted(argument);
-  const int status = std::system((command + " > " + quoted((scratch / "output").string()) + " 2>&1").c_str());
-  REQUIRE(WIFEXITED(status));
-  return {WEXITSTATUS(status), text_of(scratch / "output")};
 }
 
 Ended run(const fs::path& file, const fs::path& folder, const std::vector<std::string>& settings) {

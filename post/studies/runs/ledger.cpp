@@ -37,7 +37,7 @@ std::vector<Cell> row_of(const RunRecord& r) {
                         cell("id " + r.digest),  // words, not numbers
                         cell("version " + r.version),
                         cell(r.outcome),
-                        cell(one_line(r.message)),
+                        cell(r.message),
                         double(r.cost.repeats),
                         cell(stage(r.cost, "total")),
                         r.cost.repeats > 0 ? Cell(r.cost.least) : Cell(),
@@ -87,41 +87,51 @@ Cost cost_of(const std::vector<std::vector<std::pair<std::string, double>>>& sec
   return cost;
 }
 
-Ledger::Ledger(std::filesystem::path file) : file_(std::move(file)) {
-  if (!std::filesystem::exists(file_)) return;
+Ledger::Ledger(const std::filesystem::path& study) : folder_(study / ".runs") {}  // plain_name: no run is called so
+
+std::filesystem::path Ledger::file_of(const std::string& run) const {
+  return folder_ / (run + ".csv");
+}
+
+std::optional<RunRecord> Ledger::known(const std::string& run) const {
   try {
-    const auto table = read_csv(file_);
-    for (const auto& row : table.rows) records_.push_back(record_of(table, row));
+    if (!std::filesystem::exists(file_of(run))) return std::nullopt;
+    const auto table = read_csv(file_of(run));
+    return record_of(table, table.rows.at(0));
   } catch (const std::exception&) {
-    records_.clear();  // of another version: all runs are made anew
+    return std::nullopt;  // of another version, or forgotten just now: the run is made anew
   }
 }
 
 std::optional<RunRecord> Ledger::done(const RunRecord& wanted, std::size_t repeats) const {
-  const auto found = std::ranges::find(records_, wanted.run, &RunRecord::run);
-  if (found == records_.end() || found->outcome != "done" || found->digest != wanted.digest ||
-      found->version != wanted.version || found->cost.repeats < repeats)
+  auto found = known(wanted.run);
+  if (!found || found->outcome != "done" || found->digest != wanted.digest || found->version != wanted.version ||
+      found->cost.repeats < repeats)
     return std::nullopt;
-  return *found;
+  return found;
 }
 
-void Ledger::put(RunRecord record) {
-  const auto found = std::ranges::find(records_, record.run, &RunRecord::run);
-  if (found == records_.end())
-    records_.push_back(std::move(record));
-  else
-    *found = std::move(record);
-  write();
+void Ledger::put(const RunRecord& record) const {
+  std::filesystem::create_directories(folder_);
+  write_csv(file_of(record.run), {columns(), {row_of(record)}});
 }
 
-void Ledger::forget(const std::string& run) {
-  if (std::erase_if(records_, [&](const RunRecord& record) { return record.run == run; }) > 0) write();
+void Ledger::forget(const std::string& run) const {
+  std::filesystem::remove(file_of(run));
 }
 
-void Ledger::write() const {
+bool same_program(const RunRecord& record, const RunRecord& wanted) {
+  const auto without_kernels = [](const std::string& version) { return version.substr(0, version.find(" AVX")); };
+  return without_kernels(record.version) == without_kernels(wanted.version);
+}
+
+void write_records(const std::filesystem::path& file, std::vector<RunRecord> records) {
   Table table{columns(), {}};
-  for (const auto& record : records_) table.rows.push_back(row_of(record));
-  write_csv(file_, table);
+  for (auto& record : records) {
+    record.message = one_line(record.message);
+    table.rows.push_back(row_of(record));
+  }
+  write_csv(file, table);
 }
 
 }  // namespace post

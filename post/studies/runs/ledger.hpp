@@ -24,24 +24,35 @@ struct RunRecord {
   Cost cost = {};
 };
 
-/// runs.csv: what became of every run of a study, so that it can go on where it was ended.
+/// What became of every run of a study, so that it can go on where it was ended: a file for each, so that processes on
+/// several machines keep one ledger. Of one run one process writes at a time (NamedLock); readers find a file whole.
 class Ledger {
 public:
-  /// Takes what an earlier study left in `file`, as far as it can be read.
-  explicit Ledger(std::filesystem::path file);
+  /// In a folder of its own below that of the study, whose name no run has.
+  explicit Ledger(const std::filesystem::path& study);
 
+  /// What there is of a run, as far as it can be read.
+  std::optional<RunRecord> known(const std::string& run) const;
   /// The record of a run that is done, with the same settings, by the same program and at least so often.
   std::optional<RunRecord> done(const RunRecord& wanted, std::size_t repeats) const;
-  /// Writes the file.
-  void put(RunRecord record);
+  void put(const RunRecord& record) const;
   /// Forgets a run, which is about to be made anew.
-  void forget(const std::string& run);
+  void forget(const std::string& run) const;
+
+  /// The file of the locks of its writers.
+  std::filesystem::path locks() const { return folder_ / "locks"; }
 
 private:
-  void write() const;
+  std::filesystem::path file_of(const std::string& run) const;
 
-  std::filesystem::path file_;
-  std::vector<RunRecord> records_;
+  std::filesystem::path folder_;
 };
+
+/// Has a run been made by the program that is wanted, or by that of another instruction set beside it? A package holds
+/// several, of which every processor takes its own: they differ by rounding.
+bool same_program(const RunRecord& record, const RunRecord& wanted);
+
+/// Writes runs.csv: a row and a line for each record.
+void write_records(const std::filesystem::path& file, std::vector<RunRecord> records);
 
 }  // namespace post

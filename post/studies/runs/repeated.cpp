@@ -20,7 +20,7 @@ std::optional<RunRecord> kept_record(const RunRecord& wanted, std::size_t repeat
   return known;
 }
 
-RunRecord new_record(RunRecord wanted, std::size_t repeats, const std::filesystem::path& folder, Ledger& ledger,
+RunRecord new_record(RunRecord wanted, std::size_t repeats, const std::filesystem::path& folder, const Ledger& ledger,
                      const std::function<Ended()>& run) {
   ledger.forget(wanted.run);
   std::vector<std::vector<std::pair<std::string, double>>> seconds;

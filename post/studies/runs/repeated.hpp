@@ -15,7 +15,7 @@ std::optional<RunRecord> kept_record(const RunRecord& wanted, std::size_t repeat
 
 /// Makes a run so often, each in a process of its own, or until one ends otherwise, and writes what it came to into the
 /// ledger. Throws std::runtime_error where the machine fails.
-RunRecord new_record(RunRecord wanted, std::size_t repeats, const std::filesystem::path& folder, Ledger& ledger,
+RunRecord new_record(RunRecord wanted, std::size_t repeats, const std::filesystem::path& folder, const Ledger& ledger,
                      const std::function<Ended()>& run);
 
 /// The rows of a run that has come to this. `row` has what is the same in all of them: labels, spacing, horizon.

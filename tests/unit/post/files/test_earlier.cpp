@@ -30,6 +30,12 @@ TEST_CASE("earlier results: no folder and an empty one are free, one with other 
   CHECK(fs::exists(folder.path / "notes.txt"));
 }
 
+TEST_CASE("earlier results: the folder of a run that was killed at its first file is free") {
+  const Folder folder;
+  folder.file("case.resolved.toml.partial");
+  CHECK(post::strangers(folder.path).empty());
+}
+
 TEST_CASE("earlier results: all that a run writes goes, the rest stays") {
   const Folder folder;
   for (const char* name : {"case.resolved.toml", "summary.json", "history.csv", "srif.csv", "fields.pvd",

@@ -1,5 +1,6 @@
 #include "post/studies/runs/ledger.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/unit/post/small_run.hpp"
@@ -29,15 +30,14 @@ TEST_CASE("cost: medians by stage, and the spread of the total") {
 
 TEST_CASE("ledger: what is done is found again, with names and digests that look like numbers") {
   const small_run::TemporaryFolder folder;
-  const auto file = folder / "runs.csv";
   {
-    Ledger ledger(file);
+    const Ledger ledger(folder.path());
     for (const char* run : {"0.05", "1e3", "a_b"}) ledger.put(record(run));
     ledger.put(record("b", "failed"));
     ledger.put(record("c"));
     ledger.forget("c");
   }
-  const Ledger ledger(file);
+  const Ledger ledger(folder.path());
   for (const char* run : {"0.05", "1e3", "a_b"}) {
     const auto found = ledger.done(record(run), 3);
     REQUIRE(found);
@@ -58,6 +58,34 @@ TEST_CASE("ledger: what is done is found again, with names and digests that look
 
 TEST_CASE("ledger: what cannot be read counts for nothing") {
   const small_run::TemporaryFolder folder;
-  std::ofstream(folder / "runs.csv") << "run,digest\n./a\n";
-  CHECK_FALSE(Ledger(folder / "runs.csv").done(record("a"), 1));
+  const Ledger ledger(folder.path());
+  ledger.put(record("a"));
+  for (const char* text : {"run,digest\n./a\n", "", "run,digest\n", "\"", "a,a\n1,2\n"}) {
+    std::ofstream(folder / ".runs/a.csv") << text;
+    CHECK_FALSE(ledger.known("a"));
+    CHECK_FALSE(ledger.done(record("a"), 1));
+  }
+  CHECK_FALSE(ledger.known("none"));
+}
+
+TEST_CASE("ledger: a message is kept as it was said, and is a line of runs.csv") {
+  const small_run::TemporaryFolder folder;
+  const Ledger ledger(folder.path());
+  ledger.put(record("b", "failed"));
+  CHECK(ledger.known("b")->message == "a message,\nin two lines");
+  CHECK(ledger.known("b")->outcome == "failed");
+  post::write_records(folder / "runs.csv", {record("a"), *ledger.known("b")});
+  const auto text = small_run::text_of(folder / "runs.csv");
+  CHECK(std::ranges::count(text, '\n') == 3);
+  CHECK_THAT(text, Catch::Contains("\"a message,; in two lines\""));
+}
+
+TEST_CASE("ledger: programs of one package are the same, whatever their instruction set") {
+  const auto same = [](const std::string& one, const std::string& other) {
+    return post::same_program({"a", "0", one, "done"}, {"a", "0", other, "done"});
+  };
+  CHECK(same("0.1 of 17 AVX2", "0.1 of 17 AVX-512"));
+  CHECK(same("0.1 of 17", "0.1 of 17 AVX2"));
+  CHECK_FALSE(same("0.1 of 17", "0.1 of 18"));
+  CHECK_FALSE(same("0.1 of 17", "0.2 of 17"));
 }

@@ -23,7 +23,7 @@ Ended run(const small_run::TemporaryFolder& folder, const std::string& outcome) 
 
 TEST_CASE("repeated: what is done is kept while its results are there") {
   const small_run::TemporaryFolder folder;
-  Ledger ledger(folder / "runs.csv");
+  const Ledger ledger(folder.path());
   CHECK_FALSE(post::kept_record(wanted, 2, folder.path(), ledger));
   const auto record = post::new_record(wanted, 2, folder.path(), ledger, [&] { return run(folder, "done"); });
   CHECK(record.outcome == "done");
@@ -36,7 +36,7 @@ TEST_CASE("repeated: what is done is kept while its results are there") {
 
 TEST_CASE("repeated: a run that is refused is made once, and is a row with its message") {
   const small_run::TemporaryFolder folder;
-  Ledger ledger(folder / "runs.csv");
+  const Ledger ledger(folder.path());
   const auto record = post::new_record(wanted, 3, folder.path(), ledger, [&] { return run(folder, "refused"); });
   CHECK(small_run::text_of(folder / "counted") == "x");
   CHECK_FALSE(post::kept_record(wanted, 1, folder.path(), ledger));
