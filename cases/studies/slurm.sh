@@ -13,7 +13,7 @@ usage='usage: slurm.sh PARTS STUDY.toml [--out DIR] [--again] [-- options of sba
 
 if [[ -n ${SLURM_ARRAY_TASK_ID:-} ]]; then  # a part
   exec "$program" study "$@" --part "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_MAX" --threads "${SLURM_CPUS_PER_TASK:-1}"
-elif [[ -n ${SLURM_JOB_ID:-} ]]; then  # all of them have ended
+elif [[ -n ${SLURM_JOB_ID:-} && ! ${1:-} =~ ^[0-9]+$ ]]; then  # all of them have ended
   exec "$program" study "$@" --merge
 fi
 

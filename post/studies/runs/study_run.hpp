@@ -44,8 +44,8 @@ struct StudyOutcome {
 /// Another process is at the same work, or there is nothing to merge.
 class StudyRefused : public std::runtime_error {
 public:
-  StudyRefused(std::string option, std::string value, const std::string& what)
-      : runtime_error(what), option(std::move(option)), value(std::move(value)) {}
+  StudyRefused(std::string of, std::string given, const std::string& what)
+      : runtime_error(what), option(std::move(of)), value(std::move(given)) {}
   std::string option, value;  // of the command line
 };
 
