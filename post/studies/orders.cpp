@@ -89,6 +89,18 @@ std::vector<StudyLine> lines(const std::vector<StudyRow>& rows, std::optional<st
   return result;
 }
 
+namespace {
+
+/// Is there a run to be made that may be finer than this row, of the same labels but along the refinement?
+bool lacks_finer(const StudyTable& study, const StudyRow& finest, std::size_t along) {
+  return std::ranges::any_of(study.rows, [&](const StudyRow& row) {
+    return row.outcome == "missing" && row.spacing && *row.spacing <= *finest.spacing &&
+           without(row.labels, along) == without(finest.labels, along);
+  });
+}
+
+}  // namespace
+
 void refer_to_finest(StudyTable& study) {
   const auto along = refinement(study.rows);
   if (!along || along->by_horizon) return;
@@ -105,7 +117,13 @@ void refer_to_finest(StudyTable& study) {
     });
     if (candidates.empty()) continue;
     const std::size_t finest = *std::ranges::min_element(candidates, is_finer);
+    const bool is_missing = lacks_finer(study, study.rows[finest], along->axis);
     for (const std::size_t i : candidates) {
+      if (is_missing) {
+        study.rows[i].reference.reset();
+        study.rows[i].source = "the finest is missing";
+        continue;
+      }
       study.rows[i].reference = i == finest ? std::nullopt : study.rows[finest].computed;
       study.rows[i].source = i == finest ? "this is the finest" : "finest: " + study.rows[finest].labels[along->axis];
     }

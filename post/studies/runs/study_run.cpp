@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Use = NamedLock::Use;
 
-constexpr auto patience = 3s;  // for the children of a process that was killed: they end with the system's next look
+constexpr auto patience = 2s;  // for the children of a process that was killed: they end with the system's next look
 constexpr auto pause = 200ms;  // between looks at a run that another process makes
 
 /// What became of the runs of a study so far.
@@ -78,7 +78,7 @@ private:
 /// Why a run that is known to the ledger, or is not, cannot be merged; empty where it can.
 std::string lack(const std::optional<RunRecord>& known, const StudyJob& job, std::size_t repeats,
                  const fs::path& folder) {
-  if (!known) return "not made yet, or not to its end";
+  if (!known) return "not made to its end";
   if (known->digest != job.wanted.digest) return "made with other settings";
   if (!same_program(*known, job.wanted)) return "made by another build of the program: " + known->version;
   if (known->outcome == "interrupted") return "was interrupted";

@@ -130,3 +130,19 @@ TEST_CASE("orders.csv has the axes but that of the refinement") {
   CHECK_THAT(text, Catch::StartsWith("h    quantity  place   against") && !Catch::Contains("srif_method"));
   CHECK(post::orders_table({{"load"}, {}}).rows.empty());
 }
+
+TEST_CASE("where the finest run is missing, none of its line has a reference, and the other lines do") {
+  auto table = study_of_powers::study();
+  for (auto& each : table.rows) each.against_finest = each.quantity == "w";
+  auto finest = table.rows[10];
+  finest.outcome = "missing", finest.quantity = finest.place = "", finest.computed.reset();
+  table.rows.erase(table.rows.begin() + 10, table.rows.end());
+  table.rows.push_back(finest);
+  post::refer_to_finest(table);
+  for (const auto& row : table.rows) {
+    if (row.quantity != "w") continue;
+    CHECK(row.reference.has_value() == (row.labels == std::vector<std::string>{"0.1", "0.1"} ||
+                                        row.labels == std::vector<std::string>{"0.1", "0.05"}));
+    CHECK((row.source == "the finest is missing") == (row.labels[0] == "0.2"));
+  }
+}
