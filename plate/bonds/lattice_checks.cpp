@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "geometry/lattice/cell_index.hpp"
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {

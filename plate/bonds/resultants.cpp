@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 
 namespace plate {
 

@@ -4,7 +4,7 @@
 
 #include "plate/bonds/parameters/position_aware.hpp"
 #include "plate/bonds/resultants.hpp"
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 
 namespace plate {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <cmath>
 #include <functional>
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {

@@ -1,7 +1,7 @@
 #include "plate/formulation/interpolation.hpp"
 
 #include "geometry/cells/locator.hpp"
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 
 #include <algorithm>
 

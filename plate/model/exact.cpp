@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 
 namespace plate::exact {
 

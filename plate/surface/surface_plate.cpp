@@ -1,7 +1,7 @@
 #include "plate/surface/surface_plate.hpp"
 
 #include <stdexcept>
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {

@@ -1,7 +1,7 @@
 #include "post/factors/displacement_extrapolation.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/tip_frame.hpp"
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 #include "plate/model/state.hpp"
 
 #include <algorithm>

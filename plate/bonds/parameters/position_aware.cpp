@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 
 namespace plate {
 namespace {

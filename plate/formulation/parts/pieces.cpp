@@ -4,7 +4,7 @@
 #include <map>
 
 #include "plate/formulation/parts/disjoint_sets.hpp"
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 
 namespace plate {
 namespace {

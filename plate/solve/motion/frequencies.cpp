@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "plate/formulation/constraints.hpp"
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/section.hpp"
 #include "plate/solve/statics.hpp"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/finite.hpp"

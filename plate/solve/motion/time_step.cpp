@@ -3,7 +3,7 @@
 #include <random>
 
 #include "plate/formulation/constraints.hpp"
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/reduction.hpp"
 

@@ -1,4 +1,4 @@
-#include "plate/model/dense.hpp"
+#include "plate/model/algebra/dense.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
