@@ -27,6 +27,7 @@ Discretised discretise(const Problem& problem) {
   require_memory(problem);
   Problem settled = problem;
   settled.discretization.formulation = &formulation_of(problem.discretization);
+  settled.supports = settled_supports(problem);
   return settled.discretization.formulation->discretise(settled);
 }
 

@@ -11,6 +11,7 @@ std::string key_of(const plate::Refusal& refusal) {
                                                           {cracks, "geometry.cracks"},
                                                           {spacing, "discretization.spacing"},
                                                           {volume_correction, "discretization.volume_correction"},
+                                                          {edge_method, "discretization.boundary"},
                                                           {support, "support"},
                                                           {support_points, "support[{}].points"},
                                                           {support_edges, "support[{}].edges"},

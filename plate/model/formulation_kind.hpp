@@ -14,7 +14,7 @@ enum class Feature {
   volume_correction,
   surface_correction,
   full_horizon,
-  surface_nodes,  // on edges
+  surface_nodes,  // on edges, or another choice of what stands beyond them
   twist_match,
   layers,         // supports by layers outside the plate
   any_direction,  // supports of every kind on edges of any direction

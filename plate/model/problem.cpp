@@ -2,6 +2,13 @@
 
 namespace plate {
 
+std::vector<Support> settled_supports(const Problem& problem) {
+  auto supports = problem.supports;
+  if (problem.discretization.boundary == EdgeMethod::layer)
+    for (auto& support : supports) support.kind = in_layer(support.kind);
+  return supports;
+}
+
 std::vector<geometry::CrackPath> crack_paths(const Problem& problem) {
   return geometry::crack_paths(problem.outline, problem.cracks, geometry::tolerance(problem.outline));
 }

@@ -19,6 +19,9 @@ struct Problem {
   std::vector<Load> loads;
 };
 
+/// Its supports as the discretisation holds them: in layers where it says so.
+std::vector<Support> settled_supports(const Problem& problem);
+
 /// Its cracks as paths [length].
 std::vector<geometry::CrackPath> crack_paths(const Problem& problem);
 

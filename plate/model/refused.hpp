@@ -11,6 +11,7 @@ enum class Subject {
   cracks,
   spacing,
   volume_correction,
+  edge_method,
   support,
   support_points,
   support_edges,

@@ -28,4 +28,7 @@ struct Support {
 /// Of the kinds that hold points outside the plate.
 bool is_layer(SupportKind kind);
 
+/// The kind that holds the same in a layer; the kind itself where there is none.
+SupportKind in_layer(SupportKind kind);
+
 }  // namespace plate

@@ -68,9 +68,9 @@ Fields<plate::Discretization> discretization_fields() {
       choice<D, TwistMatch>("twist_match", &D::twist_match,
                             {{{"frame_invariant", TwistMatch::frame_invariant}, {"paper", TwistMatch::paper}}},
                             "calibration of the twist constant: independent of the axes, or as in Dai 35"),
-      choice<D, EdgeMethod>("boundary", &D::boundary,
-                            {{{"images", EdgeMethod::images}, {"surface_nodes", EdgeMethod::surface_nodes}}},
-                            "edges by mirror images and rows that follow, or by surface nodes; bonds only"),
+      choice<D, EdgeMethod>("boundary", &D::boundary, {edge_methods},
+                            "held edges by mirror images and rows that follow or by layers, or all edges by surface "
+                            "nodes; bonds only"),
       number<D>("tip_spacing", "length", &D::tip_spacing, positive, "distance of the points at crack tips")
           .with(graded),
       number<D>("hole_spacing", "length", &D::hole_spacing, positive, "distance of the points at holes").with(graded),

@@ -21,6 +21,8 @@ bool axis_parallel(const geometry::Outline& outline, const std::string& name) {
   return true;
 }
 
+constexpr auto in_a_layer = ": boundary = \"layer\" holds it in a layer; choose \"images\"";
+
 bool needs_axis_parallel(SupportKind kind) {
   return kind == SupportKind::symmetry || kind == SupportKind::simply_supported_hard || is_layer(kind);
 }
@@ -34,11 +36,22 @@ void check_names(const std::vector<std::string>& names, const std::vector<std::s
                                    listed(existing))});
 }
 
+/// Is there nothing that layers, which the discretisation asks for, would hold?
+bool layers_in_vain(const Problem& problem, const std::vector<Support>& settled) {
+  return problem.discretization.boundary == EdgeMethod::layer &&
+         problem.discretization.formulation->offers(Feature::surface_nodes) &&
+         std::ranges::none_of(settled, [](const Support& support) { return is_layer(support.kind); });
+}
+
 void check_supports(const Problem& problem, std::vector<Refusal>& found) {
   const auto existing = geometry::edge_names(problem.outline);
+  const auto supports = settled_supports(problem);
   std::map<std::string, std::size_t> holder;
-  for (std::size_t i = 0; i < problem.supports.size(); ++i) {
-    const auto& support = problem.supports[i];
+  if (layers_in_vain(problem, supports))
+    found.push_back({Subject::edge_method, 0,
+                     "no edge is clamped or simply supported: a layer would hold nothing; choose \"images\""});
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const auto& support = supports[i];
     check_names(support.edges, existing, Subject::support_edges, i, found);
     for (const auto& edge : support.edges) {
       const auto [first, fresh] = holder.emplace(edge, i);
@@ -49,8 +62,8 @@ void check_supports(const Problem& problem, std::vector<Refusal>& found) {
       if (!any_direction && needs_axis_parallel(support.kind) && !axis_parallel(problem.outline, edge))
         found.push_back({Subject::support_direction, i,
                          fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
-                                     "of support needs because it mirrors or extends the lattice there",
-                                     edge)});
+                                     "of support needs because it mirrors or extends the lattice there{}",
+                                     edge, support.kind == problem.supports[i].kind ? "" : in_a_layer)});
     }
     for (const auto& point : support.points)
       if (!on_plate(problem.outline, point))

@@ -41,6 +41,7 @@ std::vector<Asked> all_asked() {
           {{"discretization.full_horizon=lattice"}, "full_horizon"},
           {{"discretization.twist_match=paper"}, "twist_match"},
           {{"discretization.boundary=images"}, "boundary", false},
+          {{"discretization.boundary=layer"}, "boundary"},
           {{"support[0].kind=clamped_layer"}, "a layer outside the plate"},
           {{"support[0].kind=simply_supported_layer"}, "a layer outside the plate"},
           {{"support[0].kind=simply_supported_hard_layer"}, "a layer outside the plate"},

@@ -61,3 +61,18 @@ TEST_CASE("faults of edges: a force at a point lies inside the plate, a pin on i
   problem.loads = {force};
   CHECK(found(problem) == Found{{Subject::load_position, 0}});
 }
+
+TEST_CASE("faults of edges: layers need straight edges along the axes, whatever they hold, and something to hold") {
+  auto problem = square();
+  problem.discretization.boundary = plate::EdgeMethod::layer;
+  CHECK(found(problem).empty());
+  problem.outline.outer = {{{0, 0}, {1, 0}, {1.2, 1}, {0, 1}}, {"bottom", "right", "top", "left"}};
+  problem.supports = {{plate::SupportKind::simply_supported, {"left", "right"}, {}}};
+  CHECK(found(problem) == Found{{Subject::support_direction, 0}});
+  CHECK_THAT(plate::faults_of_edges(problem)[0].what, Catch::Contains("choose \"images\""));
+  using enum plate::SupportKind;
+  problem.supports = {{symmetry, {"left"}, {}}, {plate::SupportKind::free, {"top"}, {}}, {pinned, {}, {{0.5, 0.5}}}};
+  CHECK(found(problem) == Found{{Subject::edge_method, 0}});
+  problem.discretization.formulation = plate::formulations().front();  // refuses the key itself
+  CHECK(found(problem).empty());
+}
