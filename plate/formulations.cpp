@@ -19,8 +19,9 @@ const FormulationKind& other_formulation(const FormulationKind& one) {
 }
 
 const FormulationKind& formulation_of(const Discretization& d) {
-  return d.boundary == EdgeMethod::surface_nodes && d.formulation == &ordinary ? bonds_with_surface_nodes
-                                                                               : *d.formulation;
+  if (d.formulation != &ordinary) return *d.formulation;
+  if (d.boundary == EdgeMethod::fictitious_nodes) return bonds_with_fictitious_nodes;
+  return d.boundary == EdgeMethod::surface_nodes ? bonds_with_surface_nodes : *d.formulation;
 }
 
 Discretised discretise(const Problem& problem) {

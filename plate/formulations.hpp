@@ -12,7 +12,8 @@ const std::vector<const FormulationKind*>& formulations();
 /// The one of these that a plate may be solved with beside its own.
 const FormulationKind& other_formulation(const FormulationKind& one);
 
-/// The formulation of a discretisation: that of bonds is another one with surface nodes.
+/// The formulation of a discretisation: that of bonds is another one with surface nodes or
+/// fictitious nodes.
 const FormulationKind& formulation_of(const Discretization& discretization);
 
 }  // namespace plate

@@ -37,6 +37,20 @@ void look_for_coarseness(double strain, double work, const plate::Formulation& p
   if (apart > told) warnings.push_back(text);
 }
 
+/// How far the conditions at edges are from equilibrium. Measured with fictitious nodes, 22 kinds of support and load
+/// that are not refused: deflections 5 % off at most up to 2.3, then 6 % beside images where moments on free edges meet
+/// held ones (2.6), 7 % (3.7).
+void look_at_multipliers(double share, const plate::Formulation& plate, std::vector<std::string>& warnings) {
+  constexpr double told = 1, most = 2.5;
+  if (share <= told) return;
+  const auto text = fmt::format(
+      "multipliers add forces of {:.2g} of the loads beside the edges: what is asked for there and equilibrium are far "
+      "apart, and the result may be off by some percent",
+      share);
+  if (share > most) throw plate::NumericalError(fmt::format("{}: {}", text, plate.remedy()));
+  warnings.push_back(fmt::format("{}; {}", text, plate.remedy()));
+}
+
 /// A run on its way.
 struct Going {
   const Ready& ready;
@@ -76,6 +90,7 @@ void solve_static(const Going& run) {
   results.sample(end, true);
   stopwatch.lap("srif");
   results.frame(end);
+  summary.multipliers = plate.multipliers(solution.state);
   summary.energy = {{"strain", results.strain_energy()}, {"external_work", end.external_work}};
   if (!post::moves(solution.state, work))
     post::require_motion(plate, {plate.total_load()}, solution.state, work, summary.warnings);
@@ -86,6 +101,7 @@ void solve_static(const Going& run) {
     post::EnergyGate(post::EnergyGate::Plate::rests).look({strain, strain, work}, "in equilibrium");
   else
     look_for_coarseness(strain, work, plate, summary.warnings);
+  if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate, summary.warnings);
 }
 
 /// Takes the rows and frames of a motion, as far as the step `last`.

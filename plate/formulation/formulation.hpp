@@ -110,8 +110,7 @@ public:
   virtual ChosenPreconditioner preconditioner(Preconditioning wanted) const = 0;
   /// The plate itself, factorised. Only of kinds that offer it.
   virtual std::unique_ptr<Preconditioner> factor() const;
-  /// Nothing in kinds that do not offer it.
-  virtual SingleForce single_precision() const { return {}; }
+  virtual SingleForce single_precision() const { return {}; }  // nothing in kinds that do not offer it
   /// Bonds over a horizon that may break; none in kinds that do not offer it.
   virtual const LatticeOperator* breaking() const { return nullptr; }
 
@@ -120,6 +119,8 @@ public:
   virtual std::optional<MatchCounts> matched() const { return std::nullopt; }
   /// A line on what a small plate with the same edges tells of them; nothing of kinds that are sound with any.
   virtual std::string of_edges() const { return ""; }
+  /// The forces that multipliers add in the equilibrium under all loads, over these; of kinds with multipliers.
+  virtual std::optional<double> multipliers(const State&) const { return std::nullopt; }
   /// What of the results is not to be trusted at this discretisation. `factors`: intensity factors are asked for.
   virtual std::vector<std::string> distrust(bool factors) const = 0;
   /// What would resolve the layer beside faces in which K2 and K3 live: "take discretization.spacing = 0.01".

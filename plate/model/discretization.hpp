@@ -28,15 +28,17 @@ enum class FullHorizon { continuum, lattice };
 /// Calibration of b_b in the arbitrary horizon domain: independent of the axes, or Dai 35.
 enum class TwistMatch { frame_invariant, paper };
 
-/// What stands beyond the edges: mirror images and rows that follow where edges are held, the layers of Dai et al. there,
-/// or surface nodes on all edges (Sca23, for the plate).
-enum class EdgeMethod { images, layer, surface_nodes };
+/// What stands beyond the edges: mirror images and rows that follow where edges are held, the layers of Dai et al.
+/// there, surface nodes on all edges (Sca23, for the plate), or nodes whose values are expanded from those inside, with
+/// conditions at all edges by Lagrange multipliers (Sca21, for the plate).
+enum class EdgeMethod { images, layer, surface_nodes, fictitious_nodes };
 
 /// By their names in case files.
 inline const std::vector<std::pair<std::string, EdgeMethod>> edge_methods{
     {"images", EdgeMethod::images},
     {"layer", EdgeMethod::layer},
-    {"surface_nodes", EdgeMethod::surface_nodes}};
+    {"surface_nodes", EdgeMethod::surface_nodes},
+    {"fictitious_nodes", EdgeMethod::fictitious_nodes}};
 
 /// How the plate is turned into points and bonds.
 struct Discretization {

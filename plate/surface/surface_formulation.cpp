@@ -11,6 +11,7 @@
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/refused.hpp"
+#include "plate/surface/multiplied_plate.hpp"
 #include "plate/surface/spectrum.hpp"
 #include "plate/surface/surface_layout.hpp"
 
@@ -27,23 +28,6 @@ Eigen::VectorXd by_points(const State& state) {
 
 State by_components(const Eigen::VectorXd& values) {
   return Eigen::Map<const Eigen::Matrix3Xd>(values.data(), 3, values.size() / 3);
-}
-
-/// The rows of what is held by crossing points, so that reactions leave nothing out at corners; the others by the rule
-/// of the plate.
-SparseStiffness stiffness_with_reactions(SurfacePlate plate, const Constraints& constraints) {
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> own = stiffness(plate);
-  plate.rule = FluxRule::crossing_point;
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> crossed = stiffness(plate);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index row = 0; row < own.rows(); ++row) {
-    const auto& from = constraints.held(std::uint32_t(row)) ? crossed : own;
-    for (std::decay_t<decltype(own)>::InnerIterator e(from, row); e; ++e)
-      entries.emplace_back(int(row), int(e.col()), e.value());
-  }
-  SparseStiffness result(own.rows(), own.cols());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
 }
 
 /// The free degrees of freedom, factorised.
@@ -81,9 +65,9 @@ private:
 
 /// All nodes of the lattice, their families, what the values of fictitious nodes are: for what is read off a state.
 struct Surroundings {
-  Surroundings(const SurfacePlate& plate, const geometry::LatticeUnits& units, double horizon,
+  Surroundings(const SurfacePlate& plate, bool multiplied, const geometry::LatticeUnits& units, double horizon,
                const std::vector<geometry::CrackPath>& cracks)
-      : rows(expansion(plate)) {
+      : rows(multiplied ? expansion_of_real(plate) : expansion(plate)) {
     geometry::Cloud cloud{units, {}, {}, 0};
     for (int k = 0; k < plate.body.count(); ++k) cloud.positions.push_back(plate.at(k));
     cloud.plate_points = cloud.positions.size();
@@ -104,14 +88,15 @@ struct Surroundings {
 
 class SurfaceNodePlate : public Formulation {
 public:
-  explicit SurfaceNodePlate(SurfaceLayout made)
+  SurfaceNodePlate(SurfaceLayout made, EdgeMethod method)
       : Formulation(std::move(made.layout)),
         plate_(std::move(made.plate)),
-        stiffness_(stiffness_with_reactions(plate_, constraints())),
+        stiffness_(std::move(made.stiffness)),
         families_(std::move(made.families)),
         shapes_(bond_shapes(families_.vectors(), section(), discretization())),
         cracks_(geometry::to_lattice(paths(), cloud().units)),
-        around_(plate_, cloud().units, discretization().horizon(), cracks_) {}
+        multiplied_(method == EdgeMethod::fictitious_nodes),
+        around_(plate_, multiplied_, cloud().units, discretization().horizon(), cracks_) {}
 
   std::size_t points() const override { return cloud().size(); }
   void internal_force(const State& state, Forces& forces) const override {
@@ -120,7 +105,7 @@ public:
   void absolute_product(const State& state, Forces& forces) const override {
     forces = by_components(SparseStiffness(stiffness_.cwiseAbs()) * by_points(state));
   }
-  Forces diagonal() const override { return by_components(stiffness_.diagonal().cwiseAbs()); }
+  Forces diagonal() const override;
 
   const geometry::Families& families() const override { return families_; }
   Eigen::VectorXd energies(const State& state) const override;
@@ -145,21 +130,35 @@ public:
   }
   std::vector<std::string> distrust(bool factors) const override { return distrust_of_bonds(*this, factors); }
   std::string of_edges() const override;
+  std::optional<double> multipliers(const State& state) const override;
   std::string remedy() const override {
-    return fmt::format("take discretization.spacing = {:.2g}", plate_.bonds.spacing / 2);
+    return fmt::format("take discretization.spacing = {:.2g}{}", plate_.bonds.spacing / 2,
+                       multiplied_ ? ", or boundary = \"images\"" : "");
   }
 
 private:
   /// The state at all nodes, fictitious ones too.
-  State everywhere(const State& state) const { return by_components(around_.rows * by_points(state)); }
+  State everywhere(const State& state) const {
+    return by_components(around_.rows * by_points(state).head(around_.rows.cols()));
+  }
 
   SurfacePlate plate_;
   SparseStiffness stiffness_;
   geometry::Families families_;
   std::vector<BondShape> shapes_;
   std::vector<geometry::CrackPath> cracks_;  // [spacings]
+  bool multiplied_;                          // conditions at edges
   Surroundings around_;
 };
+
+/// With multipliers, whose rows of fluxes and conditions have none: a flux counts as a force on its inner node.
+Forces SurfaceNodePlate::diagonal() const {
+  Forces result = by_components(stiffness_.diagonal().cwiseAbs());
+  if (multiplied_)
+    for (std::size_t s = 0; s < plate_.body.surface.size(); ++s)
+      result.col(Eigen::Index(plate_.body.real + s)) = result.col(plate_.body.surface[s].inner);
+  return result;
+}
 
 Eigen::VectorXd SurfaceNodePlate::energies(const State& state) const {
   const State all = everywhere(state);
@@ -185,13 +184,24 @@ Eigen::VectorXd SurfaceNodePlate::energies(const State& state) const {
 std::vector<Share> SurfaceNodePlate::interpolation(const Point& at) const {
   constexpr double reach = 1.6;  // spacings
   const Point u = cloud().units.to_lattice(at);
-  const auto near = seen_from(u, reach, boundary().lattice, boundary().lattice.size(), cracks_);
+  const auto near = seen_from(u, reach, boundary().lattice, std::size_t(plate_.unknowns() / 3), cracks_);
   if (near.empty())
     throw Refused({{Subject::geometry, 0, "no point of the plate is within 1.6 spacings of the place"}});
   return plate::interpolation(near, u);
 }
 
+/// Over the sizes of the loads, as the residual of the balance (post::Balance).
+std::optional<double> SurfaceNodePlate::multipliers(const State& state) const {
+  if (!multiplied_) return std::nullopt;
+  const auto [low, high] = geometry::bounding_box(problem().outline);
+  const double arm = (high - low).norm() / 2;
+  const Forces load = total_load();
+  const double loads = load.row(0).cwiseAbs().sum() + load.bottomRows<2>().colwise().norm().sum() / arm;
+  return loads > 0 ? added_forces(stiffness_, plate_, by_points(state), arm) / loads : 0;
+}
+
 std::string SurfaceNodePlate::of_edges() const {
+  if (multiplied_) return "";
   const Point cells(10, 8);
   const auto small = surface_plate(section(), discretization(), {0, 0}, plate_.bonds.spacing * cells);
   const auto edges = [&](const Point& at, const Point& normal) {
@@ -206,32 +216,37 @@ std::string SurfaceNodePlate::of_edges() const {
       cells.x(), cells.y(), lowest, asymmetry, negative);
 }
 
+template <EdgeMethod method>
 Discretised discretised(const Problem& problem) {
   Discretised result;
-  auto layout = surface_layout(problem);
+  auto layout = surface_layout(problem, method);
   result.stopwatch.lap("geometry");
-  result.plate = std::make_unique<SurfaceNodePlate>(std::move(layout));
+  result.plate = std::make_unique<SurfaceNodePlate>(std::move(layout), method);
   result.stopwatch.lap("parameters");
   return result;
 }
 
+/// What neither surface nodes nor fictitious nodes can do.
+std::map<Feature, std::string> lacks(const std::string& nodes) {
+  const std::string asymmetric = "the stiffness with " + nodes + " is not symmetric: ";
+  return {{Feature::layers, nodes + " hold edges, not layers"},
+          {Feature::any_direction, nodes + " are of edges along the axes"},
+          {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
+          {Feature::short_horizon, asymmetric + "it is solved directly"},
+          {Feature::levels, asymmetric + "it is solved directly"},
+          {Feature::single_precision, asymmetric + "motion on it would grow"},
+          {Feature::lanczos, asymmetric + "motion on it would grow"},
+          {Feature::symmetry, asymmetric + "it is solved directly, at rest"},
+          {Feature::breaking_bonds, asymmetric + "cracks grow with boundary = \"images\""},
+          {Feature::running_tips, asymmetric + "cracks grow with boundary = \"images\""}};
+}
+
 }  // namespace
 
-const FormulationKind bonds_with_surface_nodes{
-    "surface_nodes",
-    "bonds with surface nodes",
-    {{Feature::layers, "surface nodes hold edges, not layers"},
-     {Feature::any_direction, "surface nodes are of edges along the axes"},
-     {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
-     {Feature::short_horizon, "the stiffness with surface nodes is not symmetric: it is solved directly"},
-     {Feature::levels, "the stiffness with surface nodes is not symmetric: it is solved directly"},
-     {Feature::single_precision, "the stiffness with surface nodes is not symmetric: motion on it would grow"},
-     {Feature::lanczos, "the stiffness with surface nodes is not symmetric: motion on it would grow"},
-     {Feature::symmetry, "the stiffness with surface nodes is not symmetric: it is solved directly, at rest"},
-     {Feature::breaking_bonds,
-      "the stiffness with surface nodes is not symmetric: cracks grow with boundary = \"images\""},
-     {Feature::running_tips,
-      "the stiffness with surface nodes is not symmetric: cracks grow with boundary = \"images\""}},
-    discretised};
+const FormulationKind bonds_with_surface_nodes{"surface_nodes", "bonds with surface nodes", lacks("surface nodes"),
+                                               discretised<EdgeMethod::surface_nodes>};
+
+const FormulationKind bonds_with_fictitious_nodes{"fictitious_nodes", "bonds with fictitious nodes",
+                                                  lacks("fictitious nodes"), discretised<EdgeMethod::fictitious_nodes>};
 
 }  // namespace plate

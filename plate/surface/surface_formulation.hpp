@@ -7,4 +7,8 @@ namespace plate {
 /// away from the edges, at rest, solved directly, as the stiffness is not symmetric.
 extern const FormulationKind bonds_with_surface_nodes;
 
+/// The same with nodes beyond the edges that follow the points of the plate, and multipliers for the conditions at
+/// edges.
+extern const FormulationKind bonds_with_fictitious_nodes;
+
 }  // namespace plate

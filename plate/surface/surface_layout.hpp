@@ -5,15 +5,17 @@
 namespace plate {
 
 /// A rectangle as points: those of the lattice and, as fictitious points, the surface nodes in their order, with what
-/// supports hold of them and nodal loads.
+/// supports hold of them and nodal loads; with fictitious nodes behind these points of their multipliers.
 struct SurfaceLayout {
   Layout layout;
   SurfacePlate plate;
   geometry::Families families;  // of the points of the plate among each other, as cracks leave them; of others none
+  SparseStiffness stiffness;    // of all points, three unknowns each; not symmetric
 };
 
+/// @param method   surface_nodes or fictitious_nodes
 /// @throws Refused  other outlines, holes; cracks as near to an edge as a horizon; edges that all but touch a row of
 ///                  points; supports by layers; loads on what is held
-SurfaceLayout surface_layout(const Problem& problem);
+SurfaceLayout surface_layout(const Problem& problem, EdgeMethod method);
 
 }  // namespace plate

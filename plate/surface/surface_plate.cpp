@@ -11,6 +11,8 @@ namespace {
 using geometry::Point;
 constexpr double same = 1e-9;  // spacings
 
+}  // namespace
+
 void check_orders(const ExpansionOrders& orders) {
   if (orders.rotation < 1)
     throw std::invalid_argument("rotations beyond an edge need an expansion of order 1 at least");
@@ -19,8 +21,6 @@ void check_orders(const ExpansionOrders& orders) {
         "deflections beyond an edge need an expansion of order 2 at least, and not below that of the rotations: "
         "otherwise fictitious nodes shear in pure bending");
 }
-
-}  // namespace
 
 Point SurfacePlate::at(int k) const {
   return first + bonds.spacing * body.position(k).head<2>();
@@ -72,6 +72,19 @@ SparseStiffness stiffness(const SurfacePlate& p) {
   const WeightRows own = a.dilatation * expanded;
   const WeightRows dilatation = extrapolation(p.body, Centre::real_node, p.orders.rotation - 1) * own;
   return a.of_values * SparseStiffness(expanded) + a.of_dilatation * SparseStiffness(dilatation);
+}
+
+SparseStiffness stiffness_with_reactions(const SurfacePlate& plate, const std::function<bool(int unknown)>& held) {
+  SurfacePlate by_crossings = plate;
+  by_crossings.rule = FluxRule::crossing_point;
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> own = stiffness(plate), crossed = stiffness(by_crossings);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int row = 0; row < int(own.rows()); ++row)
+    for (std::decay_t<decltype(own)>::InnerIterator e(held(row) ? crossed : own, row); e; ++e)
+      entries.emplace_back(row, int(e.col()), e.value());
+  SparseStiffness result(own.rows(), own.cols());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
 }
 
 EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {

@@ -11,6 +11,9 @@ struct ExpansionOrders {
   int deflection = 2, rotation = 1;
 };
 
+/// @throws std::invalid_argument  rotations of order 0, deflections of order 1 or below the rotations
+void check_orders(const ExpansionOrders& orders);
+
 /// A rectangular plate with surface nodes on its edges (Sca23, for the Mindlin plate). All families are full but for
 /// what cracks cut, which stay a horizon away from the edges.
 struct SurfacePlate {
@@ -43,9 +46,12 @@ WeightRows expansion(const SurfacePlate& plate);
 /// Equilibrium of real nodes (Sca23 33) and fluxes of surface nodes (Sca23 36), expanded fictitious nodes in them:
 /// deflections and rotations about the nearest surface node, dilatations to one order below the rotations about the
 /// nearest real node. Not symmetric.
-/// @throws std::invalid_argument  rotations of order 0, deflections of order 1 or below the rotations
+/// @throws std::invalid_argument  as check_orders() does
 /// @throws Refused                where the plate has too few points for the orders
 SparseStiffness stiffness(const SurfacePlate& plate);
+
+/// The same, the rows of what is held by crossing points, so that reactions leave nothing out at corners.
+SparseStiffness stiffness_with_reactions(const SurfacePlate& plate, const std::function<bool(int unknown)>& held);
 
 /// Loads at a place, conjugate to w, theta_x and theta_y [force / area, force / length].
 using AreaLoad = std::function<Eigen::Vector3d(const geometry::Point& at)>;

@@ -229,6 +229,7 @@ std::string to_json(const Summary& summary) {
     json["reactions"] = json_of(*reactions, summary.growth || summary.analysis.kind == "dynamic");
   if (summary.deflection_over_thickness)
     json["sanity"] = {{"deflection_over_thickness", *summary.deflection_over_thickness}};
+  if (summary.multipliers) json["multipliers"] = *summary.multipliers;
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);
   if (summary.analysis.kind == "frequencies") json["frequencies"] = list_of(summary.frequencies);
   if (summary.growth) json["growth"] = json_of(*summary.growth);

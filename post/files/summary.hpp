@@ -121,6 +121,7 @@ struct Summary {
   std::vector<Peak> extremes;                          // in statics
   std::optional<ReactionSummary> reactions;            // of a plate that is held
   std::optional<double> deflection_over_thickness;     // the largest of the run
+  std::optional<double> multipliers;                   // the forces that they add, over the loads
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it
   std::vector<Frequency> frequencies;                  // of a frequency analysis
   std::optional<GrowthSummary> growth;                 // of a case with growth

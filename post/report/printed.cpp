@@ -190,6 +190,8 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   if (!summary.srif.empty()) factors(out, summary.srif, si, thickness);
   if (!summary.faces.empty() && (si || summary.toughness)) faces(out, summary, si);
   if (summary.reactions) reactions(out, *summary.reactions, si);
+  if (summary.multipliers)
+    fmt::format_to(out, "multipliers add forces of {:.2g} of the loads beside the edges\n", *summary.multipliers);
   if (!summary.peaks.empty()) peaks(out, summary.peaks, true, thickness);
   if (!summary.extremes.empty()) peaks(out, summary.extremes, false, thickness);
   if (!summary.frequencies.empty())

@@ -70,7 +70,7 @@ Fields<plate::Discretization> discretization_fields() {
                             "calibration of the twist constant: independent of the axes, or as in Dai 35"),
       choice<D, EdgeMethod>("boundary", &D::boundary, {edge_methods},
                             "held edges by mirror images and rows that follow or by layers, or all edges by surface "
-                            "nodes; bonds only"),
+                            "nodes or fictitious nodes; bonds only"),
       number<D>("tip_spacing", "length", &D::tip_spacing, positive, "distance of the points at crack tips")
           .with(graded),
       number<D>("hole_spacing", "length", &D::hole_spacing, positive, "distance of the points at holes").with(graded),

@@ -10,6 +10,7 @@
 #include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
 #include "plate/solve/solution.hpp"
+#include "plate/surface/multiplied_plate.hpp"
 #include "plate/surface/surface_plate.hpp"
 
 using namespace plate;
@@ -49,9 +50,9 @@ State solved(const Formulation& plate) {
 }
 
 /// What it is refused for.
-Subject refused(const Problem& problem) {
+Subject refused(const Problem& problem, const FormulationKind& kind = bonds_with_surface_nodes) {
   try {
-    bonds_with_surface_nodes.discretise(problem);
+    kind.discretise(problem);
   } catch (const Refused& why) {
     return why.reasons().front().subject;
   }
@@ -147,4 +148,62 @@ TEST_CASE("surface nodes: a small plate tells that no motion grows with these ed
     CHECK(text.find("motions that grow: 0") != std::string::npos);
     CHECK(text.find("asymmetry") != std::string::npos);
   }
+}
+
+TEST_CASE(
+    "fictitious nodes: a problem has the solution of the plate that it is made of, and its reactions are the load") {
+  auto problem = square({{SupportKind::simply_supported_hard, all, {}}}, {pressure()}, 0.1);
+  problem.discretization.formulation = &bonds_with_fictitious_nodes;
+  const auto made = bonds_with_fictitious_nodes.discretise(problem);
+  const State state = solved(*made.plate);
+  const auto plate = surface_plate(problem.section, problem.discretization, {-1, -1}, {1, 1});
+  const auto hard = [](const Point&, const Point&) { return edge_condition(SupportKind::simply_supported_hard); };
+  const auto expected = multiplied_solution(plate, hard, [](const Point&) { return Eigen::Vector3d(1, 0, 0); });
+  for (int k = 0; k < plate.body.real; ++k)
+    CHECK((state.col(k) - expected.segment<3>(3 * k)).norm() < 1e-10 * state.cwiseAbs().maxCoeff());
+  CHECK(made.plate->fictitious_points() == 2 * plate.body.surface.size());
+  CHECK(made.plate->held());
+  CHECK(made.plate->of_edges().empty());
+  const double added = *made.plate->multipliers(state);
+  CHECK(added == Approx(0.1064).epsilon(0.01));  // measured: 0.10636
+  CHECK(*made.plate->multipliers(2 * state) == Approx(2 * added));
+  Forces force;
+  made.plate->internal_force(state, force);
+  double sum = 0;
+  const auto& constraints = made.plate->constraints();
+  const Eigen::VectorXd held = constraints.on_held(force);
+  for (std::size_t i = 0; i < constraints.held().size(); ++i)
+    if (constraints.held()[i] % 3 == 0) sum += held[Eigen::Index(i)];
+  CHECK(sum == Approx(4).epsilon(1e-9));
+}
+
+TEST_CASE("fictitious nodes: the value at an edge that is free to turn is that of the points behind it") {
+  auto problem = square({{SupportKind::simply_supported_hard, all, {}}}, {pressure()}, 0.1);
+  problem.discretization.formulation = &bonds_with_fictitious_nodes;
+  const auto made = bonds_with_fictitious_nodes.discretise(problem);
+  const State state = solved(*made.plate);
+  const auto plate = surface_plate(problem.section, problem.discretization, {-1, -1}, {1, 1});
+  const auto& face = plate.body.surface[0];  // in the corner
+  const int c = normal_rotation(face.axis),
+            next = plate.body.node(plate.body.nodes[std::size_t(face.inner)] +
+                                   LatticeBody::Index{face.axis == 0, face.axis == 1, 0});
+  CHECK(state(0, plate.body.real) == 0);
+  CHECK(state(c, plate.body.real) == Approx(1.5 * state(c, face.inner) - 0.5 * state(c, next)));
+}
+
+TEST_CASE("fictitious nodes: horizons that are wide for soft and free edges, or for the plate, are refused") {
+  const auto with = [](SupportKind kind, std::vector<std::string> edges, double thickness, double spacing) {
+    auto problem = square({{kind, std::move(edges), {}}}, {pressure()}, spacing);
+    problem.section.thickness = thickness, problem.discretization.formulation = &bonds_with_fictitious_nodes;
+    return problem;
+  };
+  using enum SupportKind;
+  const auto& kind = bonds_with_fictitious_nodes;
+  CHECK(refused(with(clamped, all, 1, 2.0 / 18), kind) == Subject::spacing);             // 0.167 of the side
+  CHECK(refused(with(clamped, all, 0.05, 0.1), kind) == Subject::spacing);               // 6 thicknesses
+  CHECK(refused(with(simply_supported, all, 0.2, 2.0 / 36), kind) == Subject::spacing);  // 0.84
+  CHECK(refused(with(simply_supported, all, 1, 2.0 / 26), kind) == Subject::spacing);    // 0.116 of the side
+  CHECK(refused(with(clamped, {"left", "right"}, 1, 0.05), kind) == Subject::spacing);   // 0.075
+  CHECK(refused(with(clamped, {"left"}, 0.2, 2.0 / 10.51), kind) == Subject::spacing);
+  CHECK(kind.discretise(with(clamped, all, 0.1, 0.1)).plate->held());
 }

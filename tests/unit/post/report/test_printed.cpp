@@ -105,6 +105,10 @@ TEST_CASE(
       {{"left", {}}, {"pin0", geometry::Point(1, 2)}}, 0, {{{-3, 0, 0}, {1e-12, 0, 0}}, {3, 0, 0}, {}, 2e-9}, 2e-9, {}};
   CHECK_THAT(post::printed(content, true, 0.1, "there"),
              Catch::Contains("reactions along w [N]: left -3, pin0 0; loads 3; balanced to 2.0e-09"));
+  CHECK_THAT(post::printed(content, false, 0.1, "there"), !Catch::Contains("multipliers"));
+  content.multipliers = 0.123;
+  CHECK_THAT(post::printed(content, false, 0.1, "there"),
+             Catch::Contains("multipliers add forces of 0.12 of the loads"));
   content.deflection_over_thickness = 0.4;
   CHECK_THAT(post::printed(content, false, 0.1, "there"), !Catch::Contains("thicknesses"));
   content.deflection_over_thickness = 6e8;
