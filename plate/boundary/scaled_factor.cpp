@@ -40,7 +40,7 @@ Eigen::VectorXd ScaledFactor::solve(const Eigen::VectorXd& b) const {
 }
 
 std::size_t ScaledFactor::bytes() const {
-  constexpr std::size_t entry = sizeof(double) + sizeof(int);
+  constexpr std::size_t entry = sizeof(double) + sizeof(GeneralFactor::Matrix::StorageIndex);
   return factor_ ? factor_->bytes() + std::size_t(factor_->matrix().nonZeros()) * entry : 0;
 }
 
