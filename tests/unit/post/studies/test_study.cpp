@@ -120,59 +120,6 @@ TEST_CASE("a finished run has a row for each quantity") {
   CHECK(post::study_rows(known, {}, run.summary, run.folder.path()).size() == 1);
 }
 
-TEST_CASE("study.csv is read back as it was written") {
-  auto failed = row("1", 0, 0);
-  failed.computed.reset();
-  failed.reference.reset();
-  failed.message = "two\nlines, and a comma";
-  const TemporaryFolder folder;
-  post::write_csv(folder / "study.csv", table(post::StudyTable{{"2a/W"}, {row("0.1", 1.1, 1), failed}}));
-  const auto table = post::read_csv(folder / "study.csv");
-  CHECK(table.columns == std::vector<std::string>{"2a/W",
-                                                  "quantity",
-                                                  "place",
-                                                  "srif_method",
-                                                  "computed",
-                                                  "reference",
-                                                  "error",
-                                                  "estimated_error",
-                                                  "points",
-                                                  "spacing",
-                                                  "horizon",
-                                                  "iterations",
-                                                  "seconds",
-                                                  "solve_seconds",
-                                                  "seconds_min",
-                                                  "seconds_max",
-                                                  "geometry_seconds",
-                                                  "families_seconds",
-                                                  "parameters_seconds",
-                                                  "srif_seconds",
-                                                  "output_seconds",
-                                                  "reference_source",
-                                                  "outcome",
-                                                  "message"});
-  REQUIRE(table.rows.size() == 2);
-  CHECK(table.rows[0][0] == post::Cell("0.1"));
-  CHECK(std::get<double>(table.rows[0][6]) == Approx(0.1));
-  CHECK(table.rows[1][table.column("computed")] == post::Cell());
-  CHECK(table.rows[1].back() == post::Cell(failed.message));
-}
-
-TEST_CASE("the text has a line for each row, columns under their titles, and errors in percent") {
-  auto failed = row("b", 0, 0);
-  failed.computed.reset();
-  failed.message = "one\ntwo";
-  const auto text = to_text(post::StudyTable{{"Länge"}, {row("ä", 0.9975, 1), failed}});
-  CHECK(std::ranges::count(text, '\n') == 3);
-  CHECK_THAT(text, Catch::Contains("-0.250"));
-  CHECK_THAT(text, Catch::Contains("one; two\n"));
-  CHECK_THAT(text, Catch::StartsWith("Länge  quantity  place "));
-  CHECK_THAT(text, Catch::Contains("\nä      w         centre "));
-  CHECK_THAT(text, Catch::Contains("\nb      w         centre "));
-  CHECK_THAT(to_text(row("ä", 0.9975, 1)), Catch::Equals("ä: w at centre = 0.9975, error -0.250 %"));
-}
-
 TEST_CASE("a method that a run lacks is said in its row, with those that it has") {
   const FinishedRun run;
   const auto rows =
@@ -200,23 +147,6 @@ TEST_CASE("the error against a curve is the rms difference over the largest valu
   CHECK(rows[0].source == "curves.csv w");
   CHECK_FALSE(rows[1].error());
   CHECK_THAT(rows[1].message, Catch::Contains("0 samples in common"));
-}
-
-TEST_CASE("an axis called spacing or horizon stands for the column of that name") {
-  post::StudyTable study{{"spacing"}, {row("0.1", 1.1, 1)}};
-  study.rows[0].spacing = study.rows[0].horizon = 0.1;
-  const auto table = post::table(study);
-  CHECK(std::ranges::count(table.columns, "spacing") == 1);
-  CHECK(table.rows[0][table.column("spacing")] == post::Cell("0.1"));
-  CHECK(table.rows[0][table.column("horizon")] == post::Cell(0.1));
-  CHECK(table.rows[0].size() == table.columns.size());
-}
-
-TEST_CASE("the text has a column of methods only where one is named") {
-  post::StudyTable study{{"E"}, {row("0.1", 1.1, 1)}};
-  CHECK_THAT(to_text(study), !Catch::Contains("method"));
-  study.rows[0].method = "first";
-  CHECK_THAT(to_text(study), Catch::Contains("method"));
 }
 
 TEST_CASE("errors are relative to the reference or to a scale, estimated ones to the same") {

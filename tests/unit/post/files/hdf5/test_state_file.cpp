@@ -183,17 +183,6 @@ TEST_CASE("an interrupted write leaves no state.h5") {
   CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("what cannot be opened or read is an error with the path") {
-  const TemporaryFolder folder;
-  CHECK_THROWS_WITH(post::StateFile({folder / "none/state.h5", "", "1"}, small_run::mesh()),
-                    Catch::Contains("none/state.h5") && Catch::Contains("No such file"));
-  CHECK_THROWS_WITH(post::read_run(folder / "state.h5"), Catch::Contains("state.h5"));
-  post::write_whole(folder / "state.h5", "not HDF5");
-  CHECK_THROWS_WITH(post::read_run(folder / "state.h5"), Catch::Contains("state.h5"));
-  post::StateFile({folder / "no_frames.h5", "", "1"}, small_run::mesh()).close();
-  CHECK(post::read_run(folder / "no_frames.h5").times.empty());
-}
-
 TEST_CASE("a process that is killed leaves the frames of its parts, and others go on after them") {
   const TemporaryFolder folder;
   const post::StateFile::Options options{folder / "state.h5", long_case, "1", true};

@@ -1,22 +1,17 @@
-#include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <catch2/catch.hpp>
 
-#include "post/factors/srif.hpp"
 #include "post/files/vtk/series.hpp"
 #include "tests/unit/post/small_run.hpp"
-#include "tests/unit/post/xml.hpp"
 
-using small_run::FullDisk, small_run::TemporaryFolder, small_run::text_of;
+using small_run::FullDisk, small_run::TemporaryFolder;
 
 namespace {
 
@@ -71,18 +66,6 @@ TEST_CASE("a frame comes back from its vtu file") {
   CHECK(grid.GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0) == 0.25);
 }
 
-TEST_CASE("fields.pvd lists every frame with its time") {
-  const TemporaryFolder folder;
-  post::VtkSeries series(folder.path(), small_run::mesh());
-  series.write(small_run::frame(0, 0));
-  series.write(small_run::frame(1e-5, 1));
-  const std::string text = text_of(folder / "fields.pvd");
-  CHECK_THAT(text, Catch::Contains("timestep=\"0\" part=\"0\" file=\"fields_0000.vtu\""));
-  CHECK_THAT(text, Catch::Contains("timestep=\"1e-05\" part=\"0\" file=\"fields_0001.vtu\""));
-  CHECK_THAT(text, Catch::EndsWith("</VTKFile>\n"));
-  CHECK(folder.entries() == 3);
-}
-
 TEST_CASE("corners of cells take their values from the points that they name") {
   const TemporaryFolder folder;
   const post::Frame frame = small_run::frame(0, 0);
@@ -101,72 +84,6 @@ TEST_CASE("corners of cells take their values from the points that they name") {
   CHECK(values(grid, "displacement")(2, 6) == Approx(1.5 * w[1] - 0.5 * w[4]));
   CHECK(values(grid, "Myy")(0, 6) == Approx(0.25 * M[1] + 0.75 * M[4]));
   CHECK(values(grid, "w").leftCols(6) == w);
-}
-
-TEST_CASE("cracks that change are a series beside the fields") {
-  const TemporaryFolder folder;
-  post::VtkSeries series(folder.path(), small_run::mesh());
-  for (const double time : {0.0, 0.5}) {
-    auto frame = small_run::frame(time, 0);
-    frame.cracks = post::Cracks{{{{{0, 0}, {1, time}}, {0, time}}}, {}};
-    series.write(frame);
-  }
-  CHECK_THAT(text_of(folder / "cracks.pvd"), Catch::Contains("timestep=\"0.5\" part=\"0\" file=\"cracks_0001.vtp\""));
-  CHECK(folder.entries() == 6);
-}
-
-TEST_CASE("cracks come back from their vtp file") {
-  const TemporaryFolder folder;
-  post::Cracks cracks{{{{{0, 1.0 / 3}, {2, 3}}, {0, 4}}, {{{5, 6}, {7, 8}, {9, 1e-17}}, {1, 2, 3}}},
-                      {{7, 1, {9, 1e-17}, {}}, {3, 0, {2, 3}, {}}}};
-  post::Srif first, second;
-  first.tip = second.tip = 3;
-  first.K1 = 0.25, first.K2 = -1, first.resolved[2] = false, second.K1 = 5;
-  post::set_factors(cracks, {first, second});
-  post::write_cracks(folder / "cracks.vtp", cracks);
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName((folder / "cracks.vtp").c_str());
-  reader->Update();
-  vtkPolyData& lines = *reader->GetOutput();
-
-  REQUIRE(lines.GetNumberOfPoints() == 7);
-  CHECK(lines.GetPoint(0)[1] == 1.0 / 3);
-  CHECK(lines.GetPoint(4)[1] == 1e-17);
-  REQUIRE(lines.GetNumberOfLines() == 2);
-  REQUIRE(lines.GetNumberOfVerts() == 2);
-  CHECK(lines.GetCell(3)->GetNumberOfPoints() == 3);  // VTK counts vertices first
-  CHECK(lines.GetCell(3)->GetPointId(0) == 2);
-  const auto of_cell = [&](const char* name, int i) { return lines.GetCellData()->GetArray(name)->GetComponent(i, 0); };
-  const auto of_point = [&](const char* name, int i) {
-    return lines.GetPointData()->GetArray(name)->GetComponent(i, 0);
-  };
-  CHECK(of_cell("tip", 0) == 7);
-  CHECK(of_cell("crack", 0) == 1);
-  CHECK(of_cell("crack", 3) == 1);
-  CHECK(of_cell("tip", 3) == -1);
-  CHECK(of_point("advance", 1) == 4);
-  CHECK(lines.GetCell(1)->GetPointId(0) == 6);
-  CHECK(lines.GetPoint(6)[0] == 2);
-  CHECK(of_point("tip", 6) == 3);
-  CHECK(of_point("K1", 6) == 0.25);
-  CHECK(of_point("K2", 6) == -1);
-  CHECK(std::isnan(of_point("K3", 6)));
-  CHECK(std::isnan(of_point("K1", 5)));
-  CHECK(std::isnan(of_point("K1", 0)));
-}
-
-TEST_CASE("what ParaView reads is well-formed XML") {
-  CHECK(xml::fault("<a>\n<b></a>") == "mismatched tag in line 2");
-  CHECK(xml::fault(std::string("<a>\0</a>", 8)) == "not well-formed (invalid token) in line 1");
-  const TemporaryFolder folder;
-  post::VtkSeries(folder.path(), small_run::mesh()).write(small_run::frame(0.25, 3));
-  post::write_cracks(folder / "cracks.vtp", {{{{{0, 1}, {2, 3}}, {0, 4}}}, {{0, 0, {2, 3}, {}}}});
-  post::write_cracks(folder / "none.vtp", {});
-  REQUIRE(folder.entries() == 4);
-  for (const char* name : {"fields_0000.vtu", "fields.pvd", "cracks.vtp", "none.vtp"}) {
-    INFO(name);
-    CHECK(xml::fault(text_of(folder / name)) == "");
-  }
 }
 
 TEST_CASE("a frame that cannot be written is an error and leaves no file") {

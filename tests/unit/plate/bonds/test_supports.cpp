@@ -1,4 +1,4 @@
-#include "plate/formulation/boundary.hpp"
+#include "plate/bonds/supports.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>

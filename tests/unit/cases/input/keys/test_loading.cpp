@@ -1,0 +1,23 @@
+#include "tests/unit/cases/case_text.hpp"
+
+using namespace case_text;
+
+TEST_CASE("loads are checked against the plate and against themselves") {
+  const auto load = [](const std::string& lines) { return plain + "[[load]]\n" + lines + "\n"; };
+  expect(with_line(with_line(with_line(plain, 13, ""), 14, ""), 15, ""), "", "load", "nothing loads the plate");
+  expect(load("kind = \"edge_shear\"\nvalue = 1"), ":18", "load[1].edges", "is missing");
+  expect(load("kind = \"edge_shear\"\nvalue = 1\nedges = [\"tob\"]"), ":21", "load[1].edges", "did you mean 'top'?");
+  expect(load("kind = \"pressure\"\nvalue = 1\nedges = [\"top\"]"), ":21", "load[1].edges",
+         "kind = edge_moment or edge_shear only");
+  expect(load("kind = \"presure\"\nvalue = 1"), ":19", "load[1].kind", "did you mean 'pressure'?");
+  expect(load("kind = \"point_force\"\nvalue = 1"), ":18", "load[1].position", "is missing");
+  expect(load("kind = \"point_force\"\nvalue = 1\nposition = [1, 0]"), ":21", "load[1].position",
+         "[1, 0] given, must lie inside");
+  expect(load("kind = \"edge_shear\"\nvalue = 1\nedges = [\"top\"]\ntwist = 1"), ":22", "load[1].twist",
+         "kind = edge_moment only");
+  expect(load("kind = \"edge_moment\"\nvalue = 1\nedges = [\"top\"]\ntensor = [1, 2, 3]"), ":20", "load[1].value",
+         "beside 'tensor'");
+  expect(load("kind = \"edge_moment\"\nedges = [\"top\"]\ntensor = [1, 2]"), ":21", "load[1].tensor",
+         "[Mxx, Myy, Mxy]");
+  CHECK(problems(load("kind = \"edge_moment\"\nedges = [\"top\"]\ntensor = [1, 2, 3]")).empty());
+}
