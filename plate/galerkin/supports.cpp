@@ -17,23 +17,25 @@ struct Held {
   std::set<std::uint32_t> holders_of_w, holders_of_psi;
 };
 
-/// Adds a direction; one within 30 degrees of another, as those of the pieces of a circle, is merged with it.
-void add_direction(std::vector<Point>& directions, const Point& d) {
+/// Adds a direction; one within 30 degrees of another is merged with it, on a circle, of which there are eight pieces
+/// at least, within 60.
+void add_direction(std::vector<Point>& directions, const Point& d, bool round) {
   for (auto& known : directions)
-    if (std::abs(known.normalized().dot(d)) > std::sqrt(0.75)) {
+    if (std::abs(known.normalized().dot(d)) > (round ? 0.5 : std::sqrt(0.75))) {
       known += known.dot(d) > 0 ? d : Point(-d);
       return;
     }
   directions.push_back(d);
 }
 
-void hold(Held& held, SupportKind kind, std::uint32_t holder, const Point& normal) {
+void hold(Held& held, SupportKind kind, std::uint32_t holder, const Point& normal, bool round) {
   const Point along(-normal.y(), normal.x());
   held.w = held.w || kind != SupportKind::symmetry;
   if (kind != SupportKind::symmetry) held.holders_of_w.insert(holder);
   if (kind != SupportKind::simply_supported) held.holders_of_psi.insert(holder);
-  if (kind == SupportKind::clamped || kind == SupportKind::symmetry) add_direction(held.directions, normal);
-  if (kind == SupportKind::clamped || kind == SupportKind::simply_supported_hard) add_direction(held.directions, along);
+  if (kind == SupportKind::clamped || kind == SupportKind::symmetry) add_direction(held.directions, normal, round);
+  if (kind == SupportKind::clamped || kind == SupportKind::simply_supported_hard)
+    add_direction(held.directions, along, round);
 }
 
 /// psi = (-theta_y, theta_x)
@@ -63,13 +65,18 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
   result.active.assign(cells.positions.size(), 1);
 
   result.holders = holders_of(supports);
+  std::set<std::string> round;
+  for (const auto& side : result.sides)
+    if (side.circle) round.insert(side.name);
   std::map<std::uint32_t, Held> held;
   for (const auto& border : cells.borders) {
     if (border.edge == geometry::Curves::crack) continue;
     const auto by = holder(result.holders, cells.names[std::size_t(border.edge)]);
     if (by == result.holders.size()) continue;
     const Point along = (cells.positions[border.to] - cells.positions[border.from]).normalized();
-    for (const auto k : {border.from, border.to}) hold(held[k], result.holders[by].kind, by, {along.y(), -along.x()});
+    const auto& [name, kind, position] = result.holders[by];
+    for (const auto k : {border.from, border.to})
+      hold(held[k], kind, by, {along.y(), -along.x()}, round.contains(name));
   }
   for (const auto& [k, what] : held) {
     impose(result.constraints, k, what);

@@ -38,7 +38,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   for (const auto& candidate : candidates) {
     const auto d = distances(lower_case(word), lower_case(candidate));
     std::size_t distance = d.back();
-    if (word.size() > 3) distance = std::min(distance, *std::min_element(d.begin() + 1, d.end()) + 1);
+    if (word.size() > 3 && d.size() > 1) distance = std::min(distance, *std::min_element(d.begin() + 1, d.end()) + 1);
     if (distance < nearest) {
       nearest = distance;
       best = candidate;

@@ -6,7 +6,6 @@
 #include "plate/formulation/inertia.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
-#include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;
@@ -31,21 +30,6 @@ std::vector<TimedLoad> pressure(const small_plate::Model& m, double value, const
   Load load;
   load.value = value;
   return {{nodal_forces(load, m.boundary.cloud, m.outline), history}};
-}
-
-/// Largest eigenvalue of M^-1 K on the free degrees of freedom, dense.
-double largest_square(const small_plate::Model& m) {
-  const Eigen::MatrixXd K = small_plate::stiffness(m.plate);
-  const Eigen::MatrixXd P = small_plate::prolongation(m.boundary.constraints, K.rows());
-  Eigen::VectorXd lumped = Eigen::VectorXd::Zero(K.rows());
-  const double h = section.thickness;
-  for (std::size_t k = 0; k < m.boundary.cloud.plate_points; ++k) {
-    const double translation = section.density * h * m.boundary.cloud.areas[k];
-    lumped.segment<3>(Eigen::Index(3 * k)) << translation, translation * h * h / 12, translation * h * h / 12;
-  }
-  const Eigen::VectorXd M = P.cwiseAbs2().transpose() * lumped;
-  const Eigen::VectorXd root = M.cwiseSqrt().cwiseInverse();
-  return dense::eigenvalues(dense::scaled(dense::folded(K, P), root)).maxCoeff();
 }
 
 }  // namespace
@@ -114,27 +98,6 @@ TEST_CASE("kinetic and strain energy are the work of the load") {
   });
   CHECK(largest > 0);
   CHECK(worst < 0.02 * largest);  // measured: 1e-4, O(dt^2)
-}
-
-TEST_CASE("the stable step is below 2 / omega_max of the dense matrix, and not by much") {
-  using enum SupportKind;
-  const auto supports =
-      GENERATE(std::vector<Support>{}, std::vector<Support>{{clamped, {"left"}, {}}, {simply_supported, {"right"}, {}}},
-               std::vector<Support>{{clamped_layer, {"left", "top"}, {}}});
-  const auto m = model(supports, 0.4);
-  const double step = stable_time_step(m.plate, m.boundary.constraints, mass_of(m));
-  const double limit = 2 / std::sqrt(largest_square(m));
-  CHECK(step <= limit * (1 + 1e-12));
-  CHECK(step >= 0.98 * limit);  // measured: 0.995, the margin
-}
-
-TEST_CASE("rotary inertia: a factor for the rotations alone, and a longer step for a thin plate") {
-  const auto m = held();
-  const auto& b = m.boundary;
-  const Forces one = mass_of(m), ten = mass(section, b.cloud.areas, b.active, b.constraints, 10);
-  CHECK(ten.row(0) == one.row(0));
-  CHECK((ten.bottomRows<2>() - 10 * one.bottomRows<2>()).norm() < 1e-15 * ten.norm());
-  CHECK(stable_time_step(m.plate, b.constraints, ten) > 1.5 * stable_time_step(m.plate, b.constraints, one));
 }
 
 TEST_CASE("observed at the start, every so many steps, and at the end") {
