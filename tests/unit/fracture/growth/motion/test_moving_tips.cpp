@@ -1,0 +1,58 @@
+#include "fracture/growth/motion/moving_tips.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/unit/fracture/growth/motion/moving_plate.hpp"
+
+using namespace fracture;
+namespace mp = moving_plate;
+
+TEST_CASE("moving tips: a crack runs no faster than it may, and takes what the plate loses") {
+  const mp::Motion motion(mp::content(Growth::Criterion::energy_release));
+  MovingTips growth(*motion.c.growth, *motion.start, {}, 1);
+  const auto books = motion.move(growth, 600);
+  const auto moved = growth.moved();
+  REQUIRE(moved.advances > 3);
+  CHECK(moved.largest_speed <= 0.93 * motion.c.section.shear_wave_speed() * (1 + 1e-9));
+  CHECK(moved.largest_speed > 0);
+  REQUIRE(moved.lengths.size() == 1);
+  CHECK(moved.lengths[0] > 0.8 + 0.3);
+  CHECK(growth.fracture_energy() > 0);
+  CHECK(books.energy + growth.fracture_energy() == Approx(books.work).epsilon(1e-9));
+  const auto& record = growth.record();
+  REQUIRE(record.tips.rows.size() == moved.advances);
+  for (std::size_t i = 1; i < moved.advances; ++i) {
+    const auto time = [&](std::size_t row) {
+      return std::get<double>(record.tips.rows[row][record.tips.column("time")]);
+    };
+    CHECK(time(i) > time(i - 1));
+  }
+  CHECK(record.cracks.lines[0].vertices.size() == moved.advances + 2);
+}
+
+TEST_CASE("moving tips: below its fracture energy a tip stays, and its plate is the one at the start") {
+  auto c = mp::content(Growth::Criterion::energy_release);
+  c.growth->fracture_energy = 1e6;
+  const mp::Motion motion(c);
+  MovingTips growth(*motion.c.growth, *motion.start, {}, 1);
+  const auto books = motion.move(growth, 100);
+  CHECK(growth.moved().advances == 0);
+  CHECK_FALSE(growth.moved().spent);
+  CHECK(growth.moved().parts == growth.moved().parts_before);
+  CHECK(growth.fracture_energy() == 0);
+  CHECK(books.energy == Approx(books.work));
+}
+
+TEST_CASE("moving tips: one that goes on from memory grows as if it had never stopped") {
+  const mp::Motion motion(mp::content(Growth::Criterion::energy_release));
+  MovingTips whole(*motion.c.growth, *motion.start, {}, 1), later(*motion.c.growth, *motion.start, {}, 1);
+  plate::MotionMemory memory;
+  motion.move(whole, 400, nullptr, [&](const plate::MotionMemory& now) {
+    if (now.step == 300) memory = now, mp::hand_over(whole, later);
+  });
+  const auto then = later.moved().advances;
+  motion.move(later, 400, &memory);
+  CHECK(later.fracture_energy() == whole.fracture_energy());
+  CHECK(later.moved().advances > then);
+  CHECK(later.record().tips.rows == whole.record().tips.rows);
+}

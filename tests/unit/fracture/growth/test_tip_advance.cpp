@@ -1,0 +1,67 @@
+#include "fracture/growth/tip_advance.hpp"
+
+#include <catch2/catch.hpp>
+#include <numbers>
+
+using namespace fracture;
+using geometry::Point;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180, spacing = 0.1;
+
+const auto outline = geometry::rectangle(0, 0, 10, 6);
+const std::vector<geometry::Polyline> cracks{{{0, 3}, {4, 3}}, {{6, 1}, {6, 5}}};
+const geometry::Tip tip{{4, 3}, {1, 0}, 0, true};
+
+TipAdvance gone(double increment, double angle, bool long_leg, const geometry::Tip& from = tip) {
+  Growth growth;
+  growth.increment = increment;
+  return advance(growth, outline, cracks, spacing, from, angle, long_leg);
+}
+
+}  // namespace
+
+TEST_CASE("tip advance: straight on by the increment; turns below a degree are not made") {
+  for (const double angle : {0.0, 0.9 * degree, -0.9 * degree}) {
+    const auto way = gone(2, angle, turns(angle));
+    CHECK((way.to - Point(4.2, 3)).norm() < 1e-14);
+    CHECK(way.length == Approx(0.2));
+    CHECK_FALSE(way.reached);
+  }
+}
+
+TEST_CASE("tip advance: a piece after a turn is five spacings long, and an increment that is longer stays") {
+  for (const double increment : {1.0, 8.0})
+    for (const double angle : {30 * degree, -1.1 * degree}) {
+      const auto way = gone(increment, angle, turns(angle));
+      const double length = std::max(increment, 5.0) * spacing;
+      CHECK(way.length == Approx(length));
+      CHECK((way.to - Point(4 + length * std::cos(angle), 3 + length * std::sin(angle))).norm() < 1e-14);
+    }
+  // with the long piece of another tip, small turns are made
+  CHECK(gone(1, 0.5 * degree, true).to.y() > 3.004);
+  CHECK(gone(1, 0.1 * degree, true).to.y() == 3);
+}
+
+TEST_CASE("tip advance: what lies within five spacings ahead of a piece is reached") {
+  const geometry::Tip near{{5.3, 3}, {1, 0}, 0, true};
+  auto way = gone(2.1, 0, false, near);
+  REQUIRE(way.reached);
+  CHECK((way.to - Point(6, 3)).norm() < 1e-12);
+  CHECK(way.length == Approx(0.7));
+  CHECK(name_of(*way.reached) == "crack 1");
+  CHECK_FALSE(gone(1.9, 0, false, near).reached);
+  way = gone(1, 90 * degree, true, {{5, 5.3}, {1, 0}, 0, true});
+  REQUIRE(way.reached);
+  CHECK(way.to.y() == Approx(6));
+  CHECK(name_of(*way.reached) == "'top'");
+}
+
+TEST_CASE("tip advance: what breaks through goes to what is nearest, in whatever direction") {
+  const auto way = break_through(outline, cracks, {{5.8, 3}, {-1, 0}, 0, true});
+  CHECK((way.to - Point(6, 3)).norm() < 1e-12);
+  CHECK(way.length == Approx(0.2));
+  CHECK(way.reached->crack == std::size_t(1));
+  CHECK(name_of(*break_through(outline, cracks, {{4, 0.3}, {1, 0}, 0, true}).reached) == "'bottom'");
+}
