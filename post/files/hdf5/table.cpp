@@ -22,6 +22,9 @@ Meaning meaning_of_column(const std::string& name) {
       {"speed", {"length/time", "of the tip"}},
       {"frequency", {"1/time", "frequency"}},
       {"omega", {"1/time", "circular frequency"}},
+      {"force", {"force", "across the plate"}},
+      {"moment_x", {"force length", "about x, through the origin"}},
+      {"moment_y", {"force length", "about y, through the origin"}},
       {"displacement", {"force length", "sum of loads at factor 1 times displacements"}},
       {"energy_residual", {"force length", "what the books do not account for"}},
       {"G", {"force", "energy release rate"}},
@@ -43,7 +46,10 @@ void write_column(hid_t group, const Table& table, std::size_t column) {
   const auto is_word = [&](const auto& row) { return std::holds_alternative<std::string>(row.at(column)); };
   if (std::ranges::any_of(table.rows, is_word)) {
     std::vector<std::string> words;
-    for (const auto& row : table.rows) words.push_back(is_word(row) ? std::get<std::string>(row[column]) : "");
+    for (const auto& row : table.rows) {
+      const auto* number = std::get_if<double>(&row[column]);  // among words
+      words.push_back(is_word(row) ? std::get<std::string>(row[column]) : number ? fmt::format("{}", *number) : "");
+    }
     std::vector<const char*> pointers;
     for (const std::string& text : words) pointers.push_back(text.c_str());
     write_whole_dataset(group, name, string_type(), sizes, pointers.data(), meaning_of_column(name));

@@ -51,9 +51,12 @@ Frame frame_of(vtkUnstructuredGrid& grid) {
   frame.state << w, theta;
   frame.damage.assign(damage.data(), damage.data() + damage.size());
   if (const auto von_mises = values(data, "von_mises"); von_mises.size() > 0) {
+    const auto xx = values(data, "Mxx"), yy = values(data, "Myy"), xy = values(data, "Mxy");
+    for (const auto* one : {&von_mises, &xx, &yy, &xy})
+      if (one->rows() != 1) throw std::runtime_error("von_mises without the moments Mxx, Myy and Mxy");
     frame.resultants.von_mises = von_mises.transpose();
     frame.resultants.moments.resize(3, w.cols());
-    frame.resultants.moments << values(data, "Mxx"), values(data, "Myy"), values(data, "Mxy");
+    frame.resultants.moments << xx, yy, xy;
   }
   if (auto* const time = grid.GetFieldData()->GetArray("TimeValue")) frame.time = time->GetTuple1(0);
   return frame;

@@ -1,0 +1,83 @@
+#include "post/factors/srif.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace post;
+
+namespace {
+
+constexpr double h = 0.5;
+
+Srif with(double K1, double K2, double K3) {
+  Srif result;
+  result.K1 = K1, result.K2 = K2, result.K3 = K3;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("srif: the largest factor counts K3 by its stress at the face") {
+  CHECK(largest_factor(with(-3, 2, 4), h) == 3);
+  CHECK(largest_factor(with(1, 2, -6), h) == 3);
+}
+
+TEST_CASE("srif: coarser results make errors larger, never smaller") {
+  auto srif = with(10, 0, 2);
+  srif.errors = {0.5, 0.1, {}};
+  srif.estimated_error = 0.05;
+  widen(srif, with(9, 0.05, 8), h);
+  CHECK(*srif.errors[0] == 1);
+  CHECK(*srif.errors[1] == 0.1);
+  CHECK(*srif.errors[2] == 6);
+  CHECK(*srif.estimated_error == Approx(0.3));  // of K3 h
+  auto zero = with(0, 0, 0);
+  widen(zero, with(0, 0, 0), h);
+  CHECK_FALSE(zero.estimated_error);  // of nothing there is no share
+}
+
+TEST_CASE("srif: what is added to errors is added once to each that is known") {
+  auto srif = with(10, 0, 2);
+  srif.errors = {0.5, {}, 1.0};
+  srif.estimated_error = 0.05;
+  widen(srif, 0.2, h);
+  CHECK(*srif.errors[0] == Approx(0.7));
+  CHECK_FALSE(srif.errors[1]);
+  CHECK(*srif.errors[2] == Approx(1.4));
+  CHECK(*srif.estimated_error == Approx(0.07));
+}
+
+TEST_CASE("srif: the error of the leading factor, by the first method of each tip") {
+  auto a = with(10, 1, 2), better = a, b = with(1, 0, 8);
+  a.errors = {0.5, 0.9, {}}, better.errors = {9, 9, 9}, b.tip = 1, b.errors = {1, 1, 0.8};
+  CHECK(error_of_leading({a, better}, h) == Approx(0.05));
+  CHECK(error_of_leading({a, better, b}, h) == Approx(0.1));  // 0.8 of 8
+  CHECK(error_of_leading({with(0, 0, 0)}, h) == 0);
+  CHECK(error_of_leading({}, h) == 0);
+}
+
+TEST_CASE("srif: the difference between two formulations is symmetric, and counts in the error") {
+  auto one = with(10, 1, 0), other = with(8, 1, 2);
+  const auto kept = one;
+  compare_with(one, other, "galerkin", h), compare_with(other, kept, "ordinary", h);
+  CHECK(one.second->difference == Approx(0.2));
+  CHECK(other.second->difference == Approx(0.2));
+  CHECK(*one.estimated_error >= one.second->difference);
+  CHECK(*one.errors[2] == 2);
+  CHECK(one.second->K1 == 8);
+}
+
+TEST_CASE("srif: normalised by a moment, or by the moment of a pressure") {
+  SrifOptions options;
+  auto srif = with(6, -3, 8);
+  normalize(srif, options, h);
+  CHECK_FALSE(srif.F1);
+  options.normalize = Normalization{{}, {}, 1.5};
+  options.half_length = 4;
+  normalize(srif, options, h);
+  CHECK(*srif.F1 == Approx(2));
+  CHECK(*srif.F2 == Approx(-1));
+  CHECK(*srif.F3 == Approx(4 / 3.0));
+  options.normalize = Normalization{6, 1, {}};  // p (W/2)^2 = 1.5
+  normalize(srif, options, h);
+  CHECK(*srif.F1 == Approx(2));
+}

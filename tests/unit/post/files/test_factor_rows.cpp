@@ -1,0 +1,72 @@
+#include "post/files/factor_rows.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "plate/model/numerical_error.hpp"
+#include "post/factors/srif.hpp"
+#include "post/files/table.hpp"
+
+using namespace post;
+
+namespace {
+
+Srif of_tip(std::size_t tip, double K1, const char* method = "a") {
+  Srif result;
+  result.tip = tip, result.K1 = K1, result.method = method;
+  result.errors = {0.01, 0.01, 0.01};
+  result.estimated_error = 0.01 / K1;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("factor rows: a row for every tip, method and time, in the columns that are stated") {
+  FactorRows rows(0.1);
+  rows.add({of_tip(0, 1), of_tip(0, 2, "b"), of_tip(1, 3)}, "then");
+  rows.add({of_tip(0, 4), of_tip(0, 5, "b"), of_tip(1, 6)}, "later");
+  const auto table = rows.table({0.5, 1});
+  REQUIRE(table.rows.size() == 6);
+  CHECK(table.columns == srif_columns());
+  for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
+  CHECK(table.rows[4][table.column("method")] == Cell("b"));
+  CHECK(table.rows[4][table.column("K1")] == Cell(5.0));
+  CHECK(table.rows[5][table.column("time")] == Cell(1.0));
+  CHECK(rows.last().size() == 3);
+  REQUIRE(rows.largest().size() == 2);
+  CHECK(rows.largest()[0] == 5);
+  CHECK(rows.largest()[1] == 6);
+}
+
+TEST_CASE("factor rows: errors hold coarser points of the same method, and another formulation") {
+  FactorRows rows(0.1);
+  rows.coarser({of_tip(0, 0.5, "b"), of_tip(0, 0.9), of_tip(1, 7)});
+  rows.second("galerkin", {{of_tip(0, 1.3)}});
+  rows.add({of_tip(0, 1)}, "then");
+  CHECK(*rows.last()[0].errors[0] == Approx(0.3));
+  CHECK(rows.last()[0].second->formulation == "galerkin");
+  rows.add({of_tip(0, 1)}, "beyond what the other formulation has");
+  CHECK(*rows.last()[0].errors[0] == Approx(0.1));
+  CHECK_FALSE(rows.last()[0].second);
+}
+
+TEST_CASE("factor rows: rows that are known stand for what is found; what motion leaves out is added in the end") {
+  FactorRows rows(0.1);
+  CHECK_FALSE(rows.known());
+  rows.known({{of_tip(0, 2)}, {of_tip(0, 4)}});
+  rows.truncated({0.05});
+  rows.add({}, "then"), rows.add({}, "later");
+  const auto table = rows.table({0, 1});
+  REQUIRE(table.rows.size() == 2);
+  for (const auto& row : table.rows)  // a share of 4, the largest
+    CHECK(std::get<double>(row[table.column("estimated_error_K1")]) == Approx(0.21));
+  REQUIRE(rows.distrust().size() == 1);
+  CHECK_THAT(rows.distrust()[0], Catch::Contains("tip 0") && Catch::Contains("5 %"));
+}
+
+TEST_CASE("factor rows: what is not finite is an error of the numbers that says when") {
+  FactorRows rows(0.1);
+  CHECK_THROWS_WITH(rows.add({of_tip(0, std::numeric_limits<double>::quiet_NaN())}, "at step 3"),
+                    Catch::Contains("at step 3"));
+  CHECK(rows.rows().empty());
+}
