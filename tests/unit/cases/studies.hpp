@@ -65,4 +65,15 @@ inline std::string reference(const std::string& lines) {
   return "[[reference]]\n" + lines + "\n";
 }
 
+inline std::string short_axis(const std::string& name, const std::string& key, const std::string& values) {
+  return "[[axis]]\nname = \"" + name + "\"\nkey = \"" + key + "\"\nvalues = " + values + "\n";
+}
+
+/// The case of b.toml in time.
+inline std::string dynamic_case() {
+  std::string text = case_text::with_line(cracked, 17, "kind = \"dynamic\"\nduration = 0.2");
+  text = case_text::with_line(text, 4, "thickness = 0.1\ndensity = 1.0");
+  return text + "far = [0.9, 0.0]\n";
+}
+
 }  // namespace studies

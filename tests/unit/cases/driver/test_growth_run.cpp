@@ -1,5 +1,4 @@
-// A quasi-static growth ends as it really did: an expected end is a value, an error is an error, and what was found
-// until then stays.
+// What a quasi-static growth writes.
 
 #include <catch2/catch.hpp>
 
@@ -9,11 +8,9 @@
 #include "plate/formulation/discretised.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/loads.hpp"
-#include "plate/model/numerical_error.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
 #include "plate/model/supports.hpp"
-#include "post/files/hdf5/state_file.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "tests/unit/post/small_run.hpp"
@@ -29,14 +26,6 @@ plate::Discretised narrow(const plate::Problem& problem) {
   return plate::galerkin.discretise(problem);
 }
 
-/// The Galerkin plate, twice.
-std::size_t discretised_so_far = 0;
-plate::Discretised twice(const plate::Problem& problem) {
-  if (++discretised_so_far > 2) throw plate::Refused({{plate::Subject::cracks, 0, "enough"}});
-  return plate::galerkin.discretise(problem);
-}
-
-const plate::FormulationKind tired{"tired", "a plate that serves twice", plate::galerkin.lacks, twice};
 const plate::FormulationKind fussy{"fussy", "a plate for short cracks", plate::galerkin.lacks, narrow};
 
 /// A square with a crack from its left edge to the middle, bent by moments; it grows by 0.1 an advance.
@@ -62,18 +51,6 @@ cases::CaseFile edge_crack(const plate::FormulationKind& kind) {
 }
 
 }  // namespace
-
-TEST_CASE("growth run: cracks that the points cannot follow are an error of the numbers, not a split plate") {
-  const small_run::TemporaryFolder folder;
-  CHECK_THROWS_WITH(cases::run(edge_crack(fussy), {folder.path(), true}),
-                    "the plate cannot be discretised with its cracks as they have grown: too long; refine");
-  const auto growth = post::read_csv(folder / "growth.csv");
-  REQUIRE(growth.rows.size() >= 2);  // lengths 0.5, 0.6, 0.7
-  for (const char* name : {"tips.csv", "history.csv", "srif.csv", "cracks.csv", "case.resolved.toml"})
-    CHECK(fs::exists(folder / name));
-  CHECK_THAT(small_run::text_of(folder / "summary.json"),
-             Catch::Contains("\"outcome\": \"failed: the plate cannot be discretised"));
-}
 
 TEST_CASE("growth run: refused before it starts, it writes nothing") {
   const small_run::TemporaryFolder folder;
@@ -102,28 +79,4 @@ TEST_CASE("growth run: one row per advance in growth.csv, one per tip and advanc
     CHECK(at(tips, i, "x") == Approx(0.5 + 0.1 * double(i)));
     CHECK(at(tips, i, "moves") == (i < 2 ? 1 : 0));
   }
-}
-
-TEST_CASE("growth run: after a failure the last state is that of the last row, not of a trial") {
-  const small_run::TemporaryFolder folder;
-  const auto inclined = [&](const plate::FormulationKind& kind) {
-    auto file = edge_crack(kind);
-    auto& c = file.content;
-    c.cracks = {{{0, 0.3}, {0.5, 0.5}}};  // the piece turns: it is tried, and then laid
-    c.growth->direction = fracture::Growth::Direction::tangential_moment;
-    c.output.vtk = c.output.hdf5 = true;
-    return file;
-  };
-  discretised_so_far = 0;
-  CHECK_THROWS_WITH(cases::run(inclined(tired), {folder / "failed", true}), Catch::Contains("enough"));
-  REQUIRE(discretised_so_far == 3);
-  auto first = inclined(plate::galerkin);
-  first.content.growth->max_advances = 0;
-  cases::run(first, {folder / "first", true});
-  const auto failed = post::read_run(folder / "failed/state.h5"), expected = post::read_run(folder / "first/state.h5");
-  REQUIRE(post::read_csv(folder / "failed/growth.csv").rows.size() == 1);
-  REQUIRE(failed.states.size() == 1);
-  REQUIRE(expected.states.size() == 1);
-  CHECK(failed.positions == expected.positions);
-  CHECK(failed.states.front() == expected.states.front());
 }

@@ -73,20 +73,6 @@ TEST_CASE("Lanczos vectors: for graded points unless steps are asked for; what o
   CHECK(cases::resolved_toml(case_text::read(resolved).content) == resolved);
 }
 
-TEST_CASE("Lanczos vectors: a plate that nothing holds is refused") {
-  std::string text = moving("method = \"lanczos\"\n");
-  text.replace(text.find("kind = \"clamped\""), 16, "kind = \"free\"");
-  const small_run::TemporaryFolder folder;
-  CHECK_THROWS_WITH(cases::run(case_text::read(text), {folder.path(), true}),
-                    Catch::Contains("needs a plate that supports hold"));
-  CHECK(std::filesystem::is_empty(folder.path()));
-  // graded points take steps then, where the case states nothing
-  text.erase(text.find("method = \"lanczos\"\n"), 19);
-  const auto summary = cases::run(case_text::read(text, {"discretization.tip_spacing=0.04", "analysis.duration=0.01"}),
-                                  {folder.path(), true});
-  CHECK(summary.analysis.method == "central_difference");
-}
-
 TEST_CASE("Lanczos vectors: what they leave out of the factors counts in the errors") {
   const std::vector<std::string> settings{"analysis.method=lanczos", "output.history_every=0.02",
                                           "discretization.spacing=0.025"};
@@ -103,18 +89,4 @@ TEST_CASE("Lanczos vectors: what they leave out of the factors counts in the err
     return result;
   };
   CHECK(largest_error("1e-2") > 1.1 * largest_error("1e-5"));
-}
-
-TEST_CASE("accuracy in motion: a plate that nothing holds and one that is to take steps are refused") {
-  const auto found = case_text::problems(moving(), {"srif.accuracy=0.05", "analysis.method=central_difference"});
-  REQUIRE(found.size() == 1);
-  CHECK(found[0].key == "srif.accuracy");
-  CHECK_THAT(found[0].what, Catch::Contains("Lanczos vectors"));
-
-  std::string free = moving();
-  free.replace(free.find("kind = \"clamped\""), 16, "kind = \"free\"");
-  const small_run::TemporaryFolder folder;
-  CHECK_THROWS_WITH(cases::run(case_text::read(free, {"srif.accuracy=0.05"}), {folder / "free", true}),
-                    Catch::Contains("supports hold"));
-  CHECK_FALSE(std::filesystem::exists(folder / "free"));
 }

@@ -1,19 +1,9 @@
-#include <sstream>
-
-#include "cases/input/keys.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;
 
 namespace {
-
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 const std::string dynamic =
     with_line(with_line(plain, 17, "kind = \"dynamic\"\nduration = 0.5"), 4, "thickness = 0.1\ndensity = 7850");
@@ -148,22 +138,4 @@ TEST_CASE("what is resolved keeps every digit, quote and form") {
     const auto once = resolved(dynamic, variant);
     CHECK(resolved(once, {}) == once);
   }
-}
-
-TEST_CASE("the table of keys in the guide is the program's") {
-  const auto guide = contents(std::filesystem::path(PDPLATE_SOURCE_DIR) / "cases" / "keys.md");
-  CHECK_THAT(guide, Catch::Contains(post::key_table(cases::keys())));
-}
-
-TEST_CASE("every key is documented once") {
-  std::map<std::string, int> count;
-  for (const auto& key : cases::keys()) {
-    INFO(key.name);
-    CHECK(++count[key.name] == 1);
-    CHECK_FALSE(key.help.empty());
-    CHECK_FALSE(key.allowed.empty());
-    CHECK_FALSE(key.standard.empty());
-  }
-  CHECK(count.contains("support[].kind"));
-  CHECK(count.contains("srif.normalize.width"));
 }

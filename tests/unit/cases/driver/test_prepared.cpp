@@ -1,0 +1,70 @@
+#include "cases/driver/prepared.hpp"
+
+#include "cases/driver/run.hpp"
+#include "post/files/summary.hpp"
+#include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+using case_text::plain;
+
+namespace {
+
+std::string moving(const std::string& more = "") {
+  std::string text = plain;
+  text.replace(text.find("kind = \"static\""), 15, "kind = \"dynamic\"\nduration = 0.4\n" + more);
+  text.insert(text.find("thickness"), "density = 1.0\n");
+  return text + "[srif]\n[output]\nfields = []\nprobes = { far = [0.9, 0.0] }\n";
+}
+
+}  // namespace
+
+TEST_CASE("Lanczos vectors: a plate that nothing holds is refused") {
+  std::string text = moving("method = \"lanczos\"\n");
+  text.replace(text.find("kind = \"clamped\""), 16, "kind = \"free\"");
+  const small_run::TemporaryFolder folder;
+  CHECK_THROWS_WITH(cases::run(case_text::read(text), {folder.path(), true}),
+                    Catch::Contains("needs a plate that supports hold"));
+  CHECK(std::filesystem::is_empty(folder.path()));
+  // graded points take steps then, where the case states nothing
+  text.erase(text.find("method = \"lanczos\"\n"), 19);
+  const auto summary = cases::run(case_text::read(text, {"discretization.tip_spacing=0.04", "analysis.duration=0.01"}),
+                                  {folder.path(), true});
+  CHECK(summary.analysis.method == "central_difference");
+}
+
+TEST_CASE("accuracy in motion: a plate that nothing holds and one that is to take steps are refused") {
+  const auto found = case_text::problems(moving(), {"srif.accuracy=0.05", "analysis.method=central_difference"});
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].key == "srif.accuracy");
+  CHECK_THAT(found[0].what, Catch::Contains("Lanczos vectors"));
+
+  std::string free = moving();
+  free.replace(free.find("kind = \"clamped\""), 16, "kind = \"free\"");
+  const small_run::TemporaryFolder folder;
+  CHECK_THROWS_WITH(cases::run(case_text::read(free, {"srif.accuracy=0.05"}), {folder / "free", true}),
+                    Catch::Contains("supports hold"));
+  CHECK_FALSE(std::filesystem::exists(folder / "free"));
+}
+
+TEST_CASE("prepared: a motion has its steps, none above the stable one, and methods where factors are wanted") {
+  const std::vector<std::string> coarse{"discretization.spacing=0.1", "analysis.method=central_difference"};
+  const cases::Prepared motion(case_text::read(moving(), coarse));
+  REQUIRE(motion.steps);
+  CHECK(motion.steps->limit > 0);
+  CHECK(motion.steps->grid.time_step <= motion.steps->limit);
+  CHECK(motion.steps->grid.time_step * double(motion.steps->grid.steps) == Approx(0.4));
+  CHECK(motion.tip_methods.size() == 2);
+  CHECK(motion.plate->held());
+  auto asks = coarse;
+  asks.push_back("analysis.time_step=1");
+  try {
+    const cases::Prepared refused(case_text::read(moving(), asks));
+    FAIL("it was taken");
+  } catch (const cases::CaseError& error) {
+    REQUIRE(error.problems().size() == 1);
+    CHECK(error.problems()[0].key == "analysis.time_step");
+  }
+  const cases::Prepared still(case_text::read(plain, {"discretization.spacing=0.1"}));
+  CHECK_FALSE(still.steps);
+  CHECK(still.tip_methods.empty());
+}
