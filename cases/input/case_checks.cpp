@@ -32,7 +32,7 @@ void check_edges(const Case& content, Reading& reading) {
     if (fault.subject == plate::Subject::support_direction &&
         !reading.sound(fmt::format("support[{}].kind", fault.number)))
       continue;
-    if (fault.subject == plate::Subject::load_position && (!reading.given(key) || !reading.sound(key))) continue;
+    if (!reading.sound(key) || (fault.subject == plate::Subject::load_position && !reading.given(key))) continue;
     reading.complain(key, fault.what);
   }
 }

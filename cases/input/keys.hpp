@@ -1,5 +1,6 @@
 #pragma once
 #include "cases/input/keys/forms.hpp"
+#include "geometry/shape/outline.hpp"
 
 namespace fracture {
 struct Growth;
@@ -25,6 +26,9 @@ struct Output;
 
 Fields<plate::Section> section_fields();
 Fields<plate::Problem> geometry_fields();
+/// A circle or a polygon; what each is for.
+Fields<geometry::Hole> hole_fields(const std::string& round, const std::string& polygonal);
+void check_hole(const Value& hole, geometry::Hole& content);
 Fields<plate::Discretization> discretization_fields();
 Fields<plate::Support> support_fields();
 Fields<plate::Load> load_fields();

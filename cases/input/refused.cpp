@@ -18,6 +18,8 @@ std::string key_of(const plate::Refusal& refusal) {
                                                           {support_direction, "support[{}].edges"},
                                                           {load_position, "load[{}].position"},
                                                           {load_edges, "load[{}].edges"},
+                                                          {load_patch, "load[{}].on"},
+                                                          {load_line, "load[{}].along"},
                                                           {preconditioner, "analysis.preconditioner"},
                                                           {precision, "analysis.precision"},
                                                           {modes, "analysis.modes"},

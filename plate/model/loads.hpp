@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
+#include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/outline.hpp"
 #include "plate/model/history.hpp"
 
@@ -9,15 +11,23 @@ namespace plate {
 
 /// One load. Pressure and shear forces act along +w; a positive moment is tension on the z > 0 face.
 struct Load {
-  enum class Kind { pressure, edge_moment, edge_shear, point_force };
+  enum class Kind { pressure, edge_moment, edge_shear, point_force, line_load };
   Kind kind = Kind::pressure;
-  double value = 0;  // pressure [force/length^2], moment and shear per length, force
-  double twist = 0;  // edge_moment: M_ns beside the normal moment, s = normal turned by +90 degrees
+  double value = 0;                     // pressure [force/length^2], moment, shear and line load per length, force
+  geometry::Point gradient{0, 0};       // of the pressure [force/length^3], which has its value at `from`
+  geometry::Point from{0, 0};           // [length]
+  std::optional<geometry::Hole> patch;  // the pressure acts on this part of the plate alone
+  geometry::Polyline along;             // line_load
+  double twist = 0;                     // edge_moment: M_ns beside the normal moment, s = normal turned by +90 degrees
   std::array<double, 3> tensor{0, 0, 0};  // edge_moment: Mxx, Myy, Mxy instead of value and twist
   bool has_tensor = false;
   std::vector<std::string> edges;  // edge loads
   geometry::Point position{0, 0};  // point_force
   History history;
+
+  /// The same pressure everywhere?
+  bool uniform() const { return !patch && gradient.isZero(0); }
+  double pressure(const geometry::Point& x) const { return value + gradient.dot(x - from); }
 };
 
 }  // namespace plate

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 #include "geometry/cells/tessellation.hpp"
+#include "plate/model/loading/spread.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -73,11 +74,6 @@ std::uint32_t nearest(const std::vector<std::uint32_t>& points, const geometry::
   return best;
 }
 
-/// A force F at `lever` from the point: by w(lever) = w + lever . psi it is F on w and a couple on the rotations.
-Eigen::Vector3d moved_force(double force, const Point& lever) {
-  return {force, force * lever.y(), -force * lever.x()};
-}
-
 /// Couple of a moment tensor M (tension on z > 0 positive) on an edge with normal n: work M n . (u, v)/z.
 Eigen::Vector3d edge_couple(const Load& load, const Point& normal) {
   if (load.has_tensor) {
@@ -126,7 +122,12 @@ Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
   switch (load.kind) {
     case Load::Kind::pressure:
-      for (std::size_t k = 0; k < areas.size(); ++k) forces(0, Eigen::Index(k)) = load.value * areas[k];
+      for (std::size_t k = 0; load.uniform() && k < areas.size(); ++k)
+        forces(0, Eigen::Index(k)) = load.value * areas[k];
+      if (!load.uniform()) add_pressure(load, cells, forces);
+      break;
+    case Load::Kind::line_load:
+      add_line_load(load, cells.positions, areas.size(), cells.units.spacing, forces);
       break;
     case Load::Kind::point_force: {
       std::size_t nearest = 0;
@@ -149,7 +150,12 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(cloud.size()));
   switch (load.kind) {
     case Load::Kind::pressure:
-      for (std::uint32_t k = 0; k < cloud.plate_points; ++k) forces(0, k) = load.value * cloud.areas[k];
+      for (std::uint32_t k = 0; load.uniform() && k < cloud.plate_points; ++k)
+        forces(0, k) = load.value * cloud.areas[k];
+      if (!load.uniform()) add_pressure(load, cloud, forces);
+      break;
+    case Load::Kind::line_load:
+      add_line_load(load, cloud.positions, cloud.plate_points, cloud.units.spacing, forces);
       break;
     case Load::Kind::point_force: {
       const auto k = geometry::nearest_plate_point(cloud, load.position);

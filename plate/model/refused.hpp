@@ -18,6 +18,8 @@ enum class Subject {
   support_direction,  // of its edges
   load_position,
   load_edges,
+  load_patch,
+  load_line,
   // of its analysis
   preconditioner,
   precision,

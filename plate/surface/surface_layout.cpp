@@ -185,8 +185,10 @@ EdgeAction action_of(const Load& load, const Point& n) {
 
 Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate, const Boundary& b,
                  const geometry::Outline& outline) {
-  if (load.kind == Load::Kind::point_force) return nodal_forces(load, b.cloud, outline);
-  const double pressure = load.kind == Load::Kind::pressure ? load.value : 0;
+  using enum Load::Kind;
+  if (load.kind == point_force || load.kind == line_load || (load.kind == pressure && !load.uniform()))
+    return nodal_forces(load, b.cloud, outline);
+  const double everywhere = load.kind == pressure ? load.value : 0;
   const auto on_edges = [&](const Point& at, const Point& n) {
     const auto& side = *std::ranges::find_if(b.sides, [&](const Side& one) { return one.outward(at).dot(n) > 0.5; });
     const bool loaded = std::ranges::find(load.edges, side.name) != load.edges.end();
@@ -194,7 +196,8 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
     condition.held = {false, false, false};  // forces on what is held are booked to the supports
     return condition;
   };
-  const auto right = edge_problem(plate, on_edges, [&](const Point&) { return Eigen::Vector3d(pressure, 0, 0); }).right;
+  const auto right =
+      edge_problem(plate, on_edges, [&](const Point&) { return Eigen::Vector3d(everywhere, 0, 0); }).right;
   Forces forces = Forces::Zero(3, Eigen::Index(b.cloud.size()));
   forces.leftCols(right.size() / 3) = Eigen::Map<const Eigen::Matrix3Xd>(right.data(), 3, right.size() / 3);
   return forces;

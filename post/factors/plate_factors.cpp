@@ -32,8 +32,10 @@ double clear_distance(const plate::Problem& c, const std::vector<geometry::Crack
                       const geometry::Tip& tip) {
   const double spacing = c.discretization.spacing_at_tips();
   double clear = clear_distance(c.outline, paths, tip, spacing);
-  for (const auto& load : c.loads)
+  for (const auto& load : c.loads) {
     if (load.kind == plate::Load::Kind::point_force) clear = std::min(clear, (load.position - tip.position).norm());
+    if (!load.along.empty()) clear = std::min(clear, geometry::distance(load.along, tip.position));
+  }
   for (const auto& support : c.supports)
     for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
   return clear;

@@ -87,35 +87,6 @@ Fields<Outline> outline_fields() {
   };
 }
 
-Fields<Hole> hole_fields() {
-  return {
-      value<Hole>(
-          {"circle", "length", "[x, y, radius]", "", "round hole; the holes are the edges hole0, hole1, ..."},
-          [](const Value& given, Hole& hole) {
-            if (const auto x = given.numbers(3, "[x, y, radius]")) hole = Circle{{(*x)[0], (*x)[1]}, (*x)[2], ""};
-          },
-          [](const Hole& hole) -> std::string {
-            const auto* circle = std::get_if<Circle>(&hole);
-            return !circle ? ""
-                           : fmt::format("[{}, {}, {}]", number_text(circle->centre.x()),
-                                         number_text(circle->centre.y()), number_text(circle->radius));
-          }),
-      value<Hole>(
-          {"polygon", "length", "[[x, y], ...]", "", "polygonal hole; all its edges are one, hole0, hole1, ..."},
-          [](const Value& given, Hole& hole) { read_polygon(given, hole.emplace<Polygon>()); },
-          [](const Hole& hole) -> std::string {
-            const auto* polygon = std::get_if<Polygon>(&hole);
-            return polygon && !polygon->vertices.empty() ? text_of(polygon->vertices) : "";
-          }),
-  };
-}
-
-void check_hole(const Value& given, Hole&) {
-  const auto& reading = given.reading();
-  if (reading.given(given.below("circle")) == reading.given(given.below("polygon")))
-    given.refuse("either { circle = [x, y, radius] } or { polygon = [[x, y], ...] }");
-}
-
 void read_cracks(const Value& given, plate::Problem& content) {
   const auto cracks = given.elements("a list of polylines [ [[x, y], [x, y]], ... ]");
   if (!cracks) return;
@@ -131,6 +102,35 @@ std::string cracks_text(const plate::Problem& content) {
 
 }  // namespace
 
+Fields<Hole> hole_fields(const std::string& round, const std::string& polygonal) {
+  return {
+      value<Hole>(
+          {"circle", "length", "[x, y, radius]", "", round},
+          [](const Value& given, Hole& hole) {
+            if (const auto x = given.numbers(3, "[x, y, radius]")) hole = Circle{{(*x)[0], (*x)[1]}, (*x)[2], ""};
+          },
+          [](const Hole& hole) -> std::string {
+            const auto* circle = std::get_if<Circle>(&hole);
+            return !circle ? ""
+                           : fmt::format("[{}, {}, {}]", number_text(circle->centre.x()),
+                                         number_text(circle->centre.y()), number_text(circle->radius));
+          }),
+      value<Hole>(
+          {"polygon", "length", "[[x, y], ...]", "", polygonal},
+          [](const Value& given, Hole& hole) { read_polygon(given, hole.emplace<Polygon>()); },
+          [](const Hole& hole) -> std::string {
+            const auto* polygon = std::get_if<Polygon>(&hole);
+            return polygon && !polygon->vertices.empty() ? text_of(polygon->vertices) : "";
+          }),
+  };
+}
+
+void check_hole(const Value& given, Hole&) {
+  const auto& reading = given.reading();
+  if (reading.given(given.below("circle")) == reading.given(given.below("polygon")))
+    given.refuse("either { circle = [x, y, radius] } or { polygon = [[x, y], ...] }");
+}
+
 Fields<plate::Problem> geometry_fields() {
   using P = plate::Problem;
   auto outline = table<P, Outline>("outline", Layout::inline_, &P::outline, outline_fields(), check_outline);
@@ -140,7 +140,10 @@ Fields<plate::Problem> geometry_fields() {
   };
   return {
       std::move(outline),
-      tables<P, Hole>("holes", Layout::inline_, holes, hole_fields(), check_hole),
+      tables<P, Hole>("holes", Layout::inline_, holes,
+                      hole_fields("round hole; the holes are the edges hole0, hole1, ...",
+                                  "polygonal hole; all its edges are one, hole0, hole1, ..."),
+                      check_hole),
       value<P>(
           {"cracks", "length", "[ [[x, y], [x, y], ...], ... ]", "",
            "polylines; an end inside the plate is a tip, one on an edge or hole a mouth, one on a crack a junction"},

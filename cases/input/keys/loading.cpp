@@ -40,7 +40,8 @@ const Words<SupportKind> support_kinds{{{"clamped", SupportKind::clamped},
 const Words<Load::Kind> load_kinds{{{"pressure", Load::Kind::pressure},
                                     {"edge_moment", Load::Kind::edge_moment},
                                     {"edge_shear", Load::Kind::edge_shear},
-                                    {"point_force", Load::Kind::point_force}}};
+                                    {"point_force", Load::Kind::point_force},
+                                    {"line_load", Load::Kind::line_load}}};
 
 const Words<History::Kind> history_words{
     {{"step", History::Kind::step}, {"ramp", History::Kind::ramp}, {"sine", History::Kind::sine}}};
@@ -99,6 +100,25 @@ Field<Load> tensor() {
       });
 }
 
+Field<Load> point(const std::string& name, const std::string& unit, geometry::Point Load::*member,
+                  const std::string& allowed, const std::string& help) {
+  const auto read = [member](const Value& given, Load& load) { load.*member = given.point().value_or(load.*member); };
+  return value<Load>({name, unit, allowed, "", help}, read, [=](const Load& load) { return text_of(load.*member); });
+}
+
+/// A list of at least some points.
+template <class T>
+Field<T> points(const std::string& name, std::vector<geometry::Point> T::*member, std::size_t least,
+                const std::string& help) {
+  const auto read = [=](const Value& given, T& object) {
+    const auto points = given.points();
+    if (points && points->size() < least) given.refuse(fmt::format("a list of {} points or more", least));
+    object.*member = points.value_or(object.*member);
+  };
+  const auto text = [=](const T& object) { return (object.*member).empty() ? "" : text_of(object.*member); };
+  return value<T>({name, "length", "[[x, y], ...]", "", help}, read, text);
+}
+
 /// A value or twist: absent from what is written where a tensor replaces it.
 Field<Load> amount(const std::string& name, const std::string& unit, double Load::*member, const std::string& help) {
   auto field = number<Load>(name, unit, member, finite, help);
@@ -119,14 +139,7 @@ Fields<Support> support_fields() {
       choice<Support, SupportKind>("kind", &Support::kind, support_kinds, "how the edge is held; see \"Supports\"")
           .required(),
       edges<Support>("the edges that are held, each by one support").required().with(of_edges),
-      value<Support>(
-          {"points", "length", "[[x, y], ...]", "", "points in the plate or on its boundary where w = 0"},
-          [](const Value& given, Support& support) {
-            const auto points = given.points();
-            if (points && points->empty()) given.refuse("a list of at least one point");
-            if (points) support.points = *points;
-          },
-          [](const Support& support) { return support.points.empty() ? "" : text_of(support.points); })
+      points("points", &Support::points, 1, "points in the plate or on its boundary where w = 0")
           .required()
           .with(of_points),
   };
@@ -141,20 +154,24 @@ Fields<Load> load_fields() {
     return load.history.frequency;
   };
   return {
-      choice<Load, Load::Kind>("kind", &Load::kind, load_kinds, "what acts; see \"Signs\"").required(),
-      amount("value", "force/length^2, force, force/length, force", &Load::value,
-             "pressure, edge moment per length, edge shear per length, point force")
+      choice<Load, Load::Kind>("kind", &Load::kind, load_kinds, "what acts; see \"Loads\" and \"Signs\"").required(),
+      amount("value", "force/length^2, force, force/length, force, force/length", &Load::value,
+             "pressure, edge moment per length, edge shear per length, point force, force per length of a line")
           .standard("required without tensor"),
+      point("gradient", "force/length^3", &Load::gradient, "[gx, gy]", "what the pressure grows by along x and y")
+          .with(kind_is({pressure})),
+      point("from", "length", &Load::from, "[x, y]", "where the pressure has its value").with(kind_is({pressure})),
+      table<Load, geometry::Hole>("on", Layout::inline_, &Load::patch,
+                                  hole_fields("the disc that the pressure acts on, without it the plate",
+                                              "the polygon that the pressure acts on, without it the plate"),
+                                  check_hole)
+          .with(kind_is({pressure})),
+      points("along", &Load::along, 2, "the line that the load acts along").required().with(kind_is({line_load})),
       edges<Load>("the edges that are loaded").required().with(kind_is({edge_moment, edge_shear})),
       amount("twist", "force", &Load::twist, "twisting moment M_ns beside value, s = normal turned by +90 degrees")
           .with(kind_is({edge_moment})),
       tensor().with(kind_is({edge_moment})),
-      value<Load>(
-          {"position", "length", "[x, y] inside the plate", "", "where the force acts"},
-          [](const Value& given, Load& load) {
-            if (const auto point = given.point()) load.position = *point;
-          },
-          [](const Load& load) { return text_of(load.position); })
+      point("position", "length", &Load::position, "[x, y] inside the plate", "where the force acts")
           .required()
           .with(kind_is({point_force})),
       value<Load>({"history", "-", history_words.text() + " or a table [[time, factor], ...]", "",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "geometry/shape/patch.hpp"
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/wording.hpp"
@@ -72,6 +73,31 @@ void check_supports(const Problem& problem, std::vector<Refusal>& found) {
   }
 }
 
+/// A patch that misses the plate, or whose boundary crosses itself; a line that leaves the plate.
+void check_place(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
+  const auto* circle = load.patch ? std::get_if<geometry::Circle>(&*load.patch) : nullptr;
+  if (circle && !(circle->radius > 0)) {
+    found.push_back({Subject::load_patch, number, fmt::format("radius {:g} given, must be > 0", circle->radius)});
+  } else if (load.patch) {
+    const geometry::Patch patch(*load.patch);
+    const geometry::Polygon ring{patch.ring(), std::vector<std::string>(patch.ring().size())};
+    const auto faults = geometry::faults({ring, {}});
+    for (const auto& fault : faults)
+      found.push_back({Subject::load_patch, number, "the polygon that the pressure acts on: " + fault.what});
+    if (faults.empty() && !patch.meets(outline))
+      found.push_back({Subject::load_patch, number, "the pressure acts on nothing of the plate"});
+  }
+  for (std::size_t i = 0; i < load.along.size(); ++i) {
+    const auto& x = load.along[i];
+    if (!on_plate(outline, x)) {
+      found.push_back({Subject::load_line, number, text_of(x) + " given, must lie in the plate or on its boundary"});
+    } else if (i > 0 && on_plate(outline, load.along[i - 1]) && geometry::leaves(outline, load.along[i - 1], x)) {
+      found.push_back({Subject::load_line, number,
+                       fmt::format("the line from {} to {} leaves the plate", text_of(load.along[i - 1]), text_of(x))});
+    }
+  }
+}
+
 }  // namespace
 
 bool on_plate(const geometry::Outline& outline, const geometry::Point& point) {
@@ -87,6 +113,7 @@ std::vector<Refusal> faults_of_edges(const Problem& problem) {
     check_names(load.edges, geometry::edge_names(problem.outline), Subject::load_edges, i, found);
     if (!geometry::contains(problem.outline, load.position))
       found.push_back({Subject::load_position, i, text_of(load.position) + " given, must lie inside the plate"});
+    check_place(load, i, problem.outline, found);
   }
   return found;
 }

@@ -94,19 +94,36 @@ function page_arrow([x, y], towards, radius = 5) {
     : [line([x - cross, y - cross], [x + cross, y + cross]), line([x - cross, y + cross], [x + cross, y - cross])]);
 }
 
-function inside(point) {
-  const within = vertices => vertices.reduce((odd, a, i) => {
+function within(vertices, point) {
+  return vertices.reduce((odd, a, i) => {
     const b = vertices[(i + 1) % vertices.length];
     return (a[1] > point[1]) !== (b[1] > point[1]) && point[0] < a[0] + ((point[1] - a[1]) / (b[1] - a[1])) * (b[0] - a[0]) ? !odd : odd;
   }, false);
-  return within(plate.outline) && !plate.holes.some(hole => within(hole_vertices(hole)));
 }
 
-function pressure_marks(load, box, map, scale) {
-  const step = Math.max(box.high[0] - box.low[0], box.high[1] - box.low[1]) / 6, marks = [];
+function inside(point) {
+  return within(plate.outline, point) && !plate.holes.some(hole => within(hole_vertices(hole), point));
+}
+
+function pressure_marks(load, plate_box, map) {
+  const clamped = point => point.map((x, c) => Math.min(Math.max(x, plate_box.low[c]), plate_box.high[c]));
+  const patch = load.patch ? hole_vertices(load.patch).map(clamped) : null, marks = [];
+  const side = (end, axis) => Math[end](...patch.map(point => point[axis]));
+  const box = patch ? { low: [side("min", 0), side("min", 1)], high: [side("max", 0), side("max", 1)] } : plate_box;
+  const step = Math.max(box.high[0] - box.low[0], box.high[1] - box.low[1]) / (patch ? 4 : 6);
+  const pressure = ([x, y]) => load.value + (load.gradient ? load.gradient[0] * (x - load.from[0]) + load.gradient[1] * (y - load.from[1]) : 0);
   for (let x = box.low[0] + step / 2; x < box.high[0]; x += step)
-    for (let y = box.low[1] + step / 2; y < box.high[1]; y += step) if (inside([x, y])) marks.push(page_arrow(map([x, y]), load.value > 0, 4));
-  return drawn("g", { class: "pressure" }, marks);
+    for (let y = box.low[1] + step / 2; y < box.high[1]; y += step)
+      if (inside([x, y]) && (!patch || within(patch, [x, y])) && pressure([x, y])) marks.push(page_arrow(map([x, y]), pressure([x, y]) > 0, 4));
+  return drawn("g", { class: "pressure" }, patch ? drawn("path", { d: path_of(patch, map, true), class: "patch" }) : null, marks);
+}
+
+function line_marks(load, map) {
+  const marks = load.along.slice(1).flatMap((to, i) => {
+    const a = map(load.along[i]), b = map(to), count = Math.max(2, Math.round(Math.hypot(b[0] - a[0], b[1] - a[1]) / 24));
+    return [...Array(count).keys()].map(n => page_arrow([0, 1].map(c => a[c] + (n + 0.5) / count * (b[c] - a[c])), load.value > 0, 4));
+  });
+  return drawn("g", {}, drawn("path", { d: path_of(load.along, map), class: "patch" }), marks);
 }
 
 /** A moment as an arc about the edge, with its head where it turns to. */
@@ -117,7 +134,8 @@ function moment_mark({ at, out, t }, positive) {
 }
 
 function load_marks(load, box, { map, scale }) {
-  if (load.kind === "pressure") return pressure_marks(load, box, map, scale);
+  if (load.kind === "pressure") return pressure_marks(load, box, map);
+  if (load.kind === "line_load") return line_marks(load, map);
   if (load.kind === "point_force") return page_arrow(map(load.position), load.value > 0, 6);
   const edges = all_edges().filter(edge => load.edges.includes(edge.name));
   if (load.kind === "edge_shear") return along(edges, map, 24).map(({ at, out }) => page_arrow(shifted(at, out, 8), load.value > 0, 4.5));
@@ -167,7 +185,8 @@ function plate_words() {
   const { section: s } = plate, on = edges => (edges.length ? ` on ${listed(edges)}` : "");
   const load = one => {
     const value_of = one.tensor ? `Mxx, Myy, Mxy = ${one.tensor.map(x => shown(x)).join(", ")}` : shown(one.value);
-    const twist = one.twist ? `, twist ${shown(one.twist)}` : "", place = one.position ? ` at (${one.position.map(x => shown(x)).join(", ")})` : "";
+    const twist = one.twist ? `, twist ${shown(one.twist)}` : "", pair = ([x, y]) => `(${shown(x)}, ${shown(y)})`;
+    const place = (one.position ? ` at ${pair(one.position)}` : "") + (one.gradient ? ` at ${pair(one.from)} with the gradient ${pair(one.gradient)}` : "") + (one.patch ? (one.patch.centre ? ` on a circle about ${pair(one.patch.centre)}` : ` on ${one.patch.vertices.map(pair).join(" ")}`) : "") + (one.along ? ` along ${one.along.map(pair).join(" ")}` : "");
     return `${spaced(one.kind)} ${value_of}${unit(one.kind) ? ` ${unit(one.kind)}` : ""}${twist}${on(one.edges)}${place}${one.history ? `, ${one.history}` : ""}`;
   };
   const of = (x, quantity) => `${shown(x)}${unit(quantity) ? ` ${unit(quantity)}` : ""}`;

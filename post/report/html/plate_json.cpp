@@ -78,7 +78,7 @@ std::string words(const plate::History& history) {
 }
 
 std::string text_of(const plate::Load& load) {
-  static constexpr std::array kinds{"pressure", "edge_moment", "edge_shear", "point_force"};
+  static constexpr std::array kinds{"pressure", "edge_moment", "edge_shear", "point_force", "line_load"};
   Members members{{"kind", json_text(kinds.at(std::size_t(load.kind)))},
                   {"value", json_number(load.value)},
                   {"twist", json_number(load.twist)},
@@ -87,6 +87,12 @@ std::string text_of(const plate::Load& load) {
   if (load.has_tensor)
     members.emplace_back(
         "tensor", json_list({json_number(load.tensor[0]), json_number(load.tensor[1]), json_number(load.tensor[2])}));
+  if (load.patch) members.emplace_back("patch", text_of(*load.patch));
+  if (!load.gradient.isZero(0)) {
+    members.emplace_back("gradient", text_of(load.gradient));
+    members.emplace_back("from", text_of(load.from));
+  }
+  if (!load.along.empty()) members.emplace_back("along", text_of(load.along));
   if (load.kind == plate::Load::Kind::point_force) members.emplace_back("position", text_of(load.position));
   return json_object(members);
 }

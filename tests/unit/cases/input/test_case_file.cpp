@@ -125,6 +125,9 @@ TEST_CASE("what is resolved keeps every digit, quote and form") {
       {"support[0].kind=pinned", "support[0]={ kind=\"pinned\", points=[[-1,-1],[1,-1],[1,1]] }"},
       {"load[0]={ kind=\"edge_moment\", edges=[\"top\"], tensor=[1,2,3] }"},
       {"load[0]={ kind=\"edge_moment\", edges=[\"top\"], value=1, twist=2 }"},
+      {"load[0]={ kind=\"pressure\", value=1, gradient=[1,2], from=[0.1,0], on={ circle=[0,0,0.1] } }"},
+      {"load[0]={ kind=\"pressure\", value=1, on={ polygon=[[0,0],[0.4,0],[0,0.3]] } }"},
+      {"load[0]={ kind=\"line_load\", value=-1, along=[[0,0],[0.5,0.3],[1,1]] }"},
       {"srif={ window=0.1, rows=2, skip=1, normalize={ moment=2 }, half_length=0.3 }", "output.fields=[]"}};
   for (const auto& variant : variants) {
     const auto once = resolved(plain, variant);

@@ -21,3 +21,24 @@ TEST_CASE("loads are checked against the plate and against themselves") {
          "[Mxx, Myy, Mxy]");
   CHECK(problems(load("kind = \"edge_moment\"\nedges = [\"top\"]\ntensor = [1, 2, 3]")).empty());
 }
+
+TEST_CASE("loads on a part of the plate and along lines are checked against it") {
+  const auto pressure = [](const std::string& on) {
+    return plain + "[[load]]\nkind = \"pressure\"\nvalue = 1\n" + on + "\n";
+  };
+  const auto line = [](const std::string& along) {
+    return plain + "[[load]]\nkind = \"line_load\"\nvalue = 1\n" + along + "\n";
+  };
+  const std::string key = "load[1].on", along = "load[1].along";
+  CHECK(problems(pressure("on = { circle = [0, 0, 0.3] }\ngradient = [1, 0]\nfrom = [0, 1]")).empty());
+  expect(pressure("on = { circle = [0, 0, 0] }"), ":21", key, "radius 0 given, must be > 0");
+  expect(pressure("on = { circle = [7, 7, 1] }"), ":21", key, "acts on nothing of the plate");
+  expect(pressure("on = { polygon = [[0, 0], [0.5, 0.5], [0.5, 0], [0, 0.5]] }"), ":21", key, "cross");
+  expect(pressure("on = { polygon = [[0, 0], [0.5, 0.5]] }"), ":21", key + ".polygon", "three");
+  expect(pressure("on = { }"), ":21", key, "either { circle");
+  expect(pressure("gradient = [1]"), ":21", "load[1].gradient", "[x, y]");
+  expect(line("along = [[0, 0], [1, 0]]\non = { circle = [0, 0, 1] }"), ":22", key, "kind = pressure only");
+  expect(line(""), ":18", along, "is missing");
+  expect(line("along = [[0, 0]]"), ":21", along, "2 points or more");
+  expect(line("along = [[0, 0], [3, 0]]"), ":21", along, "[3, 0] given, must lie in the plate");
+}

@@ -1,0 +1,89 @@
+#include "plate/model/loading/spread.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <stdexcept>
+
+#include "geometry/cells/tessellation.hpp"
+#include "geometry/shape/patch.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+using Ring = std::vector<Point>;
+
+/// What a pressure does to a piece of the plate: its force, and the moment of it, int p x dA, about a place.
+struct Thrust {
+  double force = 0;
+  Point moment{0, 0};
+};
+
+Thrust thrust(const Load& load, const Ring& piece, const Point& about) {
+  if (piece.empty()) return {};
+  const auto [area, first, second] = geometry::moments(piece, about);
+  const double p = load.pressure(about);
+  return {p * area + load.gradient.dot(first), p * first + second * load.gradient};
+}
+
+std::optional<geometry::Patch> patch_of(const Load& load) {
+  return load.patch ? std::optional<geometry::Patch>(*load.patch) : std::nullopt;
+}
+
+template <std::size_t N>
+void add_cell(const Load& load, const std::optional<geometry::Patch>& patch, const std::array<std::uint32_t, N>& cell,
+              const std::vector<Point>& positions, Forces& forces) {
+  Ring ring;
+  Point middle(0, 0);
+  for (const auto k : cell) ring.push_back(positions[k]), middle += positions[k] / double(N);
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Point& x : ring) spread += (x - middle) * (x - middle).transpose();
+  const auto [force, moment] = thrust(load, patch ? patch->common(ring) : ring, middle);
+  const Point slope = spread.inverse() * moment;
+  for (std::size_t i = 0; i < N; ++i)
+    forces(0, Eigen::Index(cell[i])) += force / double(N) + slope.dot(ring[i] - middle);
+}
+
+}  // namespace
+
+Eigen::Vector3d moved_force(double force, const Point& lever) {
+  return {force, force * lever.y(), -force * lever.x()};
+}
+
+void add_pressure(const Load& load, const geometry::Cloud& cloud, Forces& forces) {
+  const auto patch = patch_of(load);
+  const double side = cloud.units.spacing, half = side / 2;
+  for (std::size_t k = 0; k < cloud.plate_points; ++k) {
+    const Point& x = cloud.positions[k];
+    const Ring cell{x + Point(-half, -half), x + Point(half, -half), x + Point(half, half), x + Point(-half, half)};
+    const auto [force, moment] = thrust(load, patch ? patch->common(cell) : cell, x);
+    const double share = cloud.areas[k] / (side * side);
+    forces.col(Eigen::Index(k)) += share * Eigen::Vector3d(force, moment.y(), -moment.x());
+  }
+}
+
+void add_pressure(const Load& load, const geometry::Tessellation& cells, Forces& forces) {
+  const auto patch = patch_of(load);
+  for (const auto& square : cells.squares) add_cell(load, patch, square, cells.positions, forces);
+  for (const auto& triangle : cells.triangles) add_cell(load, patch, triangle, cells.positions, forces);
+}
+
+void add_line_load(const Load& load, const Ring& positions, std::size_t count, double spacing, Forces& forces) {
+  for (std::size_t i = 0; i + 1 < load.along.size(); ++i) {
+    const Point &from = load.along[i], &to = load.along[i + 1];
+    std::vector<std::size_t> near;
+    for (std::size_t k = 0; k < count; ++k)
+      if (geometry::distance(geometry::Polyline{from, to}, positions[k]) < 2 * spacing) near.push_back(k);
+    if (near.empty()) throw std::invalid_argument("a line load has no point of the plate within two spacings");
+    const int pieces = std::max(1, int(std::ceil(8 * (to - from).norm() / spacing - 1e-6)));
+    const double force = load.value * (to - from).norm() / pieces;
+    for (int n = 0; n < pieces; ++n) {
+      const Point middle = from + (n + 0.5) / pieces * (to - from);
+      const auto away = [&](std::size_t k) { return (positions[k] - middle).squaredNorm(); };
+      const auto k = *std::ranges::min_element(near, [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
+      forces.col(Eigen::Index(k)) += moved_force(force, middle - positions[k]);
+    }
+  }
+}
+
+}  // namespace plate

@@ -1,0 +1,31 @@
+#pragma once
+#include "plate/model/loads.hpp"
+#include "plate/model/state.hpp"
+
+namespace geometry {
+struct Cloud;
+struct Tessellation;
+}  // namespace geometry
+
+namespace plate {
+
+/// Loads that are spread over a part of the plate or along a line, as nodal forces that have their resultants and the
+/// moments of these (conjugate to w, theta_x, theta_y) [3 x points].
+
+/// A force F at `lever` from the point: by w(lever) = w + lever . psi it is F on w and a couple on the rotations.
+Eigen::Vector3d moved_force(double force, const geometry::Point& lever);
+
+/// Adds a pressure that varies, or that acts on a patch: to every point what acts on its cell, exact for linear
+/// pressures and polygons but for cells that the outline cuts, where it is spread as over the whole cell.
+void add_pressure(const Load& load, const geometry::Cloud& cloud, Forces& forces);
+
+/// The same to the corners of cells, by the linear function that corners carry.
+void add_pressure(const Load& load, const geometry::Tessellation& cells, Forces& forces);
+
+/// Adds a line load: pieces of an eighth of a spacing, each to the point nearest to its middle.
+/// @param positions  of `count` points of the plate and maybe of others [length]
+/// @throws std::invalid_argument  where a piece has no point of the plate within two spacings
+void add_line_load(const Load& load, const std::vector<geometry::Point>& positions, std::size_t count, double spacing,
+                   Forces& forces);
+
+}  // namespace plate

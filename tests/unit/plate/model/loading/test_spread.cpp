@@ -1,0 +1,97 @@
+#include "plate/model/loading/spread.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "geometry/cells/tessellation.hpp"
+#include "geometry/lattice/seeding.hpp"
+#include "geometry/shape/patch.hpp"
+#include "plate/model/nodal_forces.hpp"
+
+using namespace plate;
+using geometry::Point;
+
+namespace {
+
+/// Work on the three rigid motions: the resultant force, and its moments sum F x, sum F y with the couples.
+Eigen::Vector3d resultant(const Forces& forces, const std::vector<Point>& positions) {
+  Eigen::Vector3d sum(0, 0, 0);
+  for (Eigen::Index k = 0; k < forces.cols(); ++k) {
+    const Point& x = positions[std::size_t(k)];
+    sum += Eigen::Vector3d(forces(0, k), forces(0, k) * x.x() - forces(2, k), forces(0, k) * x.y() + forces(1, k));
+  }
+  return sum;
+}
+
+const auto outline = geometry::rectangle(-0.2, 0.1, 1.8, 1.3);
+
+/// By points in cells, and by squares and triangles between points that lie on edges, alike and graded.
+std::vector<Eigen::Vector3d> resultants(const Load& load) {
+  const auto cloud = geometry::lattice(outline, 0.1);
+  std::vector<Eigen::Vector3d> result{resultant(nodal_forces(load, cloud, outline), cloud.positions)};
+  for (const geometry::Grading& grading : {geometry::Grading{}, geometry::Grading{0.03, std::nullopt, 0.2}}) {
+    const auto cells = geometry::tessellation(outline, {}, 0.1, {{0.33, 0.47}}, grading);
+    const std::vector<double> areas(cells.positions.size());  // of uniform pressures alone
+    result.push_back(resultant(nodal_forces(load, cells, areas), cells.positions));
+  }
+  return result;
+}
+
+Eigen::Vector3d pressed(const Load& load, const std::vector<Point>& ring) {
+  const auto m = geometry::moments(ring, {0, 0});
+  const Point growing = m.second * load.gradient;
+  return load.pressure({0, 0}) * Eigen::Vector3d(m.area, m.first.x(), m.first.y()) +
+         Eigen::Vector3d(load.gradient.dot(m.first), growing.x(), growing.y());
+}
+
+void check(const Load& load, const Eigen::Vector3d& expected) {
+  for (const auto& found : resultants(load)) {
+    CAPTURE(found.transpose(), expected.transpose());
+    CHECK((found - expected).norm() < 1e-12);  // measured: 3e-14 at most
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a pressure that grows has its resultant and the moments of this") {
+  Load load;
+  load.value = 3, load.gradient = {-1.5, 4}, load.from = {0.3, 0.2};
+  check(load, pressed(load, outline.outer.vertices));
+}
+
+TEST_CASE("a pressure on a patch has its resultant and moments, wherever the patch lies on the points") {
+  Load load;
+  load.value = 3, load.gradient = {-1.5, 4}, load.from = {0.3, 0.2};
+  const std::vector<Point> triangle{{0.01, 0.33}, {1.37, 0.21}, {0.9, 1.11}};
+  const std::vector<Point> bent{{0, 0.4}, {1, 0.4}, {1, 0.5}, {0.1, 0.5}, {0.1, 1}, {0, 1}};
+  for (const auto& ring : {triangle, bent}) {
+    load.patch = geometry::Polygon{ring, {}};
+    check(load, pressed(load, ring));
+  }
+  load.patch = geometry::Circle{{0.9, 0.7}, 0.23, ""};
+  check(load, pressed(load, geometry::Patch(*load.patch).ring()));
+}
+
+TEST_CASE("a patch beyond the plate acts on what there is of the plate; one over all of it is the pressure") {
+  Load load;
+  load.value = 3;
+  load.patch = geometry::Polygon{{{1.55, -5}, {9, -5}, {9, 5}, {1.55, 5}}, {}};
+  check(load, pressed(load, {{1.55, 0.1}, {1.8, 0.1}, {1.8, 1.3}, {1.55, 1.3}}));
+  load.patch = geometry::Polygon{{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, {}};
+  Load everywhere;
+  everywhere.value = 3;
+  const auto cloud = geometry::lattice(outline, 0.1);
+  CHECK((nodal_forces(load, cloud, outline) - nodal_forces(everywhere, cloud, outline)).cwiseAbs().maxCoeff() < 1e-15);
+}
+
+TEST_CASE("a line load has its resultant and moments") {
+  Load load;
+  load.kind = Load::Kind::line_load, load.value = -7, load.along = {{-0.2, 0.3}, {0.61, 0.37}, {0.7, 1.3}};
+  Eigen::Vector3d expected(0, 0, 0);
+  for (std::size_t i = 0; i + 1 < load.along.size(); ++i) {
+    const Point middle = (load.along[i] + load.along[i + 1]) / 2;
+    expected += load.value * (load.along[i + 1] - load.along[i]).norm() * Eigen::Vector3d(1, middle.x(), middle.y());
+  }
+  check(load, expected);
+  load.along = {{7, 7}, {8, 8}};
+  CHECK_THROWS_AS(nodal_forces(load, geometry::lattice(outline, 0.1), outline), std::invalid_argument);
+}
