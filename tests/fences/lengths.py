@@ -6,7 +6,7 @@ import tree
 
 FUNCTION, HEADER, SOURCE, FOLDER = 60, 150, 300, 25  # lines, lines, lines, files; a TEST_CASE is a function: the longest had 39
 LINES = {"cases": 4499}
-TESTED = 0.83  # of the units, asked for: 0.75; cases/main.cpp is none
+TESTED = 0.84  # of the units, asked for: 0.75; cases/main.cpp is none
 LONG_HEADERS = {"plate/formulation/formulation.hpp": 153, "plate/bonds/rows/folded_row.hpp": 188, "cases/input/keys/forms.hpp": 170}
 
 
