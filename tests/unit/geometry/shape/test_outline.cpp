@@ -34,12 +34,6 @@ double sum_of_cells(const Outline& plate, int cells) {
   return sum;
 }
 
-std::string only_fault(const Outline& plate) {
-  const auto found = faults(plate);
-  REQUIRE(found.size() == 1);
-  return found[0].where + ": " + found[0].what;
-}
-
 }  // namespace
 
 TEST_CASE("rectangle: counter-clockwise from the lower left, edges named") {
@@ -225,35 +219,4 @@ TEST_CASE("meet: sharing a point, in line or not") {
   CHECK_FALSE(meet({0, 0}, {1, 0}, {2, 0}, {3, 0}));
   CHECK_FALSE(meet({0, 0}, {2, 0}, {1, 1e-300}, {1, 1}));
   CHECK_FALSE(meet({0, 0}, {1, 1}, {1, 0}, {0.6, 0.5}));
-}
-
-TEST_CASE("faults of outlines say what is wrong and where") {
-  using Catch::Contains;
-  const auto outer = [](std::vector<Point> vertices) { return only_fault({{std::move(vertices), {}}, {}}); };
-  CHECK(faults(plate_with_square_hole()).empty());
-  CHECK(faults(ell()).empty());
-  CHECK_THAT(outer({{0, 0}, {1, 0}}), Contains("outline: has 2 vertices"));
-  CHECK_THAT(outer({{0, 0}, {1, 0}, {1, 1}, {1, 0}}), Contains("vertices 1 and 3 are both at (1, 0)"));
-  CHECK_THAT(outer({{0, 0}, {1, 0}, {2, 0}}), Contains("no area"));
-  CHECK_THAT(outer({{0, 0}, {0, 1}, {1, 1}}), Contains("clockwise"));
-  CHECK_THAT(outer({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), Contains("edges 0 (from (0, 0) to (1, 1)) and 2"));
-  const auto spike = faults(Outline{{{{0, 0}, {2, 0}, {1, 0}, {1, 1}}, {}}, {}});
-  REQUIRE(spike.size() == 2);  // the tip of the spike also lies on edge 0
-  CHECK_THAT(spike[0].what, Contains("edges 0 and 1 fold back"));
-  const auto with = [](std::vector<Hole> holes) {
-    Outline plate = rectangle(-1, -1, 1, 1);
-    plate.holes = std::move(holes);
-    return only_fault(plate);
-  };
-  CHECK_THAT(with({Circle{{0, 0}, -0.1, ""}}), Contains("holes[0]: radius -0.1 must be positive"));
-  CHECK_THAT(with({Circle{{0.9, 0}, 0.5, ""}}),
-             Contains("holes[0]: circle of radius 0.5 about (0.9, 0) reaches 0.4 beyond the outline"));
-  CHECK_THAT(with({Circle{{3, 0}, 0.5, ""}}), Contains("has its centre 2 outside the outline"));
-  CHECK_THAT(with({Circle{{0, 0}, 0.5, ""}, Circle{{0.5, 0}, 0.25, ""}}), Contains("holes[1]: overlaps holes[0]"));
-  CHECK_THAT(with({Circle{{0, 0}, 0.5, ""}, Polygon{{{-0.1, 0}, {0.1, 0}, {0, 0.1}}, {}}}),
-             Contains("overlaps holes[0]"));
-  const Polygon big{{{-0.5, -0.5}, {0.5, -0.5}, {0, 0.5}}, {}}, small{{{-0.1, -0.1}, {0.1, -0.1}, {0, 0.1}}, {}};
-  CHECK_THAT(with({big, small}), Contains("holes[1]: overlaps holes[0]"));
-  CHECK_THAT(with({Polygon{{{0, 0}, {1.5, 0}, {0, 0.5}}, {}}}), Contains("vertex 1 at (1.5, 0) lies 0.5 outside"));
-  CHECK_THAT(with({Polygon{{{0, 0}, {1, 0}}, {}}}), Contains("holes[0]: has 2 vertices"));
 }

@@ -71,6 +71,7 @@ TEST_CASE("Galerkin supports: a mouth is held on both sides of the crack, and so
 
 TEST_CASE("Galerkin supports: a small hole that is simply supported is free to turn about its edge, and only so") {
   using enum SupportKind;
+  // with nine pieces: both rotations held, deflections of a plate on such a hole were 35 % too small
   for (const double radius : {0.03, 0.1, 0.17, 0.3}) {  // 8, 8, 11, 19 pieces
     auto plate = geometry::rectangle(0, 0, 1.2, 0.8);
     plate.holes.push_back(geometry::Circle{{0.63, 0.42}, radius, "hole"});
