@@ -27,7 +27,7 @@ bool turns(double angle);
 TipAdvance break_through(const geometry::Outline& outline, const std::vector<geometry::Polyline>& cracks,
                          const geometry::Tip& tip);
 
-/// "crack 1", "edge 'left'"
+/// "crack 1"; of an edge or a hole its name, "'left'"
 std::string name_of(const geometry::Obstacle& obstacle);
 
 }  // namespace fracture
