@@ -158,7 +158,7 @@ Fields<Load> load_fields() {
       amount("value", "force/length^2, force, force/length, force, force/length", &Load::value,
              "pressure, edge moment per length, edge shear per length, point force, force per length of a line")
           .standard("required without tensor"),
-      point("gradient", "force/length^3", &Load::gradient, "[gx, gy]", "what the pressure grows by along x and y")
+      point("gradient", "force/length^3", &Load::gradient, "[x, y]", "what the pressure grows by along x and y")
           .with(kind_is({pressure})),
       point("from", "length", &Load::from, "[x, y]", "where the pressure has its value").with(kind_is({pressure})),
       table<Load, geometry::Hole>("on", Layout::inline_, &Load::patch,
