@@ -1,5 +1,6 @@
 #include "plate/boundary/scaled_factor.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include "plate/model/numerical_error.hpp"
@@ -35,7 +36,11 @@ Eigen::VectorXd ScaledFactor::solve(const Eigen::VectorXd& b) const {
     x += factor_->solve(left);
     left = right - factor_->matrix() * x;
   }
-  if (!solves()) throw NumericalError("a body that is loose, or conditions that contradict");
+  if (!solves())
+    throw NumericalError(
+        fmt::format("the factors leave {:.1e} of the loads: a body that is loose, conditions that "
+                    "contradict, or more points than they can carry",
+                    left.norm() / std::max(right.norm(), x.norm())));
   return x.cwiseQuotient(columns_);
 }
 
