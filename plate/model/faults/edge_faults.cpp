@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "geometry/shape/crack_extension.hpp"
 #include "geometry/shape/patch.hpp"
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/problem.hpp"
@@ -73,6 +74,33 @@ void check_supports(const Problem& problem, std::vector<Refusal>& found) {
   }
 }
 
+/// Does a stretch of the one lie on the other? A place where they merely cross does not.
+bool lies_along(const geometry::Polyline& a, const geometry::Polyline& b, double tolerance) {
+  constexpr int places = 16;
+  const auto on = [&](const geometry::Polyline& line, const geometry::Polyline& other) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      int count = 0;
+      for (int n = 0; n < places; ++n)
+        count += geometry::distance(other, line[i] + (n + 0.5) / places * (line[i + 1] - line[i])) < tolerance;
+      if (count > 1) return true;
+    }
+    return false;
+  };
+  return on(a, b) || on(b, a);
+}
+
+/// A line without length, or along a crack, where nobody knows which face it loads.
+void check_line(const Problem& problem, std::size_t number, std::vector<Refusal>& found) {
+  const auto& along = problem.loads[number].along;
+  const double tolerance = 1e3 * geometry::tolerance(problem.outline);
+  if (along.empty()) return;
+  if (geometry::length(along) < tolerance) found.push_back({Subject::load_line, number, "the line has no length"});
+  for (std::size_t i = 0; i < problem.cracks.size(); ++i)
+    if (lies_along(along, problem.cracks[i], tolerance))
+      found.push_back({Subject::load_line, number,
+                       fmt::format("the line lies along crack {}: move it to the face that it loads", i)});
+}
+
 /// A patch that misses the plate, or whose boundary crosses itself; a line that leaves the plate.
 void check_place(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
   const auto* circle = load.patch ? std::get_if<geometry::Circle>(&*load.patch) : nullptr;
@@ -114,6 +142,7 @@ std::vector<Refusal> faults_of_edges(const Problem& problem) {
     if (!geometry::contains(problem.outline, load.position))
       found.push_back({Subject::load_position, i, text_of(load.position) + " given, must lie inside the plate"});
     check_place(load, i, problem.outline, found);
+    check_line(problem, i, found);
   }
   return found;
 }

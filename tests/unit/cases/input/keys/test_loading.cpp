@@ -37,8 +37,12 @@ TEST_CASE("loads on a part of the plate and along lines are checked against it")
   expect(pressure("on = { polygon = [[0, 0], [0.5, 0.5]] }"), ":21", key + ".polygon", "three");
   expect(pressure("on = { }"), ":21", key, "either { circle");
   expect(pressure("gradient = [1]"), ":21", "load[1].gradient", "[x, y]");
-  expect(line("along = [[0, 0], [1, 0]]\non = { circle = [0, 0, 1] }"), ":22", key, "kind = pressure only");
+  expect(line("along = [[0, 0.5], [1, 0.5]]\non = { circle = [0, 0, 1] }"), ":22", key, "kind = pressure only");
   expect(line(""), ":18", along, "is missing");
   expect(line("along = [[0, 0]]"), ":21", along, "2 points or more");
-  expect(line("along = [[0, 0], [3, 0]]"), ":21", along, "[3, 0] given, must lie in the plate");
+  expect(line("along = [[0, 0.5], [3, 0.5]]"), ":21", along, "[3, 0.5] given, must lie in the plate");
+  expect(line("along = [[0, 0.5], [0, 0.5]]"), ":21", along, "the line has no length");
+  expect(line("along = [[-0.9, 0], [0.9, 0]]"), ":21", along, "lies along crack 0");
+  expect(line("along = [[0.1, 0], [0.2, 0]]"), ":21", along, "lies along crack 0");
+  CHECK(problems(line("along = [[0, -0.5], [0, 0.5]]")).empty());  // across it
 }
