@@ -158,6 +158,7 @@ ForetoldRun foretell(const RunPlan& plan, const RunSample& run) {
   auto& whole = result.whole;
   result.points = whole.points = post::whole_points(*found), result.bonds = post::whole_bonds(*found);
   result.sample_points = std::size_t(found->large.points());
+  result.multipliers = found->large.summary.multipliers;
   whole.rings = rings_of(plan, 1);
   whole.frames = found->large.frames;
   if (!moves) whole.iterations_order = result.solver.iterations, whole.seconds_order = result.solver.seconds;
@@ -197,11 +198,18 @@ std::string of_time(const ForetoldRun& run) {
   return text;
 }
 
+std::string of_multipliers(const ForetoldRun& run) {
+  if (!run.multipliers) return "";
+  return fmt::format(
+      "multipliers   add forces of {:.2g} of the loads with {} points; less with more, as they fall with the spacing\n",
+      *run.multipliers, run.sample_points);
+}
+
 }  // namespace
 
 std::string to_text(const ForetoldRun& run, const RunPlan& plan) {
   return fmt::format("points        {:.0f}\nbonds         {:.0f}\n", run.points, run.bonds) + of_solution(run, plan) +
-         of_time(run);
+         of_multipliers(run) + of_time(run);
 }
 
 }  // namespace fracture

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 
 #include "fracture/runs/run_plan.hpp"
 #include "plate/usual_solver.hpp"
@@ -14,8 +15,9 @@ struct ForetoldRun {
   double time_step = 0, time_limit = 0;  // of a motion that takes steps
   post::WholeRun whole;
   post::Foretold costs;
-  double bytes = 0;               // of memory at its peak
-  std::size_t sample_points = 0;  // of the larger sample
+  double bytes = 0;                        // of memory at its peak
+  std::size_t sample_points = 0;           // of the larger sample
+  std::optional<double> multipliers = {};  // of that sample (Formulation::multipliers)
 };
 
 /// How much less a sample does.
