@@ -107,7 +107,12 @@ WeightRows extrapolation(const LatticeBody& b, Centre centre, int order) {
     const auto near = nearest(centres, b.position(k));
     for (const auto& one : near) add_expansion(b, one, b.position(k), order, k, 1.0 / double(near.size()), entries);
   }
-  WeightRows rows(b.count(), b.real + (surface ? Eigen::Index(b.surface.size()) : 0));
+  for (int i = 0; i < int(b.sights.size()); ++i) {
+    const auto& [k, s] = b.sights[std::size_t(i)];
+    const Stand before = surface ? on_surface(b, s) : on_node(b, b.surface[std::size_t(s)].inner);
+    add_expansion(b, before, b.position(k), order, b.count() + i, 1, entries);
+  }
+  WeightRows rows(b.values(), b.real + (surface ? Eigen::Index(b.surface.size()) : 0));
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }

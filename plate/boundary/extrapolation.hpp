@@ -15,8 +15,9 @@ enum class Centre { real_node, surface_node };
 /// (Centre::surface_node): real nodes keep theirs, fictitious nodes take a Taylor expansion. Straight beyond a face it
 /// runs along the column of nodes behind it (Sca21 6.1), at corners over the principal lattice of as many dimensions as
 /// the corner has: columns t = 0 to order of order + 1 - t nodes. Nodes as near as the nearest: the mean of their
-/// expansions. Order 0 takes the nearest value over. The same rows serve every unknown of a node.
-/// @return  nodes x (real) or nodes x (real + surface)
+/// expansions. Sights run straight behind their faces. Order 0 takes the nearest value over. The same rows serve every
+/// unknown of a node.
+/// @return  values x (real) or values x (real + surface), values those of LatticeBody::values()
 /// @throws Refused  where the body has too few nodes for the order
 WeightRows extrapolation(const LatticeBody& body, Centre centre, int order);
 

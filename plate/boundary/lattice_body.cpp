@@ -1,6 +1,7 @@
 #include "plate/boundary/lattice_body.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <stdexcept>
 
 namespace plate {
@@ -75,7 +76,36 @@ void add_surface_nodes(LatticeBody& b, const FaceDistance& distance) {
       }
 }
 
+/// The surface node nearest to a fictitious one along an axis, no further than `reach` cells; -1: none.
+int face_before(const LatticeBody& b, int k, int axis, int reach) {
+  for (int steps = 1; steps <= reach; ++steps)
+    for (const int side : {-1, 1})
+      if (const int s = b.surface_node(b.node(b.nodes[std::size_t(k)] - steps * axis_step(axis, side)), axis, side);
+          s >= 0)
+        return s;
+  return -1;
+}
+
+void add_sights(LatticeBody& b, int reach) {
+  b.seen.assign(std::size_t(b.fictitious()), {-1, -1, -1});
+  for (int k = b.real; k < b.count(); ++k) {
+    std::array<int, 3> before{-1, -1, -1};
+    for (int axis = 0; axis < b.dimension; ++axis) before[std::size_t(axis)] = face_before(b, k, axis, reach);
+    if (std::ranges::count_if(before, [](int s) { return s >= 0; }) < 2) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (before[axis] >= 0) {
+        b.seen[std::size_t(k - b.real)][axis] = int(b.sights.size());
+        b.sights.push_back({k, before[axis]});
+      }
+  }
+}
+
 }  // namespace
+
+int LatticeBody::value(int k, int axis) const {
+  const int sight = k < real ? -1 : seen[std::size_t(k - real)][std::size_t(axis)];
+  return sight < 0 ? k : count() + sight;
+}
 
 int LatticeBody::node(const Index& place) const {
   const int i = place_in_box(*this, place);
@@ -103,6 +133,7 @@ LatticeBody lattice_body(int dimension, std::vector<Index> real, int reach, cons
   enclose(b, std::max(reach, 1));
   add_fictitious_nodes(b, reach);
   add_surface_nodes(b, distance);
+  add_sights(b, reach);
   return b;
 }
 

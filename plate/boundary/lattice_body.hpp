@@ -13,6 +13,11 @@ struct SurfaceNode {
   double distance;  // from the inner node, in spacings, between 0 and 1; 1/2 in the papers
 };
 
+/// A fictitious node as it is seen through the faces of one axis, straight behind one of them.
+struct Sight {
+  int node, surface;  // the fictitious node, the nearest surface node before it
+};
+
 /// Real nodes on a lattice, in one to three dimensions, and fictitious nodes about them. Lengths in spacings; of
 /// indices and positions only the first `dimension` components are used, the others are 0.
 struct LatticeBody {
@@ -22,9 +27,16 @@ struct LatticeBody {
   std::vector<Index> nodes;  // real nodes, then fictitious nodes
   int real = 0;
   std::vector<SurfaceNode> surface;
+  /// Of fictitious nodes that lie straight behind faces of more than one axis, beyond a corner that points inwards: one
+  /// for each. Their values differ: through whichever face a bond leaves the body, the edge runs on beyond the corner.
+  std::vector<Sight> sights;
 
   int count() const { return int(nodes.size()); }
   int fictitious() const { return count() - real; }
+  /// Values that nodes have: one each, and behind them one of each sight.
+  int values() const { return count() + int(sights.size()); }
+  /// Which of the values node k has where it is seen through faces of this axis.
+  int value(int k, int axis) const;
   /// The node at a place of the lattice; -1: none.
   int node(const Index& place) const;
   /// The surface node of a real node's face; -1: none.
@@ -35,6 +47,7 @@ struct LatticeBody {
   // of the look-up
   Index lowest{0, 0, 0}, extent{0, 0, 0};
   std::vector<int> at;                      // node of each place in the box, -1: none
+  std::vector<std::array<int, 3>> seen{};   // per fictitious node: its sight through each axis, -1: its only value
   std::vector<std::array<int, 6>> faces{};  // per real node: its surface nodes, -1: none; axis * 2 + (side > 0)
 };
 

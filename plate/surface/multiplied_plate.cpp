@@ -2,6 +2,7 @@
 
 #include "plate/boundary/scaled_factor.hpp"
 #include "plate/model/refused.hpp"
+#include "plate/surface/reaction_rows.hpp"
 
 namespace plate {
 
@@ -59,13 +60,16 @@ MultipliedPlate multiplied_plate(const SurfacePlate& p, const std::vector<char>&
   const Rows own = forces_and_fluxes(p, p.rule), crossed = forces_and_fluxes(p, FluxRule::crossing_point),
              values = edge_values(p);
   const int real = 3 * p.body.real, surface = 3 * int(p.body.surface.size()), count = real + 2 * surface;
+  const Rows booked =
+      rows_with_reactions(p, own, crossed, [&](int i) { return i >= real && held[std::size_t(i - real)]; });
+
   MultipliedPlate result{SparseStiffness(count, count), {}};
   Triplets entries;
   for (int row = 0; row < real; ++row) add(own, row, row, entries);
   for (int i = 0; i < surface; ++i) {
     const int value = real + i, multiplier = value + surface;
     const bool holds = held[std::size_t(i)];
-    add(holds ? crossed : own, value, value, entries);
+    add(booked, value, value, entries);
     if (implied(p.body, held, i / 3, i % 3)) {
       result.idle.push_back(multiplier);
       continue;

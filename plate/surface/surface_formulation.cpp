@@ -67,7 +67,7 @@ private:
 struct Surroundings {
   Surroundings(const SurfacePlate& plate, bool multiplied, const geometry::LatticeUnits& units, double horizon,
                const std::vector<geometry::CrackPath>& cracks)
-      : rows(multiplied ? expansion_of_real(plate) : expansion(plate)) {
+      : rows((multiplied ? expansion_of_real(plate) : expansion(plate)).topRows(3 * plate.body.count())) {
     geometry::Cloud cloud{units, {}, {}, 0};
     for (int k = 0; k < plate.body.count(); ++k) cloud.positions.push_back(plate.at(k));
     cloud.plate_points = cloud.positions.size();
@@ -137,7 +137,7 @@ public:
   }
 
 private:
-  /// The state at all nodes, fictitious ones too.
+  /// The state at all nodes, fictitious ones too, without their sights.
   State everywhere(const State& state) const {
     return by_components(around_.rows * by_points(state).head(around_.rows.cols()));
   }
@@ -202,8 +202,11 @@ std::optional<double> SurfaceNodePlate::multipliers(const State& state) const {
 
 std::string SurfaceNodePlate::of_edges() const {
   if (multiplied_) return "";
-  const Point cells(10, 8);
-  const auto small = surface_plate(section(), discretization(), {0, 0}, plate_.bonds.spacing * cells);
+  const double d = plate_.bonds.spacing;
+  auto outline = geometry::rectangle(0, 0, 10 * d, 8 * d);
+  const bool notched = !plate_.body.sights.empty();
+  if (notched) outline.outer = {{{0, 0}, {10 * d, 0}, {10 * d, 5 * d}, {5 * d, 5 * d}, {5 * d, 9 * d}, {0, 9 * d}}, {}};
+  const auto small = surface_plate(section(), discretization(), outline);
   const auto edges = [&](const Point& at, const Point& normal) {
     const auto side = std::ranges::find_if(
         boundary().sides, [&](const Side& one) { return one.outward(cloud().units.to_units(at)).dot(normal) > 0.5; });
@@ -211,9 +214,9 @@ std::string SurfaceNodePlate::of_edges() const {
   };
   const auto [lowest, asymmetry, negative] = spectrum(small, edges, section().thickness);
   return fmt::format(
-      "edges         of {:g} x {:g} points like these: lowest square of a frequency {:.1e} of the largest, asymmetry "
-      "{:.1e}, motions that grow: {}\n",
-      cells.x(), cells.y(), lowest, asymmetry, negative);
+      "edges         of {} points like these: lowest square of a frequency {:.1e} of the largest, asymmetry {:.1e}, "
+      "motions that grow: {}\n",
+      notched ? "10 x 9 less 5 x 4" : "10 x 8", lowest, asymmetry, negative);
 }
 
 template <EdgeMethod method>

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <limits>
 #include "geometry/lattice/seeding.hpp"
 #include "plate/bonds/parameters/horizon_parameters.hpp"
 #include "plate/bonds/precrack.hpp"
 #include "plate/model/refused.hpp"
 #include "plate/surface/multiplied_plate.hpp"
+#include "plate/surface/rectilinear.hpp"
 
 namespace plate {
 
@@ -22,14 +24,29 @@ std::string words(EdgeMethod method) {
   return method == EdgeMethod::surface_nodes ? "surface nodes" : "fictitious nodes";
 }
 
-/// Lower left and upper right corner.
-std::pair<Point, Point> rectangle_of(const Problem& problem, EdgeMethod method) {
-  const auto edges = geometry::straight_edges(problem.outline);
-  const auto along_axes = [](const geometry::Edge& e) { return e.from.x() == e.to.x() || e.from.y() == e.to.y(); };
-  if (!problem.outline.holes.empty() || edges.size() != 4 || !std::ranges::all_of(edges, along_axes))
+std::string place(const Point& x) {
+  return fmt::format("({:.4g}, {:.4g})", x.x(), x.y());
+}
+
+/// What lies beyond an edge is expanded from points behind it, as far as a horizon, and must not be seen from behind
+/// another edge; edges as short as a horizon have too few nodes of their own.
+void check_outline(const Problem& problem, EdgeMethod method) {
+  const std::string images = ": choose boundary = \"images\"";
+  if (!is_rectilinear(problem.outline))
+    refuse(Subject::geometry, words(method) + " are of edges along the axes, and of holes of such edges" + images);
+  const double horizon = problem.discretization.horizon(), least = horizon * (1 - 1e-9);
+  const auto c = clearance(problem.outline);
+  if (c.gap.value < 2 * least)
     refuse(Subject::geometry,
-           words(method) + " are of rectangles along the axes without holes: choose boundary = \"images\"");
-  return geometry::bounding_box(problem.outline);
+           fmt::format("a hole or notch is {:.3g} wide at {}: {} need two horizons, {:.3g}, between edges that face "
+                       "each other, or points see what lies behind both",
+                       c.gap.value, place(c.gap.at), words(method), 2 * horizon) +
+               images + ", or a smaller spacing");
+  if (c.step.value < least)
+    refuse(Subject::geometry,
+           fmt::format("an edge is {:.3g} long at {}: {} need a horizon, {:.3g}, between two corners", c.step.value,
+                       place(c.step.at), words(method), horizon) +
+               images + ", or a smaller spacing");
 }
 
 /// What lies beyond an edge is expanded from points that must see each other.
@@ -44,7 +61,7 @@ void check_cracks(const Problem& problem, const std::vector<geometry::CrackPath>
                            away, words(method), horizon, away > 1e-9 * horizon ? ", or a smaller spacing" : ""));
 }
 
-/// How wide a horizon may be, over the thickness and over the shorter side.
+/// How wide a horizon may be, over the thickness and over the narrowest part of the plate.
 struct Widest {
   double thickness, side;
 };
@@ -73,54 +90,61 @@ Widest widest(const Problem& problem, EdgeMethod method) {
 }
 
 void check_horizon(const Problem& problem, EdgeMethod method) {
-  const auto [low, high] = geometry::bounding_box(problem.outline);
   const auto [of_thickness, of_side] = widest(problem, method);
-  const double thickness = problem.section.thickness, side = (high - low).minCoeff();
+  const double thickness = problem.section.thickness, side = clearance(problem.outline).width.value;
   const double horizon = problem.discretization.horizon(),
                most = std::min(of_thickness * thickness, of_side * side) * (1 + 1e-9);
   if (horizon <= most) return;
-  refuse(
-      Subject::spacing,
-      fmt::format("the horizon is {:.3g} times the thickness and {:.2g} of the shorter side: with {} on edges like "
-                  "these {:g} and {:g} at most (more where all edges are clamped or hard supported), spacing {:.3g}; "
-                  "or choose boundary = \"images\"",
-                  horizon / thickness, horizon / side, words(method), of_thickness, of_side,
-                  problem.discretization.spacing * most / horizon));
+  refuse(Subject::spacing,
+         fmt::format(
+             "the horizon is {:.3g} times the thickness and {:.2g} of the shorter side, or of the narrowest part "
+             "of the plate: with {} on edges like these {:g} and {:g} at most (more where all edges are clamped or "
+             "hard supported), spacing {:.3g}; or choose boundary = \"images\"",
+             horizon / thickness, horizon / side, words(method), of_thickness, of_side,
+             problem.discretization.spacing * most / horizon));
 }
 
-SurfacePlate plate_of(const Problem& problem, const Point& low, const Point& high) {
+SurfacePlate plate_of(const Problem& problem) {
   constexpr double least = 0.25;  // spacings: expansions through an edge and a nearer point enlarge what they see
-  auto plate = surface_plate(problem.section, problem.discretization, low, high);
+  auto plate = surface_plate(problem.section, problem.discretization, problem.outline);
+  const auto [low, high] = geometry::bounding_box(problem.outline);
   for (const auto& face : plate.body.surface)
     if (face.distance < least) {
       const double side = (high - low)[face.axis];
       const double cells = std::round(side / plate.bonds.spacing);
       refuse(Subject::spacing,
              fmt::format("an edge lies {:.2g} spacings beyond a row of points; spacing {:.6g} would put "
-                         "it half a spacing beyond",
+                         "those of the bounding box half a spacing beyond",
                          face.distance, side / cells));
     }
   return plate;
 }
 
+/// The side with this outward normal that a place on the edges [length] lies on.
+std::size_t side_at(const Boundary& b, const Point& at, const Point& normal) {
+  const Point u = b.cloud.units.to_units(at);
+  std::size_t result = b.sides.size();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < b.sides.size(); ++i) {
+    const auto& side = b.sides[i];
+    if (side.outward(u).dot(normal) < 0.5) continue;
+    if (const double away = geometry::distance({side.edge.from, side.edge.to}, u); away < least)
+      least = away, result = i;
+  }
+  return result;
+}
+
 /// Of the surface nodes, in their order: the side on which each lies.
 std::vector<std::size_t> sides_of_nodes(const SurfacePlate& plate, const Boundary& boundary) {
   std::vector<std::size_t> result;
-  for (int s = 0; s < int(plate.body.surface.size()); ++s) {
-    const Point u = boundary.cloud.units.to_units(plate.at_surface(s)), n = plate.normal(s);
-    const auto found = std::ranges::find_if(boundary.sides, [&](const Side& side) {
-      return side.outward(u).dot(n) > 0.5;  // each side of a rectangle has a normal of its own
-    });
-    result.push_back(std::size_t(found - boundary.sides.begin()));
-  }
+  for (int s = 0; s < int(plate.body.surface.size()); ++s)
+    result.push_back(side_at(boundary, plate.at_surface(s), plate.normal(s)));
   return result;
 }
 
 Boundary boundary_of(const Problem& problem, const SurfacePlate& plate, bool multiplied) {
   Boundary b;
   b.cloud = geometry::lattice(problem.outline, problem.discretization.spacing);
-  if (int(b.cloud.plate_points) != plate.body.real)
-    refuse(Subject::spacing, "an edge passes through a row of points: change the spacing");
   for (int times = multiplied ? 2 : 1; times > 0; --times)
     for (int s = 0; s < int(plate.body.surface.size()); ++s) {
       b.cloud.positions.push_back(plate.at_surface(s));
@@ -190,7 +214,7 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
     return nodal_forces(load, b.cloud, outline);
   const double everywhere = load.kind == pressure ? load.value : 0;
   const auto on_edges = [&](const Point& at, const Point& n) {
-    const auto& side = *std::ranges::find_if(b.sides, [&](const Side& one) { return one.outward(at).dot(n) > 0.5; });
+    const auto& side = b.sides[side_at(b, at, n)];
     const bool loaded = std::ranges::find(load.edges, side.name) != load.edges.end();
     auto condition = edge_condition(side.kind, loaded ? action_of(load, n) : EdgeAction{}, number);
     condition.held = {false, false, false};  // forces on what is held are booked to the supports
@@ -204,10 +228,14 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
 }
 
 /// Bonds of the points of the plate among each other; surface nodes have none.
-geometry::Families families_of(const Boundary& b, double horizon) {
+geometry::Families families_of(const Boundary& b, const geometry::Outline& outline, double horizon) {
   geometry::Cloud points = b.cloud;
   points.positions.resize(points.plate_points), points.areas.resize(points.plate_points);
-  auto families = geometry::families(points, horizon, [](std::uint32_t, std::uint32_t) { return true; });
+  const bool convex = geometry::straight_edges(outline).size() == 4;
+  const auto in_spacings = geometry::to_lattice(outline, b.cloud.units);
+  auto families = geometry::families(points, horizon, [&](std::uint32_t k, std::uint32_t j) {
+    return convex || !geometry::leaves(in_spacings, b.lattice[k], b.lattice[j]);
+  });
   for (std::size_t k = points.plate_points; k < b.cloud.size(); ++k) families.set(k, {});
   return families;
 }
@@ -223,12 +251,12 @@ geometry::Families tied(geometry::Families families, const SurfacePlate& plate, 
 }  // namespace
 
 SurfaceLayout surface_layout(const Problem& problem, EdgeMethod method) {
-  const auto [low, high] = rectangle_of(problem, method);
+  check_outline(problem, method);
   auto paths = crack_paths(problem);
   const bool multiplied = method == EdgeMethod::fictitious_nodes;
   check_cracks(problem, paths, method);
   check_horizon(problem, method);
-  SurfacePlate plate = plate_of(problem, low, high);
+  SurfacePlate plate = plate_of(problem);
   Layout layout{problem, {}, geometry::tips(paths), boundary_of(problem, plate, multiplied), {}, {}};
   auto& b = layout.boundary;
   const auto in_spacings = geometry::to_lattice(paths, b.cloud.units);
@@ -236,7 +264,7 @@ SurfaceLayout surface_layout(const Problem& problem, EdgeMethod method) {
   const auto side_of = sides_of_nodes(plate, b);
   hold(plate, side_of, b);
   auto stiffness = stiffness_of(plate, method, b);
-  const auto whole = families_of(b, problem.discretization.horizon());
+  const auto whole = families_of(b, problem.outline, problem.discretization.horizon());
   auto families = sever(b, whole, in_spacings, problem.discretization.horizon_ratio);
   const auto shapes = bond_shapes(families.vectors(), problem.section, problem.discretization);
   layout.cut = cut_share(whole, families, shapes, b.cloud.plate_points);

@@ -4,8 +4,9 @@
 
 namespace plate {
 
-/// A rectangle as points: those of the lattice and, as fictitious points, the surface nodes in their order, with what
-/// supports hold of them and nodal loads; with fictitious nodes behind these points of their multipliers.
+/// A plate with edges along the axes as points: those of the lattice and, as fictitious points, the surface nodes in
+/// their order, with what supports hold of them and nodal loads; with fictitious nodes behind these points of their
+/// multipliers.
 struct SurfaceLayout {
   Layout layout;
   SurfacePlate plate;
@@ -14,8 +15,10 @@ struct SurfaceLayout {
 };
 
 /// @param method   surface_nodes or fictitious_nodes
-/// @throws Refused  other outlines, holes; cracks as near to an edge as a horizon; edges that all but touch a row of
-///                  points; supports by layers; loads on what is held
+/// @throws Refused  other edges; holes and notches narrower than two horizons, edges shorter than one; cracks as near
+/// to
+///                  an edge as a horizon; edges that all but touch a row of points; supports by layers; loads on what
+///                  is held
 SurfaceLayout surface_layout(const Problem& problem, EdgeMethod method);
 
 }  // namespace plate

@@ -1,8 +1,11 @@
 #include "plate/surface/surface_plate.hpp"
 
 #include <stdexcept>
+#include "geometry/lattice/cloud.hpp"
 #include "plate/model/algebra/dense.hpp"
 #include "plate/model/refused.hpp"
+#include "plate/surface/reaction_rows.hpp"
+#include "plate/surface/rectilinear.hpp"
 
 namespace plate {
 
@@ -59,6 +62,13 @@ SurfacePlate surface_plate(const Section& section, const Discretization& d, cons
   return {std::move(body), std::move(bonds), low + Point::Constant(d.spacing / 2)};
 }
 
+SurfacePlate surface_plate(const Section& section, const Discretization& d, const geometry::Outline& outline) {
+  LatticeBonds bonds = lattice_bonds(section, d);
+  const geometry::LatticeUnits units{geometry::bounding_box(outline).first, d.spacing};
+  LatticeBody body = rectilinear_body(geometry::to_lattice(outline, units), bonds.reach);
+  return {std::move(body), std::move(bonds), units.from_lattice({0.5, 0.5})};
+}
+
 WeightRows expansion(const SurfacePlate& p) {
   check_orders(p.orders);
   const WeightRows deflection = extrapolation(p.body, Centre::surface_node, p.orders.deflection),
@@ -77,14 +87,7 @@ SparseStiffness stiffness(const SurfacePlate& p) {
 SparseStiffness stiffness_with_reactions(const SurfacePlate& plate, const std::function<bool(int unknown)>& held) {
   SurfacePlate by_crossings = plate;
   by_crossings.rule = FluxRule::crossing_point;
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> own = stiffness(plate), crossed = stiffness(by_crossings);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int row = 0; row < int(own.rows()); ++row)
-    for (std::decay_t<decltype(own)>::InnerIterator e(held(row) ? crossed : own, row); e; ++e)
-      entries.emplace_back(row, int(e.col()), e.value());
-  SparseStiffness result(own.rows(), own.cols());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
+  return rows_with_reactions(plate, stiffness(plate), stiffness(by_crossings), held);
 }
 
 EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {

@@ -14,8 +14,8 @@ struct ExpansionOrders {
 /// @throws std::invalid_argument  rotations of order 0, deflections of order 1 or below the rotations
 void check_orders(const ExpansionOrders& orders);
 
-/// A rectangular plate with surface nodes on its edges (Sca23, for the Mindlin plate). All families are full but for
-/// what cracks cut, which stay a horizon away from the edges.
+/// A plate with edges along the axes and surface nodes on them (Sca23, for the Mindlin plate). All families are full
+/// but for what cracks cut, which stay a horizon away from the edges.
 struct SurfacePlate {
   LatticeBody body;
   LatticeBonds bonds;
@@ -40,6 +40,11 @@ LatticeBody rectangle_body(const geometry::Point& low, const geometry::Point& hi
 SurfacePlate surface_plate(const Section& section, const Discretization& discretization, const geometry::Point& low,
                            const geometry::Point& high);
 
+/// The same of any outline with edges along the axes, the lattice that of geometry::lattice.
+/// @throws Refused  as rectilinear_body() does
+SurfacePlate surface_plate(const Section& section, const Discretization& discretization,
+                           const geometry::Outline& outline);
+
 /// Values of all nodes from those of real and, behind them, surface nodes: 3 nodes x unknowns().
 WeightRows expansion(const SurfacePlate& plate);
 
@@ -50,7 +55,7 @@ WeightRows expansion(const SurfacePlate& plate);
 /// @throws Refused                where the plate has too few points for the orders
 SparseStiffness stiffness(const SurfacePlate& plate);
 
-/// The same, the rows of what is held by crossing points, so that reactions leave nothing out at corners.
+/// The same with the rows of what is held as rows_with_reactions() makes them.
 SparseStiffness stiffness_with_reactions(const SurfacePlate& plate, const std::function<bool(int unknown)>& held);
 
 /// Loads at a place, conjugate to w, theta_x and theta_y [force / area, force / length].

@@ -100,9 +100,9 @@ TEST_CASE("fictitious nodes in a case: what they cannot serve is refused with th
   refuses("analysis={kind=\"frequencies\"}", "not symmetric");
   refuses("analysis={kind=\"dynamic\", duration=0.1}", "not symmetric");
   refuses("growth={fracture_energy=1}", "not symmetric");
-  refuses("geometry.holes=[{circle=[0.5,0.5,0.2]}]", "fictitious nodes are of rectangles");
+  refuses("geometry.holes=[{circle=[0.5,0.5,0.2]}]", "fictitious nodes are of edges along the axes");
   refuses("geometry.outline={polygon=[[-1,-1],[1,-1],[0.5,1],[-1,1]], edges=[\"bottom\",\"right\",\"top\",\"left\"]}",
-          "fictitious nodes are of rectangles");
+          "fictitious nodes are of edges along the axes");
   refuses("geometry.cracks=[[[-0.9,0],[0.3,0]]]", "more than a horizon");
   refuses("discretization.formulation=galerkin", "on the edges themselves");
   refuses("support[0].kind=clamped_layer", "not layers");

@@ -27,6 +27,25 @@ TEST_CASE("lattice body: a re-entrant corner has faces on both sides") {
   CHECK(body.node({2, 2, 0}) >= body.real);
 }
 
+TEST_CASE("lattice body: beyond a re-entrant corner a node is seen through the faces of either edge, elsewhere not") {
+  std::vector<LatticeBody::Index> nodes;
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < (y < 4 ? 10 : 4); ++x) nodes.push_back({x, y, 0});
+  const auto body = lattice_body(2, nodes, 3, [](const LatticeBody::Index&, int, int) { return 0.5; });
+  CHECK(body.sights.size() == 2 * 3 * 3);
+  CHECK(body.values() == body.count() + 18);
+  const int k = body.node({5, 6, 0});
+  for (const int axis : {0, 1}) {
+    const auto& [node, surface] = body.sights[std::size_t(body.value(k, axis) - body.count())];
+    CHECK(node == k);
+    CHECK(surface ==
+          (axis == 0 ? body.surface_node(body.node({3, 6, 0}), 0, 1) : body.surface_node(body.node({5, 3, 0}), 1, 1)));
+  }
+  for (const LatticeBody::Index& other : {LatticeBody::Index(7, 4, 0), {4, 7, 0}, {-1, -1, 0}, {2, 2, 0}})
+    for (const int axis : {0, 1}) CHECK(body.value(body.node(other), axis) == body.node(other));
+  CHECK(box_body({5, 4}, 3).sights.empty());
+}
+
 TEST_CASE("lattice body: what is not one is refused") {
   const auto at = [](double d) { return [d](const LatticeBody::Index&, int, int) { return d; }; };
   CHECK_THROWS_AS(lattice_body(2, {}, 1, at(0.5)), std::invalid_argument);

@@ -131,6 +131,16 @@ TEST_CASE("surface nodes: what they cannot carry is refused with the reason") {
   auto round = square(clamp, {pressure()});
   round.outline.holes.push_back(geometry::Circle{{0, 0}, 0.3, "hole"});
   CHECK(refused(round) == Subject::geometry);
+  auto holed = square(clamp, {pressure()}, 0.125);
+  const auto hole = [](double half) {
+    return geometry::Polygon{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, {"h", "h", "h", "h"}};
+  };
+  holed.outline.holes = {hole(0.3)};
+  CHECK(refused(holed) == Subject::geometry);  // 0.6 wide, two horizons being 0.754
+  holed.outline.holes = {hole(0.4)};
+  CHECK(bonds_with_surface_nodes.discretise(holed).plate->held());
+  holed.outline.holes = {hole(0.7)};
+  CHECK(refused(holed) == Subject::spacing);  // 0.3 of plate about it, a horizon being 0.377
   CHECK(refused(square({{SupportKind::clamped_layer, all, {}}}, {pressure()})) == Subject::support);
   CHECK(refused(square(clamp, {moment({"left"}, 1)})) == Subject::load_edges);
   CHECK(refused(square(clamp, {pressure()}, 2 / 8.51)) == Subject::spacing);
