@@ -223,6 +223,7 @@ template <EdgeMethod method>
 Discretised discretised(const Problem& problem) {
   Discretised result;
   auto layout = surface_layout(problem, method);
+  result.warnings = layout.layout.boundary.warnings;
   result.stopwatch.lap("geometry");
   result.plate = std::make_unique<SurfaceNodePlate>(std::move(layout), method);
   result.stopwatch.lap("parameters");

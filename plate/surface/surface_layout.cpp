@@ -7,8 +7,8 @@
 #include "plate/bonds/parameters/horizon_parameters.hpp"
 #include "plate/bonds/precrack.hpp"
 #include "plate/model/refused.hpp"
+#include "plate/surface/acceptance.hpp"
 #include "plate/surface/multiplied_plate.hpp"
-#include "plate/surface/rectilinear.hpp"
 
 namespace plate {
 
@@ -18,90 +18,6 @@ using geometry::Point;
 
 [[noreturn]] void refuse(Subject subject, std::string what, std::size_t number = 0) {
   throw Refused({{subject, number, std::move(what)}});
-}
-
-std::string words(EdgeMethod method) {
-  return method == EdgeMethod::surface_nodes ? "surface nodes" : "fictitious nodes";
-}
-
-std::string place(const Point& x) {
-  return fmt::format("({:.4g}, {:.4g})", x.x(), x.y());
-}
-
-/// What lies beyond an edge is expanded from points behind it, as far as a horizon, and must not be seen from behind
-/// another edge; edges as short as a horizon have too few nodes of their own.
-void check_outline(const Problem& problem, EdgeMethod method) {
-  const std::string images = ": choose boundary = \"images\"";
-  if (!is_rectilinear(problem.outline))
-    refuse(Subject::geometry, words(method) + " are of edges along the axes, and of holes of such edges" + images);
-  const double horizon = problem.discretization.horizon(), least = horizon * (1 - 1e-9);
-  const auto c = clearance(problem.outline);
-  if (c.gap.value < 2 * least)
-    refuse(Subject::geometry,
-           fmt::format("a hole or notch is {:.3g} wide at {}: {} need two horizons, {:.3g}, between edges that face "
-                       "each other, or points see what lies behind both",
-                       c.gap.value, place(c.gap.at), words(method), 2 * horizon) +
-               images + ", or a smaller spacing");
-  if (c.step.value < least)
-    refuse(Subject::geometry,
-           fmt::format("an edge is {:.3g} long at {}: {} need a horizon, {:.3g}, between two corners", c.step.value,
-                       place(c.step.at), words(method), horizon) +
-               images + ", or a smaller spacing");
-}
-
-/// What lies beyond an edge is expanded from points that must see each other.
-void check_cracks(const Problem& problem, const std::vector<geometry::CrackPath>& paths, EdgeMethod method) {
-  const double horizon = problem.discretization.horizon();
-  for (const auto& path : paths)
-    for (const auto& vertex : path.vertices)
-      if (const double away = geometry::distance_to_boundary(problem.outline, vertex); away <= horizon)
-        refuse(Subject::cracks,
-               fmt::format("a crack is {:.3g} away from an edge: {} need more than a horizon, {:.3g}, "
-                           "between them: choose boundary = \"images\"{}",
-                           away, words(method), horizon, away > 1e-9 * horizon ? ", or a smaller spacing" : ""));
-}
-
-/// How wide a horizon may be, over the thickness and over the narrowest part of the plate.
-struct Widest {
-  double thickness, side;
-};
-
-/// Twist beside free edges and soft supports turns within less than the thickness; expansions of a wider horizon make
-/// deflections too small there. Measured against images and the local plate, squares with 29 kinds of support and load:
-/// with surface nodes 4 % at most up to 2 thicknesses, 28 % at 3; with multipliers 5 % at most within these limits, 6
-/// to 11 % at free edges with 0.075 to 0.15 of the side or soft ones at 1.5 thicknesses, 20 % and more at 3.
-Widest widest(const Problem& problem, EdgeMethod method) {
-  const auto edges = geometry::straight_edges(problem.outline);
-  const auto kind = [&](const geometry::Edge& edge) {
-    for (const auto& one : problem.supports)
-      if (std::ranges::find(one.edges, edge.name) != one.edges.end()) return one.kind;
-    return SupportKind::free;
-  };
-  const auto stiff = [&](const geometry::Edge& edge) {
-    const auto is = kind(edge);
-    return is == SupportKind::clamped || is == SupportKind::simply_supported_hard ||
-           (is == SupportKind::symmetry && method == EdgeMethod::fictitious_nodes);
-  };
-  const auto free = [&](const geometry::Edge& edge) { return kind(edge) == SupportKind::free; };
-  const bool all_stiff = std::ranges::all_of(edges, stiff);
-  if (method == EdgeMethod::surface_nodes) return {all_stiff ? 3.1 : 2.1, 1};
-  if (all_stiff) return {3.1, 0.16};
-  return {0.75, std::ranges::any_of(edges, free) ? 0.061 : 0.101};
-}
-
-void check_horizon(const Problem& problem, EdgeMethod method) {
-  const auto [of_thickness, of_side] = widest(problem, method);
-  const double thickness = problem.section.thickness, side = clearance(problem.outline).width.value;
-  const double horizon = problem.discretization.horizon(),
-               most = std::min(of_thickness * thickness, of_side * side) * (1 + 1e-9);
-  if (horizon <= most) return;
-  refuse(Subject::spacing,
-         fmt::format(
-             "the horizon is {:.3g} times the thickness and {:.2g} of the shorter side, or of the narrowest part "
-             "of the plate: with {} on edges like these {:g} and {:g} at most (more where all edges are clamped or "
-             "hard supported), spacing {:.3g}; or choose boundary = \"images\"",
-             horizon / thickness, horizon / side, words(method), of_thickness, of_side,
-             problem.discretization.spacing * most / horizon));
 }
 
 SurfacePlate plate_of(const Problem& problem) {
@@ -227,6 +143,23 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
   return forces;
 }
 
+/// A load along an edge acts on the faces of whole cells.
+void warn_of_lengths(const Problem& problem, const SurfacePlate& plate, const std::vector<std::size_t>& side_of,
+                     Boundary& b) {
+  constexpr double close = 0.01;
+  for (const auto& load : problem.loads)
+    for (const auto& name : load.edges) {
+      const double length = geometry::edge_length(problem.outline, name);
+      const auto faces = std::ranges::count_if(side_of, [&](std::size_t side) { return b.sides[side].name == name; });
+      const double more = double(faces) * plate.bonds.spacing / length - 1;
+      if (std::abs(more) > close)
+        b.warnings.push_back(
+            fmt::format("the load on edge {} acts on {} cells of the lattice, {:.2g} % {} than its length, and its sum "
+                        "is off by that: take a spacing that divides it",
+                        name, faces, 100 * std::abs(more), more > 0 ? "more" : "less"));
+    }
+}
+
 /// Bonds of the points of the plate among each other; surface nodes have none.
 geometry::Families families_of(const Boundary& b, const geometry::Outline& outline, double horizon) {
   geometry::Cloud points = b.cloud;
@@ -251,11 +184,9 @@ geometry::Families tied(geometry::Families families, const SurfacePlate& plate, 
 }  // namespace
 
 SurfaceLayout surface_layout(const Problem& problem, EdgeMethod method) {
-  check_outline(problem, method);
   auto paths = crack_paths(problem);
   const bool multiplied = method == EdgeMethod::fictitious_nodes;
-  check_cracks(problem, paths, method);
-  check_horizon(problem, method);
+  check(problem, paths, method);
   SurfacePlate plate = plate_of(problem);
   Layout layout{problem, {}, geometry::tips(paths), boundary_of(problem, plate, multiplied), {}, {}};
   auto& b = layout.boundary;
@@ -263,6 +194,7 @@ SurfaceLayout surface_layout(const Problem& problem, EdgeMethod method) {
   plate.cuts = CutFamilies(plate.body, plate.bonds, FamilyRule(problem.section, problem.discretization), in_spacings);
   const auto side_of = sides_of_nodes(plate, b);
   hold(plate, side_of, b);
+  warn_of_lengths(problem, plate, side_of, b);
   auto stiffness = stiffness_of(plate, method, b);
   const auto whole = families_of(b, problem.outline, problem.discretization.horizon());
   auto families = sever(b, whole, in_spacings, problem.discretization.horizon_ratio);

@@ -119,6 +119,16 @@ TEST_CASE("surface nodes: values beside a crack are read off its own side, and a
   CHECK(!bonds_with_surface_nodes.discretise(problem).plate->held());
 }
 
+TEST_CASE("surface nodes: a load on a part of a side that is not whole cells is warned of") {
+  auto problem = square({{SupportKind::clamped, {"right"}, {}}}, {moment({"low"}, 1)});
+  problem.outline.outer = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, 0.1}}, {"bottom", "right", "top", "high", "low"}};
+  const auto made = bonds_with_surface_nodes.discretise(problem);
+  REQUIRE(made.warnings.size() == 1);  // 4 cells of 0.25 for 1.1
+  CHECK(made.warnings[0].find("low acts on 4 cells of the lattice, 9.1 % less") != std::string::npos);
+  problem.outline.outer.vertices.back().y() = 0;
+  CHECK(bonds_with_surface_nodes.discretise(problem).warnings.empty());
+}
+
 TEST_CASE("surface nodes: what they cannot carry is refused with the reason") {
   const std::vector<Support> clamp{{SupportKind::clamped, all, {}}};
   auto cracked = square(clamp, {pressure()});
