@@ -80,7 +80,7 @@ TEST_CASE("surface nodes in a case: an L with edges off the lattice against the 
       "[geometry]\noutline = { polygon = [[0,0],[2,0],[2,1],[1,1],[1,2],[0,2]], edges = "
       "[\"all\",\"all\",\"all\",\"all\",\"all\",\"all\"] }\n[section]\nyoung = 1000.0\npoisson = 0.3\n"
       "thickness = 0.2\n[[support]]\nkind = \"clamped\"\nedges = [\"all\"]\n[[load]]\nkind = \"pressure\"\nvalue = "
-      "1.0\n[output]\nprobes = { a = [0.5, 0.5] }\n[discretization]\nspacing = 0.0703\n";
+      "1.0\n[analysis]\nkind = \"static\"\n[output]\nprobes = { a = [0.5, 0.5] }\n[discretization]\nspacing = 0.0703\n";
   const auto deflection = [&](const std::vector<std::string>& settings) {
     const small_run::TemporaryFolder folder;
     const auto summary = cases::run(case_text::read(ell, settings), {folder / "run", true});
@@ -92,7 +92,7 @@ TEST_CASE("surface nodes in a case: an L with edges off the lattice against the 
   const double by_nodes =
       deflection({"discretization.boundary=surface_nodes", "discretization.volume_correction=lattice_fitted"});
   INFO(w << ' ' << by_nodes);
-  CHECK(by_nodes == Approx(w).epsilon(0.03));
+  CHECK(by_nodes == Approx(w).epsilon(0.03));  // measured: 0.0266, with 14 points across an arm
 }
 
 TEST_CASE("surface nodes in a case: what they cannot serve is refused with the reason, by its key") {
