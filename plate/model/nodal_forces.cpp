@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
 #include "geometry/cells/tessellation.hpp"
+#include "plate/model/loading/edge_pieces.hpp"
 #include "plate/model/loading/spread.hpp"
 #include "plate/model/state.hpp"
 
@@ -12,67 +11,6 @@ namespace plate {
 namespace {
 
 using geometry::Point;
-
-/// A short piece of an edge: its middle, its outward normal times its length.
-struct Piece {
-  Point middle;
-  Point normal;
-};
-
-/// Eight pieces per spacing, so that each lies in one cell where the edge follows the lattice.
-std::vector<Piece> pieces_of(const geometry::Edge& edge, double spacing) {
-  const Point along = edge.to - edge.from;
-  const auto count = static_cast<int>(std::ceil(8 * along.norm() / spacing - 1e-6));
-  const Point step = along / count;
-  std::vector<Piece> pieces;
-  for (int i = 0; i < count; ++i) pieces.push_back({edge.from + (i + 0.5) * step, {step.y(), -step.x()}});
-  return pieces;
-}
-
-std::vector<Piece> pieces_of(const geometry::Circle& hole, double spacing) {
-  const auto count = static_cast<int>(std::ceil(16 * std::numbers::pi * hole.radius / spacing));
-  const double angle = 2 * std::numbers::pi / count;
-  std::vector<Piece> pieces;
-  for (int i = 0; i < count; ++i) {
-    const Point radial(std::cos((i + 0.5) * angle), std::sin((i + 0.5) * angle));
-    pieces.push_back({hole.centre + hole.radius * radial, -hole.radius * angle * radial});
-  }
-  return pieces;
-}
-
-/// All pieces of one straight edge or circle, with the points of the plate near it.
-struct Border {
-  std::vector<Piece> pieces;
-  std::vector<std::uint32_t> near;
-};
-
-std::vector<Border> borders(const std::string& name, const geometry::Cloud& cloud, const geometry::Outline& outline) {
-  const double spacing = cloud.units.spacing, reach = 2 * spacing;
-  std::vector<Border> result;
-  const auto near = [&](const auto& away) {
-    std::vector<std::uint32_t> points;
-    for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
-      if (away(cloud.positions[k]) < reach) points.push_back(k);
-    return points;
-  };
-  for (const auto& edge : geometry::straight_edges(outline))
-    if (edge.name == name)
-      result.push_back({pieces_of(edge, spacing), near([&](const Point& x) {
-                          return geometry::distance(geometry::Polyline{edge.from, edge.to}, x);
-                        })});
-  for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name)
-      result.push_back({pieces_of(*circle, spacing),
-                        near([&](const Point& x) { return std::abs((x - circle->centre).norm() - circle->radius); })});
-  return result;
-}
-
-std::uint32_t nearest(const std::vector<std::uint32_t>& points, const geometry::Cloud& cloud, const Point& x) {
-  std::uint32_t best = points.front();
-  for (const auto k : points)
-    if ((cloud.positions[k] - x).squaredNorm() < (cloud.positions[best] - x).squaredNorm()) best = k;
-  return best;
-}
 
 /// Couple of a moment tensor M (tension on z > 0 positive) on an edge with normal n: work M n . (u, v)/z.
 Eigen::Vector3d edge_couple(const Load& load, const Point& normal) {
@@ -87,16 +25,13 @@ Eigen::Vector3d edge_couple(const Load& load, const Point& normal) {
 
 void add_edge_load(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline, Forces& forces) {
   for (const auto& name : load.edges)
-    for (const Border& border : borders(name, cloud, outline)) {
-      if (border.near.empty())
-        throw std::invalid_argument("edge '" + name + "' has no point of the plate within two spacings");
-      for (const Piece& piece : border.pieces) {
+    for (const EdgeBorder& border : edge_borders(name, cloud, outline))
+      for (const EdgePiece& piece : border.pieces) {
         const auto k = nearest(border.near, cloud, piece.middle);
         const Point lever = piece.middle - cloud.positions[k];
         forces.col(k) += load.kind == Load::Kind::edge_moment ? edge_couple(load, piece.normal)
                                                               : moved_force(load.value * piece.normal.norm(), lever);
       }
-    }
 }
 
 void add_edge_load(const Load& load, const geometry::Tessellation& cells, Forces& forces) {

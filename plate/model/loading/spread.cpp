@@ -68,22 +68,29 @@ void add_pressure(const Load& load, const geometry::Tessellation& cells, Forces&
   for (const auto& triangle : cells.triangles) add_cell(load, patch, triangle, cells.positions, forces);
 }
 
-void add_line_load(const Load& load, const Ring& positions, std::size_t count, double spacing, Forces& forces) {
-  for (std::size_t i = 0; i + 1 < load.along.size(); ++i) {
-    const Point &from = load.along[i], &to = load.along[i + 1];
+std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const Ring& positions, std::size_t count,
+                                   double spacing) {
+  std::vector<LinePiece> result;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Point &from = line[i], &to = line[i + 1];
     std::vector<std::size_t> near;
     for (std::size_t k = 0; k < count; ++k)
       if (geometry::distance(geometry::Polyline{from, to}, positions[k]) < 2 * spacing) near.push_back(k);
-    if (near.empty()) throw std::invalid_argument("a line load has no point of the plate within two spacings");
+    if (near.empty()) throw std::invalid_argument("a line has no point of the plate within two spacings");
     const int pieces = std::max(1, int(std::ceil(8 * (to - from).norm() / spacing - 1e-6)));
-    const double force = load.value * (to - from).norm() / pieces;
     for (int n = 0; n < pieces; ++n) {
       const Point middle = from + (n + 0.5) / pieces * (to - from);
       const auto away = [&](std::size_t k) { return (positions[k] - middle).squaredNorm(); };
       const auto k = *std::ranges::min_element(near, [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
-      forces.col(Eigen::Index(k)) += moved_force(force, middle - positions[k]);
+      result.push_back({k, middle, (to - from) / pieces});
     }
   }
+  return result;
+}
+
+void add_line_load(const Load& load, const Ring& positions, std::size_t count, double spacing, Forces& forces) {
+  for (const auto& [k, middle, way] : line_pieces(load.along, positions, count, spacing))
+    forces.col(Eigen::Index(k)) += moved_force(load.value * way.norm(), middle - positions[k]);
 }
 
 }  // namespace plate

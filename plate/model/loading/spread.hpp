@@ -22,9 +22,19 @@ void add_pressure(const Load& load, const geometry::Cloud& cloud, Forces& forces
 /// The same to the corners of cells, by the linear function that corners carry.
 void add_pressure(const Load& load, const geometry::Tessellation& cells, Forces& forces);
 
-/// Adds a line load: pieces of an eighth of a spacing, each to the point nearest to its middle.
+/// A short piece of a line, and the point nearest to its middle.
+struct LinePiece {
+  std::size_t point;
+  geometry::Point middle, way;  // way: from its begin to its end [length]
+};
+
+/// A line in pieces of an eighth of a spacing.
 /// @param positions  of `count` points of the plate and maybe of others [length]
 /// @throws std::invalid_argument  where a piece has no point of the plate within two spacings
+std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const std::vector<geometry::Point>& positions,
+                                   std::size_t count, double spacing);
+
+/// Adds a line load by the pieces of its line.
 void add_line_load(const Load& load, const std::vector<geometry::Point>& positions, std::size_t count, double spacing,
                    Forces& forces);
 
