@@ -109,6 +109,7 @@ void FamilyOperator::product(const State& state, const Patterns& patterns, const
 
 void FamilyOperator::internal_force(const State& state, Forces& forces) const {
   product<false>(state, patterns_, dilatation_stiffness_, forces);
+  attached_.add_force(state, forces);
 }
 
 void FamilyOperator::absolute_product(const State& state, Forces& forces) const {
@@ -116,6 +117,7 @@ void FamilyOperator::absolute_product(const State& state, Forces& forces) const 
   for (auto& bond : absolute.bonds)
     for (double* value : {&bond.mx, &bond.my, &bond.D_kj, &bond.D_jk}) *value = std::abs(*value);
   product<true>(state, absolute, dilatation_stiffness_.abs(), forces);
+  attached_.add_absolute_product(state, forces);
 }
 
 Forces FamilyOperator::diagonal() const {
@@ -140,6 +142,7 @@ Forces FamilyOperator::diagonal() const {
       result.col(Eigen::Index(k)) << force, couple.x(), couple.y();
     }
   }
+  attached_.add_diagonal(result);
   return result;
 }
 
@@ -161,6 +164,7 @@ Eigen::VectorXd FamilyOperator::energies(const State& state) const {
     }
     result[k] = dilatation_stiffness_[k] / 2 * dilatation * dilatation + area_[k] * sum;
   }
+  attached_.add_energies(state, result);
   return result;
 }
 

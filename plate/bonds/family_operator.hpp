@@ -1,6 +1,7 @@
 #pragma once
 #include "geometry/lattice/family_runs.hpp"
 #include "plate/bonds/parameters/weights.hpp"
+#include "plate/formulation/attached/attached_stiffness.hpp"
 #include "plate/formulation/operator.hpp"
 
 namespace plate {
@@ -27,6 +28,10 @@ class FamilyOperator : public Operator {
 public:
   FamilyOperator(geometry::Families families, std::vector<BondShape> shapes, const std::vector<double>& areas,
                  HorizonWeights weights);
+
+  /// From now on what these have is part of all that follows.
+  void attach(AttachedStiffness attached) { attached_ = std::move(attached); }
+  const AttachedStiffness& attached() const { return attached_; }
 
   std::size_t points() const override { return families_.points(); }
 
@@ -58,6 +63,7 @@ private:
   HorizonWeights weights_;
   Eigen::ArrayXd area_, dilatation_stiffness_;  // by point: A, 2 A a
   Patterns patterns_;
+  AttachedStiffness attached_;
 };
 
 }  // namespace plate

@@ -123,15 +123,19 @@ void check_parts(const Problem& problem, const geometry::Cloud& cloud, const geo
 
 void check_loaded_edges(const Problem& problem, const geometry::Outline& cells, const Seeded& seeded,
                         std::vector<Refusal>& refusals) {
-  const auto& loads = problem.loads;
-  for (std::size_t i = 0; i < loads.size(); ++i)
-    for (const auto& name : loads[i].edges) {
-      const auto edge = places(cells, name);
-      if (std::ranges::any_of(edge, [&](const auto& u) { return seeded.distance(u) < largest_gap - 0.5; })) continue;
-      refusals.push_back(
-          {Subject::load_edges, i,
-           fmt::format("edge \"{}\" has no point of the lattice beside it that the load could act on: refine", name)});
-    }
+  const auto check = [&](Subject subject, const char* what, const auto& all) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (const auto& name : all[i].edges) {
+        const auto edge = places(cells, name);
+        if (std::ranges::any_of(edge, [&](const auto& u) { return seeded.distance(u) < largest_gap - 0.5; })) continue;
+        refusals.push_back(
+            {subject, i,
+             fmt::format("edge \"{}\" has no point of the lattice beside it that the {} could act on: refine", name,
+                         what)});
+      }
+  };
+  check(Subject::load_edges, "load", problem.loads);
+  check(Subject::spring_edges, "spring", problem.springs);
 }
 
 /// Single places that would act somewhere else.
@@ -145,6 +149,8 @@ void check_places(const Problem& problem, const Seeded& seeded, std::vector<Refu
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
     if (problem.loads[i].kind == Load::Kind::point_force)
       check(Subject::load_position, i, "force", problem.loads[i].position);
+  for (std::size_t i = 0; i < problem.springs.size(); ++i)
+    if (const auto& at = problem.springs[i].position) check(Subject::spring_position, i, "spring", *at);
 }
 
 bool holds_edges(const Support& support) {
@@ -188,7 +194,7 @@ std::string too_far(const std::string& what, const Point& x, double away, double
 }
 
 std::optional<double> width_of_pins(const Problem& problem, const geometry::LatticeUnits& units) {
-  if (std::ranges::any_of(problem.supports, holds_edges)) return std::nullopt;
+  if (problem.elastically_held() || std::ranges::any_of(problem.supports, holds_edges)) return std::nullopt;
   std::vector<Point> pins;
   for (const auto& support : problem.supports)
     for (const auto& x : support.points) pins.push_back(units.to_lattice(x));

@@ -18,6 +18,7 @@
 #include "plate/bonds/supports.hpp"
 #include "plate/bonds/tip_view.hpp"
 #include "plate/bonds/trust.hpp"
+#include "plate/formulation/attached/elastically_held.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/layout.hpp"
@@ -37,7 +38,8 @@ using geometry::Point;
 double iterations_with_diagonal(const Problem& problem) {
   const auto [low, high] = geometry::bounding_box(problem.outline);
   const double side = (high - low).maxCoeff();
-  const bool held = std::ranges::any_of(problem.supports, [](const auto& s) { return !s.edges.empty(); });
+  const bool held = problem.elastically_held() ||
+                    std::ranges::any_of(problem.supports, [](const auto& s) { return !s.edges.empty(); });
   return (held ? 1 : 3) * (2.2 + 0.084 * side / problem.section.thickness) * side / problem.discretization.spacing;
 }
 
@@ -99,8 +101,9 @@ public:
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_, true));
   }
   SingleForce single_precision() const override {
-    return [rows = op_.single_rows()](const Values<float>& state, Values<float>& force) {
+    return [rows = op_.single_rows(), attached = op_.attached()](const Values<float>& state, Values<float>& force) {
       rows.internal_force(state, force);
+      attached.add_force(state, force);
     };
   }
   const LatticeOperator* breaking() const override { return &op_; }
@@ -200,13 +203,14 @@ Discretised discretised(const Problem& problem) {
   const auto outline = geometry::to_lattice(problem.outline, cloud.units);
   check_lattice(problem, cloud, outline);
   Layout layout{problem, {}, geometry::tips(paths), boundary(std::move(cloud), outline, problem.supports, d), {}, {}};
-  const auto& boundary = layout.boundary;
+  auto& boundary = layout.boundary;
   result.warnings = boundary.warnings;
   warn_of_edges(boundary, d.spacing, result.warnings);
   stopwatch.lap("geometry");
 
   const auto whole = geometry::families(boundary.cloud, d.horizon(), sees(boundary, outline, d.horizon_ratio));
   auto families = sever(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
+  boundary.attached = attached_stiffness(problem, boundary.cloud, families);
   layout.pieces = pieces(boundary, families);
   stopwatch.lap("families");
 
@@ -221,6 +225,7 @@ Discretised discretised(const Problem& problem) {
   layout.mechanisms = mechanisms(boundary, families, layout.pieces, load);
   auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
   LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights)));
+  op.attach(boundary.attached);
   layout.paths = std::move(paths);
   result.plate = std::make_unique<OrdinaryPlate>(std::move(layout), std::move(op), counts);
   stopwatch.lap("parameters");

@@ -1,5 +1,6 @@
 #include "plate/bonds/stiffness.hpp"
 
+#include "plate/solve/matrices/attached_matrix.hpp"
 #include "plate/solve/matrices/matrix_pattern.hpp"
 
 namespace plate {
@@ -107,7 +108,7 @@ PointMatrix stiffness_matrix(const FamilyOperator& plate, bool with_dilatation) 
       if (with_dilatation) add_dilatations(plate, bonds, k, column);
     }
   }
-  return result;
+  return with(std::move(result), plate.attached());
 }
 
 }  // namespace plate

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 #include "geometry/lattice/families.hpp"
+#include "plate/formulation/attached/attached_stiffness.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/discretization.hpp"
 #include "plate/model/supports.hpp"
@@ -65,6 +66,7 @@ struct Boundary {
   std::vector<Holder> holders;
   std::vector<Hold> holds;  // of points of the plate; a fictitious point is held by its sides
   std::vector<std::string> warnings;
+  AttachedStiffness attached = {};  // of foundations and springs
 
   bool is_plate(std::uint32_t k) const { return k < cloud.plate_points; }
 

@@ -137,6 +137,8 @@ std::vector<MemoryPart> memory_of(const Formulation& plate, bool single) {
   if (fictitious > 0)
     parts.push_back({"fictitious points (part of the points)", "",
                      fictitious * (sizeof(FictitiousPoint) + 3 * sizeof(Constraints::Tie))});
+  if (const auto& attached = plate.boundary().attached; !attached.parts().empty())
+    parts.push_back({"foundations and springs", "parameters", double(attached.bytes())});
   if (!plate.loads().empty()) parts.push_back({"loads", "", double(plate.loads().size()) * 3 * sizeof(double) * all});
   return parts;
 }

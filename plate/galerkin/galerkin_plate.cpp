@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "geometry/cells/locator.hpp"
+#include "plate/formulation/attached/elastically_held.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/interpolation.hpp"
@@ -33,6 +34,8 @@ std::vector<geometry::Point> single_points(const Problem& c) {
   for (const auto& support : c.supports) points.insert(points.end(), support.points.begin(), support.points.end());
   for (const auto& load : c.loads)
     if (load.kind == Load::Kind::point_force) points.push_back(load.position);
+  for (const auto& spring : c.springs)
+    if (spring.position) points.push_back(*spring.position);
   return points;
 }
 
@@ -94,8 +97,9 @@ std::vector<GalerkinLevel> coarser_plates(const Formulation& plate) {
           galerkin_boundary(cells, families.areas, geometry::to_lattice(c.outline, cells.units), c.supports);
       if (pieces(boundary, families.families).size() != plate.pieces().size()) break;
       auto seen = geometry::seen_positions(cells);
-      result.push_back(
-          {std::move(cells), std::move(seen), std::move(boundary), GalerkinOperator(std::move(families), c.section)});
+      auto attached = attached_stiffness(c, cells);
+      result.push_back({std::move(cells), std::move(seen), std::move(boundary),
+                        GalerkinOperator(std::move(families), c.section, std::move(attached))});
     } catch (const std::invalid_argument&) {
       break;  // cracks and edges are too close to each other for such points
     }
@@ -109,7 +113,7 @@ public:
       : Formulation(std::move(layout)),
         cells_(std::move(cells)),
         shapes_(shapes_of(families.families.vectors())),
-        op_(std::move(families), section()),
+        op_(std::move(families), section(), boundary().attached),
         seen_(geometry::seen_positions(cells_)) {}
 
   std::size_t points() const override { return op_.points(); }
@@ -239,6 +243,7 @@ Discretised discretised(const Problem& problem) {
   const auto outline = geometry::to_lattice(problem.outline, cells.units);
   Layout layout{problem, {}, geometry::tips(paths), galerkin_boundary(cells, families.areas, outline, problem.supports),
                 {},      {}};
+  layout.boundary.attached = attached_stiffness(problem, cells);
   layout.pieces = pieces(layout.boundary, families.families);
   layout.cut = cut_share(cells, families.areas);
   for (const auto& load : problem.loads)

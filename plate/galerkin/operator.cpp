@@ -6,11 +6,12 @@
 
 namespace plate {
 
-GalerkinOperator::GalerkinOperator(GalerkinFamilies families, const Section& section)
+GalerkinOperator::GalerkinOperator(GalerkinFamilies families, const Section& section, AttachedStiffness attached)
     : families_(std::move(families)),
       section_(section),
       rows_(families_, section),
-      lists_(families_, section, rows_.others()) {
+      lists_(families_, section, rows_.others()),
+      attached_(std::move(attached)) {
   const auto regular = std::ranges::find(families_.kind, 0u);
   if (regular != families_.kind.end()) lattice_ = std::uint32_t(regular - families_.kind.begin());
 }
@@ -19,6 +20,7 @@ void GalerkinOperator::internal_force(const State& state, Forces& forces) const 
   forces.resize(3, state.cols());
   rows_.internal_force(state, forces);
   lists_.internal_force(state, forces);
+  attached_.add_force(state, forces);
 }
 
 /// Adds to every point in no row what the families that it belongs to have for it: own(family, k, found) leaves three
@@ -66,6 +68,7 @@ void GalerkinOperator::absolute_product(const State& state, Forces& forces) cons
     }
   };
   gather(own, forces);
+  attached_.add_absolute_product(state, forces);
 }
 
 Forces GalerkinOperator::diagonal() const {
@@ -75,6 +78,7 @@ Forces GalerkinOperator::diagonal() const {
     for (std::size_t i = 0; i < K.members(); ++i) found[i] = K.block(i, i).diagonal();
   };
   gather(own, result);
+  attached_.add_diagonal(result);
   return result;
 }
 
@@ -83,6 +87,7 @@ Eigen::VectorXd GalerkinOperator::energies(const State& state) const {
 #pragma omp parallel for schedule(static)
   for (Eigen::Index k = 0; k < result.size(); ++k)
     result[k] = family_energy(families_, section_, std::size_t(k), state);
+  attached_.add_energies(state, result);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "plate/formulation/attached/attached_stiffness.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/galerkin/lists.hpp"
 #include "plate/galerkin/rows.hpp"
@@ -12,7 +13,7 @@ namespace plate {
 /// Forces are gathered: any number of threads gives the same bits. One call at a time.
 class GalerkinOperator : public Operator {
 public:
-  GalerkinOperator(GalerkinFamilies families, const Section& section);
+  GalerkinOperator(GalerkinFamilies families, const Section& section, AttachedStiffness attached = {});
 
   std::size_t points() const override { return families_.areas.size(); }
   void internal_force(const State& state, Forces& forces) const override;
@@ -24,6 +25,7 @@ public:
 
   const GalerkinFamilies& families() const { return families_; }
   const Section& section() const { return section_; }
+  const AttachedStiffness& attached() const { return attached_; }
   std::size_t bytes() const;
 
 private:
@@ -34,6 +36,7 @@ private:
   Section section_;
   GalerkinRows rows_;
   GalerkinLists lists_;
+  AttachedStiffness attached_;
   std::optional<std::uint32_t> lattice_;  // a point of kind 0
 };
 

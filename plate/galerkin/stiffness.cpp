@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include "plate/galerkin/family_stiffness.hpp"
+#include "plate/solve/matrices/attached_matrix.hpp"
 #include "plate/solve/matrices/matrix_pattern.hpp"
 
 namespace plate {
@@ -66,7 +67,7 @@ PointMatrix stiffness_matrix(const GalerkinOperator& plate) {
       add_family(all.kind[k] == 0 ? shared : own, members, begin, end, result);
     }
   }
-  return result;
+  return with(std::move(result), plate.attached());
 }
 
 }  // namespace plate

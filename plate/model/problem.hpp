@@ -3,6 +3,7 @@
 
 #include "geometry/shape/crack_path.hpp"
 #include "plate/model/discretization.hpp"
+#include "plate/model/elastic/elastic_supports.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/section.hpp"
 #include "plate/model/supports.hpp"
@@ -17,6 +18,10 @@ struct Problem {
   Discretization discretization;
   std::vector<Support> supports;
   std::vector<Load> loads;
+  std::vector<Foundation> foundations = {};
+  std::vector<Spring> springs = {};
+
+  bool elastically_held() const { return !foundations.empty() || !springs.empty(); }
 };
 
 /// Its supports as the discretisation holds them: in layers where it says so.

@@ -20,6 +20,12 @@ enum class Subject {
   load_edges,
   load_patch,
   load_line,
+  foundation,
+  foundation_patch,
+  spring,
+  spring_edges,
+  spring_line,
+  spring_position,
   // of its analysis
   preconditioner,
   precision,

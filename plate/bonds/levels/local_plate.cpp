@@ -36,7 +36,9 @@ FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& bound
   const auto& areas = boundary.cloud.areas;
   const auto kinds = family_kinds(families, areas, boundary.active);
   auto weights = position_aware(families, shapes, areas, boundary.active, kinds, bond_based(section)).weights;
-  return {std::move(families), std::move(shapes), areas, std::move(weights)};
+  FamilyOperator result(std::move(families), std::move(shapes), areas, std::move(weights));
+  result.attach(plate.attached());
+  return result;
 }
 
 LocalPlate::LocalPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,

@@ -9,7 +9,10 @@ class LatticeOperator : public FamilyOperator {
 public:
   explicit LatticeOperator(FamilyOperator plate) : FamilyOperator(std::move(plate)), rows_(*this) {}
 
-  void internal_force(const State& state, Forces& forces) const override { rows_.internal_force(state, forces); }
+  void internal_force(const State& state, Forces& forces) const override {
+    rows_.internal_force(state, forces);
+    attached().add_force(state, forces);
+  }
 
   const LatticeRows<double>& rows() const { return rows_; }
   LatticeRows<float> single_rows() const { return LatticeRows<float>(*this); }

@@ -156,6 +156,7 @@ public:
     for (std::uint32_t k = 0; k < boundary.lattice.size(); ++k)
       if (const Point& n = parts.line(k); parts.has(k) && parts.on_line(k))
         add({{parts.part(k), parts.slope(parts.part(k), {-n.y(), n.x()})}});
+    for (const auto& part : boundary.attached.parts()) add_elastic(*part);
   }
   const Eigen::MatrixXd& gram() const { return gram_; }
 
@@ -163,6 +164,17 @@ private:
   void add(const Condition& condition) {
     for (const auto& [a, x] : condition)
       for (const auto& [b, y] : condition) gram_.block<3, 3>(3 * a, 3 * b) += x * y.transpose();
+  }
+
+  /// A foundation or spring, over its largest entry.
+  void add_elastic(const Attachment& part) {
+    const auto length = [&](std::uint32_t dof) { return dof % 3 == 0 ? boundary_.cloud.units.spacing : 1; };
+    Eigen::MatrixXd own = Eigen::MatrixXd::Zero(gram_.rows(), gram_.cols());
+    part.for_each([&](std::uint32_t row, std::uint32_t column, double value) {
+      own.block<3, 3>(3 * parts_.part(row / 3), 3 * parts_.part(column / 3)) +=
+          value * length(row) * length(column) * parts_.row(row) * parts_.row(column).transpose();
+    });
+    gram_ += own / own.cwiseAbs().maxCoeff();
   }
 
   /// factor times a degree of freedom that is held, by its leaders.

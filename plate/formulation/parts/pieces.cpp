@@ -30,6 +30,25 @@ DisjointSets connected(const Boundary& boundary, const geometry::Families& famil
   return sets;
 }
 
+/// What foundations and springs have against the rigid motions of every piece, over the largest entry. A link between
+/// two pieces holds neither.
+template <typename Rows>
+std::map<std::uint32_t, Eigen::Matrix3d> elastic(const Boundary& boundary, DisjointSets& sets, const Rows& at) {
+  std::map<std::uint32_t, Eigen::Matrix3d> result;
+  const double spacing = boundary.cloud.units.spacing;
+  const auto length = [&](std::uint32_t dof) { return dof % 3 == 0 ? spacing : 1; };
+  for (const auto& part : boundary.attached.parts())
+    part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
+      const auto root = sets.root(row / 3);
+      auto& own = result.try_emplace(root, Eigen::Matrix3d::Zero()).first->second;
+      const bool within = root == sets.root(column / 3);
+      own += value * length(row) * length(column) * at(row) * at(within ? column : row).transpose();
+    });
+  for (auto& [root, own] : result)
+    if (const double largest = own.cwiseAbs().maxCoeff(); largest > 0) own /= largest;
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> fallen(const Boundary& boundary, const geometry::Families& families) {
@@ -79,6 +98,9 @@ std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& fa
       if (counts) row -= scaled_factor(ties[i]) * at(ties[i].leader);
     if (counts) add(follower, row);
   }
+
+  for (auto& [root, own] : elastic(boundary, sets, at))
+    if (found.contains(root)) gram[root] += own;
 
   std::vector<Piece> result;
   for (auto& [root, piece] : found) {

@@ -7,6 +7,7 @@
 
 #include "geometry/shape/crack_extension.hpp"
 #include "geometry/shape/patch.hpp"
+#include "plate/model/faults/spring_faults.hpp"
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/wording.hpp"
@@ -89,41 +90,52 @@ bool lies_along(const geometry::Polyline& a, const geometry::Polyline& b, double
   return on(a, b) || on(b, a);
 }
 
-/// A line without length, or along a crack, where nobody knows which face it loads.
-void check_line(const Problem& problem, std::size_t number, std::vector<Refusal>& found) {
-  const auto& along = problem.loads[number].along;
+/// A line without length, or along a crack, where nobody knows which face it acts on. `fault`: what it would be.
+void check_line(const geometry::Polyline& along, Refusal fault, const Problem& problem, std::vector<Refusal>& found) {
   const double tolerance = 1e3 * geometry::tolerance(problem.outline);
+  const auto say = [&](const std::string& what) {
+    fault.what = what;
+    found.push_back(fault);
+  };
   if (along.empty()) return;
-  if (geometry::length(along) < tolerance) found.push_back({Subject::load_line, number, "the line has no length"});
+  if (geometry::length(along) < tolerance) say("the line has no length");
   for (std::size_t i = 0; i < problem.cracks.size(); ++i)
     if (lies_along(along, problem.cracks[i], tolerance))
-      found.push_back({Subject::load_line, number,
-                       fmt::format("the line lies along crack {}: move it to the face that it loads", i)});
+      say(fmt::format("the line lies along crack {}: move it to the face that it loads", i));
 }
 
-/// A patch that misses the plate, or whose boundary crosses itself; a line that leaves the plate.
-void check_place(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
-  const auto* circle = load.patch ? std::get_if<geometry::Circle>(&*load.patch) : nullptr;
+/// A patch that misses the plate, or whose boundary crosses itself. `fault`: what it would be, "the pressure acts".
+void check_patch(const std::optional<geometry::Hole>& shape, const Refusal& fault, const geometry::Outline& outline,
+                 std::vector<Refusal>& found) {
+  const auto say = [&](const std::string& what) { found.push_back({fault.subject, fault.number, what}); };
+  const auto* circle = shape ? std::get_if<geometry::Circle>(&*shape) : nullptr;
   if (circle && !(circle->radius > 0)) {
-    found.push_back({Subject::load_patch, number, fmt::format("radius {:g} given, must be > 0", circle->radius)});
-  } else if (load.patch) {
-    const geometry::Patch patch(*load.patch);
+    say(fmt::format("radius {:g} given, must be > 0", circle->radius));
+  } else if (shape) {
+    const geometry::Patch patch(*shape);
     const geometry::Polygon ring{patch.ring(), std::vector<std::string>(patch.ring().size())};
     const auto faults = geometry::faults({ring, {}});
-    for (const auto& fault : faults)
-      found.push_back({Subject::load_patch, number, "the polygon that the pressure acts on: " + fault.what});
-    if (faults.empty() && !patch.meets(outline))
-      found.push_back({Subject::load_patch, number, "the pressure acts on nothing of the plate"});
+    for (const auto& one : faults) say(fmt::format("the polygon that {} on: {}", fault.what, one.what));
+    if (faults.empty() && !patch.meets(outline)) say(fault.what + " on nothing of the plate");
   }
-  for (std::size_t i = 0; i < load.along.size(); ++i) {
-    const auto& x = load.along[i];
-    if (!on_plate(outline, x)) {
-      found.push_back({Subject::load_line, number, text_of(x) + " given, must lie in the plate or on its boundary"});
-    } else if (i > 0 && on_plate(outline, load.along[i - 1]) && geometry::leaves(outline, load.along[i - 1], x)) {
-      found.push_back({Subject::load_line, number,
-                       fmt::format("the line from {} to {} leaves the plate", text_of(load.along[i - 1]), text_of(x))});
-    }
+}
+
+/// A line that leaves the plate.
+void check_along(const geometry::Polyline& along, const Refusal& fault, const geometry::Outline& outline,
+                 std::vector<Refusal>& found) {
+  const auto say = [&](const std::string& what) { found.push_back({fault.subject, fault.number, what}); };
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    const auto& x = along[i];
+    if (!on_plate(outline, x))
+      say(text_of(x) + " given, must lie in the plate or on its boundary");
+    else if (i > 0 && on_plate(outline, along[i - 1]) && geometry::leaves(outline, along[i - 1], x))
+      say(fmt::format("the line from {} to {} leaves the plate", text_of(along[i - 1]), text_of(x)));
   }
+}
+
+void check_place(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
+  check_patch(load.patch, {Subject::load_patch, number, "the pressure acts"}, outline, found);
+  check_along(load.along, {Subject::load_line, number, ""}, outline, found);
 }
 
 }  // namespace
@@ -142,8 +154,21 @@ std::vector<Refusal> faults_of_edges(const Problem& problem) {
     if (!geometry::contains(problem.outline, load.position))
       found.push_back({Subject::load_position, i, text_of(load.position) + " given, must lie inside the plate"});
     check_place(load, i, problem.outline, found);
-    check_line(problem, i, found);
+    check_line(load.along, {Subject::load_line, i, ""}, problem, found);
   }
+  for (std::size_t i = 0; i < problem.foundations.size(); ++i)
+    check_patch(problem.foundations[i].patch, {Subject::foundation_patch, i, "the foundation lies"}, problem.outline,
+                found);
+  for (std::size_t i = 0; i < problem.springs.size(); ++i) {
+    const auto& spring = problem.springs[i];
+    check_names(spring.edges, geometry::edge_names(problem.outline), Subject::spring_edges, i, found);
+    check_along(spring.along, {Subject::spring_line, i, ""}, problem.outline, found);
+    check_line(spring.along, {Subject::spring_line, i, ""}, problem, found);
+    if (spring.position && !on_plate(problem.outline, *spring.position))
+      found.push_back({Subject::spring_position, i,
+                       text_of(*spring.position) + " given, must lie in the plate or on its boundary"});
+  }
+  for (const auto& fault : faults_of_springs(problem)) found.push_back(fault);
   return found;
 }
 

@@ -1,0 +1,86 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/shape/outline.hpp"
+#include "plate/model/state.hpp"
+
+namespace plate {
+
+/// The stiffness of one foundation or spring, symmetric and without negative eigenvalues, by rows. Degrees of freedom
+/// are counted as State::data(): component * points + point.
+struct Attachment {
+  std::string name;                         // foundation0, ..., spring0, ... in the order of the case
+  std::optional<geometry::Point> position;  // of a spring at a point [length]
+  std::size_t points = 0;                   // of the plate and beside it
+  std::vector<std::uint32_t> row;           // ascending; those that are not zero
+  std::vector<std::size_t> first;           // where the entries of a row begin [rows + 1]
+  std::vector<std::uint32_t> column;
+  std::vector<double> value;
+
+  /// Its forces on the plate, -K state [3 x points].
+  Forces force(const State& state) const;
+  double energy(const State& state) const;
+
+  /// visit(row, column, value) with degrees of freedom 3 * point + component.
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
+    const auto dof = [&](std::uint32_t flat) { return std::uint32_t(3 * (flat % points) + flat / points); };
+    for (std::size_t r = 0; r < row.size(); ++r)
+      for (auto i = first[r]; i < first[r + 1]; ++i) visit(dof(row[r]), dof(column[i]), value[i]);
+  }
+};
+
+/// All that a plate is attached to by springs. A plate without has none, and its products do nothing here. Copies share
+/// what they hold. Any number of threads gives the same bits.
+class AttachedStiffness {
+public:
+  AttachedStiffness() = default;
+  explicit AttachedStiffness(std::vector<Attachment> parts);
+
+  const std::vector<std::shared_ptr<const Attachment>>& parts() const { return parts_; }
+
+  void add_force(const State& state, Forces& forces) const;  // forces += -K state
+  void add_force(const Values<float>& state, Values<float>& forces) const;
+  /// forces -= -K state: what is left is the plate's own.
+  void take_force(const State& state, Forces& forces) const;
+  void add_absolute_product(const State& state, Forces& forces) const;
+  void add_diagonal(Forces& diagonal) const;
+  void add_energies(const State& state, Eigen::VectorXd& energies) const;  // of every point
+  double energy(const State& state) const;
+  std::size_t bytes() const;
+
+private:
+  std::vector<std::shared_ptr<const Attachment>> parts_;
+};
+
+/// A part of a form: factor times a degree of freedom 3 * point + component.
+struct FormTerm {
+  std::uint32_t dof;
+  double factor;
+};
+
+/// Springs, one after the other, that become one attachment.
+class AttachmentSum {
+public:
+  explicit AttachmentSum(std::size_t points) : points_(points) {}
+
+  /// With the energy stiffness / 2 (sum of factor * u)^2.
+  void add(double stiffness, const std::vector<FormTerm>& form);
+  /// A symmetric matrix of some degrees of freedom 3 * point + component.
+  void add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+  Attachment taken(std::string name, const std::optional<geometry::Point>& position) &&;
+
+private:
+  struct Entry {
+    std::uint64_t place;  // row, then column
+    double value;
+  };
+  std::size_t points_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace plate

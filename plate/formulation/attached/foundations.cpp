@@ -1,0 +1,143 @@
+#include "plate/formulation/attached/foundations.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <map>
+
+#include "geometry/cells/tessellation.hpp"
+#include "geometry/shape/patch.hpp"
+#include "plate/model/elastic/elastic_supports.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+using Ring = std::vector<Point>;
+using Shape = std::optional<geometry::Patch>;
+
+Shape patch_of(const Foundation& foundation) {
+  return foundation.patch ? Shape(*foundation.patch) : std::nullopt;
+}
+
+/// Integrals of 1, x and x x^T over what the foundation has of a cell.
+geometry::AreaMoments moments_of(const Shape& patch, const Ring& cell, const Point& about) {
+  const Ring piece = patch ? patch->common(cell) : cell;
+  return piece.empty() ? geometry::AreaMoments{} : geometry::moments(piece, about);
+}
+
+/// Of (1, x, y) (1, x, y)^T.
+Eigen::Matrix3d gram(const geometry::AreaMoments& m) {
+  Eigen::Matrix3d result;
+  result << m.area, m.first.transpose(), m.first, m.second;
+  return result;
+}
+
+template <std::size_t N>
+void add_cell(const Foundation& foundation, const Shape& patch, const std::array<std::uint32_t, N>& cell,
+              const std::vector<Point>& positions, AttachmentSum& sum) {
+  Ring ring;
+  Point middle(0, 0);
+  for (const auto k : cell) ring.push_back(positions[k]), middle += positions[k] / double(N);
+  const auto moments = moments_of(patch, ring, middle);
+  if (!(moments.area > 0)) return;
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Point& x : ring) spread += (x - middle) * (x - middle).transpose();
+  const Eigen::Matrix2d inverse = spread.inverse();
+  Eigen::Matrix<double, N, 3> linear;  // value in the middle and slopes, of every corner
+  std::vector<std::uint32_t> dofs;
+  for (std::size_t i = 0; i < N; ++i) {
+    linear.row(Eigen::Index(i)) << 1 / double(N), (inverse * (ring[i] - middle)).transpose();
+    dofs.push_back(3 * cell[i]);
+  }
+  const auto slopes = linear.template rightCols<2>();
+  const Eigen::MatrixXd K = foundation.modulus * linear * gram(moments) * linear.transpose() +
+                            foundation.shear * moments.area * slopes * slopes.transpose();
+  sum.add(dofs, (K + K.transpose()) / 2);
+}
+
+using Place = std::pair<double, double>;
+
+Place place(const Point& x) {
+  return {x.x(), x.y()};
+}
+
+/// The soil goes on beneath a crack: between its faces it is sheared over a spacing.
+void add_below_cracks(const Foundation& foundation, const geometry::Tessellation& cells, AttachmentSum& sum) {
+  geometry::Outline outline;
+  if (const auto patch = patch_of(foundation))
+    outline.outer = {patch->ring(), std::vector<std::string>(patch->ring().size())};
+  const auto covered = [&](const Point& x) { return !foundation.patch || geometry::contains(outline, x); };
+  std::map<std::pair<Place, Place>, const geometry::Tessellation::Border*> faces;
+  for (const auto& border : cells.borders) {
+    if (border.edge != geometry::Curves::crack) continue;
+    const Point &from = cells.positions[border.from], &to = cells.positions[border.to];
+    const auto twin = faces.find({place(to), place(from)});
+    faces[{place(from), place(to)}] = &border;
+    if (twin == faces.end() || !covered((from + to) / 2)) continue;
+    const double stiffness = foundation.shear * (to - from).norm() / 2 / cells.units.spacing;
+    for (const auto& [k, j] : {std::pair{border.from, twin->second->to}, {border.to, twin->second->from}})
+      if (k != j) sum.add(stiffness, {{3 * k, 1}, {3 * j, -1}});
+  }
+}
+
+/// Points of the plate by the columns and rows of their cells.
+class Cells {
+public:
+  explicit Cells(const geometry::Cloud& cloud) : cloud_(cloud) {
+    for (std::uint32_t k = 0; k < cloud.plate_points; ++k) point_[cell(k)] = k;
+  }
+  /// The neighbour `step` columns and rows away.
+  std::optional<std::uint32_t> beside(std::uint32_t k, int columns, int rows) const {
+    const auto [column, row] = cell(k);
+    const auto found = point_.find({column + columns, row + rows});
+    return found == point_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+private:
+  std::pair<int, int> cell(std::uint32_t k) const {
+    const Point u = cloud_.units.to_lattice(cloud_.positions[k]);
+    return {int(std::floor(u.x())), int(std::floor(u.y()))};
+  }
+  const geometry::Cloud& cloud_;
+  std::map<std::pair<int, int>, std::uint32_t> point_;
+};
+
+/// Half of a cell has the slope to the neighbour on its side, and that of the other half where there is none.
+void add_shear(double stiffness, const Cells& cells, std::uint32_t k, double spacing, AttachmentSum& sum) {
+  for (const bool along_x : {true, false}) {
+    const auto beside = [&](int step) { return cells.beside(k, along_x ? step : 0, along_x ? 0 : step); };
+    const auto before = beside(-1), after = beside(1);
+    const double share = before && after ? 0.5 : 1;
+    for (const auto& j : {before, after})
+      if (j) sum.add(share * stiffness / (spacing * spacing), {{3 * k, -1}, {3 * *j, 1}});
+  }
+}
+
+}  // namespace
+
+void add_foundation(const Foundation& foundation, const geometry::Cloud& cloud, AttachmentSum& sum) {
+  const auto patch = patch_of(foundation);
+  const double side = cloud.units.spacing, half = side / 2;
+  const auto cells = foundation.shear > 0 ? std::optional<Cells>(cloud) : std::nullopt;
+  Eigen::Matrix3d linear;  // deflection and slopes of w, theta_x, theta_y: psi = (-theta_y, theta_x)
+  linear << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  for (std::uint32_t k = 0; k < cloud.plate_points; ++k) {
+    const Point& x = cloud.positions[k];
+    const Ring cell{x + Point(-half, -half), x + Point(half, -half), x + Point(half, half), x + Point(-half, half)};
+    const auto moments = moments_of(patch, cell, x);
+    if (!(moments.area > 0)) continue;
+    const double share = cloud.areas[k] / (side * side);
+    const Eigen::Matrix3d K = share * foundation.modulus * linear * gram(moments) * linear.transpose();
+    sum.add({3 * k, 3 * k + 1, 3 * k + 2}, (K + K.transpose()) / 2);
+    if (cells) add_shear(share * moments.area * foundation.shear, *cells, k, side, sum);
+  }
+}
+
+void add_foundation(const Foundation& foundation, const geometry::Tessellation& cells, AttachmentSum& sum) {
+  const auto patch = patch_of(foundation);
+  for (const auto& square : cells.squares) add_cell(foundation, patch, square, cells.positions, sum);
+  for (const auto& triangle : cells.triangles) add_cell(foundation, patch, triangle, cells.positions, sum);
+  if (foundation.shear > 0) add_below_cracks(foundation, cells, sum);
+}
+
+}  // namespace plate

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/shape/crack_path.hpp"
+#include "geometry/shape/outline.hpp"
+
+namespace plate {
+
+/// What a plate lies on: soil that answers the deflection w with the pressure -k w + G_p laplace(w) (Winkler 1867;
+/// Pasternak 1954).
+struct Foundation {
+  double modulus = 0;                   // k [force/length^3]
+  double shear = 0;                     // G_p [force/length]
+  std::optional<geometry::Hole> patch;  // under this part of the plate alone
+};
+
+/// Springs along edges, along a line, or one at a point: of these three one is given.
+struct Spring {
+  double deflection = 0;           // against w: [force/length^2], of one [force/length]
+  double rotation_normal = 0;      // against psi_n, which bends: [force]; n the normal of the edge or line
+  double rotation_tangential = 0;  // against psi_s, which twists: [force]
+  double rotation = 0;             // of one, against both rotations [force length]
+  std::vector<std::string> edges;
+  geometry::Polyline along;
+  std::optional<geometry::Point> position;
+};
+
+}  // namespace plate

@@ -1,0 +1,87 @@
+#include "plate/model/faults/spring_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plate/model/problem.hpp"
+
+namespace plate {
+namespace {
+
+constexpr auto of_lines = " resists along edges and lines; a position has deflection and rotation";
+
+void check_keys(const Spring& spring, std::size_t number, std::vector<Refusal>& found) {
+  const auto say = [&](const std::string& what) { found.push_back({Subject::spring, number, what}); };
+  const int places = !spring.edges.empty() + !spring.along.empty() + spring.position.has_value();
+  if (places != 1)
+    say(fmt::format("{} given, must be one of edges, along and position", places == 0 ? "none" : "several"));
+  if (spring.deflection + spring.rotation_normal + spring.rotation_tangential + spring.rotation <= 0)
+    say("resists nothing: give deflection, rotation_normal, rotation_tangential or rotation > 0");
+  if (spring.position && spring.rotation_normal > 0) say(fmt::format("rotation_normal{}", of_lines));
+  if (spring.position && spring.rotation_tangential > 0) say(fmt::format("rotation_tangential{}", of_lines));
+  if (!spring.position && places > 0 && spring.rotation > 0)
+    say("rotation is of a spring at a position; edges and lines have rotation_normal and rotation_tangential");
+}
+
+/// What a support leaves nothing of for springs.
+struct Held {
+  bool w, normal, tangential;
+};
+
+Held held_by(SupportKind kind) {
+  using enum SupportKind;
+  switch (kind) {
+    case clamped:
+    case clamped_layer:
+      return {true, true, true};
+    case simply_supported:
+    case simply_supported_layer:
+      return {true, false, false};
+    case simply_supported_hard:
+    case simply_supported_hard_layer:
+      return {true, false, true};
+    case symmetry:
+      return {false, true, false};
+    case free:
+    case pinned:
+      break;
+  }
+  return {false, false, false};
+}
+
+void check_edge(const Spring& spring, const std::string& edge, std::size_t number, const Problem& problem,
+                std::vector<Refusal>& found) {
+  for (std::size_t i = 0; i < problem.supports.size(); ++i) {
+    const auto& support = problem.supports[i];
+    if (std::ranges::find(support.edges, edge) == support.edges.end()) continue;
+    const auto held = held_by(support.kind);
+    const auto check = [&](bool holds, double stiffness, const char* key) {
+      if (holds && stiffness > 0)
+        found.push_back(
+            {Subject::spring_edges, number,
+             fmt::format("edge \"{}\" is held by support[{}], which leaves nothing for {} to do", edge, i, key)});
+    };
+    check(held.w, spring.deflection, "deflection");
+    check(held.normal, spring.rotation_normal, "rotation_normal");
+    check(held.tangential, spring.rotation_tangential, "rotation_tangential");
+  }
+}
+
+}  // namespace
+
+std::vector<Refusal> faults_of_springs(const Problem& problem) {
+  std::vector<Refusal> found;
+  for (std::size_t i = 0; i < problem.springs.size(); ++i) {
+    check_keys(problem.springs[i], i, found);
+    for (const auto& edge : problem.springs[i].edges) check_edge(problem.springs[i], edge, i, problem, found);
+  }
+  const auto boundary = problem.discretization.boundary;
+  if (problem.elastically_held() && (boundary == EdgeMethod::surface_nodes || boundary == EdgeMethod::fictitious_nodes))
+    found.push_back({Subject::edge_method, 0,
+                     "the stiffness of a plate with conditions at its edges has no place for foundations and springs: "
+                     "choose \"images\""});
+  return found;
+}
+
+}  // namespace plate

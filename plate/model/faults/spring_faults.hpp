@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+#include "plate/model/refused.hpp"
+
+namespace plate {
+
+struct Problem;
+
+/// Springs that are nowhere or at several places at once, that resist nothing, that resist what their place does not
+/// have or what a support of the same edge holds; foundations and springs beside edges that no images stand for.
+std::vector<Refusal> faults_of_springs(const Problem& problem);
+
+}  // namespace plate

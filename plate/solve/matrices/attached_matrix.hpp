@@ -1,0 +1,10 @@
+#pragma once
+#include "plate/formulation/attached/attached_stiffness.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
+
+namespace plate {
+
+/// The matrix and what is attached; the matrix itself where nothing is.
+PointMatrix with(PointMatrix matrix, const AttachedStiffness& attached);
+
+}  // namespace plate
