@@ -97,11 +97,13 @@ Applied Supports::applied(const plate::Forces& forces) const {
   return result;
 }
 
-Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia) const {
+Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia,
+                          const plate::State& state) const {
   Balance result{std::vector<Wrench>(boundary_->holders.size()), loads.sum, {}, 0};
   Eigen::VectorXd reaction = -internal - loads.held;
   if (inertia) reaction += inertia->held;
   for (const auto& [holder, i, unit] : shares_) result.supports[holder] += reaction[i] * unit;
+  for (const auto& part : boundary_->attached.parts()) result.supports.push_back(applied(part->force(state)).sum);
   Wrench left = result.sum();
   left += loads.sum;
   double largest = loads.size;

@@ -20,7 +20,8 @@ struct Applied {
   void add(double factor, const Applied& other);
 };
 
-/// The reactions of a plate by edges and pins, from what its forces leave on what is held. What two hold together, as
+/// The reactions of a plate by edges and pins, from what its forces leave on what is held, and by foundations and
+/// springs. What two hold together, as
 /// the point at a corner of two edges, is shared equally between them.
 class Supports {
 public:
@@ -30,8 +31,10 @@ public:
   Applied nothing() const;
   /// Not carried over to the free degrees of freedom.
   Applied applied(const plate::Forces& forces) const;
-  /// `internal`: force -K u on what is held; `loads`: that act; `inertia`: mass times acceleration, in motion.
-  Balance balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia) const;
+  /// Of edges and pins, then of foundations and springs. `internal`: force -K u on what is held; `loads`: that act;
+  /// `inertia`: mass times acceleration, in motion; `state`: u.
+  Balance balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia,
+                  const plate::State& state) const;
   /// What the elastic forces of the plate do along w to every support, as functionals of its state [supports x 3
   /// points, as State::data()]; of many supports, to all together.
   Eigen::MatrixXd elastic_forces(const plate::Operator& plate) const;

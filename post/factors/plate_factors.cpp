@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
@@ -35,6 +36,10 @@ double clear_distance(const plate::Problem& c, const std::vector<geometry::Crack
   for (const auto& load : c.loads) {
     if (load.kind == plate::Load::Kind::point_force) clear = std::min(clear, (load.position - tip.position).norm());
     if (!load.along.empty()) clear = std::min(clear, geometry::distance(load.along, tip.position));
+  }
+  for (const auto& spring : c.springs) {
+    if (spring.position) clear = std::min(clear, (*spring.position - tip.position).norm());
+    if (!spring.along.empty()) clear = std::min(clear, geometry::distance(spring.along, tip.position));
   }
   for (const auto& support : c.supports)
     for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
@@ -87,7 +92,7 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
                         const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings) {
   plate::Forces force;
   if (std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
-    plate.internal_force(state, force);
+    plate.internal_force(state, force), plate.boundary().attached.take_force(state, force);
   std::vector<std::vector<Srif>> by_tip(methods.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t tip = 0; tip < methods.size(); ++tip) by_tip[tip] = methods[tip](state, force, all_rings);

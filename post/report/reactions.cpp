@@ -22,6 +22,7 @@ Eigen::VectorXd on_held(const plate::Formulation& plate, const plate::Operator& 
 std::vector<ReactionSummary::Support> supports_of(const plate::Formulation& plate) {
   std::vector<ReactionSummary::Support> result;
   for (const auto& [name, kind, position] : plate.boundary().holders) result.push_back({name, position});
+  for (const auto& part : plate.boundary().attached.parts()) result.push_back({part->name, part->position});
   return result;
 }
 
@@ -61,7 +62,7 @@ void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces)
   for (std::size_t i = 0; i < each.size(); ++i) loads.add(plate::factor(plate_->loads()[i].history, now.time), each[i]);
   const auto inertia = supports.applied(inertial_force(now.acceleration()));
   const auto internal = now.held_force ? *now.held_force : on_held(*plate_, forces, now.state);
-  balances_.emplace_back(now.time, supports.balance(internal, loads, &inertia));
+  balances_.emplace_back(now.time, supports.balance(internal, loads, &inertia, now.state));
 }
 
 void ReactionRows::add(double time, const plate::Formulation& plate, const plate::Operator& forces,
@@ -71,7 +72,7 @@ void ReactionRows::add(double time, const plate::Formulation& plate, const plate
   const Supports supports(plate.boundary());
   auto loads = supports.nothing();
   loads.add(share, supports.applied(plate.total_load()));
-  balances_.emplace_back(time, supports.balance(on_held(plate, forces, state), loads, nullptr));
+  balances_.emplace_back(time, supports.balance(on_held(plate, forces, state), loads, nullptr, state));
 }
 
 Table ReactionRows::table() const {

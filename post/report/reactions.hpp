@@ -14,7 +14,8 @@ struct Instant;
 
 namespace post {
 
-/// The reactions of a run, row by row: what edges and pins do to the plate. No rows of a plate that nothing holds.
+/// The reactions of a run, row by row: what edges, pins, foundations and springs do to the plate. No
+/// rows of a plate that nothing holds.
 class ReactionRows {
 public:
   /// Of plates that change from row to row.

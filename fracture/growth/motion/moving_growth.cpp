@@ -35,6 +35,7 @@ std::vector<post::Srif> MovingGrowth::factors(const plate::State& state) const {
   if (!options_) return result;
   plate::Forces force;
   plate_.internal_force(state, force);
+  start_.boundary().attached.take_force(state, force);
   const auto now = paths();
   const auto view = plate_.tip_view();
   for (const auto& [number, tip] : tips()) {

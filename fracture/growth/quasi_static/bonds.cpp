@@ -131,6 +131,7 @@ std::optional<std::vector<post::Srif>> QuasiStaticBonds::factors(double factor) 
   new_lines_ = false;
   plate::Forces force;
   plate_.internal_force(state_, force);
+  start_.boundary().attached.take_force(state_, force);
   const auto paths = cracks_.paths();
   const auto view = plate_.tip_view();
   std::vector<post::Srif> result;

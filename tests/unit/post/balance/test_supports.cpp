@@ -28,7 +28,7 @@ TEST_CASE("supports: elastic forces as functionals of the state are what the bal
     plate::Forces internal;
     plate->internal_force(state, internal);
     const post::Supports supports(plate->boundary());
-    const auto balance = supports.balance(plate->constraints().on_held(internal), supports.nothing(), nullptr);
+    const auto balance = supports.balance(plate->constraints().on_held(internal), supports.nothing(), nullptr, state);
     const Eigen::VectorXd found = supports.elastic_forces(*plate) * state.reshaped();
     REQUIRE(found.size() == 2);
     for (Eigen::Index i = 0; i < found.size(); ++i)
