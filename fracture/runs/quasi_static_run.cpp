@@ -122,8 +122,7 @@ void QuasiStaticRun::record() {
   recorder_->table("tips", record.tips);
   recorder_->table("cracks", record.crack_table());
   recorder_->cracks(record.cracks, latest_);
-  if (recorder_->plots())
-    recorder_->picture("curves", post::to_svg(post::curves_of_growth(plan_.title, record.growth, plan_.si())));
+  if (recorder_->plots()) recorder_->picture("curves", post::picture_of_growth(plan_.title, record.growth, plan_.si()));
 }
 
 post::GrowthSummary QuasiStaticRun::growth_summary() const {

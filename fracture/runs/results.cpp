@@ -12,6 +12,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "post/figures/curve_plot.hpp"
 #include "post/files/archive.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/html/report.hpp"

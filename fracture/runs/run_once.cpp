@@ -24,6 +24,12 @@ namespace {
 
 using plate::Analysis;
 
+/// The part of the strain energy that foundations and springs have.
+void book_attached(const plate::Formulation& plate, const plate::State& state, post::Summary& summary) {
+  if (const auto& attached = plate.boundary().attached; !attached.parts().empty())
+    summary.energy.emplace_back("attached", attached.energy(state));
+}
+
 /// Where forces are no derivative of an energy, that and the work tell how coarse the points are. Measured with surface
 /// nodes, seven kinds of support, horizons of 0.7 to 2 thicknesses: deflections 4 % off where they are 34 % apart.
 void look_for_coarseness(double strain, double work, const plate::Formulation& plate,
@@ -92,6 +98,7 @@ void solve_static(const Going& run) {
   results.frame(end);
   summary.multipliers = plate.multipliers(solution.state);
   summary.energy = {{"strain", results.strain_energy()}, {"external_work", end.external_work}};
+  book_attached(plate, solution.state, summary);
   if (!post::moves(solution.state, work))
     post::require_motion(plate, {plate.total_load()}, solution.state, work, summary.warnings);
   if (!solution.converged)
@@ -119,6 +126,7 @@ std::function<void(const plate::Instant&)> observer(const Going& run, std::size_
     summary.analysis.steps = now.step;
     summary.energy = {
         {"strain", results.strain_energy()}, {"kinetic", now.kinetic_energy}, {"external_work", now.external_work}};
+    book_attached(*ready.plate, now.state, summary);
     if (is_last && !post::moves(now.state, now.external_work))
       post::require_motion(*ready.plate, post::forces_of(*ready.plate), now.state, now.external_work, summary.warnings);
   };

@@ -1,5 +1,7 @@
 #include "post/report/curves.hpp"
 
+#include "post/figures/curve_plot.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -103,6 +105,10 @@ CurvePlot curves_of_growth(const std::string& title, const Table& growth, bool s
              {"strain_energy", "strain energy"},
              {"fracture_energy", "fracture energy"}}));
   return plot;
+}
+
+std::string picture_of_growth(const std::string& title, const Table& growth, bool si) {
+  return to_svg(curves_of_growth(title, growth, si));
 }
 
 }  // namespace post

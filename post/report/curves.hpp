@@ -1,9 +1,10 @@
 #pragma once
-#include "post/figures/curve_plot.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
 namespace post {
+
+struct CurvePlot;
 
 /// A motion: K1, K2 and K3 of every tip against time by its recommended method, with gaps where a factor is not
 /// resolved, a panel for each that any tip has; the largest deflection; energies. `rows` of factors at `times`;
@@ -14,5 +15,8 @@ CurvePlot curves_of_motion(const std::string& title, const std::vector<double>& 
 /// A quasi-static growth: load factor and energies against the length of all cracks; `growth`: the columns of
 /// growth.csv.
 CurvePlot curves_of_growth(const std::string& title, const Table& growth, bool si);
+
+/// The same as SVG.
+std::string picture_of_growth(const std::string& title, const Table& growth, bool si);
 
 }  // namespace post

@@ -1,5 +1,7 @@
 #include "post/report/curves.hpp"
 
+#include "post/figures/curve_plot.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
