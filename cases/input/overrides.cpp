@@ -1,46 +1,14 @@
 #include <fmt/format.h>
-#include <algorithm>
-#include <cctype>
-#include <numeric>
 #include "cases/input/toml_reader.hpp"
+#include "post/manual/key_path.hpp"
 
 namespace cases {
 namespace {
 
 constexpr char removal = '-';  // begins a setting that takes a key out
 
-/// One step of a dotted key: a name in a table or an index in a list.
-using Step = std::variant<std::string, std::size_t>;
-
-/// load[0].value and load.0.value are the same key.
-std::vector<Step> steps(const std::string& key) {
-  std::vector<Step> result;
-  std::string word;
-  const auto finish = [&] {
-    if (word.empty()) return;
-    const bool index =
-        word.size() < 9 && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
-    result.push_back(index && !result.empty() ? Step(std::size_t(std::stoul(word))) : Step(word));
-    word.clear();
-  };
-  for (const char c : key)
-    if (c == '.' || c == '[' || c == ']')
-      finish();
-    else if (c != ' ')
-      word += c;
-  finish();
-  return result;
-}
-
-std::string dotted(const std::vector<Step>& path) {
-  std::string key;
-  for (const auto& step : path)
-    if (const auto* name = std::get_if<std::string>(&step))
-      key += (key.empty() ? "" : ".") + *name;
-    else
-      key += fmt::format("[{}]", std::get<std::size_t>(step));
-  return key;
-}
+using post::dotted;
+using Step = post::KeyStep;
 
 /// Puts a node at `step` of its parent; false where the parent has no such place.
 bool put(toml::node& parent, const Step& step, toml::node& value) {
@@ -80,7 +48,7 @@ toml::table parsed(const std::string& text) {
 
 /// Takes a key, or a table with all below it, out of the tree.
 void remove_key(toml::table& root, const std::string& typed, Reading& reading) {
-  const auto path = steps(typed);
+  const auto path = post::steps(typed);
   toml::node* parent = &root;
   for (std::size_t i = 0; i + 1 < path.size() && parent; ++i) parent = child(*parent, path[i]);
   if (path.empty() || !parent || !child(*parent, path.back())) {
@@ -99,7 +67,7 @@ void apply_override(toml::table& root, const std::string& setting, Reading& read
   if (setting.starts_with(removal)) return remove_key(root, setting.substr(1), reading);
   const auto equals = setting.find('=');
   const std::string typed = setting.substr(0, equals);
-  const auto path = steps(typed);
+  const auto path = post::steps(typed);
   if (equals == std::string::npos || path.empty()) {
     reading.complain({"--set " + typed, dotted(path), fmt::format("{} given, must be key=value", quoted(setting))});
     return;

@@ -1,7 +1,5 @@
 #include "cases/studies/extremes.hpp"
 
-#include <set>
-
 namespace cases {
 namespace {
 
@@ -47,26 +45,6 @@ Fields<Extremes> extremes_fields() {
           tables<Extremes, ExtremeRow>("row", Layout::block, &Extremes::rows, row)};
 }
 
-/// Every row has a name of its own and an oracle; what it should equal stands before it.
-void check_rows(const Extremes& extremes, Reading& reading) {
-  std::set<std::string> before;
-  for (std::size_t i = 0; i < extremes.rows.size(); ++i) {
-    const auto& row = extremes.rows[i];
-    const std::string key = fmt::format("row[{}]", i);
-    const bool ends = row.value || row.equal || row.conserved || !row.warned.empty();
-    const int oracles = ends + !row.refused.empty() + !row.failed.empty();
-    if (oracles == 0 && reading.sound(key))
-      reading.complain(key, "has no oracle: value, equal, conserved, refused, failed or warned");
-    if (oracles > 1) reading.complain(key, "cannot be refused, fail and give a result at once");
-    if (row.equal && !row.equal->row.empty() && !before.contains(row.equal->row))
-      reading.complain(key + ".equal.row", fmt::format("no row \"{}\" before this one{}", row.equal->row,
-                                                       did_you_mean(row.equal->row, {before.begin(), before.end()})));
-    if (!row.title.empty() && !before.insert(row.title).second)
-      reading.complain(key + ".title", fmt::format("\"{}\" is given twice", row.title));
-  }
-  if (extremes.rows.empty() && reading.sound("row")) reading.complain("row", "is missing, must be [[row]]");
-}
-
 }  // namespace
 
 Extremes read_extremes(const std::filesystem::path& path) {
@@ -75,7 +53,8 @@ Extremes read_extremes(const std::filesystem::path& path) {
   Extremes extremes;
   extremes.title = path.stem().string();
   read_fields(extremes_fields(), Value(root, "", reading), extremes);
-  check_rows(extremes, reading);
+  for (const auto& [key, what] : post::faults({extremes.rows.begin(), extremes.rows.end()}))
+    if (reading.sound(key)) reading.complain(key, what);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   return extremes;
 }

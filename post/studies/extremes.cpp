@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "plate/model/wording.hpp"
 #include "post/figures/aligned.hpp"
 #include "post/files/table.hpp"
 
@@ -123,6 +124,27 @@ private:
 std::vector<Verdict> verdicts(const Oracles& row, const ExtremeRun& run,
                               const std::map<std::string, ExtremeRun>& before) {
   return Judge(row, run, before).verdicts();
+}
+
+std::vector<std::pair<std::string, std::string>> faults(const std::vector<Oracles>& rows) {
+  std::vector<std::pair<std::string, std::string>> found;
+  std::set<std::string> before;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& row = rows[i];
+    const std::string key = fmt::format("row[{}]", i);
+    const bool ends = row.value || row.equal || row.conserved || !row.warned.empty();
+    const int oracles = ends + !row.refused.empty() + !row.failed.empty();
+    if (oracles == 0) found.emplace_back(key, "has no oracle: value, equal, conserved, refused, failed or warned");
+    if (oracles > 1) found.emplace_back(key, "cannot be refused, fail and give a result at once");
+    if (row.equal && !row.equal->row.empty() && !before.contains(row.equal->row))
+      found.emplace_back(key + ".equal.row",
+                         fmt::format("no row \"{}\" before this one{}", row.equal->row,
+                                     plate::did_you_mean(row.equal->row, {before.begin(), before.end()})));
+    if (!row.title.empty() && !before.insert(row.title).second)
+      found.emplace_back(key + ".title", fmt::format("\"{}\" is given twice", row.title));
+  }
+  if (rows.empty()) found.emplace_back("row", "is missing, must be [[row]]");
+  return found;
 }
 
 std::set<std::string> chosen(const std::vector<Oracles>& rows, const std::string& only) {

@@ -42,6 +42,9 @@ struct Oracles {
   std::string refused, failed, warned;  // part of the message of what forbids the case, of a NumericalError, a warning
 };
 
+/// Every row has a name of its own and an oracle; what it should equal stands before it. Keys, and what is wrong.
+std::vector<std::pair<std::string, std::string>> faults(const std::vector<Oracles>& rows);
+
 /// The titles of the rows whose group or title contains this, and of those that they should equal.
 std::set<std::string> chosen(const std::vector<Oracles>& rows, const std::string& only);
 
