@@ -39,6 +39,8 @@ const Fields<Case>& case_fields() {
       table<Case, plate::Discretization>("discretization", Layout::block, &Case::discretization,
                                          discretization_fields()),
       tables<Case, plate::Support>("support", Layout::block, &Case::supports, support_fields()),
+      tables<Case, plate::Foundation>("foundation", Layout::block, &Case::foundations, foundation_fields()),
+      tables<Case, plate::Spring>("spring", Layout::block, &Case::springs, spring_fields()),
       tables<Case, plate::Load>("load", Layout::block, &Case::loads, load_fields(), check_load).used_in(loaded),
       table<Case, Analysis>("analysis", Layout::block, &Case::analysis, analysis_fields(), check_analysis),
       table<Case, fracture::Growth>("growth", Layout::block, &Case::growth, growth_fields()).used_in(loaded),

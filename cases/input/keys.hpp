@@ -8,9 +8,11 @@ struct Growth;
 
 namespace plate {
 struct Discretization;
+struct Foundation;
 struct Load;
 struct Problem;
 struct Section;
+struct Spring;
 struct Support;
 }  // namespace plate
 
@@ -32,6 +34,8 @@ void check_hole(const Value& hole, geometry::Hole& content);
 Fields<plate::Discretization> discretization_fields();
 Fields<plate::Support> support_fields();
 Fields<plate::Load> load_fields();
+Fields<plate::Foundation> foundation_fields();
+Fields<plate::Spring> spring_fields();
 Fields<Analysis> analysis_fields();
 Fields<fracture::Growth> growth_fields();
 Fields<post::SrifOptions> srif_fields();

@@ -1,4 +1,5 @@
 #include "cases/input/keys.hpp"
+#include "plate/model/elastic/elastic_supports.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/supports.hpp"
 
@@ -186,6 +187,37 @@ Fields<Load> load_fields() {
           .required()
           .with(history_is(History::Kind::sine))
           .in_dynamics(),
+  };
+}
+
+Fields<plate::Foundation> foundation_fields() {
+  using F = plate::Foundation;
+  return {
+      number<F>("modulus", "force/length^3", &F::modulus, positive, "what w is answered with (Winkler)").required(),
+      number<F>("shear", "force/length", &F::shear, {0}, "the shear layer on top of it (Pasternak)"),
+      table<F, geometry::Hole>("on", Layout::inline_, &F::patch,
+                               hole_fields("the disc that lies on the foundation, without it the plate",
+                                           "the polygon that lies on the foundation, without it the plate"),
+                               check_hole),
+  };
+}
+
+Fields<plate::Spring> spring_fields() {
+  using S = plate::Spring;
+  const auto position = value<S>(
+      {"position", "length", "[x, y] in the plate", "", "where one spring stands"},
+      [](const Value& given, S& spring) { spring.position = given.point(); },
+      [](const S& s) { return s.position ? text_of(*s.position) : ""; });
+  return {
+      edges<S>("the edges that springs hold: these, along or position"),
+      points("along", &S::along, 2, "a line in the plate that springs hold"),
+      position,
+      number<S>("deflection", "force/length^2, at a position force/length", &S::deflection, {0}, "against w"),
+      number<S>("rotation_normal", "force", &S::rotation_normal, {0},
+                "edges, along: against the rotation along the normal, with which the plate bends"),
+      number<S>("rotation_tangential", "force", &S::rotation_tangential, {0},
+                "edges, along: against the rotation along the edge or line, with which the plate twists"),
+      number<S>("rotation", "force length", &S::rotation, {0}, "position: against both rotations"),
   };
 }
 

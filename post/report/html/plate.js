@@ -86,6 +86,16 @@ function support_marks(support, map) {
   return [base, triangles, hard];
 }
 
+/** Where the plate lies on soil, and what springs hold. */
+function elastic_marks({ map }) {
+  const soil = plate.foundations.map(one => drawn("path", { d: path_of(one.patch ? hole_vertices(one.patch) : plate.outline, map, true), class: "patch" }));
+  const coil = (at, t, out) => drawn("path", { d: path_of([0, 1, 2, 3, 4].map(n => shifted(shifted(at, out, 2 + 3 * n), t, n % 2 ? 3 : -3)), p => p), class: "hatch" });
+  return [soil, plate.springs.map(one => {
+    const edges = one.along ? one.along.slice(1).map((to, i) => ({ from: one.along[i], to })) : all_edges().filter(edge => one.edges.includes(edge.name));
+    return [along(edges, map, 24).map(({ at, out, t }) => coil(at, t, out)), one.position ? [coil(map(one.position), [1, 0], [0, 1])] : []];
+  })].flat(4);
+}
+
 /** An arrow that comes out of the page (a dot) or goes into it (a cross). */
 function page_arrow([x, y], towards, radius = 5) {
   const cross = 0.7 * radius;
@@ -166,6 +176,7 @@ function plate_drawing() {
   const m = unit("length") ? ` ${unit("length")}` : "";
   return drawn("svg", { viewBox: `0 0 ${frame.width.toFixed(1)} ${frame.height.toFixed(1)}`, role: "img", "aria-label": "The plate with supports, loads, holes, cracks and tips", class: "plate" },
     drawn("path", { d: outline, class: "surface", "fill-rule": "evenodd" }),
+    elastic_marks(frame),
     plate.loads.map(load => load_marks(load, box, frame)).flat(3),
     plate.supports.map(support => support_marks(support, map)).flat(3),
     plate.supports.flatMap(support => support.points).map(p => drawn("path", { d: path_of([map(p), shifted(map(p), [5, 9], 1), shifted(map(p), [-5, 9], 1)], q => q, true), class: "roller pin" })),
@@ -194,6 +205,8 @@ function plate_words() {
     ["Material", `E ${of(s.young, "stress")}, ν ${shown(s.poisson)}${s.density > 0 ? `, ρ ${of(s.density, "density")}` : ""}`],
     ["Thickness", of(s.thickness, "length")],
     ["Supports", plate.supports.length ? plate.supports.map(one => `${one.kind}${one.points.length ? ` at ${one.points.length} points` : on(one.edges)}`).join("; ") : "none"],
+    ...plate.foundations.map(one => ["Foundation", `modulus ${shown(one.modulus)}${one.shear ? `, shear ${shown(one.shear)}` : ""}${one.patch ? " beneath a part" : ""}`]),
+    ...plate.springs.map(one => ["Springs", `${["deflection", "rotation_normal", "rotation_tangential", "rotation"].filter(key => one[key]).map(key => `${spaced(key)} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.position ? ` at (${one.position.map(x => shown(x)).join(", ")})` : ""}${one.along ? " along a line" : ""}`]),
     ["Loads", plate.loads.length ? plate.loads.map(load).join("; ") : "none"],
     ["Cracks", plate.cracks.length ? `${plate.cracks.length}${grows ? ` at the start (bold), ${cracks_at_end().length} at the end` : ""}` : "none"],
     ["Tips", [...tips()].map(([number, [x, y]]) => `${number} at (${shown(x, 4)}, ${shown(y, 4)})`).slice(0, 8).join("; ")],

@@ -97,6 +97,23 @@ std::string text_of(const plate::Load& load) {
   return json_object(members);
 }
 
+std::string text_of(const plate::Foundation& foundation) {
+  Members members{{"modulus", json_number(foundation.modulus)}, {"shear", json_number(foundation.shear)}};
+  if (foundation.patch) members.emplace_back("patch", text_of(*foundation.patch));
+  return json_object(members);
+}
+
+std::string text_of(const plate::Spring& spring) {
+  Members members{{"deflection", json_number(spring.deflection)},
+                  {"rotation_normal", json_number(spring.rotation_normal)},
+                  {"rotation_tangential", json_number(spring.rotation_tangential)},
+                  {"rotation", json_number(spring.rotation)},
+                  {"edges", text_of(spring.edges)}};
+  if (!spring.along.empty()) members.emplace_back("along", text_of(spring.along));
+  if (spring.position) members.emplace_back("position", text_of(*spring.position));
+  return json_object(members);
+}
+
 template <typename Element, typename Text>
 std::string list_of(const std::vector<Element>& elements, const Text& text) {
   std::vector<std::string> texts;
@@ -120,6 +137,8 @@ std::string plate_json(const plate::Problem& problem) {
                       {"holes", list_of(problem.outline.holes, [](const auto& hole) { return text_of(hole); })},
                       {"cracks", list_of(problem.cracks, [](const auto& crack) { return text_of(crack); })},
                       {"supports", list_of(problem.supports, support)},
+                      {"foundations", list_of(problem.foundations, [](const auto& one) { return text_of(one); })},
+                      {"springs", list_of(problem.springs, [](const auto& one) { return text_of(one); })},
                       {"loads", list_of(problem.loads, [](const auto& load) { return text_of(load); })},
                       {"section", json_object({{"young", json_number(s.young)},
                                                {"poisson", json_number(s.poisson)},

@@ -1,0 +1,112 @@
+// Intensity factors of cracked plates on elastic foundations: the pressure of the soil is a load in the ring.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/solve/solution.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "post/files/table.hpp"
+#include "post/studies/neighbouring_cracks.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+using namespace plate;
+namespace vp = verified_plate;
+
+namespace {
+
+/// A crack in a square with soft supports below and above, under pressure.
+cases::Case cracked(const FormulationKind& kind, double modulus, double shear = 0, bool oblique = false) {
+  auto c = vp::square(0.02);
+  c.discretization.formulation = &kind;
+  c.section.thickness = 0.2;
+  c.analysis.kind = cases::Analysis::Kind::static_;
+  c.cracks = {oblique ? geometry::Polyline{{-0.25, -0.12}, {0.21, 0.27}} : geometry::Polyline{{-0.3, 0}, {0.3, 0}}};
+  c.supports = {vp::held(SupportKind::simply_supported, {"bottom", "top"})};
+  if (modulus > 0) c.foundations = {{modulus, shear, {}}};
+  c.srif.emplace();
+  c.srif->methods = {"virtual_crack_extension", "domain_integral"};
+  return c;
+}
+
+struct Found {
+  std::unique_ptr<Formulation> plate;
+  State state;
+  std::vector<post::Srif> srifs;
+};
+
+std::vector<post::Srif> factors(const cases::Case& c, const Formulation& plate, const State& state) {
+  return post::srifs(plate, *c.srif, post::tip_methods(plate, *c.srif), state, true);
+}
+
+Found solved(const cases::Case& c) {
+  Found result{vp::assembled(c), {}, {}};
+  const auto found = solve_static(*result.plate, result.plate->total_load(), StaticMethod::cg,
+                                  Preconditioning::automatic, {1e-10, 20000, {}});
+  REQUIRE(found.solution.converged);
+  result.state = found.solution.state;
+  result.srifs = factors(c, *result.plate, result.state);
+  return result;
+}
+
+const post::Srif& of(const Found& found, const std::string& method, std::size_t tip = 0) {
+  return *std::ranges::find_if(found.srifs, [&](const auto& s) { return s.tip == tip && s.method == method; });
+}
+
+double G(const Found& found, const std::string& method, std::size_t tip = 0) {
+  return *of(found, method, tip).G;
+}
+
+}  // namespace
+
+TEST_CASE("K on soil: both integrals, both formulations, and the energy of neighbouring cracks") {
+  double before = INFINITY, bare = 0;
+  for (const double k : {0.0, 1e-3, 10.0, 100.0, 1000.0}) {
+    std::map<std::string, double> K;
+    for (const auto* kind : {&galerkin, &ordinary}) {
+      const auto c = cracked(*kind, k);
+      const auto found = solved(c);
+      const double extension = G(found, "virtual_crack_extension"), integral = G(found, "domain_integral");
+      const auto table = post::energy_check(c, c.analysis);
+      const double energy = std::get<double>(table.rows[0][4]);
+      WARN(kind->name << " k " << k << " G vce " << extension << " integral/vce " << integral / extension - 1
+                      << " energy/vce " << energy / extension - 1 << " K1 " << of(found, "virtual_crack_extension").K1);
+      CHECK(integral == Approx(extension).epsilon(0.02));
+      CHECK(energy == Approx(extension).epsilon(0.03));
+      K[kind->name] = of(found, "virtual_crack_extension").K1;
+    }
+    CHECK(K["ordinary"] == Approx(K["galerkin"]).epsilon(0.02));
+    if (k == 0) bare = K["galerkin"];
+    if (k == 1e-3) CHECK(K["galerkin"] == Approx(bare).epsilon(1e-4));
+    CHECK(K["galerkin"] < before);
+    before = K["galerkin"];
+  }
+}
+
+TEST_CASE("what lies under a plate is a load to its cracks: factors of the state alone") {
+  for (const auto* kind : {&galerkin, &ordinary}) {
+    const auto c = cracked(*kind, 100, 2, true);
+    const auto found = solved(c);
+    auto bare = c;
+    bare.foundations.clear();
+    const auto without = factors(bare, *vp::assembled(bare), found.state);
+    REQUIRE(without.size() == found.srifs.size());
+    for (std::size_t i = 0; i < without.size(); ++i) CHECK(*without[i].G == Approx(*found.srifs[i].G).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("an oblique crack on a shear layer that goes on beneath it") {
+  std::map<std::string, double> G1;
+  for (const auto* kind : {&galerkin, &ordinary}) {
+    const auto c = cracked(*kind, 50, 5, true);
+    const auto found = solved(c);
+    const auto table = post::energy_check(c, c.analysis);
+    for (std::size_t tip = 0; tip < 2; ++tip) {
+      const double energy = std::get<double>(table.rows[tip][4]);
+      WARN(kind->name << " tip " << tip << " G " << G(found, "domain_integral", tip) << " vce/integral "
+                      << G(found, "virtual_crack_extension", tip) / G(found, "domain_integral", tip) - 1
+                      << " energy/integral " << energy / G(found, "domain_integral", tip) - 1);
+    }
+    G1[kind->name] = G(found, "domain_integral");
+  }
+  CHECK(G1["ordinary"] == Approx(G1["galerkin"]).epsilon(0.1));
+}

@@ -1,0 +1,228 @@
+// Plates on Winkler's and Pasternak's foundations and on springs, in both formulations: series of Navier for the plate
+// of Mindlin with k and G_p, the infinite plate of Hertz, limits of springs, rigid plates.
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "plate/formulation/interpolation.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/frequencies.hpp"
+#include "plate/solve/solution.hpp"
+#include "post/balance/supports.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+using namespace plate;
+namespace vp = verified_plate;
+using geometry::Point;
+
+namespace {
+
+const std::vector<const FormulationKind*> both{&galerkin, &ordinary};
+
+cases::Case unit_square(const FormulationKind& kind, double spacing, std::optional<SupportKind> held = {}) {
+  auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), spacing);
+  c.discretization.formulation = &kind;
+  c.section = {1000, 0.3, 0.1, 5.0 / 6, 2};
+  if (held) c.supports = {vp::held_all_round(*held)};
+  return c;
+}
+
+/// At rest, whatever finds it.
+State at_rest(const Formulation& plate) {
+  const auto found =
+      solve_static(plate, plate.total_load(), StaticMethod::cg, Preconditioning::automatic, {1e-10, 20000, {}});
+  REQUIRE(found.solution.converged);
+  return found.solution.state;
+}
+
+double at(const Formulation& plate, const State& u, const Point& x) {
+  double sum = 0;
+  for (const auto& share : plate.interpolation(x)) sum += share.weight * u(0, share.point);
+  return sum;
+}
+
+/// Middle of a unit square with hard supports under unit pressure. Of every wave sin(m pi x) sin(n pi y), L = (m^2 +
+/// n^2) pi^2, the couples are in balance with psi = grad w / (1 + D L / S), and w (D L^2 / (1 + D L / S) + k + G L) is
+/// the pressure: for thin plates the textbook's q / (D L^2 + k).
+double navier(const Section& s, double k, double G) {
+  const double D = s.bending_stiffness(), S = s.shear_stiffness(), pi = std::numbers::pi;
+  double sum = 0;
+  for (int m = 1; m < 200; m += 2)
+    for (int n = 1; n < 200; n += 2) {
+      const double L = (m * m + n * n) * pi * pi, q = 16 / (m * n * pi * pi);
+      sum += q / (D * L * L / (1 + D * L / S) + k + G * L) * ((m + n) % 4 == 2 ? 1 : -1);
+    }
+  return sum;
+}
+
+Spring on_edges(double deflection, double normal = 0, double tangential = 0) {
+  Spring spring;
+  spring.deflection = deflection, spring.rotation_normal = normal, spring.rotation_tangential = tangential;
+  spring.edges = {"left", "right", "bottom", "top"};
+  return spring;
+}
+
+Spring single(const Point& x, double deflection, double rotation = 0) {
+  Spring spring;
+  spring.position = x, spring.deflection = deflection, spring.rotation = rotation;
+  return spring;
+}
+
+Load force_at(const Point& x, double value) {
+  Load load;
+  load.kind = Load::Kind::point_force, load.position = x, load.value = value;
+  return load;
+}
+
+double middle(const cases::Case& c) {
+  const auto plate = vp::assembled(c);
+  return at(*plate, at_rest(*plate), {0.5, 0.5});
+}
+
+}  // namespace
+
+TEST_CASE("hard supports on foundations: Navier's series") {
+  // the wave (1, 1) has D L^2 / (1 + D L / S) = 34: k and G_p L are of the same size
+  for (const auto* kind : both)
+    for (const double G : {0.0, 1.5}) {
+      std::vector<double> error;
+      for (const int cells : {25, 50, 100}) {
+        auto c = unit_square(*kind, 1.0 / cells, SupportKind::simply_supported_hard);
+        c.foundations = {{30, G, {}}};
+        error.push_back(middle(c) / navier(c.section, 30, G) - 1);
+      }
+      CAPTURE(kind->name, G, error);
+      CHECK(std::abs(error[2]) < 0.005);
+      CHECK(std::log2(std::abs(error[0] / error[1])) > 1);
+      WARN(kind->name << " G " << G << " errors " << error[0] << " " << error[1] << " " << error[2]);
+    }
+}
+
+TEST_CASE("infinite plate on soil under a point force: Hertz") {
+  // l = (D / k)^(1/4); shear adds 0.84 (h / l)^2 of the deflection at most
+  const double l = 1, h = 0.05;
+  auto c = vp::free_plate(geometry::rectangle(-8, -8, 8, 8), l / 8);
+  c.discretization.formulation = &galerkin;
+  c.section.thickness = h;
+  const double D = c.section.bending_stiffness(), k = D / std::pow(l, 4);
+  c.foundations = {{k, 0, {}}};
+  c.loads = {force_at({0, 0}, 1)};
+  const auto plate = vp::assembled(c);
+  const State u = at_rest(*plate);
+  const double w = at(*plate, u, {0, 0}), exact = l * l / (8 * D);
+  WARN("Hertz " << w / exact - 1 << " reaction " << plate->boundary().attached.parts()[0]->force(u).row(0).sum());
+  CHECK(w == Approx(exact).epsilon(0.01));
+  CHECK(plate->boundary().attached.parts()[0]->force(u).row(0).sum() == Approx(-1).epsilon(1e-7));
+}
+
+TEST_CASE("frequencies on a foundation: omega^2 rises by k / rho h") {
+  for (const auto* kind : both) {
+    auto c = unit_square(*kind, 1.0 / 40, SupportKind::simply_supported_hard);
+    c.section.thickness = kind == &galerkin ? 0.005 : 0.05;  // bonds lock in thinner ones
+    const double rho_h = c.section.density * c.section.thickness;
+    const double k = 500 * c.section.bending_stiffness();  // the lowest omega^2 rho h / D: 390
+    const auto squares = [&] {
+      const auto plate = vp::assembled(c);
+      FrequencyOptions options;
+      options.modes = 4, options.tolerance = 1e-6, options.shift = shift_of(c.section, 1);
+      std::vector<double> result;
+      for (const auto& mode : frequencies(*plate, plate->constraints(), plate->mass(), options).modes)
+        result.push_back(std::pow(2 * std::numbers::pi * mode.frequency, 2));
+      return result;
+    };
+    const auto bare = squares();
+    c.foundations = {{k, 0, {}}};
+    const auto lying = squares();
+    for (std::size_t i = 0; i < bare.size(); ++i) {
+      WARN(kind->name << " mode " << i << " " << (lying[i] - bare[i]) * rho_h / k - 1);
+      CHECK(lying[i] - bare[i] == Approx(k / rho_h).epsilon(0.02));
+    }
+  }
+}
+
+TEST_CASE("a motion on a foundation and springs conserves energy") {
+  for (const auto* kind : both) {
+    auto c = unit_square(*kind, 1.0 / 20);
+    c.foundations = {{20, 2, geometry::Circle{{0.4, 0.5}, 0.33, ""}}};
+    c.springs = {on_edges(5, 0.1, 0.2), single({0.77, 0.31}, 3, 0.2)};
+    const auto plate = vp::assembled(c);
+    const double step = 0.95 * stable_time_step(*plate, plate->constraints(), plate->mass());
+    std::vector<double> sums;
+    double largest = 0;
+    central_differences(*plate, plate->constraints(), plate->mass(), plate->loads(), {step, 2000, 10},
+                        [&](const Instant& now) {
+                          CHECK(now.strain_energy == Approx(plate->strain_energy(now.state)).margin(1e-12));
+                          sums.push_back(now.discrete_kinetic_energy + now.strain_energy + now.potential);
+                          largest = std::max(largest, now.strain_energy);
+                        });
+    const auto [low, high] = std::ranges::minmax(sums);
+    WARN(kind->name << " drift " << (high - low) / largest);
+    CHECK((high - low) / largest < 1e-11);
+  }
+}
+
+TEST_CASE("springs along edges: from soft supports at large stiffness, and less without end") {
+  for (const auto* kind : both) {
+    const double supported = middle(unit_square(*kind, 1.0 / 40, SupportKind::simply_supported));
+    const double clamped = middle(unit_square(*kind, 1.0 / 40, SupportKind::clamped));
+    double before = INFINITY;
+    for (const double k : {1e-2, 1.0, 1e2, 1e4, 1e7}) {
+      auto c = unit_square(*kind, 1.0 / 40);
+      c.springs = {on_edges(k)};
+      const double w = middle(c);
+      CHECK(w < before);
+      before = w;
+    }
+    WARN(kind->name << " supported " << before / supported - 1);
+    CHECK(before == Approx(supported).epsilon(0.01));
+    before = INFINITY;
+    for (const double k : {0.0, 1e-2, 1.0, 1e2, 1e6}) {
+      auto c = unit_square(*kind, 1.0 / 40, SupportKind::simply_supported);
+      if (k > 0) c.springs = {on_edges(0, k, k)};
+      const double w = middle(c);
+      CHECK(w < before);
+      if (k == 1e-2) CHECK(w == Approx(supported).epsilon(0.3));
+      before = w;
+    }
+    WARN(kind->name << " clamped " << before / clamped - 1);
+    CHECK(before == Approx(clamped).epsilon(0.02));
+  }
+}
+
+TEST_CASE("a rigid plate on three springs and one on soil") {
+  for (const auto* kind : both) {
+    auto c = unit_square(*kind, 1.0 / 10);
+    c.section.young = 1e9;
+    const std::array<Point, 3> feet{Point(0.13, 0.22), Point(0.87, 0.31), Point(0.44, 0.79)};
+    const std::array<double, 3> stiffness{3, 5, 8};
+    for (std::size_t i = 0; i < 3; ++i) c.springs.push_back(single(feet[i], stiffness[i]));
+    const Point x(0.5, 0.4);
+    c.loads = {force_at(x, 2)};
+    auto plate = vp::assembled(c);
+    State u = at_rest(*plate);
+    // a force on three feet: shares by areas of triangles
+    const auto cross = [](const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); };
+    const double all = cross(feet[1] - feet[0], feet[2] - feet[0]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point &a = feet[(i + 1) % 3], &b = feet[(i + 2) % 3];
+      const double share = cross(a - x, b - x) / all;
+      const double found = plate->boundary().attached.parts()[i]->force(u).row(0).sum();
+      WARN(kind->name << " foot " << found / (-2 * share) - 1);
+      CHECK(found == Approx(-2 * share).epsilon(1e-6));
+    }
+    // on soil beneath a part: w = (F / A) (1 + x (x0 - xm) / i^2 ...) about the part's middle
+    c.springs.clear();
+    c.foundations = {
+        {40, 0, geometry::Polygon{{{0.25, 0.33}, {0.81, 0.33}, {0.81, 0.71}, {0.25, 0.71}}, {"", "", "", ""}}}};
+    plate = vp::assembled(c), u = at_rest(*plate);
+    const double a = 0.56, b = 0.38;
+    const Point e = x - Point(0.53, 0.52);
+    for (const Point& y : {Point(0.1, 0.1), Point(0.85, 0.35)}) {
+      const Point r = y - Point(0.53, 0.52);
+      const double w = 2 / (40 * a * b) * (1 + 12 * e.x() * r.x() / (a * a) + 12 * e.y() * r.y() / (b * b));
+      WARN(kind->name << " soil " << at(*plate, u, y) / w - 1);
+      CHECK(at(*plate, u, y) == Approx(w).epsilon(1e-5));
+    }
+  }
+}
