@@ -210,7 +210,7 @@ Discretised discretised(const Problem& problem) {
 
   const auto whole = geometry::families(boundary.cloud, d.horizon(), sees(boundary, outline, d.horizon_ratio));
   auto families = sever(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
-  boundary.attached = attached_stiffness(problem, boundary.cloud, families);
+  boundary.attached = attached_stiffness(problem, boundary.cloud);
   layout.pieces = pieces(boundary, families);
   stopwatch.lap("families");
 

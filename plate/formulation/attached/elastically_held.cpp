@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "geometry/cells/tessellation.hpp"
 #include "plate/formulation/attached/foundations.hpp"
@@ -68,30 +69,36 @@ void add_point(const Spring& spring, const std::vector<Point>& positions, std::s
     if (spring.rotation > 0) sum.add(spring.rotation, slope(at, n));
 }
 
-/// By the point next to it, and the one behind that: linear out to the edge, as soft supports are.
-Place on_edge(const Point& x, const Point& n, std::uint32_t k, const geometry::Cloud& cloud,
-              const geometry::Families& families) {
-  const Point lever = x - cloud.positions[k];
-  const Point behind = cloud.positions[k] - cloud.units.spacing * Point(std::round(n.x()), std::round(n.y()));
-  for (const auto& bond : families[k]) {
-    const auto j = bond.neighbour;
-    if (j >= cloud.plate_points || (cloud.positions[j] - behind).norm() > 0.1 * cloud.units.spacing) continue;
-    const Point way = cloud.positions[k] - cloud.positions[j];
-    const double share = lever.dot(n) / way.dot(n);
-    return {{{k, 1 + share}, {j, -share}}, lever - share * way};
-  }
-  return {{{k, 1}}, lever};
+/// What the points beside an edge have of it: length, and where its middle is.
+struct Stretch {
+  double length = 0;
+  Point moment{0, 0}, normal{0, 0};  // integrals of the place and of the outward normal
+};
+
+/// A spring and the strip of the plate between the edge and the point next to it, `away` wide, one after the other.
+Spring behind(Spring spring, double away, const Section& section) {
+  const auto soften = [&](double& stiffness, double of_plate) { stiffness /= 1 + stiffness * away / of_plate; };
+  const double D = section.bending_stiffness();
+  soften(spring.deflection, section.shear_stiffness());
+  soften(spring.rotation_normal, D);
+  soften(spring.rotation_tangential, D * (1 - section.poisson) / 2);
+  return spring;
 }
 
-void add_edges(const Spring& spring, const Problem& problem, const geometry::Cloud& cloud,
-               const geometry::Families& families, AttachmentSum& sum) {
+void add_edges(const Spring& spring, const Problem& problem, const geometry::Cloud& cloud, AttachmentSum& sum) {
   for (const auto& name : spring.edges)
-    for (const auto& border : edge_borders(name, cloud, problem.outline))
+    for (const auto& border : edge_borders(name, cloud, problem.outline)) {
+      std::map<std::uint32_t, Stretch> by_point;
       for (const auto& [middle, normal] : border.pieces) {
-        const Point n = normal.normalized();
-        const auto at = on_edge(middle, n, nearest(border.near, cloud, middle), cloud, families);
-        add_piece(spring, normal.norm(), at, n, sum);
+        auto& stretch = by_point[nearest(border.near, cloud, middle)];
+        stretch.length += normal.norm(), stretch.moment += normal.norm() * middle, stretch.normal += normal;
       }
+      for (const auto& [k, stretch] : by_point) {
+        const Point n = stretch.normal.normalized(), lever = stretch.moment / stretch.length - cloud.positions[k];
+        const double away = std::max(0.0, lever.dot(n));
+        add_piece(behind(spring, away, problem.section), stretch.length, {{{k, 1}}, lever}, n, sum);
+      }
+    }
 }
 
 /// Between the ends of a piece all is linear; two places of Gauss are exact for its square.
@@ -126,12 +133,11 @@ AttachedStiffness all(const Problem& problem, std::size_t points, const Found& f
 
 }  // namespace
 
-AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Cloud& cloud,
-                                     const geometry::Families& families) {
+AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Cloud& cloud) {
   return all(
       problem, cloud.size(), [&](const Foundation& one, AttachmentSum& sum) { add_foundation(one, cloud, sum); },
       [&](const Spring& one, AttachmentSum& sum) {
-        add_edges(one, problem, cloud, families, sum);
+        add_edges(one, problem, cloud, sum);
         if (!one.along.empty()) add_line(one, cloud.positions, cloud.plate_points, cloud.units.spacing, sum);
         if (one.position) add_point(one, cloud.positions, cloud.plate_points, sum);
       });

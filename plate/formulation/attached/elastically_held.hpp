@@ -2,7 +2,6 @@
 #include "plate/formulation/attached/attached_stiffness.hpp"
 
 namespace geometry {
-class Families;
 struct Cloud;
 struct Tessellation;
 }  // namespace geometry
@@ -11,10 +10,8 @@ namespace plate {
 
 struct Problem;
 
-/// All foundations and springs of a problem on points in the middles of cells. `families`: which of these no crack
-/// parts.
-AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Cloud& cloud,
-                                     const geometry::Families& families);
+/// All foundations and springs of a problem on points in the middles of cells.
+AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Cloud& cloud);
 
 /// The same on points on the edges and between them.
 AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Tessellation& cells);

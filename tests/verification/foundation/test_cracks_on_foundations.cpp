@@ -16,7 +16,7 @@ namespace {
 
 /// A crack in a square with soft supports below and above, under pressure.
 cases::Case cracked(const FormulationKind& kind, double modulus, double shear = 0, bool oblique = false) {
-  auto c = vp::square(0.02);
+  auto c = vp::square(0.04);
   c.discretization.formulation = &kind;
   c.section.thickness = 0.2;
   c.analysis.kind = cases::Analysis::Kind::static_;
@@ -60,7 +60,7 @@ double G(const Found& found, const std::string& method, std::size_t tip = 0) {
 
 TEST_CASE("K on soil: both integrals, both formulations, and the energy of neighbouring cracks") {
   double before = INFINITY, bare = 0;
-  for (const double k : {0.0, 1e-3, 10.0, 100.0, 1000.0}) {
+  for (const double k : {0.0, 1e-5, 1.0, 10.0, 100.0}) {
     std::map<std::string, double> K;
     for (const auto* kind : {&galerkin, &ordinary}) {
       const auto c = cracked(*kind, k);
@@ -76,7 +76,7 @@ TEST_CASE("K on soil: both integrals, both formulations, and the energy of neigh
     }
     CHECK(K["ordinary"] == Approx(K["galerkin"]).epsilon(0.02));
     if (k == 0) bare = K["galerkin"];
-    if (k == 1e-3) CHECK(K["galerkin"] == Approx(bare).epsilon(1e-4));
+    if (k == 1e-5) CHECK(K["galerkin"] == Approx(bare).epsilon(1e-4));
     CHECK(K["galerkin"] < before);
     before = K["galerkin"];
   }

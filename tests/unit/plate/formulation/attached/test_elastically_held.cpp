@@ -43,6 +43,7 @@ TEST_CASE("springs have their energy under rigid motions") {
   const auto line = [&](double a, double b, double d) { return (square(a) + 4 * square(b) + square(d)) / 6; };
   for (const auto* kind : both) {
     auto content = free_square(*kind);
+    content.section.young = 1e12;  // what lies between points and edges gives way in a plate that is not rigid
     content.springs = {springs(3, 5, 7, {"left", "top"}, {}), springs(3, 5, 7, {}, {{0.13, 0.2}, {0.13, 0.9}}),
                        springs(3, 5, 0, {}, {}, Point(0.42, 0.77))};
     const auto plate = vp::assembled(content);
