@@ -60,7 +60,7 @@ double G(const Found& found, const std::string& method, std::size_t tip = 0) {
 
 TEST_CASE("K on soil: both integrals, both formulations, and the energy of neighbouring cracks") {
   double before = INFINITY, bare = 0;
-  for (const double k : {0.0, 1e-5, 1.0, 10.0, 100.0}) {
+  for (const double k : {0.0, 1e-5, 1.0, 10.0}) {
     std::map<std::string, double> K;
     for (const auto* kind : {&galerkin, &ordinary}) {
       const auto c = cracked(*kind, k);
@@ -68,15 +68,13 @@ TEST_CASE("K on soil: both integrals, both formulations, and the energy of neigh
       const double extension = G(found, "virtual_crack_extension"), integral = G(found, "domain_integral");
       const auto table = post::energy_check(c, c.analysis);
       const double energy = std::get<double>(table.rows[0][4]);
-      WARN(kind->name << " k " << k << " G vce " << extension << " integral/vce " << integral / extension - 1
-                      << " energy/vce " << energy / extension - 1 << " K1 " << of(found, "virtual_crack_extension").K1);
-      CHECK(integral == Approx(extension).epsilon(0.02));
-      CHECK(energy == Approx(extension).epsilon(0.03));
+      CHECK(integral == Approx(extension).epsilon(0.005));  // measured: 0.07 % (Galerkin), 0.26 % (bonds)
+      CHECK(energy == Approx(extension).epsilon(0.005));    // measured: 0.08 %, 0.23 %
       K[kind->name] = of(found, "virtual_crack_extension").K1;
     }
-    CHECK(K["ordinary"] == Approx(K["galerkin"]).epsilon(0.02));
+    CHECK(K["ordinary"] == Approx(K["galerkin"]).epsilon(0.012));  // measured: 0.8, 0.8, 0.7, 0.4 %
     if (k == 0) bare = K["galerkin"];
-    if (k == 1e-5) CHECK(K["galerkin"] == Approx(bare).epsilon(1e-4));
+    if (k == 1e-5) CHECK(K["galerkin"] == Approx(bare).epsilon(1e-5));  // measured: 3e-6
     CHECK(K["galerkin"] < before);
     before = K["galerkin"];
   }
@@ -95,18 +93,20 @@ TEST_CASE("what lies under a plate is a load to its cracks: factors of the state
 }
 
 TEST_CASE("an oblique crack on a shear layer that goes on beneath it") {
-  std::map<std::string, double> G1;
+  std::map<std::string, double> of_kind;
   for (const auto* kind : {&galerkin, &ordinary}) {
-    const auto c = cracked(*kind, 50, 5, true);
+    const auto c = cracked(*kind, 2, 0.5, true);
     const auto found = solved(c);
     const auto table = post::energy_check(c, c.analysis);
     for (std::size_t tip = 0; tip < 2; ++tip) {
-      const double energy = std::get<double>(table.rows[tip][4]);
-      WARN(kind->name << " tip " << tip << " G " << G(found, "domain_integral", tip) << " vce/integral "
-                      << G(found, "virtual_crack_extension", tip) / G(found, "domain_integral", tip) - 1
-                      << " energy/integral " << energy / G(found, "domain_integral", tip) - 1);
+      const double integral = G(found, "domain_integral", tip);
+      CAPTURE(kind->name, tip, integral);
+      // measured: 0.1 % (Galerkin), 3.1 % (bonds)
+      CHECK(G(found, "virtual_crack_extension", tip) == Approx(integral).epsilon(0.04));
+      // measured: -2.4 %, -3.3 %, by cracks six spacings longer and shorter; at 1/50 -0.4 %, with a layer or without
+      CHECK(std::get<double>(table.rows[tip][4]) == Approx(integral).epsilon(0.04));
     }
-    G1[kind->name] = G(found, "domain_integral");
+    of_kind[kind->name] = G(found, "domain_integral");
   }
-  CHECK(G1["ordinary"] == Approx(G1["galerkin"]).epsilon(0.1));
+  CHECK(of_kind["ordinary"] == Approx(of_kind["galerkin"]).epsilon(0.01));  // measured: 0.5 %
 }

@@ -76,6 +76,19 @@ Load force_at(const Point& x, double value) {
   return load;
 }
 
+/// omega^2 of the three lowest modes.
+std::vector<double> squares(const cases::Case& c) {
+  const auto plate = vp::assembled(c);
+  const auto factor = plate->factor();
+  FrequencyOptions options;
+  options.modes = 3, options.tolerance = 1e-6, options.shift = shift_of(c.section, 1);
+  options.preconditioner = factor.get();
+  std::vector<double> result;
+  for (const auto& mode : frequencies(*plate, plate->constraints(), plate->mass(), options).modes)
+    result.push_back(std::pow(2 * std::numbers::pi * mode.frequency, 2));
+  return result;
+}
+
 double middle(const cases::Case& c) {
   const auto plate = vp::assembled(c);
   return at(*plate, at_rest(*plate), {0.5, 0.5});
@@ -94,52 +107,50 @@ TEST_CASE("hard supports on foundations: Navier's series") {
         error.push_back(middle(c) / navier(c.section, 30, G) - 1);
       }
       CAPTURE(kind->name, G, error);
-      CHECK(std::abs(error[2]) < 0.005);
-      WARN(kind->name << " G " << G << " errors " << error[0] << " " << error[1] << " " << error[2]);
+      CHECK(std::abs(error[0]) < 0.03);    // measured: 0.22 and 0.27 % (Galerkin), -1.8 and -0.6 % (bonds)
+      CHECK(std::abs(error[1]) < 0.008);   // measured: 0.056, 0.068 %; -0.43, -0.01 %
+      CHECK(std::abs(error[2]) < 0.0015);  // measured: 0.009, 0.011 %; -0.07, +0.06 %
+      // order: 2.0 in the Galerkin plate; with bonds 2.0 without shear layer, with it the error changes its sign
+      if (kind == &galerkin || G == 0) CHECK(std::log2(std::abs(error[0] / error[1])) == Approx(2).margin(0.1));
     }
 }
 
 TEST_CASE("infinite plate on soil under a point force: Hertz") {
-  // l = (D / k)^(1/4); shear adds 0.84 (h / l)^2 of the deflection at most
-  const double l = 1, h = 0.05;
-  auto c = vp::free_plate(geometry::rectangle(-5, -5, 5, 5), l / 16);
+  const double l = 1;  // (D / k)^(1/4); its edges are six of these away, and h / l leaves no shear
+  auto c = vp::free_plate(geometry::rectangle(-6, -6, 6, 6), l / 16);
   c.discretization.formulation = &galerkin;
-  c.section.thickness = h;
+  c.section.thickness = 0.01;
   const double D = c.section.bending_stiffness(), k = D / std::pow(l, 4);
   c.foundations = {{k, 0, {}}};
   c.loads = {force_at({0, 0}, 1)};
   const auto plate = vp::assembled(c);
   const State u = at_rest(*plate);
-  const double w = at(*plate, u, {0, 0}), exact = l * l / (8 * D);
-  WARN("Hertz " << w / exact - 1 << " reaction " << plate->boundary().attached.parts()[0]->force(u).row(0).sum());
-  CHECK(w == Approx(exact).epsilon(0.01));
-  CHECK(plate->boundary().attached.parts()[0]->force(u).row(0).sum() == Approx(-1).epsilon(1e-7));
+  CHECK(at(*plate, u, {0, 0}) == Approx(l * l / (8 * D)).epsilon(0.006));  // measured: +0.42 %; at l / 8 +1.33 %
+  const double carried = plate->boundary().attached.parts()[0]->force(u).row(0).sum();
+  CHECK(carried == Approx(-1).epsilon(1e-7));  // measured: 1e-10
 }
 
 TEST_CASE("frequencies on a foundation: omega^2 rises by k / rho h") {
+  // errors of the rise in three modes, 22 and 44 points across: of the second order, (pi m / 44)^2 / 6 for each
+  // direction in the Galerkin plate; with bonds rotary inertia and soil differ by (h^2 - spacing^2) / 12 of the slopes
   for (const auto* kind : both) {
-    auto c = unit_square(*kind, 1.0 / 20, SupportKind::simply_supported_hard);
-    c.section.thickness = kind == &galerkin ? 0.005 : 0.05;  // bonds lock in thinner ones
-    const double rho_h = c.section.density * c.section.thickness;
-    const double k = 500 * c.section.bending_stiffness();  // the lowest omega^2 rho h / D: 390
-    const auto squares = [&] {
-      const auto plate = vp::assembled(c);
-      FrequencyOptions options;
-      const auto factor = plate->factor();
-      options.modes = 3, options.tolerance = 1e-6, options.shift = shift_of(c.section, 1);
-      options.preconditioner = factor.get();
-      std::vector<double> result;
-      for (const auto& mode : frequencies(*plate, plate->constraints(), plate->mass(), options).modes)
-        result.push_back(std::pow(2 * std::numbers::pi * mode.frequency, 2));
-      return result;
-    };
-    const auto bare = squares();
-    c.foundations = {{k, 0, {}}};
-    const auto lying = squares();
-    for (std::size_t i = 0; i < bare.size(); ++i) {
-      WARN(kind->name << " mode " << i << " " << (lying[i] - bare[i]) * rho_h / k - 1);
-      CHECK(lying[i] - bare[i] == Approx(k / rho_h).epsilon(0.02));
+    std::vector<double> worst;
+    for (const int points : {22, 44}) {
+      auto c = unit_square(*kind, 1.0 / points, SupportKind::simply_supported_hard);
+      c.section.thickness = kind == &galerkin ? 0.005 : 0.03;  // bonds lock in thinner ones
+      const double rho_h = c.section.density * c.section.thickness;
+      const double k = 500 * c.section.bending_stiffness();  // the lowest omega^2 rho h / D: 390
+      const auto bare = squares(c);
+      c.foundations = {{k, 0, {}}};
+      const auto lying = squares(c);
+      double error = 0;
+      for (std::size_t i = 0; i < bare.size(); ++i)
+        error = std::max(error, std::abs((lying[i] - bare[i]) * rho_h / k - 1));
+      worst.push_back(error);
     }
+    CAPTURE(kind->name, worst);
+    CHECK(worst[1] < 0.005);         // measured: 0.43 % (Galerkin), 0.16 % (bonds)
+    CHECK(worst[1] < worst[0] / 2);  // measured: a quarter, a third
   }
 }
 
@@ -159,8 +170,7 @@ TEST_CASE("a motion on a foundation and springs conserves energy") {
                           largest = std::max(largest, now.strain_energy);
                         });
     const auto [low, high] = std::ranges::minmax(sums);
-    WARN(kind->name << " drift " << (high - low) / largest);
-    CHECK((high - low) / largest < 1e-11);
+    CHECK((high - low) / largest < 1e-12);  // measured: 1e-14
   }
 }
 
@@ -176,8 +186,7 @@ TEST_CASE("springs along edges: from soft supports at large stiffness, and less 
       CHECK(w < before);
       before = w;
     }
-    WARN(kind->name << " supported " << before / supported - 1);
-    CHECK(before == Approx(supported).epsilon(0.01));
+    CHECK(before == Approx(supported).epsilon(kind == &galerkin ? 1e-5 : 0.015));  // measured: 1e-6; -0.9 %
     before = INFINITY;
     for (const double k : {0.0, 1e-2, 1.0, 1e2, 1e6}) {
       auto c = unit_square(*kind, 1.0 / 40, SupportKind::simply_supported);
@@ -187,8 +196,7 @@ TEST_CASE("springs along edges: from soft supports at large stiffness, and less 
       if (k == 1e-2) CHECK(w == Approx(supported).epsilon(0.3));
       before = w;
     }
-    WARN(kind->name << " clamped " << before / clamped - 1);
-    CHECK(before == Approx(clamped).epsilon(0.02));
+    CHECK(before == Approx(clamped).epsilon(kind == &galerkin ? 1e-5 : 0.025));  // measured: 6e-7; +1.8 %
   }
 }
 
@@ -210,8 +218,7 @@ TEST_CASE("a rigid plate on three springs and one on soil") {
       const Point &a = feet[(i + 1) % 3], &b = feet[(i + 2) % 3];
       const double share = cross(a - x, b - x) / all;
       const double found = plate->boundary().attached.parts()[i]->force(u).row(0).sum();
-      WARN(kind->name << " foot " << found / (-2 * share) - 1);
-      CHECK(found == Approx(-2 * share).epsilon(1e-6));
+      CHECK(found == Approx(-2 * share).epsilon(1e-9));  // measured: 6e-13
     }
     // on soil beneath a part: w = (F / A) (1 + x (x0 - xm) / i^2 ...) about the part's middle
     c.springs.clear();
@@ -223,8 +230,7 @@ TEST_CASE("a rigid plate on three springs and one on soil") {
     for (const Point& y : {Point(0.1, 0.1), Point(0.85, 0.35)}) {
       const Point r = y - Point(0.53, 0.52);
       const double w = 2 / (40 * a * b) * (1 + 12 * e.x() * r.x() / (a * a) + 12 * e.y() * r.y() / (b * b));
-      WARN(kind->name << " soil " << at(*plate, u, y) / w - 1);
-      CHECK(at(*plate, u, y) == Approx(w).epsilon(1e-5));
+      CHECK(at(*plate, u, y) == Approx(w).epsilon(1e-6));  // measured: 8e-8, what bends at this modulus
     }
   }
 }
