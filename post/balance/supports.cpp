@@ -120,15 +120,26 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
 Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
   constexpr std::size_t most = 16;
   const auto& held = boundary_->constraints.held();
+  const auto& attached = boundary_->attached.parts();
   const auto points = Eigen::Index(plate.points());
-  const bool each = boundary_->holders.size() <= most;
-  std::vector<plate::State> units(each ? boundary_->holders.size() : 1, plate::State::Zero(3, points));
+  const auto holders = boundary_->holders.size(), all = holders + attached.size();
+  const bool each = all <= most;
+  std::vector<plate::State> units(each ? holders : 1, plate::State::Zero(3, points));
   for (const auto& [holder, i, unit] : shares_) units[each ? holder : 0].reshaped()[held[i]] += unit.force;
-  Eigen::MatrixXd result(Eigen::Index(units.size()), 3 * points);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(Eigen::Index(each ? all : 1), 3 * points);
   plate::Forces forces;
+  const auto add = [&](std::size_t row) {
+    result.row(Eigen::Index(row)) += forces.reshaped<Eigen::RowMajor>().transpose();
+  };
   for (std::size_t s = 0; s < units.size(); ++s) {  // the stiffness is symmetric
     plate.internal_force(units[s], forces);
-    result.row(Eigen::Index(s)) = forces.reshaped().transpose();
+    add(s);
+  }
+  plate::State along_w = plate::State::Zero(3, points);
+  along_w.row(0).setOnes();
+  for (std::size_t i = 0; i < attached.size(); ++i) {  // what they do to the plate is the support's own force
+    forces = -attached[i]->force(along_w);
+    add(each ? holders + i : 0);
   }
   return result;
 }

@@ -115,6 +115,8 @@ void MovingCracks::before_force(const plate::Step& now) {
 }
 
 void MovingCracks::after_force(const plate::Step& now, const plate::Forces& force) {
+  const auto& attached = plate_.base().attached();
+  plate::Forces own;  // where something is attached: without that
   for (auto& tip : tips_) {
     if (tip.running || tip.ended || now.step < tip.next_look) continue;
     if (!tip.gauge) tip.gauge = gauge(tip.tip);
@@ -122,7 +124,8 @@ void MovingCracks::after_force(const plate::Step& now, const plate::Forces& forc
       tip.ended = true;
       continue;
     }
-    const auto srif = (*tip.gauge)(now.state, force, false).front();
+    if (!attached.parts().empty() && own.size() == 0) own = force, attached.take_force(now.state, own);
+    const auto srif = (*tip.gauge)(now.state, own.size() > 0 ? own : force, false).front();
     tip.next_look = now.step + look_every;
     tip.since_look = 0;
     if (!stays(tip, *srif.G, srif.K1)) start(tip, {srif.K1, srif.K2, srif.K3}, now.time);

@@ -19,10 +19,15 @@ Shape patch_of(const Foundation& foundation) {
   return foundation.patch ? Shape(*foundation.patch) : std::nullopt;
 }
 
-/// Integrals of 1, x and x x^T over what the foundation has of a cell.
+/// Integrals of 1, x and x x^T over what the foundation has of a cell. A sliver that rounding leaves along a boundary
+/// is nothing: it would seem to hold a piece.
 geometry::AreaMoments moments_of(const Shape& patch, const Ring& cell, const Point& about) {
-  const Ring piece = patch ? patch->common(cell) : cell;
-  return piece.empty() ? geometry::AreaMoments{} : geometry::moments(piece, about);
+  constexpr double sliver = 1e-9;
+  if (!patch) return geometry::moments(cell, about);
+  const Ring piece = patch->common(cell);
+  if (piece.empty()) return {};
+  const auto found = geometry::moments(piece, about);
+  return found.area > sliver * geometry::moments(cell, about).area ? found : geometry::AreaMoments{};
 }
 
 /// Of (1, x, y) (1, x, y)^T.

@@ -31,21 +31,29 @@ DisjointSets connected(const Boundary& boundary, const geometry::Families& famil
 }
 
 /// What foundations and springs have against the rigid motions of every piece, over the largest entry. A link between
-/// two pieces holds neither.
+/// two pieces holds neither: of those, rounding is left.
 template <typename Rows>
 std::map<std::uint32_t, Eigen::Matrix3d> elastic(const Boundary& boundary, DisjointSets& sets, const Rows& at) {
-  std::map<std::uint32_t, Eigen::Matrix3d> result;
+  constexpr double rounding = 1e-11;
+  std::map<std::uint32_t, Eigen::Matrix3d> result, sizes;
   const double spacing = boundary.cloud.units.spacing;
   const auto length = [&](std::uint32_t dof) { return dof % 3 == 0 ? spacing : 1; };
   for (const auto& part : boundary.attached.parts())
     part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
       const auto root = sets.root(row / 3);
-      auto& own = result.try_emplace(root, Eigen::Matrix3d::Zero()).first->second;
       const bool within = root == sets.root(column / 3);
-      own += value * length(row) * length(column) * at(row) * at(within ? column : row).transpose();
+      const Eigen::Matrix3d one =
+          value * length(row) * length(column) * at(row) * at(within ? column : row).transpose();
+      result.try_emplace(root, Eigen::Matrix3d::Zero()).first->second += one;
+      sizes.try_emplace(root, Eigen::Matrix3d::Zero()).first->second += one.cwiseAbs();
     });
-  for (auto& [root, own] : result)
-    if (const double largest = own.cwiseAbs().maxCoeff(); largest > 0) own /= largest;
+  for (auto& [root, own] : result) {
+    const double largest = own.cwiseAbs().maxCoeff();
+    if (largest > rounding * sizes.at(root).maxCoeff())
+      own /= largest;
+    else
+      own.setZero();
+  }
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "plate/model/faults/spring_faults.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -11,17 +12,22 @@ namespace {
 
 constexpr auto of_lines = " resists along edges and lines; a position has deflection and rotation";
 
+/// All that is wrong with a spring as such, in one sentence.
 void check_keys(const Spring& spring, std::size_t number, std::vector<Refusal>& found) {
-  const auto say = [&](const std::string& what) { found.push_back({Subject::spring, number, what}); };
+  std::vector<std::string> faults;
   const int places = !spring.edges.empty() + !spring.along.empty() + spring.position.has_value();
   if (places != 1)
-    say(fmt::format("{} given, must be one of edges, along and position", places == 0 ? "none" : "several"));
+    faults.push_back(
+        fmt::format("{} given, must be one of edges, along and position", places == 0 ? "none" : "several"));
   if (spring.deflection + spring.rotation_normal + spring.rotation_tangential + spring.rotation <= 0)
-    say("resists nothing: give deflection, rotation_normal, rotation_tangential or rotation > 0");
-  if (spring.position && spring.rotation_normal > 0) say(fmt::format("rotation_normal{}", of_lines));
-  if (spring.position && spring.rotation_tangential > 0) say(fmt::format("rotation_tangential{}", of_lines));
+    faults.push_back("resists nothing: give deflection, rotation_normal, rotation_tangential or rotation > 0");
+  if (spring.position && spring.rotation_normal > 0) faults.push_back(fmt::format("rotation_normal{}", of_lines));
+  if (spring.position && spring.rotation_tangential > 0)
+    faults.push_back(fmt::format("rotation_tangential{}", of_lines));
   if (!spring.position && places > 0 && spring.rotation > 0)
-    say("rotation is of a spring at a position; edges and lines have rotation_normal and rotation_tangential");
+    faults.push_back(
+        "rotation is of a spring at a position; edges and lines have rotation_normal and rotation_tangential");
+  if (!faults.empty()) found.push_back({Subject::spring, number, fmt::format("{}", fmt::join(faults, "; "))});
 }
 
 /// What a support leaves nothing of for springs.
@@ -56,15 +62,14 @@ void check_edge(const Spring& spring, const std::string& edge, std::size_t numbe
     const auto& support = problem.supports[i];
     if (std::ranges::find(support.edges, edge) == support.edges.end()) continue;
     const auto held = held_by(support.kind);
-    const auto check = [&](bool holds, double stiffness, const char* key) {
-      if (holds && stiffness > 0)
-        found.push_back(
-            {Subject::spring_edges, number,
-             fmt::format("edge \"{}\" is held by support[{}], which leaves nothing for {} to do", edge, i, key)});
-    };
-    check(held.w, spring.deflection, "deflection");
-    check(held.normal, spring.rotation_normal, "rotation_normal");
-    check(held.tangential, spring.rotation_tangential, "rotation_tangential");
+    std::vector<std::string> keys;
+    if (held.w && spring.deflection > 0) keys.push_back("deflection");
+    if (held.normal && spring.rotation_normal > 0) keys.push_back("rotation_normal");
+    if (held.tangential && spring.rotation_tangential > 0) keys.push_back("rotation_tangential");
+    if (!keys.empty())
+      found.push_back({Subject::spring_edges, number,
+                       fmt::format("edge \"{}\" is held by support[{}], which leaves nothing for {} to do", edge, i,
+                                   fmt::join(keys, " and "))});
   }
 }
 

@@ -29,7 +29,7 @@ TEST_CASE("supports: elastic forces as functionals of the state are what the bal
     plate->internal_force(state, internal);
     const post::Supports supports(plate->boundary());
     const auto balance = supports.balance(plate->constraints().on_held(internal), supports.nothing(), nullptr, state);
-    const Eigen::VectorXd found = supports.elastic_forces(*plate) * state.reshaped();
+    const Eigen::VectorXd found = supports.elastic_forces(*plate) * state.reshaped<Eigen::RowMajor>();
     REQUIRE(found.size() == 2);
     for (Eigen::Index i = 0; i < found.size(); ++i)
       CHECK(found[i] == Approx(-balance.supports[std::size_t(i)].force).epsilon(1e-9));
@@ -48,5 +48,5 @@ TEST_CASE("supports: more than sixteen are taken together") {
   CHECK(together.rows() == 1);
   plate::State rigid = plate::State::Zero(3, Eigen::Index(plate->points()));
   rigid.row(0).setOnes();
-  CHECK(std::abs((together * rigid.reshaped()).value()) < 1e-9 * together.norm());
+  CHECK(std::abs((together * rigid.reshaped<Eigen::RowMajor>()).value()) < 1e-9 * together.norm());
 }

@@ -21,7 +21,9 @@ TEST_CASE("watched motion: more vectors where the factors of the tips are to be 
   REQUIRE(loose.truncated_told().size() == 1);  // of the reactions
   const auto reactions = [&](const plate::LanczosMotion& motion) {
     std::vector<double> result;
-    motion.observe(200, [&](const plate::Instant& now) { result.push_back((forces * now.state.reshaped()).value()); });
+    motion.observe(200, [&](const plate::Instant& now) {
+      result.push_back((forces * now.state.reshaped<Eigen::RowMajor>()).value());
+    });
     return result;
   };
   auto tight = c.analysis;

@@ -79,7 +79,7 @@ TEST_CASE("the shear layer of a foundation has its energy under linear deflectio
                               : 1.2;
     for (const auto& [soil, positions, loaded] : soils({0, 8, patch})) {
       CHECK(soil.energy(linear(positions, 0.3, g)) == Approx(8 * g.squaredNorm() * area / 2).epsilon(1e-12));
-      CHECK(std::abs(soil.energy(linear(positions, 5, {0, 0}))) < 1e-12);
+      CHECK(std::abs(soil.energy(linear(positions, 5, {0, 0}))) < 1e-10);  // rounding of 8 x 5^2 in every link
     }
   }
 }

@@ -14,12 +14,12 @@ TEST_CASE("springs have one place, a stiffness, and something that supports leav
     problem.springs = {spring};
     return faults_of_springs(problem).size();
   };
-  CHECK(faults({}) == 2);  // nowhere, and nothing
+  CHECK(faults({}) == 1);  // nowhere, and nothing: in one sentence
   CHECK(faults({1, 0, 0, 0, {"right"}, {}, {}}) == 0);
   CHECK(faults({1, 0, 0, 0, {"right"}, {{0, 0}, {1, 1}}, {}}) == 1);
-  CHECK(faults({1, 1, 1, 0, {"left"}, {}, {}}) == 2);  // w and psi_s
+  CHECK(faults({1, 1, 1, 0, {"left"}, {}, {}}) == 1);  // w and psi_s
   CHECK(faults({1, 1, 1, 0, {"top"}, {}, {}}) == 1);   // psi_n
-  CHECK(faults({1, 1, 1, 1, {}, {}, geometry::Point(0.5, 0.5)}) == 2);
+  CHECK(faults({1, 1, 1, 1, {}, {}, geometry::Point(0.5, 0.5)}) == 1);
   CHECK(faults({1, 1, 1, 1, {"right"}, {}, {}}) == 1);
   problem.springs.clear(), problem.foundations = {{1, 0, {}}};
   problem.discretization.boundary = EdgeMethod::surface_nodes;
