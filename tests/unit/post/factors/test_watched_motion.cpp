@@ -33,6 +33,8 @@ TEST_CASE("watched motion: more vectors where the factors of the tips are to be 
   double error = 0, largest = 0;
   for (std::size_t i = 0; i < found.size(); ++i)
     error = std::max(error, std::abs(found[i] - exact[i])), largest = std::max(largest, std::abs(exact[i]));
-  CHECK(error < 1.5 * largest * loose.truncated_told()[0]);
-  CHECK(error > 0.1 * largest * loose.truncated_told()[0]);
+  CHECK(error < largest * loose.truncated_told()[0]);
+  // measured: 0.073 of what is told, which is four times the change by the last third of the vectors; the band of 0.1
+  // was held while the functionals were read in another order than the states
+  CHECK(error > 0.05 * largest * loose.truncated_told()[0]);
 }
