@@ -8,6 +8,7 @@
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
 #include "cases/templates/new_case.hpp"
+#include "fracture/runs/among_ranks.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/process.hpp"
 #include "plate/solve/interruption.hpp"
@@ -294,5 +295,6 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? done : wrong_case;
   }
+  a.quiet = a.quiet || !fracture::speaks();
   return ended(app, a);
 }

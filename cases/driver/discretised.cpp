@@ -16,7 +16,7 @@ namespace {
 /// Probes that have no points about them.
 void check_probes(const CaseFile& file, const plate::Formulation& plate, std::vector<Problem>& problems) {
   for (const auto& [name, x] : file.content.output.probes) try {
-      plate.interpolation(x);
+      if (plate.here(x)) plate.interpolation(x);
     } catch (const plate::Refused& error) {
       problems.push_back({file.place("output.probes." + name), "output.probes." + name, error.what()});
     }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "fracture/runs/among_ranks.hpp"
 #include "plate/model/process.hpp"
+#include "plate/model/ranks/ranks.hpp"
 #include "post/files/digest.hpp"
 #include "post/files/earlier.hpp"
 #include "post/files/sinks/folder.hpp"
@@ -32,9 +34,25 @@ bool finds(Keeper* keeper, const RecordingOptions& options) {
   return found;
 }
 
+/// Of a process that writes nothing.
+class Nowhere : public post::Sink {
+public:
+  bool draws() const override { return false; }
+  bool stores() const override { return false; }
+  bool plots() const override { return false; }
+  void open(const post::Mesh&) override {}
+  void frame(post::Frame, std::optional<post::Mesh>, plate::State) override {}
+  void final_state(const post::Mesh&, const post::Frame&) override {}
+  void cracks(const post::Cracks&) override {}
+  void plot(const std::string&, const std::string&) override {}
+  void tables(const Tables&) override {}
+  void summary(const std::string&) override {}
+};
+
 }  // namespace
 
 void check_folder(const std::filesystem::path& folder) {
+  if (!speaks()) return;
   constexpr std::size_t most = 3;
   require_lock(post::FolderLock(folder));
   auto found = post::strangers(folder);
@@ -56,12 +74,13 @@ std::optional<post::Summary> done_before(const RecordingOptions& options, bool r
 }
 
 Recording recording(const RecordingOptions& options) {
+  if (!speaks()) return {{std::make_unique<Nowhere>(), options.resolved, options.version}, nullptr};
   const auto& [folder, resolved, version, vtk, hdf5, velocities, every, resumes, quiet] = options;
   std::filesystem::create_directories(folder);
   post::FolderLock lock(folder);
   require_lock(lock);
   std::unique_ptr<Keeper> keeper;
-  if (every > 0) {
+  if (every > 0 && !plate::ranks()) {
     const auto of = fmt::format("case {}, program {} of {}", post::digest(resolved), version, plate::build());
     keeper = std::make_unique<Keeper>(post::Checkpoints(folder, of), every);
   }

@@ -7,6 +7,7 @@
 
 #include "fracture/growth/motion/moving_growth.hpp"
 #include "fracture/growth/words.hpp"
+#include "fracture/runs/among_ranks.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -23,7 +24,8 @@ namespace fracture {
 std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>& places,
                                    const plate::Formulation& plate) {
   std::vector<post::Probe> result;
-  for (const auto& [name, x] : places) result.push_back({name, x, plate.interpolation(x)});
+  for (const auto& [name, x] : places)
+    result.push_back({name, x, plate.here(x) ? plate.interpolation(x) : std::vector<plate::Share>{}});
   return result;
 }
 
@@ -33,6 +35,7 @@ post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::v
   summary.units = plan.units;
   summary.formulation_reason = plan.formulation_reason;
   summary.warnings = std::move(warnings);
+  count_all(summary, plate);
   return summary;
 }
 
@@ -91,7 +94,7 @@ void Results::sample(const plate::Instant& now, bool last) {
   const auto factors = [&]() -> std::vector<post::Srif> {
     if (growth_) return growth_->factors(now.state);
     if (!plan_.srif || factors_.known()) return {};
-    return post::srifs(plate_, *plan_.srif, tip_methods_, now.state, last);
+    return of_all(post::srifs(plate_, *plan_.srif, tip_methods_, now.state, last));
   };
   factors_.add(factors(), fmt::format("at step {}, time {:g}", now.step, now.time));
 }
@@ -150,7 +153,7 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   summary.accuracy = accuracy_;
   summary.frequencies = frequencies_;
   post::conclude(summary, {section, plan_.srif, plan_.si(), history, reactions_, factors_.last()});
-  if (!growth_) post::look_for_largest(summary, section, extremes_, times_, factors_.rows());
+  if (!growth_) post::look_for_largest(summary, section, of_all(extremes_.found()), times_, factors_.rows());
   for (const auto& some :
        {post::left_out(plate_.tips(), tip_methods_),
         post::distrust_of_factors(summary.srif, factors_.largest(), section.thickness, plate_.remedy()),

@@ -22,12 +22,14 @@ bool alike(const Families& families, const std::vector<std::uint32_t>& kind, std
 
 }  // namespace
 
-FamilyRuns family_runs(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t longest) {
+FamilyRuns family_runs(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t longest,
+                       const std::vector<std::uint32_t>& block) {
   FamilyRuns result;
   std::map<std::vector<std::uint32_t>, std::uint32_t> known;
   for (std::uint32_t k = 0; k < families.points(); ++k) {
     const bool same = k > 0 && alike(families, kind, k);
-    if (same && result.runs.back().length < longest) {
+    const bool together = same && (block.empty() || block[k] == block[k - 1]);
+    if (together && result.runs.back().length < longest) {
       ++result.runs.back().length;
       continue;
     }

@@ -16,7 +16,9 @@ struct FamilyRuns {
 };
 
 /// Runs of at most `longest` points, so that they can be shared out among threads. `kind`: a number for every point,
-/// the same only for points with equal bond vectors.
-FamilyRuns family_runs(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t longest);
+/// the same only for points with equal bond vectors. `block`: a number for every point, where no run is to hold points
+/// with different ones.
+FamilyRuns family_runs(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t longest,
+                       const std::vector<std::uint32_t>& block = {});
 
 }  // namespace geometry

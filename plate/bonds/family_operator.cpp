@@ -1,6 +1,7 @@
 #include "plate/bonds/family_operator.hpp"
 
 #include <algorithm>
+#include "plate/model/ranks/ranks.hpp"
 
 namespace plate {
 namespace {
@@ -31,11 +32,12 @@ double shear(const PatternBond& bond, const Kinematics<>& k, const Kinematics<>&
 }  // namespace
 
 FamilyOperator::FamilyOperator(geometry::Families families, std::vector<BondShape> shapes,
-                               const std::vector<double>& areas, HorizonWeights weights)
+                               const std::vector<double>& areas, HorizonWeights weights, OperatedPart part)
     : families_(std::move(families)),
-      runs_(geometry::family_runs(families_, weights.kind, longest_run)),
+      runs_(geometry::family_runs(families_, weights.kind, longest_run, part.block)),
       shapes_(std::move(shapes)),
-      weights_(std::move(weights)) {
+      weights_(std::move(weights)),
+      part_(std::move(part)) {
   const auto count = static_cast<Eigen::Index>(areas.size());
   area_.resize(count), dilatation_stiffness_.resize(count);
 #pragma omp parallel for schedule(static)
@@ -90,6 +92,11 @@ void FamilyOperator::product(const State& state, const Patterns& patterns, const
       for (; bond < end; ++bond) sum += bond->D_kj * curvature<absolute>(*bond, own, kinematics(state, k + bond->step));
       q[k] = stiffness[k] * sum;
     });
+    if (part_.exchange) {
+#pragma omp master
+      part_.exchange->fetch(std::span(q.data(), std::size_t(q.size())));
+#pragma omp barrier
+    }
     for_each_point([&](Eigen::Index k, const PatternBond* bond, const PatternBond* end) {
       const auto own = kinematics(state, k);
       double force = 0, couple_x = 0, couple_y = 0;

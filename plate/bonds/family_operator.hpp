@@ -1,10 +1,13 @@
 #pragma once
+#include <memory>
 #include "geometry/lattice/family_runs.hpp"
 #include "plate/bonds/parameters/weights.hpp"
 #include "plate/formulation/attached/attached_stiffness.hpp"
 #include "plate/formulation/operator.hpp"
 
 namespace plate {
+
+class Exchange;
 
 /// A bond of a pattern, with what both ends give to it.
 struct PatternBond {
@@ -21,13 +24,20 @@ struct Patterns {
   std::vector<double> stiffness;  // 2 A a of the points, per pattern
 };
 
+/// Where a process holds a part of the plate only: what it computes of it.
+struct OperatedPart {
+  std::vector<std::uint32_t> block;          // of every point: runs and columns are of one each
+  std::vector<char> wanted;                  // points whose dilatations and forces are asked for here
+  std::shared_ptr<const Exchange> exchange;  // of the dilatations of the others; none: one process holds all
+};
+
 /// The ordinary state-based plate on the families of any cloud, point by point and bond by bond: state -> internal
 /// force, and the bounds that the solvers need, which come from the same bonds. Bonds are kept by patterns that runs of
 /// points share. Forces are gathered: any number of threads gives the same bits. One call at a time.
 class FamilyOperator : public Operator {
 public:
   FamilyOperator(geometry::Families families, std::vector<BondShape> shapes, const std::vector<double>& areas,
-                 HorizonWeights weights);
+                 HorizonWeights weights, OperatedPart part = {});
 
   /// From now on what these have is part of all that follows.
   void attach(AttachedStiffness attached) { attached_ = std::move(attached); }
@@ -49,6 +59,7 @@ public:
 
   const geometry::FamilyRuns& runs() const { return runs_; }
   const Patterns& patterns() const { return patterns_; }
+  const OperatedPart& part() const { return part_; }
   /// 2 A a of every point [force length].
   const Eigen::ArrayXd& dilatation_stiffness() const { return dilatation_stiffness_; }
 
@@ -64,6 +75,7 @@ private:
   Eigen::ArrayXd area_, dilatation_stiffness_;  // by point: A, 2 A a
   Patterns patterns_;
   AttachedStiffness attached_;
+  OperatedPart part_;
 };
 
 }  // namespace plate

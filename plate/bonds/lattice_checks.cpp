@@ -51,8 +51,9 @@ private:
   geometry::CellIndex index_;
 };
 
-/// Places on the edges and holes called `name` (empty: on all), half a spacing apart.
-std::vector<Point> places(const geometry::Outline& cells, const std::string& name) {
+/// Places on the edges and holes called `name` (empty: on all), half a spacing apart, as far as all points about them
+/// were seeded.
+std::vector<Point> places(const geometry::Outline& cells, const std::string& name, const geometry::Cloud& cloud) {
   std::vector<Point> result;
   for (const auto& edge : geometry::straight_edges(cells)) {
     if (!name.empty() && edge.name != name) continue;
@@ -67,6 +68,10 @@ std::vector<Point> places(const geometry::Outline& cells, const std::string& nam
         result.push_back(circle->centre + circle->radius * Point(std::cos(angle), std::sin(angle)));
       }
     }
+  if (cloud.part)
+    std::erase_if(result, [seen = cloud.part->grown(-long(window))](const Point& u) {
+      return !seen.contains(geometry::cell_of(u));
+    });
   return result;
 }
 
@@ -104,7 +109,7 @@ void check_parts(const Problem& problem, const geometry::Cloud& cloud, const geo
   const auto sharp = spikes(cells);
   double furthest = 0;
   Point where(0, 0);
-  for (const auto& u : places(cells, ""))
+  for (const auto& u : places(cells, "", cloud))
     if (const double d = seeded.distance(u); d > allowed_gap(sharp, u) && d > furthest) furthest = d, where = u;
   if (furthest == 0) return;
   const Point x = cloud.units.from_lattice(where);
@@ -121,12 +126,13 @@ void check_parts(const Problem& problem, const geometry::Cloud& cloud, const geo
            furthest < window ? fmt::format("{:.2g}", furthest) : fmt::format("over {:g}", window), held, all)});
 }
 
-void check_loaded_edges(const Problem& problem, const geometry::Outline& cells, const Seeded& seeded,
-                        std::vector<Refusal>& refusals) {
+void check_loaded_edges(const Problem& problem, const geometry::Cloud& cloud, const geometry::Outline& cells,
+                        const Seeded& seeded, std::vector<Refusal>& refusals) {
   const auto check = [&](Subject subject, const char* what, const auto& all) {
     for (std::size_t i = 0; i < all.size(); ++i)
       for (const auto& name : all[i].edges) {
-        const auto edge = places(cells, name);
+        const auto edge = places(cells, name, cloud);
+        if (cloud.part && edge.empty()) continue;
         if (std::ranges::any_of(edge, [&](const auto& u) { return seeded.distance(u) < largest_gap - 0.5; })) continue;
         refusals.push_back(
             {subject, i,
@@ -139,8 +145,10 @@ void check_loaded_edges(const Problem& problem, const geometry::Outline& cells, 
 }
 
 /// Single places that would act somewhere else.
-void check_places(const Problem& problem, const Seeded& seeded, std::vector<Refusal>& refusals) {
+void check_places(const Problem& problem, const geometry::Cloud& cloud, const Seeded& seeded,
+                  std::vector<Refusal>& refusals) {
   const auto check = [&](Subject subject, std::size_t number, const char* what, const Point& x) {
+    if (!cloud.seeded(x)) return;
     if (const double away = seeded.distance_from(x); away > largest_move)
       refusals.push_back({subject, number, too_far(what, x, away, largest_move)});
   };
@@ -206,8 +214,8 @@ void check_lattice(const Problem& problem, const geometry::Cloud& cloud, const g
   const Seeded seeded(cloud);
   std::vector<Refusal> refusals;
   check_parts(problem, cloud, cells, seeded, refusals);
-  check_loaded_edges(problem, cells, seeded, refusals);
-  check_places(problem, seeded, refusals);
+  check_loaded_edges(problem, cloud, cells, seeded, refusals);
+  check_places(problem, cloud, seeded, refusals);
   check_held_lengths(problem, cells, refusals);
   if (!refusals.empty()) throw Refused(refusals);
 }

@@ -35,7 +35,7 @@ Mesh::Corner corner(const geometry::DrawnCells::Corner& from, const Boundary& bo
 Mesh mesh(const Boundary& boundary, const geometry::Outline& outline, const std::vector<geometry::CrackPath>& cracks,
           std::vector<double> cut, double thickness) {
   const auto count = std::ptrdiff_t(boundary.cloud.plate_points);
-  const auto& [units, positions, areas, plate_points] = boundary.cloud;
+  const auto& [units, positions, areas, plate_points, part] = boundary.cloud;
   Mesh result{{positions.begin(), positions.begin() + count},
               {areas.begin(), areas.begin() + count},
               std::move(cut),

@@ -11,6 +11,7 @@
 #include "plate/bonds/mesh.hpp"
 #include "plate/bonds/parameters/horizon_parameters.hpp"
 #include "plate/bonds/parameters/position_aware.hpp"
+#include "plate/bonds/part_of_lattice.hpp"
 #include "plate/bonds/precrack.hpp"
 #include "plate/bonds/resultants.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
@@ -199,7 +200,8 @@ Discretised discretised(const Problem& problem) {
   auto& stopwatch = result.stopwatch;
   const auto& d = problem.discretization;
   auto paths = crack_paths(problem);
-  auto cloud = geometry::lattice(problem.outline, d.spacing);
+  const auto part = part_of_lattice(problem.outline, d);
+  auto cloud = geometry::lattice(problem.outline, d.spacing, part ? std::optional(part->seen) : std::nullopt);
   const auto outline = geometry::to_lattice(problem.outline, cloud.units);
   check_lattice(problem, cloud, outline);
   Layout layout{problem, {}, geometry::tips(paths), boundary(std::move(cloud), outline, problem.supports, d), {}, {}};
@@ -211,7 +213,11 @@ Discretised discretised(const Problem& problem) {
   const auto whole = geometry::families(boundary.cloud, d.horizon(), sees(boundary, outline, d.horizon_ratio));
   auto families = sever(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
   boundary.attached = attached_stiffness(problem, boundary.cloud);
-  layout.pieces = pieces(boundary, families);
+  OperatedPart operated_part;
+  if (part)
+    operated_part = operated(*part, boundary, families, layout.tips);
+  else
+    layout.pieces = pieces(boundary, families);
   stopwatch.lap("families");
 
   auto shapes = bond_shapes(families.vectors(), problem.section, d);
@@ -222,9 +228,10 @@ Discretised discretised(const Problem& problem) {
     layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline), one.history});
     load += layout.loads.back().forces;
   }
-  layout.mechanisms = mechanisms(boundary, families, layout.pieces, load);
+  layout.mechanisms = part ? Mechanisms{.searched = false} : mechanisms(boundary, families, layout.pieces, load);
   auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
-  LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights)));
+  LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights),
+                                    std::move(operated_part)));
   op.attach(boundary.attached);
   layout.paths = std::move(paths);
   result.plate = std::make_unique<OrdinaryPlate>(std::move(layout), std::move(op), counts);

@@ -242,7 +242,7 @@ void Builder::layers() {
 
 void Builder::pins() {
   for (std::uint32_t pin = 0; pin < b_.holders.size(); ++pin)
-    if (const auto& at = b_.holders[pin].position) {
+    if (const auto& at = b_.holders[pin].position; at && b_.cloud.seeded(*at)) {
       const auto k = static_cast<std::uint32_t>(geometry::nearest_plate_point(b_.cloud, *at));
       b_.constraints.fix(3 * k);
       b_.holds.push_back({k, pin, false});

@@ -67,7 +67,9 @@ struct Boundary {
   std::vector<Hold> holds;  // of points of the plate; a fictitious point is held by its sides
   std::vector<std::string> warnings;
   AttachedStiffness attached = {};  // of foundations and springs
+  std::vector<char> own = {};       // of all points: not another process's; empty where one process holds the plate
 
+  bool owns(std::size_t k) const { return own.empty() || own[k]; }
   bool is_plate(std::uint32_t k) const { return k < cloud.plate_points; }
 
   /// True if `test` is for the straight bond k - j or for one of its mirror images: what lies beyond a mirror

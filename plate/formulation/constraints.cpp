@@ -5,6 +5,8 @@
 #include <map>
 #include <unordered_set>
 
+#include "plate/model/ranks/ranks.hpp"
+
 namespace plate {
 namespace {
 
@@ -101,8 +103,20 @@ void for_each_sum(const Sums& sums, const Values<Real>& values, const Weight& we
 
 }  // namespace
 
+void Constraints::copy(std::vector<std::uint32_t> points, std::shared_ptr<const Exchange> exchange) {
+  copies_ = std::move(points), exchange_ = std::move(exchange);
+}
+
+template <typename Real>
+void Constraints::fetch(Values<Real>& values) const {
+  if (exchange_) exchange_->fetch(std::span(values.data(), std::size_t(values.size())));
+}
+
+template void Constraints::fetch(Values<double>&) const;
+
 template <typename Real, typename Weight>
 void Constraints::impose_with(Values<Real>& state, const Weight& weight) const {
+  fetch(state);
   for (const Place& place : zero_) state(place.component, place.point) = 0;
   for_each_sum(followers_, state, weight, [&](const Place& to, Real sum) { state(to.component, to.point) = sum; });
 }
@@ -143,6 +157,7 @@ void Constraints::fold_with(Values<Real>& forces, const Weight& weight) const {
   for_each_sum(leaders_, forces, weight, [&](const Place& to, Real sum) { forces(to.component, to.point) += sum; });
   for (const Place& place : zero_) forces(place.component, place.point) = 0;
   for (const Place& place : followers_.target) forces(place.component, place.point) = 0;
+  for (const auto point : copies_) forces.col(point).setZero();
 }
 
 void Constraints::fold(Forces& forces) const {

@@ -1,10 +1,13 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 #include "plate/model/state.hpp"
 
 namespace plate {
+
+class Exchange;
 
 /// Degrees of freedom (3 * point + component) that are zero or follow others. Together they are the matrix P of
 /// u = P q; forces go back by its transpose, so that a symmetric stiffness stays symmetric.
@@ -27,6 +30,10 @@ public:
   /// Replaces chains of ties by ties to free leaders. Call once, after the last fix and tie.
   void resolve();
 
+  /// Points that other processes own: impose() fetches their values before anything follows them, fold() leaves no
+  /// forces on them. After resolve().
+  void copy(std::vector<std::uint32_t> points, std::shared_ptr<const Exchange> exchange);
+
   const std::vector<Tie>& ties() const { return ties_; }  // ascending by follower
   const std::vector<std::uint32_t>& fixed() const { return fixed_; }
   bool held(std::uint32_t dof) const;
@@ -34,6 +41,10 @@ public:
   /// Forces on what is held, in that order, before they are carried over.
   Eigen::VectorXd on_held(const Forces& forces) const;
   Eigen::VectorXd on_held(const Values<float>& forces) const;
+
+  /// The values of copies from their owners; does nothing where one process holds the plate.
+  template <typename Real>
+  void fetch(Values<Real>& values) const;
 
   void impose(State& state) const;  // u = P q
   void impose(Values<float>& state) const;
@@ -69,6 +80,8 @@ private:
   std::vector<std::uint32_t> held_;  // sorted, by resolve()
   std::vector<Place> zero_;          // held and follows none
   Sums followers_, leaders_;         // of resolve()
+  std::vector<std::uint32_t> copies_;
+  std::shared_ptr<const Exchange> exchange_;  // none where one process holds the plate
 };
 
 }  // namespace plate

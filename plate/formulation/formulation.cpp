@@ -51,6 +51,10 @@ const geometry::Cloud& Formulation::cloud() const {
   return boundary().cloud;
 }
 
+bool Formulation::here(const geometry::Point& x) const {
+  return boundary().own.empty() || boundary().owns(geometry::nearest_plate_point(cloud(), x));
+}
+
 const Constraints& Formulation::constraints() const {
   return boundary().constraints;
 }

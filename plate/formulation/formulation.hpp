@@ -74,6 +74,8 @@ public:
   const std::vector<geometry::Tip>& tips() const;
   const Boundary& boundary() const;
   const geometry::Cloud& cloud() const;
+  /// Is the place this process's, where several share the plate: is the point nearest to it?
+  bool here(const geometry::Point& x) const;
   const Constraints& constraints() const;
   const std::vector<double>& cut() const;
   const std::vector<TimedLoad>& loads() const;

@@ -93,6 +93,7 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
       add_line_load(load, cloud.positions, cloud.plate_points, cloud.units.spacing, forces);
       break;
     case Load::Kind::point_force: {
+      if (!cloud.seeded(load.position)) break;
       const auto k = geometry::nearest_plate_point(cloud, load.position);
       forces.col(static_cast<Eigen::Index>(k)) = moved_force(load.value, load.position - cloud.positions[k]);
       break;

@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "plate/model/numerical_error.hpp"
+#include "plate/model/ranks/ranks.hpp"
 
 namespace plate {
 
-void require_finite(const State& state, const std::string& when) {
+namespace {
+
+void require_own(const State& state, const std::string& when) {
   constexpr std::array names{"w", "theta_x", "theta_y"};
   const Eigen::Index points = state.cols();
   Eigen::Index first = points;
@@ -20,6 +23,21 @@ void require_finite(const State& state, const std::string& when) {
   while (std::isfinite(state(Eigen::Index(component), first))) ++component;
   throw NumericalError(std::string(names[component]) + " of point " + std::to_string(first) + " is not finite " + when,
                        std::size_t(first));
+}
+
+}  // namespace
+
+void require_finite(const State& state, const std::string& when) {
+  const auto* all = ranks();
+  if (!all) return require_own(state, when);
+  std::string wrong;
+  try {
+    require_own(state, when);
+  } catch (const NumericalError& error) {
+    wrong = "process " + std::to_string(all->rank()) + ": " + error.what();
+  }
+  for (const auto& one : all->exchanged(std::vector<std::string>(std::size_t(all->size()), wrong)))
+    if (!one.empty()) throw NumericalError(one);
 }
 
 }  // namespace plate

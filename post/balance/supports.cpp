@@ -5,6 +5,7 @@
 #include <map>
 
 #include "plate/formulation/operator.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace post {
 namespace {
@@ -77,8 +78,11 @@ Supports::Supports(const plate::Boundary& boundary) : boundary_(&boundary) {
     const auto& all = holders.at(dof);
     for (const auto holder : all) shares_.push_back({holder, i, 1.0 / double(all.size()) * unit});
   }
+  std::ranges::stable_sort(shares_, {}, &Share::holder);
   Point low = positions.front(), high = low;
   for (const auto& x : positions) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  for (const Eigen::Index axis : {0, 1})
+    low[axis] = -plate::largest_of_all(-low[axis]), high[axis] = plate::largest_of_all(high[axis]);
   centre_ = (low + high) / 2, arm_ = (high - low).norm() / 2;
 }
 
@@ -89,11 +93,15 @@ Applied Supports::nothing() const {
 Applied Supports::applied(const plate::Forces& forces) const {
   Applied result{{}, 0, boundary_->constraints.on_held(forces)};
   const auto& positions = boundary_->cloud.positions;
-  for (std::size_t k = 0; k < positions.size(); ++k) {
+  const auto of_point = [&](std::size_t k) -> std::array<double, 4> {
+    if (!boundary_->owns(k)) return {};
     const auto force = forces.col(Eigen::Index(k));
-    for (std::size_t c = 0; c < 3; ++c) result.sum += wrench(positions[k], c, force[Eigen::Index(c)]);
-    result.size += std::abs(force[0]) + std::hypot(force[1], force[2]) / arm_;
-  }
+    Wrench sum;
+    for (std::size_t c = 0; c < 3; ++c) sum += wrench(positions[k], c, force[Eigen::Index(c)]);
+    return {sum.force, sum.moment_x, sum.moment_y, std::abs(force[0]) + std::hypot(force[1], force[2]) / arm_};
+  };
+  const auto [force, moment_x, moment_y, size] = plate::ordered_sum<4>(positions.size(), of_point);
+  result.sum = {force, moment_x, moment_y}, result.size = size;
   return result;
 }
 
@@ -102,7 +110,16 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
   Balance result{std::vector<Wrench>(boundary_->holders.size()), loads.sum, {}, 0};
   Eigen::VectorXd reaction = -internal - loads.held;
   if (inertia) reaction += inertia->held;
-  for (const auto& [holder, i, unit] : shares_) result.supports[holder] += reaction[i] * unit;
+  const auto& held = boundary_->constraints.held();
+  for (std::uint32_t h = 0; h < result.supports.size(); ++h) {
+    const auto of_holder = std::ranges::equal_range(shares_, h, {}, &Share::holder);
+    const auto [force, moment_x, moment_y] = plate::ordered_sum<3>(of_holder.size(), [&](std::size_t s) {
+      const auto& [holder, i, unit] = of_holder[std::ptrdiff_t(s)];
+      const double size = boundary_->owns(held[i] / 3) ? reaction[i] : 0;
+      return std::array<double, 3>{size * unit.force, size * unit.moment_x, size * unit.moment_y};
+    });
+    result.supports[h] = {force, moment_x, moment_y};
+  }
   for (const auto& part : boundary_->attached.parts()) result.supports.push_back(applied(part->force(state)).sum);
   Wrench left = result.sum();
   left += loads.sum;

@@ -47,7 +47,7 @@ private:
   };
 
   const plate::Boundary* boundary_;
-  std::vector<Share> shares_;
+  std::vector<Share> shares_;  // by holders
   geometry::Point centre_{0, 0};
   double arm_ = 0;  // half the diagonal of the plate
 };

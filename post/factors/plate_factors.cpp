@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "plate/formulation/boundary.hpp"
+#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/ranks/ranks.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/tip_rings.hpp"
 
@@ -67,16 +70,48 @@ bool ringed(const plate::Problem& c, const std::vector<geometry::CrackPath>& pat
   return !rings(clear_distance(c, paths, tip), spacing, false).empty();
 }
 
+namespace {
+
+/// Every process tells the others what works at its tips: '+', or '-' where none does, or nothing of a tip that is not
+/// its own, then a line for every method that is left out; tips end with a page break.
+void tell(const plate::Ranks& all, std::vector<TipMethods>& methods) {
+  std::string own;
+  for (const auto& tip : methods) {
+    if (tip.here()) own += tip.works() ? '+' : '-';
+    for (const auto& line : tip.left_out()) own += line + '\n';
+    own += '\f';
+  }
+  for (const auto& theirs : all.exchanged(std::vector<std::string>(std::size_t(all.size()), own))) {
+    std::istringstream tips(theirs);
+    std::string tip, line;
+    for (auto& one : methods) {
+      std::getline(tips, tip, '\f');
+      if (tip.empty() || one.here()) continue;
+      std::istringstream lines(tip.substr(1));
+      std::vector<std::string> left_out;
+      while (std::getline(lines, line)) left_out.push_back(line);
+      one = TipMethods(tip.front() == '+', std::move(left_out));
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<TipMethods> tip_methods(const plate::Formulation& plate, const SrifOptions& options) {
   const double stairs = 0.75 * plate.error_of_edges();  // measured: 91 % of the errors are within the estimates then
   const double narrowest = least_clear_distance(plate.problem(), plate.paths(), plate.tips());
   std::vector<TipMethods> result;
   std::shared_ptr<const TipView> view;
   for (const auto& tip : plate.tips()) {
+    if (!plate.here(tip.position)) {
+      result.emplace_back(false, std::vector<std::string>{});
+      continue;
+    }
     if (!view) view = plate.tip_view();
     const double clear = clear_distance(plate.problem(), plate.paths(), tip);
     result.emplace_back(view, TipPlace{tip, plate.paths()[tip.crack], clear, narrowest, stairs}, options);
   }
+  if (const auto* all = plate::ranks()) tell(*all, result);
   return result;
 }
 
@@ -91,11 +126,14 @@ std::optional<TipMethods> tip_methods(std::shared_ptr<const TipView> view, const
 std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& options,
                         const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings) {
   plate::Forces force;
-  if (std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
-    plate.internal_force(state, force), plate.boundary().attached.take_force(state, force);
+  const bool together = plate::ranks();  // no process can find forces alone
+  if (together || std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
+    plate.internal_force(state, force), plate.boundary().attached.take_force(state, force),
+        plate.constraints().fetch(force);
   std::vector<std::vector<Srif>> by_tip(methods.size());
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t tip = 0; tip < methods.size(); ++tip) by_tip[tip] = methods[tip](state, force, all_rings);
+  for (std::size_t tip = 0; tip < methods.size(); ++tip)
+    if (methods[tip].here()) by_tip[tip] = methods[tip](state, force, all_rings);
   std::vector<Srif> result;
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
     for (auto& srif : by_tip[tip]) {

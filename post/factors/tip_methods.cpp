@@ -259,6 +259,9 @@ std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const
 TipMethods::TipMethods(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options)
     : at_tip_(std::make_unique<AtTip>(std::move(view), place, options)) {}
 
+TipMethods::TipMethods(bool works, std::vector<std::string> left_out)
+    : works_elsewhere_(works), left_out_elsewhere_(std::move(left_out)) {}
+
 TipMethods::TipMethods(TipMethods&&) noexcept = default;
 TipMethods& TipMethods::operator=(TipMethods&&) noexcept = default;
 TipMethods::~TipMethods() = default;
@@ -268,11 +271,11 @@ std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate:
 }
 
 const std::vector<std::string>& TipMethods::left_out() const {
-  return at_tip_->left_out();
+  return here() ? at_tip_->left_out() : left_out_elsewhere_;
 }
 
 bool TipMethods::works() const {
-  return at_tip_->works();
+  return here() ? at_tip_->works() : works_elsewhere_;
 }
 
 Eigen::MatrixXd TipMethods::functionals() const {
@@ -280,7 +283,7 @@ Eigen::MatrixXd TipMethods::functionals() const {
 }
 
 bool TipMethods::needs_force() const {
-  return at_tip_->needs_force();
+  return here() && at_tip_->needs_force();
 }
 
 }  // namespace post

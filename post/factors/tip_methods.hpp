@@ -28,6 +28,9 @@ public:
   /// Methods that cannot work at this tip are left out.
   TipMethods(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options);
 
+  /// At a tip of another process, which has said this of them.
+  TipMethods(bool works, std::vector<std::string> left_out);
+
   TipMethods(TipMethods&&) noexcept;
   TipMethods& operator=(TipMethods&&) noexcept;
   ~TipMethods();
@@ -40,6 +43,8 @@ public:
   const std::vector<std::string>& left_out() const;
   /// Is any method left?
   bool works() const;
+  /// Not at a tip of another process.
+  bool here() const { return at_tip_ != nullptr; }
 
   /// K1, K2, K3 times the thickness of the fit of the fields about the tip, as functionals (rows) of the state
   /// flattened; no row where there is no fit.
@@ -50,7 +55,9 @@ public:
 
 private:
   class AtTip;
-  std::unique_ptr<const AtTip> at_tip_;
+  std::unique_ptr<const AtTip> at_tip_;  // none of another process
+  bool works_elsewhere_ = false;
+  std::vector<std::string> left_out_elsewhere_;
 };
 
 }  // namespace post

@@ -5,6 +5,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/section.hpp"
+#include "plate/solve/reduction.hpp"
 #include "post/files/archive.hpp"
 #include "post/files/digest.hpp"
 #include "post/files/gate.hpp"
@@ -29,7 +30,7 @@ Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, c
 }
 
 Mesh points_of(const plate::Formulation& plate) {
-  const auto& [units, positions, areas, plate_points] = plate.cloud();
+  const auto& [units, positions, areas, plate_points, part] = plate.cloud();
   const auto count = std::ptrdiff_t(plate_points);
   return {{positions.begin(), positions.begin() + count},
           {areas.begin(), areas.begin() + count},
@@ -68,12 +69,14 @@ void Recorder::row(const Sample& s, const std::vector<Probe>& probes, std::size_
                   {"load factor", s.load_factor.value_or(0)}},
                  when);
   history_.rows.push_back({s.time, double(s.step), s.strain_energy, s.kinetic_energy, s.external_work,
-                           s.fracture_energy, s.state.row(0).head(Eigen::Index(plate_points)).cwiseAbs().maxCoeff(),
+                           s.fracture_energy,
+                           plate::largest_of_all(s.state.row(0).head(Eigen::Index(plate_points)).cwiseAbs().maxCoeff()),
                            cell(s.discrete_energy), cell(s.energy_residual), cell(s.released_energy),
                            cell(s.load_factor), cell(s.displacement)});
   for (const auto& [name, x, shares] : probes) {
     Eigen::Vector3d u = Eigen::Vector3d::Zero();
     for (const auto& share : shares) u += share.weight * s.state.col(share.point);
+    for (double& component : u) component = plate::sum_of_all(component);  // one process has the place
     probes_.rows.push_back({s.time, name, x.x(), x.y(), u[0], u[1], u[2]});
   }
 }

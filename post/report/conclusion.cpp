@@ -51,9 +51,8 @@ void conclude(Summary& summary, Found found) {
   }
 }
 
-void look_for_largest(Summary& summary, const plate::Section& section, const Extremes& extremes,
+void look_for_largest(Summary& summary, const plate::Section& section, std::vector<Peak> found,
                       const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows) {
-  auto found = extremes.found();
   if (summary.analysis.kind != "dynamic") {
     summary.extremes = std::move(found);
     return;

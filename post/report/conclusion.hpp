@@ -66,8 +66,8 @@ struct Found {
 /// where a plate bends farther than small deflections reach: in SI units only, cases without units may be scaled.
 void conclude(Summary& summary, Found found);
 
-/// Where a run on one plate was largest, in motion with times. `rows` of factors at `times`.
-void look_for_largest(Summary& summary, const plate::Section& section, const Extremes& extremes,
+/// Where a run on one plate was largest, in motion with times. `found` by its Extremes; `rows` of factors at `times`.
+void look_for_largest(Summary& summary, const plate::Section& section, std::vector<Peak> found,
                       const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows);
 
 /// Where a crack would grow: tips that reach the toughness, at the end or, in motion, at any time.

@@ -46,6 +46,7 @@ Peak Extremes::largest_stress(double time, const plate::Resultants& resultants) 
   Peak peak{"von_mises", {}, 0, time, {}, {}};
   if (!places.empty()) peak.outside = away;
   for (std::size_t k = 0; k < cloud.plate_points; ++k) {
+    if (!plate_->boundary().owns(k)) continue;
     const double stress = resultants.von_mises[Eigen::Index(k)];
     if (stress <= peak.value && peak.position) continue;
     const auto& x = cloud.positions[k];

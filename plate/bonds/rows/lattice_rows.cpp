@@ -9,6 +9,8 @@
 
 #include "plate/bonds/rows/folded_row.hpp"
 #include "plate/bonds/rows/point_columns.hpp"
+#include "plate/model/ranks/ranks.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -22,14 +24,18 @@ double shortest_bond(const FamilyOperator& plate) {
 /// Shear weights in single precision as multiples of one power of two, so that their sum over a family is exact: its
 /// rounding would act on the whole deflection, as a foundation does.
 template <typename Real>
-Patterns rounded(Patterns patterns) {
+Patterns rounded(Patterns patterns, const std::vector<std::uint32_t>& pattern_of, const OperatedPart& part) {
   if constexpr (std::is_same_v<Real, float>) {
+    std::vector<char> used(patterns.first.size() - 1, part.wanted.empty());
+    for (std::size_t k = 0; k < part.wanted.size(); ++k)
+      if (part.wanted[k]) used[pattern_of[k]] = 1;
     double largest = 0;  // sum over a family
-    for (std::size_t p = 0; p + 1 < patterns.first.size(); ++p) {
+    for (std::size_t p = 0; p < used.size(); ++p) {
       double sum = 0;
       for (auto b = patterns.first[p]; b < patterns.first[p + 1]; ++b) sum += std::abs(patterns.bonds[b].shear);
-      largest = std::max(largest, sum);
+      if (used[p]) largest = std::max(largest, sum);
     }
+    largest = largest_of_all(largest);
     const double quantum = std::exp2(std::ceil(std::log2(largest)) - std::numeric_limits<float>::digits);
     if (largest > 0)
       for (auto& bond : patterns.bonds) bond.shear = std::round(bond.shear / quantum) * quantum;
@@ -59,13 +65,14 @@ struct LatticeRows<Real>::Scratch {
 };
 
 template <typename Real>
-LatticeRows<Real>::LatticeRows(const FamilyOperator& plate) {
+LatticeRows<Real>::LatticeRows(const FamilyOperator& plate) : exchange_(plate.part().exchange) {
   q_.setZero(Eigen::Index(plate.points()));
   const double spacing = shortest_bond(plate);
   std::vector<std::uint32_t> pattern_of(plate.points());
   for (const auto& run : plate.runs().runs) std::fill_n(pattern_of.begin() + run.first_point, run.length, run.pattern);
-  const Patterns patterns = rounded<Real>(plate.patterns());
-  add_columns(patterns, add_rows(plate.runs(), patterns, spacing), pattern_of, spacing);
+  const Patterns patterns = rounded<Real>(plate.patterns(), pattern_of, plate.part());
+  add_columns(patterns, add_rows(plate.runs(), patterns, spacing), pattern_of, spacing, plate.part());
+  keep_wanted(plate.part().wanted);
   share_out();
 }
 
@@ -105,9 +112,11 @@ std::vector<std::uint32_t> LatticeRows<Real>::add_rows(const geometry::FamilyRun
 
 template <typename Real>
 void LatticeRows<Real>::add_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
-                                    const std::vector<std::uint32_t>& pattern_of, double spacing) {
+                                    const std::vector<std::uint32_t>& pattern_of, double spacing,
+                                    const OperatedPart& part) {
   constexpr std::uint32_t longest = 128;
-  const auto found = point_columns(patterns, points, pattern_of, spacing, lanes, longest, farthest, pitch);
+  auto found = point_columns(patterns, points, {pattern_of, part.block}, spacing, lanes, longest, farthest, pitch);
+  if (!part.wanted.empty()) std::erase_if(found.rest, [&](std::uint32_t k) { return !part.wanted[k]; });
   const auto first_pattern = std::uint32_t(patterns_.size());
   for (const auto& one : found.patterns) patterns_.push_back(row_pattern<Real>(one.bonds, one.stiffness, spacing));
   for (const auto& column : found.columns) {
@@ -118,6 +127,20 @@ void LatticeRows<Real>::add_columns(const Patterns& patterns, const std::vector<
   }
   packet_share_ = double(found.rest.size()) / std::max<double>(1, double(q_.size()));
   packets_.add(patterns, found.rest, pattern_of);
+}
+
+/// Leaves out rows and columns of which nothing is wanted; they are found with all, so that what is wanted is computed
+/// the same way in every part.
+template <typename Real>
+void LatticeRows<Real>::keep_wanted(const std::vector<char>& wanted) {
+  if (wanted.empty()) return;
+  std::erase_if(rows_, [&](const Row& row) {
+    return std::none_of(wanted.begin() + row.first, wanted.begin() + row.first + row.length, [](char w) { return w; });
+  });
+  std::erase_if(gathered_, [&](const GatheredRow& row) {
+    const auto* const first = gathered_points_.data() + row.first_point;
+    return std::none_of(first, first + row.length, [&](std::uint32_t k) { return wanted[k]; });
+  });
 }
 
 template <typename Real>
@@ -217,7 +240,7 @@ void LatticeRows<Real>::for_share(const OnRow& row, const OnGathered& gathered, 
 template <typename Real>
 void LatticeRows<Real>::internal_force(const Values<Real>& state, Values<Real>& forces) const {
   const auto count = state.cols();
-  forces.resize(3, count);
+  if (forces.cols() != count) forces.setZero(3, count);  // what is not wanted stays zero
   const Real* const w = state.data();
   const Fields<Real> in{w, w + count, w + 2 * count, q_.data()};
   const ForceFields<Real> out{forces.data(), forces.data() + count, forces.data() + 2 * count};
@@ -228,6 +251,11 @@ void LatticeRows<Real>::internal_force(const Values<Real>& state, Values<Real>& 
               [&](const GatheredRow& row) { gathered_dilatation(row, in, scratch); },
               [&](std::size_t one) { packets_.dilatation(one, in, q_.data()); });
 #pragma omp barrier
+    if (exchange_) {
+#pragma omp master
+      exchange_->fetch(std::span(q_.data(), std::size_t(q_.size())));
+#pragma omp barrier
+    }
     for_share([&](const Row& row) { row_force(row, in, out); },
               [&](const GatheredRow& row) { gathered_force(row, in, out, scratch); },
               [&](std::size_t one) { packets_.force(one, in, out); });

@@ -36,7 +36,8 @@ private:
 
   std::vector<std::uint32_t> add_rows(const geometry::FamilyRuns& runs, const Patterns& patterns, double spacing);
   void add_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
-                   const std::vector<std::uint32_t>& pattern_of, double spacing);
+                   const std::vector<std::uint32_t>& pattern_of, double spacing, const OperatedPart& part);
+  void keep_wanted(const std::vector<char>& wanted);
   void share_out();
 
   void row_dilatation(const Row& row, const Fields<Real>& in, Real* q) const;
@@ -55,6 +56,7 @@ private:
   Packets<Real> packets_;
   std::vector<double> work_;                         // up to every row, gathered row and packet, in this order
   std::size_t field_size_ = 0;                       // of Scratch
+  std::shared_ptr<const Exchange> exchange_;         // of q_, where a process holds a part of the plate only
   mutable Eigen::Array<Real, Eigen::Dynamic, 1> q_;  // by point, of the state in hand: 2 A a theta
   double row_share_ = 0, folded_share_ = 0, packet_share_ = 0;
 };

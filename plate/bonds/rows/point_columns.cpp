@@ -28,15 +28,16 @@ std::optional<std::vector<std::pair<LatticeOffset, PatternBond>>> turned(std::sp
 
 class Finder {
 public:
-  Finder(const Patterns& patterns, const std::vector<std::uint32_t>& pattern_of, double spacing, std::uint32_t farthest,
+  Finder(const Patterns& patterns, const PointNumbers& numbers, double spacing, std::uint32_t farthest,
          std::int32_t pitch)
       : patterns_(patterns),
-        pattern_of_(pattern_of),
+        pattern_of_(numbers.pattern_of),
+        block_(numbers.block),
         spacing_(spacing),
         farthest_(farthest),
         pitch_(pitch),
-        look_(pattern_of.size(), none),
-        taken_(pattern_of.size(), 0) {}
+        look_(pattern_of_.size(), none),
+        taken_(pattern_of_.size(), 0) {}
 
   PointColumns columns(const std::vector<std::uint32_t>& points, std::uint32_t shortest, std::uint32_t longest) {
     for (const auto k : points) look_[k] = look(k);
@@ -72,10 +73,13 @@ private:
     return {all + patterns_.first[pattern_of_[k]], all + patterns_.first[pattern_of_[k] + 1]};
   }
 
-  /// The neighbour one spacing above or below.
+  /// The neighbour one spacing above or below, in the same block.
   std::uint32_t beside(std::uint32_t k, int up) const {
     for (const auto& bond : bonds(k))
-      if (lattice_offset(bond, spacing_) == LatticeOffset{0, up}) return std::uint32_t(std::int64_t(k) + bond.step);
+      if (lattice_offset(bond, spacing_) == LatticeOffset{0, up}) {
+        const auto j = std::uint32_t(std::int64_t(k) + bond.step);
+        return block_.empty() || block_[j] == block_[k] ? j : none;
+      }
     return none;
   }
 
@@ -126,7 +130,7 @@ private:
   }
 
   const Patterns& patterns_;
-  const std::vector<std::uint32_t>& pattern_of_;
+  const std::vector<std::uint32_t>&pattern_of_, &block_;
   double spacing_;
   std::uint32_t farthest_;
   std::int32_t pitch_;
@@ -139,9 +143,9 @@ private:
 }  // namespace
 
 PointColumns point_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
-                           const std::vector<std::uint32_t>& pattern_of, double spacing, std::uint32_t shortest,
-                           std::uint32_t longest, std::uint32_t farthest, std::int32_t pitch) {
-  return Finder(patterns, pattern_of, spacing, farthest, pitch).columns(points, shortest, longest);
+                           const PointNumbers& numbers, double spacing, std::uint32_t shortest, std::uint32_t longest,
+                           std::uint32_t farthest, std::int32_t pitch) {
+  return Finder(patterns, numbers, spacing, farthest, pitch).columns(points, shortest, longest);
 }
 
 }  // namespace plate

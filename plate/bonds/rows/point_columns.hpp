@@ -23,10 +23,15 @@ struct PointColumns {
   std::vector<std::uint32_t> rest;  // points in no column
 };
 
+/// Of every point of the plate.
+struct PointNumbers {
+  const std::vector<std::uint32_t>& pattern_of;  // which of the patterns it has
+  const std::vector<std::uint32_t>& block;       // no column holds points of different blocks; empty: one block
+};
+
 /// Columns of `shortest` to `longest` of the given points that reach no further than `farthest` spacings.
-/// `pattern_of` [points of the plate]: which of the patterns a point has.
 PointColumns point_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
-                           const std::vector<std::uint32_t>& pattern_of, double spacing, std::uint32_t shortest,
-                           std::uint32_t longest, std::uint32_t farthest, std::int32_t pitch);
+                           const PointNumbers& numbers, double spacing, std::uint32_t shortest, std::uint32_t longest,
+                           std::uint32_t farthest, std::int32_t pitch);
 
 }  // namespace plate

@@ -50,6 +50,7 @@ std::vector<EdgeBorder> edge_borders(const std::string& name, const geometry::Cl
     if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name)
       result.push_back({pieces_of(*circle, spacing),
                         near([&](const Point& x) { return std::abs((x - circle->centre).norm() - circle->radius); })});
+  if (cloud.part) std::erase_if(result, [](const EdgeBorder& border) { return border.near.empty(); });  // elsewhere
   for (const auto& border : result)
     if (border.near.empty())
       throw std::invalid_argument("edge '" + name + "' has no point of the plate within two spacings");

@@ -10,6 +10,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/finite.hpp"
 #include "plate/solve/interruption.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -78,18 +79,26 @@ public:
   /// Sums of term(class, component, index) -> std::array<double, N>, in one order for any number of threads.
   template <std::size_t N, typename Term>
   std::array<double, N> sum(Eigen::Index points, const Term& term) const {
+    const auto visit = [&](std::size_t r, const auto& add) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto& one = classes_[runs_[r].point_class];
+        const Eigen::Index begin = Eigen::Index(c) * points + runs_[r].first;
+        for (Eigen::Index i = begin; i < begin + runs_[r].length; ++i) add(term(one, c, i));
+      }
+    };
+    if (const Ranks* all = ranks())
+      return exact_sum<N>(*all, runs_.size(), [&](std::size_t r, const auto& add) {
+        visit(r, [&](const std::array<double, N>& value) {
+          for (std::size_t n = 0; n < N; ++n) add(n, value[n]);
+        });
+      });
     std::vector<std::array<double, N>> partial(runs_.size());
 #pragma omp parallel for schedule(static)
     for (std::size_t r = 0; r < runs_.size(); ++r) {
       std::array<double, N> part{};
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto& one = classes_[runs_[r].point_class];
-        const Eigen::Index begin = Eigen::Index(c) * points + runs_[r].first;
-        for (Eigen::Index i = begin; i < begin + runs_[r].length; ++i) {
-          const auto value = term(one, c, i);
-          for (std::size_t n = 0; n < N; ++n) part[n] += value[n];
-        }
-      }
+      visit(r, [&part](const std::array<double, N>& value) {
+        for (std::size_t n = 0; n < N; ++n) part[n] += value[n];
+      });
       partial[r] = part;
     }
     std::array<double, N> total{};
@@ -183,6 +192,12 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
           {}};
 }
 
+/// Processes that share the plate stop together, at a row.
+bool stops_at(bool row) {
+  if (!ranks()) return stop_is_asked();
+  return row && largest_of_all(stop_is_asked()) > 0;
+}
+
 /// `internal_force(state, force)` in the number Real.
 template <typename Real, typename InternalForce>
 void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, Eigen::Index points,
@@ -195,7 +210,8 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   if (!from && options.start.size() > 0) masses.start(state);
   Values<Real> force;
   for (std::size_t step = from ? from->step : 0;; ++step) {
-    const bool stops = stop_is_asked();
+    const bool row = step % options.observe_every == 0 || step == options.steps;
+    const bool stops = stops_at(row);
     if (options.keep && (stops || options.due())) {
       MotionMemory memory{step, state, velocity, {}, {}, {}};
       masses.remember(memory);
@@ -204,7 +220,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     const double time = static_cast<double>(step) * dt;
     const Step now{step, time, dt, state, velocity};
     if (options.changes) options.changes->before_force(now);
-    const bool observed = step % options.observe_every == 0 || step == options.steps || stops;
+    const bool observed = row || stops;
     internal_force(state, force);
     std::optional<Eigen::VectorXd> held_force;
     if (observed && options.held_forces) held_force = constraints.on_held(force);

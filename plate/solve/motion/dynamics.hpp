@@ -8,11 +8,16 @@
 namespace plate {
 
 class Constraints;
+class Formulation;
 struct TimedLoad;
 
 /// 2 / omega with omega^2 not below the largest eigenvalue of M^-1 K: the largest value of a Lanczos iteration, which
-/// comes from below, plus 1 %, or the bound of Collatz for |K|, whichever is smaller.
-double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass);
+/// comes from below, plus 1 %, or the bound of Collatz for |K|, whichever is smaller. `start` of the iteration: absent,
+/// random numbers by the order of the points.
+double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass,
+                        std::optional<State> start = {});
+/// Of a plate with this factor of its rotary inertia; of a shared one the same for any number of processes.
+double stable_time_step(const Formulation& plate, double rotary);
 
 /// What the observer of a dynamic run sees.
 struct Instant {

@@ -2,7 +2,9 @@
 #include <optional>
 #include <random>
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/formulation.hpp"
 #include "plate/model/algebra/dense.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/reduction.hpp"
@@ -38,22 +40,21 @@ double collatz_bound(const Operator& plate, const Constraints& constraints, cons
         bound = std::max(bound, next.data()[n] / scale.data()[n]);
         largest = std::max(largest, next.data()[n] * std::sqrt(mass.data()[n]));
       }
-    smallest_bound = std::min(smallest_bound, bound);
-    scale = next / largest;
+    smallest_bound = std::min(smallest_bound, largest_of_all(bound));
+    scale = next / largest_of_all(largest);
   }
   return smallest_bound;
 }
 
 /// The largest eigenvalue of M^-1 K and a margin, by Lanczos's recursion without a basis: lost orthogonality repeats
 /// eigenvalues, but does not make the largest larger. Nothing where it does not settle.
-std::optional<double> lanczos_bound(const Operator& plate, const Constraints& constraints, const Forces& mass) {
+std::optional<double> lanczos_bound(const Operator& plate, const Constraints& constraints, const Forces& mass,
+                                    State now) {
   constexpr double tolerance = 1e-3, margin = 0.01;
   constexpr std::size_t most = 400, check_every = 10;
   const Forces root = inverse_of(mass).cwiseSqrt();
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  State now = root.unaryExpr([&](double r) { return r > 0 ? uniform(random) : 0.0; }),
-        before = State::Zero(3, now.cols());
+  now = (root.array() > 0).select(now, 0.0);
+  State before = State::Zero(3, now.cols());
   now /= std::sqrt(dot(now, now));
   std::vector<double> alpha, beta;
   Forces forces;
@@ -84,9 +85,29 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
 
 }  // namespace
 
-double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass) {
+double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass,
+                        std::optional<State> start) {
+  if (!start) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    start = mass.unaryExpr([&](double m) { return m > 0 ? uniform(random) : 0.0; });
+  }
   const double bound = collatz_bound(plate, constraints, mass);
-  return 2 / std::sqrt(std::min(bound, lanczos_bound(plate, constraints, mass).value_or(bound)));
+  return 2 / std::sqrt(std::min(bound, lanczos_bound(plate, constraints, mass, std::move(*start)).value_or(bound)));
+}
+
+double stable_time_step(const Formulation& plate, double rotary) {
+  const auto mass = plate.mass(rotary);
+  if (!ranks()) return stable_time_step(plate, plate.constraints(), mass);
+  State start(3, mass.cols());  // numbers by place, not by order
+  for (Eigen::Index k = 0; k < mass.cols(); ++k) {
+    const auto [column, row] = geometry::cell_of(plate.boundary().lattice[std::size_t(k)]);
+    std::seed_seq seed{std::uint32_t(column), std::uint32_t(row)};
+    std::array<std::uint32_t, 3> random{};
+    seed.generate(random.begin(), random.end());
+    for (Eigen::Index c = 0; c < 3; ++c) start(c, k) = std::ldexp(double(random[std::size_t(c)]), -31) - 1;
+  }
+  return stable_time_step(plate, plate.constraints(), mass, std::move(start));
 }
 
 }  // namespace plate

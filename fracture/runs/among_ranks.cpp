@@ -1,0 +1,122 @@
+#include "fracture/runs/among_ranks.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "fracture/runs/run_plan.hpp"
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/bonds/part_of_lattice.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/ranks/ranks.hpp"
+#include "post/files/archive.hpp"
+
+namespace fracture {
+namespace {
+
+/// What all processes have, one after the other.
+template <typename T>
+std::vector<T> gathered(const plate::Ranks& all, const std::vector<T>& own) {
+  std::ostringstream text;
+  {
+    cereal::BinaryOutputArchive archive(text);
+    archive(own);
+  }
+  std::vector<T> result;
+  for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), text.str()))) {
+    std::istringstream in(one);
+    cereal::BinaryInputArchive archive(in);
+    std::vector<T> theirs;
+    archive(theirs);
+    std::ranges::move(theirs, std::back_inserter(result));
+  }
+  return result;
+}
+
+/// The same for any order of the processes: the larger, the earlier, the lower, the one to the left.
+bool before(const post::Peak& a, const post::Peak& b) {
+  const auto key = [](const post::Peak& peak) {
+    const auto x = peak.position.value_or(geometry::Point(0, 0));
+    return std::array{-std::abs(peak.value), peak.time, x.y(), x.x()};
+  };
+  return key(a) < key(b);
+}
+
+}  // namespace
+
+bool speaks() {
+  return !plate::ranks() || plate::ranks()->rank() == 0;
+}
+
+std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
+  if (!plate::ranks()) return {};
+  std::vector<Unshared> result;
+  const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
+    if (asked) result.push_back({key, why + " yet, by several processes: run it by one (pdplate)"});
+  };
+  const auto& d = plan.problem.discretization;
+  refuse(!plan.moves(), "analysis.kind", "only \"dynamic\" can be run");
+  refuse(plan.moves() && plan.analysis.method != plate::Analysis::Method::central_difference, "analysis.method",
+         "only \"central_difference\" can be run");
+  refuse(plan.analysis.start == plate::Analysis::Start::equilibrium, "analysis.start",
+         "a start from equilibrium cannot be found");
+  refuse(d.formulation != &plate::ordinary, "formulation", "only \"ordinary\" can be run");
+  refuse(d.boundary != plate::EdgeMethod::images, "discretization.boundary", "only \"images\" can be run");
+  for (std::size_t i = 0; i < plan.problem.supports.size(); ++i)
+    refuse(plate::is_layer(plan.problem.supports[i].kind), "support[" + std::to_string(i) + "].kind",
+           "layers cannot be run");
+  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
+    refuse(plan.problem.loads[i].kind == plate::Load::Kind::line_load, "load[" + std::to_string(i) + "].kind",
+           "loads along lines cannot be run");
+  refuse(!plan.problem.foundations.empty(), "foundation", "foundations cannot be run");
+  refuse(!plan.problem.springs.empty(), "spring", "springs cannot be run");
+  refuse(plan.growth.has_value(), "growth", "cracks cannot grow");
+  refuse(plan.srif && plan.srif->richardson, "srif.richardson", "a second spacing cannot be run");
+  refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
+  refuse(plan.srif && plan.srif->window.value_or(0) > plate::reach_about_tips * d.spacing, "srif.window",
+         "a window wider than 34 spacings cannot be seen");
+  refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
+  refuse(plan.fields || plan.states, "output.fields", "fields and states cannot be written (output.fields = [])");
+  refuse(resumes, "--resume", "checkpoints cannot be kept");
+  return result;
+}
+
+std::vector<post::Srif> of_all(std::vector<post::Srif> own) {
+  const auto* all = plate::ranks();
+  if (!all) return own;
+  auto result = gathered(*all, own);
+  std::ranges::stable_sort(result, {}, &post::Srif::tip);
+  return result;
+}
+
+std::vector<post::Peak> of_all(std::vector<post::Peak> own) {
+  const auto* all = plate::ranks();
+  if (!all) return own;
+  auto found = gathered(*all, own);
+  std::vector<post::Peak> result;
+  for (const auto& one : own) {
+    std::erase_if(found, [&](const post::Peak& peak) { return peak.quantity == one.quantity && !peak.position; });
+    auto of_quantity = found;
+    std::erase_if(of_quantity, [&](const post::Peak& peak) { return peak.quantity != one.quantity; });
+    if (!of_quantity.empty()) result.push_back(*std::ranges::min_element(of_quantity, before));
+  }
+  return result;
+}
+
+void count_all(post::Summary& summary, const plate::Formulation& plate) {
+  const auto* all = plate::ranks();
+  if (!all) return;
+  const auto& boundary = plate.boundary();
+  std::array<std::int64_t, 4> counts{};  // points, bonds among them, fictitious points, all other bonds
+  for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k) {
+    if (!boundary.owns(k)) continue;
+    const bool real = boundary.is_plate(k);
+    ++counts[real ? 0 : 2];
+    for (const auto& bond : plate.families()[k]) ++counts[real && boundary.is_plate(bond.neighbour) ? 1 : 3];
+  }
+  all->sum(counts);
+  summary.points = std::size_t(counts[0]), summary.bonds = std::size_t(counts[1]);
+  summary.fictitious_points = std::size_t(counts[2]), summary.fictitious_bonds = std::size_t(counts[3]);
+}
+
+}  // namespace fracture

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "post/factors/srif.hpp"
+#include "post/files/summary.hpp"
+
+/// Runs that several processes share (plate/model/ranks): each holds a part of the plate and what it has found there.
+/// Where one process holds the whole plate, all of this leaves things as they are.
+namespace plate {
+class Formulation;
+}
+
+namespace fracture {
+
+struct RunPlan;
+
+/// Is this the process that writes and speaks?
+bool speaks();
+
+/// What of a run cannot be shared by processes yet: keys of the case and why. Nothing in one process.
+struct Unshared {
+  std::string key, why;
+};
+std::vector<Unshared> unshared(const RunPlan& plan, bool resumes);
+
+/// The factors that all processes have found, by tips.
+std::vector<post::Srif> of_all(std::vector<post::Srif> own);
+/// Of every quantity the largest value of all processes, and its place.
+std::vector<post::Peak> of_all(std::vector<post::Peak> own);
+/// Points and bonds of all processes, each counted by its owner.
+void count_all(post::Summary& summary, const plate::Formulation& plate);
+
+}  // namespace fracture

@@ -1,0 +1,155 @@
+#include "plate/bonds/part_of_lattice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "geometry/lattice/cell_index.hpp"
+#include "plate/model/refused.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Cell;
+
+std::string text_of(const std::vector<Cell>& cells) {
+  std::string text(cells.size() * sizeof(Cell), '\0');
+  if (!cells.empty()) std::memcpy(text.data(), cells.data(), text.size());
+  return text;
+}
+
+template <typename T>
+std::vector<T> values_of(const std::string& text) {
+  std::vector<T> values(text.size() / sizeof(T));
+  if (!values.empty()) std::memcpy(values.data(), text.data(), text.size());
+  return values;
+}
+
+/// Points of the plate that are not one's own, and what they follow.
+class Seen {
+public:
+  Seen(const PartOfLattice& part, const Boundary& boundary) : part_(part), boundary_(boundary) {
+    for (const auto& tie : boundary.constraints.ties()) leaders_.emplace_back(tie.follower / 3, tie.leader / 3);
+    std::sort(leaders_.begin(), leaders_.end());
+    leaders_.erase(std::unique(leaders_.begin(), leaders_.end()), leaders_.end());
+  }
+
+  bool own(std::uint32_t k) const { return boundary_.is_plate(k) && part_.own.contains(cell(k)); }
+  Cell cell(std::uint32_t k) const { return geometry::cell_of(boundary_.lattice[k]); }
+
+  /// Own points, and whatever follows one of these.
+  std::vector<char> wanted() const {
+    std::vector<char> result(boundary_.cloud.size(), 0);
+    for (std::uint32_t k = 0; k < boundary_.cloud.plate_points; ++k) result[k] = own(k);
+    for (const auto& [follower, leader] : leaders_)
+      if (own(leader)) result[follower] = 1;
+    return result;
+  }
+
+  /// What the wanted points see, what is about own tips [spacings], and what that follows, as far as it is not one's
+  /// own.
+  std::vector<std::uint32_t> copies(const std::vector<char>& wanted, const geometry::Families& families,
+                                    const std::vector<geometry::Point>& tips) const {
+    std::vector<char> seen = wanted;
+    for (const auto& tip : tips)
+      for (std::uint32_t k = 0; k < boundary_.cloud.plate_points; ++k)
+        if ((boundary_.lattice[k] - tip).norm() <= reach_about_tips) seen[k] = 1;
+    for (std::uint32_t k = 0; k < wanted.size(); ++k)
+      if (wanted[k])
+        for (const auto& bond : families[k]) seen[bond.neighbour] = 1;
+    for (const auto& [follower, leader] : leaders_)
+      if (seen[follower]) seen[leader] = 1;
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t k = 0; k < boundary_.cloud.plate_points; ++k)
+      if (seen[k] && !own(k)) result.push_back(k);
+    return result;
+  }
+
+private:
+  const PartOfLattice& part_;
+  const Boundary& boundary_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> leaders_;  // follower, leader: points
+};
+
+/// Asks the owners of copies for their numbers.
+std::vector<Copy> numbered(const Ranks& all, const PartOfLattice& part, const Seen& seen, const Boundary& boundary,
+                           const std::vector<std::uint32_t>& copies) {
+  const auto size = std::size_t(all.size());
+  std::vector<std::vector<std::uint32_t>> of_owner(size);
+  std::vector<std::vector<Cell>> asked(size);
+  for (const auto k : copies) {
+    const Cell cell = seen.cell(k);
+    const auto owner = std::size_t(part.partition.owner(cell));
+    of_owner[owner].push_back(k), asked[owner].push_back(cell);
+  }
+  std::vector<std::string> texts;
+  for (const auto& cells : asked) texts.push_back(text_of(cells));
+  const auto questions = all.exchanged(std::move(texts));
+  const geometry::CellIndex index(boundary.lattice);
+  std::vector<std::string> answers;
+  for (const auto& question : questions) {
+    std::string answer;
+    for (const Cell& cell : values_of<Cell>(question)) {
+      const auto k = index.at(geometry::Point(double(cell[0]) + 0.5, double(cell[1]) + 0.5)).value();
+      answer.append(reinterpret_cast<const char*>(&k), sizeof k);
+    }
+    answers.push_back(std::move(answer));
+  }
+  const auto replies = all.exchanged(std::move(answers));
+  std::vector<Copy> result;
+  for (std::size_t owner = 0; owner < size; ++owner) {
+    const auto numbers = values_of<std::uint32_t>(replies[owner]);
+    for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back({of_owner[owner][i], int(owner), numbers[i]});
+  }
+  std::sort(result.begin(), result.end(), [](const Copy& a, const Copy& b) { return a.point < b.point; });
+  return result;
+}
+
+}  // namespace
+
+std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, const Discretization& discretization) {
+  const Ranks* all = ranks();
+  if (!all) return std::nullopt;
+  const geometry::LatticeUnits units{geometry::bounding_box(outline).first, discretization.spacing};
+  geometry::Partition partition(geometry::to_lattice(outline, units), all->size());
+  if (partition.blocks() < std::size_t(all->size()))
+    throw Refused(
+        {{Subject::spacing, 0,
+          fmt::format("{:g} given makes {} blocks of {} by {} points, too few for {} processes", discretization.spacing,
+                      partition.blocks(), geometry::Partition::block[0], geometry::Partition::block[1], all->size())}});
+  const auto own = partition.box(all->rank());
+  // about what is wanted two horizons for the parameters of what a neighbour sees, the rest for images at oblique edges
+  // and for checks, which look 12 spacings far
+  const long margin = 2 * long(std::ceil(discretization.horizon_ratio)) + 24 + long(reach_about_tips);
+  return PartOfLattice{std::move(partition), own, own.grown(margin)};
+}
+
+OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geometry::Families& families,
+                      const std::vector<geometry::Tip>& tips) {
+  const Ranks& all = *ranks();
+  const Seen seen(part, boundary);
+  OperatedPart result;
+  for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k) result.block.push_back(part.partition.number(seen.cell(k)));
+  std::vector<geometry::Point> own_tips;
+  for (const auto& tip : tips)
+    if (boundary.cloud.seeded(tip.position) &&
+        seen.own(std::uint32_t(geometry::nearest_plate_point(boundary.cloud, tip.position))))
+      own_tips.push_back(boundary.cloud.units.to_lattice(tip.position));
+  result.wanted = seen.wanted();
+  boundary.own.assign(boundary.cloud.size(), 0);
+  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) boundary.own[k] = seen.own(k);
+  for (const auto& tie : boundary.constraints.ties())  // what is fictitious is whose the first point that it follows is
+    if (const auto k = tie.follower / 3; !boundary.is_plate(k) && tie.follower % 3 == 0)
+      boundary.own[k] = boundary.own[tie.leader / 3];
+  const auto copies = seen.copies(result.wanted, families, own_tips);
+  result.exchange = all.exchange(boundary.cloud.size(), numbered(all, part, seen, boundary, copies));
+  std::vector<std::uint32_t> others;  // copies, and what nobody here needs
+  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k)
+    if (!seen.own(k)) others.push_back(k);
+  boundary.constraints.copy(std::move(others), result.exchange);
+  return result;
+}
+
+}  // namespace plate

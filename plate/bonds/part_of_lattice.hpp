@@ -1,0 +1,27 @@
+#pragma once
+#include "geometry/lattice/partition.hpp"
+#include "plate/bonds/family_operator.hpp"
+#include "plate/formulation/boundary.hpp"
+
+namespace plate {
+
+/// The box of a process of ranks(), and the cells about it that it must see so that all that it computes of its own
+/// points is right: families of their neighbours' neighbours, images beyond edges.
+struct PartOfLattice {
+  geometry::Partition partition;
+  geometry::CellBox own, seen;
+};
+
+/// Nothing where one process holds the whole plate.
+/// @throws Refused  more processes than blocks of the lattice
+std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, const Discretization& discretization);
+
+/// How far about a tip its process knows the state and the forces, for intensity factors [spacings].
+constexpr double reach_about_tips = 34;  // the largest ring is 24 wide
+
+/// Ties the copies of the points of other processes to these, and returns what is computed here: forces of own points
+/// and of what follows them. What is about own tips is copied.
+OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geometry::Families& families,
+                      const std::vector<geometry::Tip>& tips);
+
+}  // namespace plate

@@ -1,0 +1,140 @@
+#include "plate/distributed/mpi_ranks.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+namespace plate {
+namespace {
+
+std::vector<int> sizes_of(const std::vector<std::string>& texts) {
+  std::vector<int> sizes;
+  for (const auto& text : texts) sizes.push_back(int(text.size()));
+  return sizes;
+}
+
+/// Where each of the pieces begins.
+std::vector<int> begins_of(const std::vector<int>& sizes) {
+  std::vector<int> begins(sizes.size(), 0);
+  std::partial_sum(sizes.begin(), sizes.end() - (sizes.empty() ? 0 : 1), begins.begin() + (sizes.empty() ? 0 : 1));
+  return begins;
+}
+
+template <typename Real>
+MPI_Datatype type_of() {
+  return std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE;
+}
+
+/// Points that go to neighbours, or come from them, neighbour by neighbour.
+struct Traffic {
+  std::vector<int> neighbours, counts;
+  std::vector<std::uint32_t> points;
+
+  void add(int neighbour, const std::vector<std::uint32_t>& these) {
+    if (these.empty()) return;
+    neighbours.push_back(neighbour), counts.push_back(int(these.size()));
+    points.insert(points.end(), these.begin(), these.end());
+  }
+};
+
+/// Neighbourhood collectives on the graph of who has copies of whose points.
+class MpiExchange : public Exchange {
+public:
+  MpiExchange(MPI_Comm all, std::size_t points, Traffic out, Traffic in)
+      : points_(points), out_(std::move(out)), in_(std::move(in)) {
+    MPI_Dist_graph_create_adjacent(all, int(in_.neighbours.size()), in_.neighbours.data(), MPI_UNWEIGHTED,
+                                   int(out_.neighbours.size()), out_.neighbours.data(), MPI_UNWEIGHTED, MPI_INFO_NULL,
+                                   0, &graph_);
+  }
+  ~MpiExchange() override {
+    int over = 0;
+    MPI_Finalized(&over);
+    if (!over) MPI_Comm_free(&graph_);
+  }
+  MpiExchange(const MpiExchange&) = delete;
+  MpiExchange& operator=(const MpiExchange&) = delete;
+
+  void fetch(std::span<double> values) const override { fetch_all(values); }
+  void fetch(std::span<float> values) const override { fetch_all(values); }
+
+private:
+  template <typename Real>
+  void fetch_all(std::span<Real> values) const {
+    const std::size_t components = values.size() / points_;
+    std::vector<Real> sent, received(components * in_.points.size());
+    sent.reserve(components * out_.points.size());
+    for (const auto k : out_.points)
+      for (std::size_t c = 0; c < components; ++c) sent.push_back(values[c * points_ + k]);
+    const auto scaled = [&](const Traffic& traffic) {
+      std::vector<int> counts = traffic.counts;
+      for (int& count : counts) count *= int(components);
+      return counts;
+    };
+    const auto out = scaled(out_), in = scaled(in_);
+    const auto out_begins = begins_of(out), in_begins = begins_of(in);
+    MPI_Neighbor_alltoallv(sent.data(), out.data(), out_begins.data(), type_of<Real>(), received.data(), in.data(),
+                           in_begins.data(), type_of<Real>(), graph_);
+    const Real* from = received.data();
+    for (const auto k : in_.points)
+      for (std::size_t c = 0; c < components; ++c) values[c * points_ + k] = *from++;
+  }
+
+  std::size_t points_;
+  Traffic out_, in_;
+  MPI_Comm graph_ = MPI_COMM_NULL;
+};
+
+}  // namespace
+
+MpiRanks::MpiRanks(MPI_Comm all) : all_(all) {
+  MPI_Comm_rank(all, &rank_);
+  MPI_Comm_size(all, &size_);
+}
+
+void MpiRanks::sum(std::span<std::int64_t> values) const {
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), int(values.size()), MPI_INT64_T, MPI_SUM, all_);
+}
+
+void MpiRanks::largest(std::span<double> values) const {
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), int(values.size()), MPI_DOUBLE, MPI_MAX, all_);
+}
+
+std::vector<std::string> MpiRanks::exchanged(std::vector<std::string> texts) const {
+  const auto out = sizes_of(texts);
+  std::vector<int> in(texts.size());
+  MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, all_);
+  std::string sent;
+  for (const auto& text : texts) sent += text;
+  std::string received(std::size_t(std::accumulate(in.begin(), in.end(), 0)), '\0');
+  const auto out_begins = begins_of(out), in_begins = begins_of(in);
+  MPI_Alltoallv(sent.data(), out.data(), out_begins.data(), MPI_BYTE, received.data(), in.data(), in_begins.data(),
+                MPI_BYTE, all_);
+  std::vector<std::string> result;
+  for (std::size_t from = 0; from < in.size(); ++from)
+    result.push_back(received.substr(std::size_t(in_begins[from]), std::size_t(in[from])));
+  return result;
+}
+
+std::unique_ptr<Exchange> MpiRanks::exchange(std::size_t points, const std::vector<Copy>& copies) const {
+  const auto processes = std::size_t(size_);
+  std::vector<std::vector<std::uint32_t>> here(processes), there(processes);
+  for (const auto& copy : copies) {
+    here[std::size_t(copy.owner)].push_back(copy.point);
+    there[std::size_t(copy.owner)].push_back(copy.of_owner);
+  }
+  std::vector<std::string> asked;
+  for (const auto& points_there : there)
+    asked.emplace_back(reinterpret_cast<const char*>(points_there.data()), points_there.size() * sizeof(std::uint32_t));
+  const auto wanted = exchanged(std::move(asked));
+  Traffic out, in;
+  for (int other = 0; other < size_; ++other) {
+    const auto& text = wanted[std::size_t(other)];
+    std::vector<std::uint32_t> sent(text.size() / sizeof(std::uint32_t));
+    if (!sent.empty()) std::memcpy(sent.data(), text.data(), text.size());
+    out.add(other, sent);
+    in.add(other, here[std::size_t(other)]);
+  }
+  return std::make_unique<MpiExchange>(all_, points, std::move(out), std::move(in));
+}
+
+}  // namespace plate

@@ -1,0 +1,25 @@
+#pragma once
+#include <mpi.h>
+
+#include "plate/model/ranks/ranks.hpp"
+
+namespace plate {
+
+/// The processes of MPI. MPI must have been initialised for calls from one thread at a time (MPI_THREAD_FUNNELED).
+class MpiRanks : public Ranks {
+public:
+  explicit MpiRanks(MPI_Comm all);
+
+  int rank() const override { return rank_; }
+  int size() const override { return size_; }
+  void sum(std::span<std::int64_t> values) const override;
+  void largest(std::span<double> values) const override;
+  std::vector<std::string> exchanged(std::vector<std::string> texts) const override;
+  std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const override;
+
+private:
+  MPI_Comm all_;
+  int rank_ = 0, size_ = 1;
+};
+
+}  // namespace plate

@@ -1,0 +1,55 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace plate {
+
+/// Fetches values of points that a process has copies of from the processes that own them.
+class Exchange {
+public:
+  virtual ~Exchange() = default;
+  /// `values` [components x points] of the process, component by component, 1 or 3 of them. All processes call it at
+  /// once, from one thread each.
+  virtual void fetch(std::span<double> values) const = 0;
+  virtual void fetch(std::span<float> values) const = 0;
+};
+
+/// A point that a process has a copy of: where it is there, and whose it is.
+struct Copy {
+  std::uint32_t point;
+  int owner;
+  std::uint32_t of_owner;  // its number there
+};
+
+/// The processes that share a plate. What they do together all of them call, in the same order.
+class Ranks {
+public:
+  virtual ~Ranks() = default;
+  virtual int rank() const = 0;
+  virtual int size() const = 0;
+  virtual void sum(std::span<std::int64_t> values) const = 0;
+  virtual void largest(std::span<double> values) const = 0;
+  /// `texts`: one for every process; returns what every process has sent here.
+  virtual std::vector<std::string> exchanged(std::vector<std::string> texts) const = 0;
+  virtual std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const = 0;
+};
+
+/// Those of the thread in hand; nothing where one process holds the whole plate.
+const Ranks* ranks();
+
+/// While it lives, the thread is one of these.
+class AmongRanks {
+public:
+  explicit AmongRanks(const Ranks& ranks);
+  ~AmongRanks();
+  AmongRanks(const AmongRanks&) = delete;
+  AmongRanks& operator=(const AmongRanks&) = delete;
+
+private:
+  const Ranks* before_;
+};
+
+}  // namespace plate

@@ -1,0 +1,137 @@
+#include "plate/bonds/part_of_lattice.hpp"
+
+#include <catch2/catch.hpp>
+#include <mutex>
+
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/model/refused.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+
+using namespace plate;
+
+namespace {
+
+/// Where and how a motion ends, whoever computed it.
+struct End {
+  double limit = 0;                          // of the time step
+  std::vector<std::array<double, 4>> books;  // strain, kinetic, discrete and outer energy of every row
+  std::map<std::array<long, 2>, std::array<double, 3>> state;  // by cell
+};
+
+Problem problem_of(geometry::Outline outline, std::vector<Support> supports, std::vector<Load> loads) {
+  Problem problem;
+  problem.outline = std::move(outline);
+  problem.section = {1000, 0.3, 0.05, 5.0 / 6, 2};
+  problem.supports = std::move(supports);
+  problem.loads = std::move(loads);
+  problem.discretization.spacing = 0.01;
+  problem.discretization.formulation = &ordinary;
+  return problem;
+}
+
+/// What this process, or the only one, has of 30 steps.
+End moved(const Problem& problem, bool mixed) {
+  constexpr std::size_t steps = 30;
+  const auto plate = discretise(problem).plate;
+  const auto& cloud = plate->cloud();
+  const auto cell = [&](std::uint32_t k) { return geometry::cell_of(plate->boundary().lattice[k]); };
+  const auto mass = plate->mass();
+  State start(3, mass.cols());
+  for (std::uint32_t k = 0; k < cloud.size(); ++k)
+    for (int c = 0; c < 3; ++c) start(c, k) = std::sin(double(7 * cell(k)[0] + 13 * cell(k)[1] + c));
+  End end;
+  end.limit = stable_time_step(*plate, plate->constraints(), mass, start);
+  const auto part = part_of_lattice(problem.outline, problem.discretization);
+  DynamicOptions options{0.9 * end.limit, steps, 10};
+  if (mixed) options.single = plate->single_precision();
+  central_differences(*plate, plate->constraints(), mass, plate->loads(), options, [&](const Instant& now) {
+    end.books.push_back({now.strain_energy, now.kinetic_energy, now.discrete_kinetic_energy, now.external_work});
+    if (now.step < steps) return;
+    for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
+      if (!part || part->own.contains(cell(k)))
+        end.state[cell(k)] = {now.state(0, k), now.state(1, k), now.state(2, k)};
+  });
+  return end;
+}
+
+End moved_by(int processes, const Problem& problem, bool mixed) {
+  End all;
+  std::mutex one_by_one;
+  thread_ranks::run(processes, [&](const Ranks& ranks) {
+    End own = moved(problem, mixed);
+    const std::lock_guard guard(one_by_one);
+    all.state.merge(own.state);
+    if (ranks.rank() == 0) all.limit = own.limit, all.books = own.books;
+    CHECK(own.state.empty());  // nobody else has any of these points
+  });
+  return all;
+}
+
+/// 1 process against the ordinary program, any other number against 1, bit for bit.
+void check(const Problem& problem, bool mixed = false) {
+  const End whole = moved(problem, mixed), one = moved_by(1, problem, mixed);
+  REQUIRE(whole.state.size() == one.state.size());
+  CHECK(one.limit == Approx(whole.limit).epsilon(1e-9));
+  double largest = 0, apart = 0;
+  for (const auto& [cell, value] : whole.state)
+    for (std::size_t c = 0; c < 3; ++c) {
+      largest = std::max(largest, std::abs(value[c]));
+      apart = std::max(apart, std::abs(value[c] - one.state.at(cell)[c]));
+    }
+  CHECK(largest > 0);
+  CHECK(apart < (mixed ? 1e-5 : 1e-10) * largest);
+  for (const int processes : {2, 3, 4, 7}) {
+    INFO(processes << " processes");
+    const End many = moved_by(processes, problem, mixed);
+    CHECK(many.limit == one.limit);
+    CHECK(many.books == one.books);
+    CHECK((many.state == one.state));
+  }
+}
+
+Load pressure(double value) {
+  Load load;
+  load.value = value;
+  return load;
+}
+
+}  // namespace
+
+TEST_CASE("a plate in parts: clamped, supported, mirrored and free edges, a crack across borders") {
+  using enum SupportKind;
+  auto problem =
+      problem_of(geometry::rectangle(0, 0, 3, 0.7),
+                 {{clamped, {"left"}, {}}, {simply_supported, {"top"}, {}}, {symmetry, {"bottom"}, {}}}, {pressure(2)});
+  problem.cracks = {{{2.2, 0.2}, {2.83, 0.49}}};
+  check(problem);
+}
+
+TEST_CASE("a plate in parts: single precision") {
+  using enum SupportKind;
+  auto problem =
+      problem_of(geometry::rectangle(0, 0, 3, 0.7), {{simply_supported_hard, {"left", "right"}, {}}}, {pressure(2)});
+  check(problem, true);
+}
+
+TEST_CASE("a plate in parts: oblique edges, a held round hole, edge loads, pins and forces") {
+  using enum SupportKind;
+  geometry::Outline outline;
+  outline.outer.vertices = {{0, 0}, {4.1, 0.03}, {4.0, 0.9}, {1.3, 1.25}};
+  outline.outer.edge_names = {"bottom", "right", "slope", "left"};
+  outline.holes.push_back(geometry::Circle{{2.6, 0.45}, 0.2, "hole"});
+  Load moment, force, shear;
+  moment.kind = Load::Kind::edge_moment, moment.edges = {"slope"}, moment.value = 3;
+  shear.kind = Load::Kind::edge_shear, shear.edges = {"left"}, shear.value = 1,
+  shear.history.kind = History::Kind::sine, shear.history.frequency = 40;
+  force.kind = Load::Kind::point_force, force.position = {2.561, 0.8}, force.value = 5;
+  auto problem = problem_of(
+      outline,
+      {{clamped, {"hole"}, {}}, {simply_supported, {"bottom"}, {}}, {simply_supported, {}, {{2.56, 0.96}, {1.4, 1.1}}}},
+      {moment, force, shear});
+  check(problem);
+}

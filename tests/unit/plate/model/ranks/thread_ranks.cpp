@@ -1,0 +1,120 @@
+#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+
+#include <algorithm>
+#include <barrier>
+#include <exception>
+#include <thread>
+
+namespace thread_ranks {
+namespace {
+
+/// What all threads see. Between two meetings everyone writes to a place of its own, or everyone reads.
+struct Common {
+  explicit Common(int count)
+      : meeting(count),
+        whole(std::size_t(count)),
+        real(std::size_t(count)),
+        texts(std::size_t(count)),
+        doubles(std::size_t(count)),
+        floats(std::size_t(count)) {}
+  std::barrier<> meeting;
+  std::vector<std::span<std::int64_t>> whole;
+  std::vector<std::span<double>> real;
+  std::vector<std::vector<std::string>> texts;  // of every sender, to every receiver
+  std::vector<std::span<double>> doubles;
+  std::vector<std::span<float>> floats;
+};
+
+class ThreadExchange : public plate::Exchange {
+public:
+  ThreadExchange(Common& common, int rank, std::size_t points, std::vector<plate::Copy> copies)
+      : common_(common), rank_(std::size_t(rank)), points_(points), copies_(std::move(copies)) {}
+
+  void fetch(std::span<double> values) const override { fetch_from(common_.doubles, values); }
+  void fetch(std::span<float> values) const override { fetch_from(common_.floats, values); }
+
+private:
+  template <typename Real>
+  void fetch_from(std::vector<std::span<Real>>& all, std::span<Real> values) const {
+    all[rank_] = values;
+    common_.meeting.arrive_and_wait();
+    const std::size_t components = values.size() / points_;
+    std::vector<Real> found;
+    for (const auto& copy : copies_) {
+      const auto& from = all[std::size_t(copy.owner)];
+      for (std::size_t c = 0; c < components; ++c)
+        found.push_back(from[c * (from.size() / components) + copy.of_owner]);
+    }
+    common_.meeting.arrive_and_wait();
+    for (std::size_t i = 0; i < copies_.size(); ++i)
+      for (std::size_t c = 0; c < components; ++c) values[c * points_ + copies_[i].point] = found[i * components + c];
+  }
+
+  Common& common_;
+  std::size_t rank_, points_;
+  std::vector<plate::Copy> copies_;
+};
+
+class ThreadRanks : public plate::Ranks {
+public:
+  ThreadRanks(Common& common, int rank) : common_(common), rank_(rank) {}
+
+  int rank() const override { return rank_; }
+  int size() const override { return int(common_.texts.size()); }
+  void sum(std::span<std::int64_t> values) const override {
+    together(common_.whole, values, [](std::int64_t a, std::int64_t b) { return a + b; });
+  }
+  void largest(std::span<double> values) const override {
+    together(common_.real, values, [](double a, double b) { return std::max(a, b); });
+  }
+  std::vector<std::string> exchanged(std::vector<std::string> texts) const override {
+    common_.texts[std::size_t(rank_)] = std::move(texts);
+    common_.meeting.arrive_and_wait();
+    std::vector<std::string> result;
+    for (const auto& from : common_.texts) result.push_back(from[std::size_t(rank_)]);
+    common_.meeting.arrive_and_wait();
+    return result;
+  }
+  std::unique_ptr<plate::Exchange> exchange(std::size_t points, const std::vector<plate::Copy>& copies) const override {
+    return std::make_unique<ThreadExchange>(common_, rank_, points, copies);
+  }
+
+private:
+  template <typename T, typename Op>
+  void together(std::vector<std::span<T>>& all, std::span<T> values, const Op& op) const {
+    all[std::size_t(rank_)] = values;
+    common_.meeting.arrive_and_wait();
+    std::vector<T> result(all.front().begin(), all.front().end());
+    for (std::size_t from = 1; from < all.size(); ++from)
+      for (std::size_t i = 0; i < result.size(); ++i) result[i] = op(result[i], all[from][i]);
+    common_.meeting.arrive_and_wait();
+    std::copy(result.begin(), result.end(), values.begin());
+  }
+
+  Common& common_;
+  int rank_;
+};
+
+}  // namespace
+
+void run(int count, const std::function<void(const plate::Ranks&)>& each) {
+  Common common(count);
+  std::vector<std::exception_ptr> thrown(std::size_t(count), nullptr);
+  std::vector<std::thread> threads;
+  for (int rank = 0; rank < count; ++rank)
+    threads.emplace_back([&, rank] {
+      const ThreadRanks own(common, rank);
+      const plate::AmongRanks among(own);
+      try {
+        each(own);
+      } catch (...) {
+        thrown[std::size_t(rank)] = std::current_exception();
+        common.meeting.arrive_and_drop();
+      }
+    });
+  for (auto& thread : threads) thread.join();
+  for (const auto& one : thrown)
+    if (one) std::rethrow_exception(one);
+}
+
+}  // namespace thread_ranks
