@@ -52,7 +52,7 @@ std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
   if (!plate::ranks()) return {};
   std::vector<Unshared> result;
   const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
-    if (asked) result.push_back({key, why + " yet, by several processes: run it by one (pdplate)"});
+    if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
   };
   const auto& d = plan.problem.discretization;
   refuse(!plan.moves(), "analysis.kind", "only \"dynamic\" can be run");
@@ -76,7 +76,7 @@ std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
   refuse(plan.srif && plan.srif->window.value_or(0) > plate::reach_about_tips * d.spacing, "srif.window",
          "a window wider than 34 spacings cannot be seen");
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
-  refuse(plan.fields || plan.states, "output.fields", "fields and states cannot be written (output.fields = [])");
+  refuse(plan.fields || plan.states, "output.fields", "fields and states cannot be written");
   refuse(resumes, "--resume", "checkpoints cannot be kept");
   return result;
 }

@@ -228,7 +228,10 @@ Discretised discretised(const Problem& problem) {
     layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline), one.history});
     load += layout.loads.back().forces;
   }
-  layout.mechanisms = part ? Mechanisms{.searched = false} : mechanisms(boundary, families, layout.pieces, load);
+  if (part)
+    layout.mechanisms.searched = false;
+  else
+    layout.mechanisms = mechanisms(boundary, families, layout.pieces, load);
   auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
   LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights),
                                     std::move(operated_part)));

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "geometry/lattice/cell_index.hpp"
+#include "plate/model/ranks/ranks.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {

@@ -1,5 +1,7 @@
 #include "post/files/hdf5/state_file.hpp"
 
+#include <array>
+#include <fstream>
 #include <stdexcept>
 
 #include "post/files/hdf5/hdf5_id.hpp"
@@ -62,6 +64,17 @@ std::string text_attribute(hid_t file, const char* name) {
   return text;
 }
 
+/// Over a damaged superblock HDF5 1.10 loses memory, or asks for gigabytes: the widths of addresses and lengths in it
+/// are those of a file of 64 bits (HDF5 file format specification, II.A). What is too short or none at all it refuses.
+void check_widths(const std::filesystem::path& path) {
+  std::array<char, 16> head{};
+  if (!std::ifstream(path, std::ios::binary).read(head.data(), head.size())) return;
+  const int version = head[8];
+  const std::size_t widths = version < 2 ? 13 : 9;
+  if (version < 0 || version > 3 || head[widths] != 8 || head[widths + 1] != 8)
+    throw std::runtime_error(path.string() + ": its head is damaged, or it is no file of HDF5");
+}
+
 StoredRun read_frames(hid_t file) {
   check_version(file);
   const Numbers position(file, "/points/position", 2), time(file, "/frames/time", 1), state(file, "/frames/state", 3);
@@ -82,6 +95,7 @@ StoredRun read_frames(hid_t file) {
 
 StoredRun read_state_file(const std::filesystem::path& path) {
   hdf5::keep_quiet();
+  check_widths(path);
   const Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path);
   try {
     return read_frames(file);
