@@ -16,6 +16,10 @@ Forces inverse_of(const Forces& mass) {
   return mass.unaryExpr([](double m) { return m > 0 ? 1 / m : 0.0; });
 }
 
+Forces root_of(const Forces& values) {
+  return values.unaryExpr([](double value) { return std::sqrt(value); });
+}
+
 double dot(const Forces& a, const State& b) {
   return ordered_sum<1>(static_cast<std::size_t>(a.size()),
                         [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
@@ -26,7 +30,7 @@ double dot(const Forces& a, const State& b) {
 double collatz_bound(const Operator& plate, const Constraints& constraints, const Forces& mass) {
   constexpr int improvements = 3;
   const Forces inverse_mass = inverse_of(mass);
-  State scale = inverse_mass.cwiseSqrt();
+  State scale = root_of(inverse_mass);
   Forces product;
   double smallest_bound = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= improvements; ++i) {
@@ -52,7 +56,7 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
                                     State now) {
   constexpr double tolerance = 1e-3, margin = 0.01;
   constexpr std::size_t most = 400, check_every = 10;
-  const Forces root = inverse_of(mass).cwiseSqrt();
+  const Forces root = root_of(inverse_of(mass));
   now = (root.array() > 0).select(now, 0.0);
   State before = State::Zero(3, now.cols());
   now /= std::sqrt(dot(now, now));
