@@ -73,8 +73,10 @@ std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
   refuse(plan.growth.has_value(), "growth", "cracks cannot grow");
   refuse(plan.srif && plan.srif->richardson, "srif.richardson", "a second spacing cannot be run");
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
-  refuse(plan.srif && plan.srif->window.value_or(0) > plate::reach_about_tips * d.spacing, "srif.window",
-         "a window wider than 34 spacings cannot be seen");
+  const double seen = plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon();
+  refuse(plan.srif && plan.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
+  refuse(plan.srif && !plan.srif->window && plan.srif->window_horizons * d.horizon() > seen, "srif.window_horizons",
+         "so wide a window cannot be seen");
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
   refuse(plan.fields || plan.states, "output.fields", "fields and states cannot be written");
   refuse(resumes, "--resume", "checkpoints cannot be kept");

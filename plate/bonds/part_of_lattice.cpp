@@ -56,7 +56,7 @@ public:
     std::vector<char> seen = wanted;
     for (const auto& tip : tips)
       for (std::uint32_t k = 0; k < boundary_.cloud.plate_points; ++k)
-        if ((boundary_.lattice[k] - tip).norm() <= reach_about_tips) seen[k] = 1;
+        if ((boundary_.lattice[k] - tip).norm() <= part_.about_tips) seen[k] = 1;
     for (std::uint32_t k = 0; k < wanted.size(); ++k)
       if (wanted[k])
         for (const auto& bond : families[k]) seen[bond.neighbour] = 1;
@@ -123,8 +123,9 @@ std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, c
   const auto own = partition.box(all->rank());
   // about what is wanted two horizons for the parameters of what a neighbour sees, the rest for images at oblique edges
   // and for checks, which look 12 spacings far
-  const long margin = 2 * long(std::ceil(discretization.horizon_ratio)) + 24 + long(reach_about_tips);
-  return PartOfLattice{std::move(partition), own, own.grown(margin)};
+  const double about_tips = reach_about_tips(discretization.horizon_ratio);
+  const long margin = 2 * long(std::ceil(discretization.horizon_ratio)) + 24 + long(std::ceil(about_tips));
+  return PartOfLattice{std::move(partition), own, own.grown(margin), about_tips};
 }
 
 OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geometry::Families& families,

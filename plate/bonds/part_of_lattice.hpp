@@ -10,6 +10,7 @@ namespace plate {
 struct PartOfLattice {
   geometry::Partition partition;
   geometry::CellBox own, seen;
+  double about_tips;  // reach_about_tips()
 };
 
 /// Nothing where one process holds the whole plate.
@@ -17,7 +18,9 @@ struct PartOfLattice {
 std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, const Discretization& discretization);
 
 /// How far about a tip its process knows the state and the forces, for intensity factors [spacings].
-constexpr double reach_about_tips = 34;  // the largest ring is 24 wide
+constexpr double reach_about_tips(double horizon_ratio) {
+  return 28 + 2 * horizon_ratio;  // the largest ring is 24 wide, and its points look a horizon farther
+}
 
 /// Ties the copies of the points of other processes to these, and returns what is computed here: forces of own points
 /// and of what follows them. What is about own tips is copied.
