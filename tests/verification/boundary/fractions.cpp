@@ -13,7 +13,7 @@ double quadrant(double r, double x, double y) {
   const auto below = [r](double t) {
     return (t * std::sqrt(std::max(0.0, r * r - t * t)) + r * r * std::asin(t / r)) / 2;
   };
-  const double straight = std::sqrt(r * r - y * y);
+  const double straight = std::sqrt(std::max(0.0, r * r - y * y));  // -0 and less where y is r, of a fused product
   return straight * y + (x > straight ? below(x) - below(straight) : 0);
 }
 
