@@ -4,9 +4,7 @@
 
 #include "fracture/growth/quasi_static/bonds.hpp"
 #include "fracture/growth/quasi_static/growing_plate.hpp"
-#include "fracture/growth/words.hpp"
 #include "geometry/lattice/cloud.hpp"
-#include "plate/model/formulation_kind.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/gate.hpp"
@@ -123,55 +121,6 @@ void QuasiStaticRun::record() {
   recorder_->table("cracks", record.crack_table());
   recorder_->cracks(record.cracks, latest_);
   if (recorder_->plots()) recorder_->picture("curves", post::picture_of_growth(plan_.title, record.growth, plan_.si()));
-}
-
-post::GrowthSummary QuasiStaticRun::growth_summary() const {
-  post::GrowthSummary growth;
-  growth.outcome = in_words(grown_.ended, growth_.by_bonds());
-  growth.advances = model_->advances();
-  growth.first_load_factor = tips_ ? first_factor_.value_or(0) : first_factor_;
-  growth.largest_load_factor = largest_factor_;
-  growth.broken_bonds = model_->broken_bonds();
-  growth.lengths = model_->lengths();
-  const auto& books = grown_.ledger;
-  if (bonds_)
-    growth.spent =
-        growth_.spent(books.external_work - books.strain, plan_.problem.section.thickness, bonds_->grown_length());
-  return growth;
-}
-
-post::Summary QuasiStaticRun::finish() {
-  constexpr double much = 0.1;  // load factors are square roots of energy release rates
-  record();
-  const bool solved = state_.cols() > 0;  // else there may be no plate
-  if (solved && doubt_ > much)
-    warnings_.push_back(
-        fmt::format("the largest intensity factor of a tip is uncertain by {:.0f} % at some advance, and "
-                    "so are load factors{}; {}",
-                    100 * doubt_, doubt_ >= 1 ? ", which mean nothing" : "", model_->plate().remedy()));
-  warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
-  post::Summary summary;
-  if (solved) summary = about(plan_, model_->plate(), warnings_);
-  summary.warnings = warnings_;
-  summary.title = plan_.title;
-  summary.units = plan_.units;
-  summary.formulation = plan_.problem.discretization.formulation->name;
-  summary.formulation_reason = plan_.formulation_reason;
-  summary.analysis.kind = plate::name_of(plate::Analysis::Kind::static_);
-  post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), plan_.analysis.tolerance);
-  post::conclude(summary, {plan_.problem.section, plan_.srif, plan_.si(), recorder_->history(), reactions_, latest_});
-  summary.growth = growth_summary();
-  summary.outcome = "done";
-  if (grown_.ended.how == End::failed || grown_.ended.how == End::interrupted)
-    summary.outcome = summary.growth->outcome, summary.analysis.stop_reason = grown_.ended.detail;
-  const auto& books = grown_.ledger;
-  summary.energy = {{"strain", books.strain},
-                    {"external_work", books.external_work},
-                    {"fracture", books.fracture},
-                    {"released", books.released()}};
-  summary = recorder_->finish(std::move(summary), stopwatch_);
-  write_report(plan_, pictures_);
-  return summary;
 }
 
 }  // namespace fracture

@@ -17,6 +17,7 @@
 #include "post/files/archive.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/html/report.hpp"
+#include "post/report/overlaps.hpp"
 #include "post/report/scene.hpp"
 
 namespace fracture {
@@ -142,7 +143,12 @@ post::Cracks Results::finish_growth(post::Summary& summary) {
 
 post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch) {
   const auto& section = plan_.problem.section;
-  if (!tip_methods_.empty()) recorder_.table("srif", factors_.table(times_));
+  std::vector<post::FaceOverlaps> overlaps;
+  if (!tip_methods_.empty()) {
+    auto table = factors_.table(times_);
+    overlaps = post::face_overlaps(table);
+    recorder_.table("srif", std::move(table));
+  }
   const auto cracks = growth_ ? finish_growth(summary) : post::given_cracks(plate_.paths());
   if (growth_ || !cracks.lines.empty()) recorder_.cracks(cracks, factors_.last());
   if (!reactions_.empty()) recorder_.table("reactions", reactions_.table());
@@ -154,11 +160,16 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   summary.frequencies = frequencies_;
   post::conclude(summary, {section, plan_.srif, plan_.si(), history, reactions_, factors_.last()});
   if (!growth_) post::look_for_largest(summary, section, of_all(extremes_.found()), times_, factors_.rows());
+  const auto at_time = [](double time) { return fmt::format("t = {:.4g}", time); };
+  const auto crack = [&](std::size_t tip) { return std::size_t(plate_.tips()[tip].crack); };
   for (const auto& some :
        {post::left_out(plate_.tips(), tip_methods_),
         post::distrust_of_factors(summary.srif, factors_.largest(), section.thickness, plate_.remedy()),
-        factors_.distrust(), post::tips_that_grow(summary)})
+        factors_.distrust(), post::tips_that_grow(summary),
+        post::distrust_of_faces(overlaps, section, growth_ ? std::function<std::size_t(std::size_t)>() : crack,
+                                plan_.moves() ? at_time : std::function<std::string(double)>())})
     summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
+  if (plan_.moves()) summary.overlaps = std::move(overlaps);
   summary = recorder_.finish(std::move(summary), stopwatch);
   write_report(plan_, pictures_);
   return summary;

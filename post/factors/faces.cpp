@@ -14,6 +14,17 @@ double equivalent(const std::array<double, 3>& K, double poisson) {
 
 }  // namespace
 
+Overlap overlap(const Srif& srif) {
+  constexpr double nothing = 1e-6;  // of the factors of moments: rounding
+  const double size = std::abs(srif.K1), least = std::max(srif.errors[0].value_or(0), nothing * std::abs(srif.K2));
+  if (!srif.resolved[0] || !(size > least)) return Overlap::unknown;
+  return srif.K1 > 0 ? Overlap::below : Overlap::above;
+}
+
+const char* name_of(Overlap overlap) {
+  return overlap == Overlap::below ? "z<0" : overlap == Overlap::above ? "z>0" : "";
+}
+
 FaceFactors at_faces(const Srif& srif, const plate::Section& section, std::optional<double> toughness) {
   const double h = section.thickness, root = std::sqrt(std::numbers::pi);
   const double bending = root * 6 / (h * h), shear = root * 3 / (2 * h);
@@ -28,6 +39,7 @@ FaceFactors at_faces(const Srif& srif, const plate::Section& section, std::optio
     errors[i] = factor[i] * srif.errors[i].value_or(0);
   }
   if (!any) return result;
+  if (srif.resolved[0]) result.overlap = 24 * std::abs(srif.K1) * std::sqrt(2 * h) / (section.young * h * h);
   result.equivalent = equivalent(K, section.poisson);
   if (known) result.error = equivalent(errors, section.poisson);
   if (!toughness) return result;

@@ -72,7 +72,8 @@ std::vector<std::string> srif_columns() {
           "samples",
           "estimated_error_K1",
           "estimated_error_K2",
-          "estimated_error_K3"};
+          "estimated_error_K3",
+          "overlaps_at"};
 }
 
 void append(Table& table, double time, const std::vector<Srif>& srifs) {
@@ -81,11 +82,12 @@ void append(Table& table, double time, const std::vector<Srif>& srifs) {
     const auto factor = [&](std::size_t i, const std::optional<double>& value) {
       return srif.resolved[i] ? cell(value) : Cell();
     };
+    const auto where = overlap(srif);
     table.rows.push_back({time, static_cast<double>(srif.tip), srif.position.x(), srif.position.y(), srif.method,
                           factor(0, srif.K1), factor(1, srif.K2), factor(2, srif.K3), factor(0, srif.F1),
                           factor(1, srif.F2), factor(2, srif.F3), cell(srif.estimated_error), srif.fit_residual,
                           static_cast<double>(srif.samples), cell(srif.errors[0]), cell(srif.errors[1]),
-                          cell(srif.errors[2])});
+                          cell(srif.errors[2]), where == Overlap::unknown ? Cell() : Cell(name_of(where))});
   }
 }
 

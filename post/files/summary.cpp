@@ -46,6 +46,7 @@ Json json_of(const Srif& srif) {
   for (std::size_t i = 0; i < 3; ++i) add(json, error[i], srif.errors[i]);
   add(json, "accuracy_reached", srif.accuracy_reached);
   add(json, "G", srif.G);
+  if (const auto where = overlap(srif); where != Overlap::unknown) json["overlaps_at"] = name_of(where);
   if (const auto& second = srif.second)
     json["second_formulation"] = {{"formulation", second->formulation},
                                   {"method", second->method},
@@ -74,6 +75,15 @@ Json json_of(const FaceFactors& faces) {
   add(json, "estimated_error_K_eq", faces.error);
   add(json, "utilisation", faces.utilisation);
   add(json, "estimated_error_utilisation", faces.utilisation_error);
+  add(json, "overlap", faces.overlap);
+  return json;
+}
+
+Json json_of(const FaceOverlaps& one) {
+  Json json{{"tip", one.tip}, {"rows", one.rows}, {"rows_above", one.above}};
+  add(json, "first_above", one.first_above);
+  add(json, "first_change", one.first_change);
+  add(json, "least_K1", one.least);
   return json;
 }
 
@@ -223,6 +233,7 @@ std::string to_json(const Summary& summary) {
   json["peak_memory_bytes"] = summary.peak_memory_bytes;
   json["srif"] = json_of(summary.srif, summary.faces);
   add(json, "toughness", summary.toughness);
+  if (!summary.overlaps.empty()) json["overlaps"] = list_of(summary.overlaps);
   if (!summary.peaks.empty()) json["peaks"] = json_of(summary.peaks, true);
   if (!summary.extremes.empty()) json["extremes"] = json_of(summary.extremes, false);
   if (const auto& reactions = summary.reactions)

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 #include "post/factors/accuracy.hpp"
+#include "post/files/balances.hpp"
 
 namespace plate {
 struct StaticSolution;
@@ -36,42 +37,12 @@ struct Peak {
   std::optional<double> outside;            // no nearer than this to tips, pins and point forces [length]
 };
 
-/// A force along w and the moments about the x and y axes through the origin; sums of nodal forces.
-struct Wrench {
-  double force = 0;                   // [force]
-  double moment_x = 0, moment_y = 0;  // [force length], as theta_x and theta_y turn
-
-  Wrench& operator+=(const Wrench& other);
-};
-
-/// What supports do to a plate at an instant (theory (67), (68)).
-struct Balance {
-  std::vector<Wrench> supports;   // by every holder
-  Wrench loads;                   // that act
-  std::optional<Wrench> inertia;  // of a motion: mass times acceleration
-  /// What is left of loads and reactions less inertia, relative to the sum of the sizes of all nodal loads or to the
-  /// largest reaction or the inertia, whichever is most; moments over half the diagonal of the plate.
-  double residual = 0;
-
-  Wrench sum() const;  // of the supports
-};
-
-/// What edges and pins do to the plate, and its balance with the loads.
-struct ReactionSummary {
-  struct Support {
-    std::string name;                         // of edges; of pins: pin0, pin1, ...
-    std::optional<geometry::Point> position;  // of a pin
-  };
-  struct Largest {
-    double time, force;
-  };
-  std::vector<Support> supports;
-  double time = 0;               // of the last row; quasi-static growth: the number of the advance
-  Balance balance;               // at this time
-  double largest_residual = 0;   // of all rows
-  std::vector<Largest> largest;  // force of every support, of all rows
-  /// Estimated error of them by the truncation of Lanczos vectors, relative to the largest.
-  std::optional<double> truncation = {};
+/// The faces behind a tip in the rows of a run: post/report/overlaps.hpp.
+struct FaceOverlaps {
+  std::size_t tip;
+  geometry::Point position;                                               // first
+  std::size_t rows = 0, above = 0;                                        // all, those with K1 < 0
+  std::optional<double> first_above = {}, first_change = {}, least = {};  // times; the least K1 where it is negative
 };
 
 /// How a growth of cracks ended.
@@ -117,6 +88,7 @@ struct Summary {
   std::vector<Srif> srif;
   std::vector<FaceFactors> faces;                      // of every entry of srif
   std::optional<double> toughness;                     // of the case
+  std::vector<FaceOverlaps> overlaps;                  // of a motion or a growth
   std::vector<Peak> peaks;                             // of a motion
   std::vector<Peak> extremes;                          // in statics
   std::optional<ReactionSummary> reactions;            // of a plate that is held

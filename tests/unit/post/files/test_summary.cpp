@@ -57,8 +57,8 @@ TEST_CASE("summary.json has the fields of its contract in their order") {
   CHECK(json["seconds"] == ordered_json{{"solve", 1.5}, {"total", 2.0}});
   CHECK(json["energy"]["strain"].is_null());
   CHECK(json["scene"][0] == ordered_json{{"name", "plate"}, {"bytes_per_point", 128.0}, {"time_share", 0.9}});
-  CHECK(names(json["srif"][0]) ==
-        std::vector<std::string>{"tip", "x", "y", "method", "K1", "K2", "K3", "F1", "fit_residual", "samples"});
+  CHECK(names(json["srif"][0]) == std::vector<std::string>{"tip", "x", "y", "method", "K1", "K2", "K3", "F1",
+                                                           "overlaps_at", "fit_residual", "samples"});
   CHECK(json["srif"][0]["K1"] == 0.1);
   CHECK(json["warnings"] == ordered_json{"first"});
 }

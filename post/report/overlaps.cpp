@@ -1,0 +1,96 @@
+#include "post/report/overlaps.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "post/files/table.hpp"
+
+namespace post {
+namespace {
+
+/// A row of the recommended method.
+struct Row {
+  double time, K1;
+  Overlap where;
+};
+
+std::map<std::size_t, std::vector<Row>> rows_by_tip(const Table& srifs, std::vector<FaceOverlaps>& tips) {
+  const auto time = srifs.column("time"), tip = srifs.column("tip"), x = srifs.column("x"), y = srifs.column("y"),
+             K1 = srifs.column("K1"), where = srifs.column("overlaps_at");
+  std::map<std::size_t, std::vector<Row>> result;
+  for (std::size_t i = 0; i < srifs.rows.size(); ++i) {
+    const auto& row = srifs.rows[i];
+    if (i > 0 && srifs.rows[i - 1][time] == row[time] && srifs.rows[i - 1][tip] == row[tip]) continue;
+    const auto* word = std::get_if<std::string>(&row[where]);
+    const auto* value = std::get_if<double>(&row[K1]);
+    const auto number = std::size_t(std::get<double>(row[tip]));
+    auto& rows = result[number];
+    if (rows.empty()) tips.push_back({number, {std::get<double>(row[x]), std::get<double>(row[y])}});
+    const auto which = !word || !value ? Overlap::unknown : *word == "z>0" ? Overlap::above : Overlap::below;
+    rows.push_back({std::get<double>(row[time]), value ? *value : 0, which});
+  }
+  return result;
+}
+
+std::string of_tip(const FaceOverlaps& tip, const plate::Section& section,
+                   const std::function<std::string(double time)>& row) {
+  Srif least;
+  least.K1 = *tip.least;
+  const auto place = fmt::format("tip {} at ({:.4g}, {:.4g})", tip.tip, tip.position.x(), tip.position.y());
+  const auto depth = fmt::format("by {:.2g} thicknesses one thickness behind it",
+                                 *at_faces(least, section, {}).overlap / section.thickness);
+  if (!row) return fmt::format("K1 = {:.4g} at {}, {}", *tip.least, place, depth);
+  return fmt::format("at {} in {} of {} rows, first at {}, where K1 is least ({:.4g}) {}", place, tip.above, tip.rows,
+                     row(*tip.first_above), *tip.least, depth);
+}
+
+}  // namespace
+
+std::vector<FaceOverlaps> face_overlaps(const Table& srifs) {
+  constexpr double nothing = 1e-3;
+  std::vector<FaceOverlaps> result;
+  const auto rows = rows_by_tip(srifs, result);
+  for (auto& tip : result) {
+    const auto& own = rows.at(tip.tip);
+    const auto size = [](const Row& row) { return std::abs(row.K1); };
+    const double largest = size(*std::ranges::max_element(own, {}, size));
+    auto before = Overlap::unknown;
+    for (const auto& row : own) {
+      ++tip.rows;
+      if (row.where == Overlap::unknown || size(row) < nothing * largest) continue;
+      if (before != Overlap::unknown && row.where != before && !tip.first_change) tip.first_change = row.time;
+      before = row.where;
+      if (row.where == Overlap::below) continue;
+      ++tip.above;
+      if (!tip.first_above) tip.first_above = row.time;
+      tip.least = std::min(tip.least.value_or(0), row.K1);
+    }
+  }
+  std::ranges::sort(result, {}, &FaceOverlaps::tip);
+  return result;
+}
+
+std::vector<std::string> distrust_of_faces(const std::vector<FaceOverlaps>& found, const plate::Section& section,
+                                           const std::function<std::size_t(std::size_t tip)>& crack,
+                                           const std::function<std::string(double time)>& row) {
+  constexpr std::size_t most = 4;  // tips of a crack that are named
+  std::map<std::size_t, std::vector<std::string>> by_crack;
+  for (const auto& tip : found)
+    if (tip.above > 0) by_crack[crack ? crack(tip.tip) : 0].push_back(of_tip(tip, section, row));
+  std::vector<std::string> result;
+  for (auto& [number, tips] : by_crack) {
+    const auto all = tips.size();
+    if (all > most) tips.resize(most), tips.push_back(fmt::format("... ({} tips in all)", all));
+    result.push_back(fmt::format(
+        "{}: K1 is negative: the crack opens at z < 0, and its faces overlap at z > 0, which K1 takes for the open "
+        "side: {}; faces that touch would make the factors smaller",
+        crack ? fmt::format("crack {}", number) : "cracks", fmt::join(tips, "; ")));
+  }
+  return result;
+}
+
+}  // namespace post

@@ -1,0 +1,23 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/files/summary.hpp"
+
+namespace post {
+
+struct Table;
+
+/// What the rows of srif.csv say of the faces behind each tip, by the recommended method: where they overlap at z > 0
+/// (K1 < 0) and when that changes. A K1 below a thousandth of the largest of its tip has no sign.
+std::vector<FaceOverlaps> face_overlaps(const Table& srifs);
+
+/// A line for every crack with a tip that has or had K1 < 0. `crack` of a tip; without it all tips are one crack's.
+/// `row`: the words for a row, by its time; without it there is one row.
+std::vector<std::string> distrust_of_faces(const std::vector<FaceOverlaps>& found, const plate::Section& section,
+                                           const std::function<std::size_t(std::size_t tip)>& crack,
+                                           const std::function<std::string(double time)>& row);
+
+}  // namespace post

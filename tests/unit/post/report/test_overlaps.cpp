@@ -1,0 +1,89 @@
+// Faces of a crack that pass through each other: on which side, by how much, and when that changes.
+#include "post/report/overlaps.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "post/files/factor_rows.hpp"
+
+using namespace post;
+
+namespace {
+
+const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 0};
+
+Srif of(std::size_t tip, double K1, double error, const char* method = "a") {
+  Srif srif;
+  srif.tip = tip, srif.K1 = K1, srif.method = method, srif.position = {double(tip), 2};
+  srif.errors[0] = error;
+  return srif;
+}
+
+Table table_of(const std::vector<std::vector<Srif>>& rows) {
+  Table table{srif_columns(), {}};
+  for (std::size_t i = 0; i < rows.size(); ++i) append(table, 0.5 * double(i), rows[i]);
+  return table;
+}
+
+}  // namespace
+
+TEST_CASE("overlaps: the side is that of the sign of K1, where it has one") {
+  CHECK(overlap(of(0, 1, 0.1)) == Overlap::below);
+  CHECK(overlap(of(0, -1, 0.1)) == Overlap::above);
+  CHECK(overlap(of(0, -1, 1.5)) == Overlap::unknown);
+  CHECK(overlap(of(0, 0, 0)) == Overlap::unknown);
+  Srif twisted = of(0, -1e-9, 0);
+  twisted.K2 = 1;
+  CHECK(overlap(twisted) == Overlap::unknown);
+  Srif lost = of(0, 1, 0.1);
+  lost.resolved[0] = false;
+  CHECK(overlap(lost) == Overlap::unknown);
+  CHECK_FALSE(at_faces(lost, section, {}).overlap.has_value());
+}
+
+TEST_CASE("overlaps: closing the faces again takes the energy that the tip releases") {
+  const double K1 = -3, h = section.thickness;
+  const double overlap = *at_faces(of(0, K1, 0), section, {}).overlap;
+  const double turn = overlap / (h / 2) / std::sqrt(2 * h);  // [psi] = turn sqrt(2 r)
+  double G = 0;  // Irwin: half the moments ahead of the tip times the turn of the faces, as if the tip had gone on by 1
+  constexpr int slices = 4000;
+  for (int i = 0; i < slices; ++i) {
+    const double angle = (i + 0.5) / slices * std::numbers::pi / 2, x = std::sin(angle) * std::sin(angle);
+    const double dx = 2 * std::sin(angle) * std::cos(angle) * std::numbers::pi / 2 / slices;
+    G += 0.5 * std::abs(K1) / std::sqrt(2 * x) * turn * std::sqrt(2 * (1 - x)) * dx;
+  }
+  CHECK(G == Approx(12 * std::numbers::pi * K1 * K1 / (section.young * h * h * h)).epsilon(1e-5));  // theory (50)
+}
+
+TEST_CASE("overlaps: rows count by the recommended method, with the times of the first and of the first change") {
+  const auto found = face_overlaps(table_of({{of(1, 0, 0), of(0, 1, 0.1), of(0, -9, 0.1, "b")},
+                                             {of(1, -4, 0.1), of(0, -2, 0.1)},
+                                             {of(1, -0.001, 0), of(0, 3, 0.1)},
+                                             {of(1, -5, 0.1), of(0, -0.5, 0.1)}}));
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].tip == 0);
+  CHECK(found[0].rows == 4);
+  CHECK(found[0].above == 2);
+  CHECK(found[0].first_above == 0.5);
+  CHECK(found[0].first_change == 0.5);
+  CHECK(found[0].least == -2.0);
+  CHECK(found[1].above == 2);  // a thousandth of the largest has no sign
+  CHECK_FALSE(found[1].first_change);
+  CHECK(found[1].position.x() == 1);
+}
+
+TEST_CASE("overlaps: one line for every crack, none where K1 is positive") {
+  const auto found = face_overlaps(table_of({{of(0, 1, 0), of(1, -2, 0), of(2, -3, 0), of(3, 4, 0), of(4, 5, 0)}}));
+  const auto crack = [](std::size_t tip) { return tip / 2; };
+  const auto lines = distrust_of_faces(found, section, crack, {});
+  REQUIRE(lines.size() == 2);
+  CHECK_THAT(lines[0], Catch::StartsWith("crack 0: K1 is negative") && Catch::Contains("K1 = -2 at tip 1 at (1, 2)"));
+  CHECK_THAT(lines[1], Catch::StartsWith("crack 1: ") && Catch::Contains("tip 2") && !Catch::Contains("tip 3"));
+  const auto moving = face_overlaps(table_of({{of(0, 1, 0)}, {of(0, -2, 0)}}));
+  const auto at = [](double time) { return "t = " + std::to_string(time).substr(0, 3); };
+  CHECK_THAT(distrust_of_faces(moving, section, crack, at).at(0),
+             Catch::Contains("at tip 0 at (0, 2) in 1 of 2 rows, first at t = 0.5"));
+  CHECK_THAT(distrust_of_faces(moving, section, {}, at).at(0), Catch::StartsWith("cracks: "));
+  CHECK(distrust_of_faces({}, section, {}, {}).empty());
+}
