@@ -6,24 +6,13 @@
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/static_solver.hpp"
 
 namespace plate {
 
 StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMethod method, Preconditioning wanted,
                           const StaticOptions& options) {
-  const auto& constraints = plate.constraints();
-  if (method == StaticMethod::adr)
-    return {adaptive_dynamic_relaxation(plate, constraints, load, options), "adr", {}, 0};
-  if (method == StaticMethod::direct) {
-    const auto factor = plate.factor();
-    const auto solution = plate.offers(Feature::symmetry)
-                              ? conjugate_gradients(plate, constraints, load, options, factor.get())
-                              : refined(plate, constraints, load, options, *factor);
-    return {solution, "direct", {}, factor->bytes()};
-  }
-  const auto [inverse, name] = plate.preconditioner(wanted);
-  return {conjugate_gradients(plate, constraints, load, options, inverse.get()), "cg", name,
-          inverse ? inverse->bytes() : 0};
+  return StaticSolver(plate, method, wanted)(load, options);
 }
 
 StaticResult static_solution(const Formulation& plate, const Analysis& analysis, const StaticOptions& options) {

@@ -44,11 +44,20 @@ std::string reason(bool converged, const StaticOptions& options) {
                    : "not converged in " + std::to_string(options.max_iterations) + " iterations";
 }
 
+/// What a state leaves of the forces `residual` on degrees of freedom that have a weight.
+template <typename Product>
+void leave(const Product& minus_k, State state, const Forces& weight, Forces& residual) {
+  Forces product;
+  minus_k(state, product);
+  residual += product.cwiseProduct((weight.array() > 0).cast<double>().matrix());
+}
+
 /// Conjugate gradients for a stiffness that is given by product(direction, forces): forces = -K direction, folded.
 /// `weight`: the inverse of its diagonal; the preconditioner where there is no other.
 template <typename Product>
 StaticSolution iterate(const Product& minus_k, const Constraints& constraints, const Forces& weight,
-                       const Preconditioner* preconditioner, const Forces& load, const StaticOptions& options) {
+                       const Preconditioner* preconditioner, const Forces& load, const StaticOptions& options,
+                       const State* start = nullptr) {
   const auto size = static_cast<std::size_t>(load.size());
   Forces residual = load;
   constraints.fold(residual);
@@ -60,11 +69,10 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
   if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
   State correction, direction = State::Zero(3, load.cols());
   Forces product;
-  double* u = result.state.data();
-  double* r = residual.data();
-  double* p = direction.data();
-  const double* d = weight.data();
   double norm = load_norm, rho = 0;
+  if (start) leave(minus_k, result.state = *start, weight, residual), norm = weighted_norm(residual, weight);
+  double *u = result.state.data(), *r = residual.data(), *p = direction.data();
+  const double* d = weight.data();
 
   for (result.iterations = 0;; ++result.iterations) {
     result.residual = norm / load_norm;
@@ -162,14 +170,15 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
 }
 
 StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& load,
-                                   const StaticOptions& options, const Preconditioner* preconditioner) {
+                                   const StaticOptions& options, const Preconditioner* preconditioner,
+                                   const State* start) {
   const auto product = [&](State& direction, Forces& forces) {
     constraints.impose(direction);
     plate.internal_force(direction, forces);
     constraints.fold(forces);
   };
   const Forces weight = inverse(folded_diagonal(plate, constraints));
-  return iterate(product, constraints, weight, preconditioner, load, options);
+  return iterate(product, constraints, weight, preconditioner, load, options, start);
 }
 
 StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& shift,

@@ -31,10 +31,12 @@ struct StaticSolution {
 StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constraints& constraints, const Forces& load,
                                            const StaticOptions& options);
 
-/// Conjugate gradients on the same operator, preconditioned by its diagonal or by what is given.
+/// Conjugate gradients on the same operator, preconditioned by its diagonal or by what is given. `start`: where they
+/// begin, nothing elsewhere.
 /// Throws NumericalError where a number is not finite or the stiffness turns out not to be positive.
 StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& load,
-                                   const StaticOptions& options, const Preconditioner* preconditioner = nullptr);
+                                   const StaticOptions& options, const Preconditioner* preconditioner = nullptr,
+                                   const State* start = nullptr);
 
 /// The same for the stiffness K + diag(shift), shift >= 0 and zero at held degrees of freedom [3 x points].
 StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& shift,
