@@ -4,6 +4,7 @@
 #include "plate/formulation/discretised.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/refused.hpp"
 #include "plate/surface/surface_formulation.hpp"
 
 namespace plate {
@@ -29,7 +30,13 @@ Discretised discretise(const Problem& problem) {
   Problem settled = problem;
   settled.discretization.formulation = &formulation_of(problem.discretization);
   settled.supports = settled_supports(problem);
-  return settled.discretization.formulation->discretise(settled);
+  try {
+    return settled.discretization.formulation->discretise(settled);
+  } catch (const NotFinite& error) {
+    std::size_t number = 0;
+    while (problem.loads[number].formula.text() != error.formula()) ++number;
+    throw Refused({{Subject::load_expression, number, error.what()}});
+  }
 }
 
 }  // namespace plate

@@ -78,8 +78,9 @@ std::string cost(const CaseFile& file) {
 
 post::Table energy_check(const CaseFile& file) {
   const Case& c = file.content;
-  if (c.analysis.kind != Analysis::Kind::static_)
-    throw CaseError({{file.place("analysis.kind"), "analysis.kind", "the energy check needs a static case"}});
+  if (c.analysis.kind != Analysis::Kind::static_ || !c.load_cases.empty())
+    throw CaseError(
+        {{file.place("analysis.kind"), "analysis.kind", "the energy check needs a static case, of one load"}});
   return unless_refused(file, [&] { return post::energy_check(c, c.analysis); });
 }
 

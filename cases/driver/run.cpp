@@ -6,6 +6,7 @@
 #include "cases/driver/results.hpp"
 #include "cases/driver/second_formulation.hpp"
 #include "fracture/runs/among_ranks.hpp"
+#include "fracture/runs/load_cases_run.hpp"
 #include "fracture/runs/quasi_static_run.hpp"
 #include "fracture/runs/run_once.hpp"
 #include "fracture/runs/trial.hpp"
@@ -65,11 +66,7 @@ CaseFile in_motion(CaseFile file, const fracture::QuasiStaticRun& run) {
   c.output.every = c.growth->duration / 10;
   c.cracks = run.cracks();
   const double factor = 1.01 * run.load_factor();
-  for (auto& load : c.loads) {
-    load.value *= factor, load.twist *= factor;
-    for (auto& component : load.tensor) component *= factor;
-    load.history = {};
-  }
+  for (auto& load : c.loads) plate::scale(load, factor), load.history = {};
   return file;
 }
 
@@ -103,6 +100,8 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
     stopwatch.lap("second_formulation");
   }
   auto [recorder, keeper] = recording_of(prepared.file.content, options);
+  if (!c.load_cases.empty())
+    return fracture::run_load_cases(prepared, plan_of(c, options), std::move(recorder), stopwatch);
   auto results = results_of(prepared, options, std::move(recorder));
   const plate::StopOnSignals signals;
   stopwatch.lap("output");

@@ -2,7 +2,9 @@
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "cases/input/refused.hpp"
-#include "geometry/shape/crack_extension.hpp"
+#include "fracture/runs/faults/analysis_faults.hpp"
+#include "fracture/runs/faults/growth_faults.hpp"
+#include "fracture/runs/load_cases_run.hpp"
 #include "geometry/shape/snapping.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/faults/edge_faults.hpp"
@@ -28,7 +30,7 @@ bool check_geometry(const Case& content, Reading& reading) {
 /// Names of edges, kinds and places of supports and loads.
 void check_edges(const Case& content, Reading& reading) {
   for (const auto& fault : plate::faults_of_edges(content)) {
-    const auto key = key_of(fault);
+    const auto key = key_of(fault, content);
     if (fault.subject == plate::Subject::support_direction &&
         !reading.sound(fmt::format("support[{}].kind", fault.number)))
       continue;
@@ -41,7 +43,7 @@ void check_lengths(const Case& content, Reading& reading) {
   for (const auto& fault : plate::faults_of_lengths(content, content.analysis)) {
     const bool known =
         fault.subject == plate::Subject::spacing ? !reading.finds_spacing : reading.sound("section.thickness");
-    if (known && reading.sound("discretization.spacing")) reading.complain(key_of(fault), fault.what);
+    if (known && reading.sound("discretization.spacing")) reading.complain(key_of(fault, content), fault.what);
   }
 }
 
@@ -59,128 +61,25 @@ void check_tips(const Case& content, Reading& reading) {
                      "there is no crack tip to find intensity factors at: remove [srif] or give geometry.cracks");
 }
 
-/// What growth by single bonds has and that by tips has not, and the other way round.
-void check_criterion(const fracture::Growth& growth, Reading& reading) {
-  using enum fracture::Growth::Criterion;
-  const bool limits = growth.criterion == curvature_shear && (growth.critical_curvature || growth.critical_shear);
-  if (!reading.given("growth.fracture_energy") && !limits)
-    reading.complain("growth.fracture_energy", "is missing, must be a number > 0");
-  if (growth.criterion != curvature_shear)
-    for (const char* key : {"growth.critical_curvature", "growth.critical_shear"})
-      if (reading.given(key)) reading.complain(key, "is of criterion = \"curvature_shear\": remove it");
-  if (!growth.by_bonds() && reading.given("growth.apparent_toughness"))
-    reading.complain("growth.apparent_toughness", "is of criteria for bonds: remove it");
-  if (limits && !reading.given("growth.fracture_energy") && reading.given("growth.apparent_toughness"))
-    reading.complain("growth.apparent_toughness",
-                     "divides what follows from growth.fracture_energy, which is not given: remove it");
-  if (growth.by_bonds())
-    for (const char* key : {"growth.direction", "growth.increment"})
-      if (reading.given(key))
-        reading.complain(key, "is of criterion = \"energy_release\": bonds break where they fail; remove it");
+void check_load_cases(const Case& content, Reading& reading) {
+  auto faults = plate::faults_of_load_cases(content);
+  for (auto& fault :
+       fracture::faults_beside_load_cases(content, content.analysis, content.growth.has_value(), content.srif))
+    faults.push_back(std::move(fault));
+  for (const auto& [key, what] : faults)
+    if (key == "combination" || reading.sound(key)) reading.complain(key, what);
 }
 
-/// From rest to motion.
-void check_switch(const Case& content, Reading& reading) {
-  const auto& growth = *content.growth;
-  const bool moves = growth.unstable == fracture::Growth::Unstable::move;
-  if (!moves) {
-    if (reading.given("growth.duration")) reading.complain("growth.duration", "is of unstable = \"move\": remove it");
-    return;
-  }
-  if (!reading.given("growth.duration")) reading.complain("growth.duration", "is missing, must be a number > 0");
-  if (!reading.given("section.density"))
-    reading.complain("section.density", "is missing, must be a number > 0: the plate may begin to move");
-  if (growth.by_bonds())
-    reading.complain(
-        "growth.unstable",
-        "\"move\" given: cracks of broken bonds cannot be handed over to a motion; choose \"stop\" or \"jump\"");
-  if (growth.control != fracture::Growth::Control::load)
-    reading.complain("growth.control",
-                     "must be \"load\" with unstable = \"move\": the loads stay while the plate moves");
-}
-
-/// How the states between which bonds break one by one, or tips run, may be found.
-void check_analysis_of_growth(const Case& content, Reading& reading) {
-  const bool moves = content.analysis.kind == Analysis::Kind::dynamic;
-  if (!moves && !content.growth->by_bonds()) return;
-  if (content.analysis.precision == Analysis::Precision::mixed)
-    reading.complain("analysis.precision", "growth is in double precision only; choose \"double\"");
-  if (moves) return;
-  if (content.analysis.method != Analysis::Method::cg)
-    reading.complain("analysis.method",
-                     "breaking bonds takes a solution for each, by conjugate gradients with one factor; choose \"cg\"");
-  if (content.analysis.preconditioner != plate::Preconditioning::automatic)
-    reading.complain("analysis.preconditioner",
-                     "bonds that break in a static case have one of their own; choose \"auto\"");
-}
-
-void check_growth(const Case& content, Reading& reading) {
-  if (!content.growth || !reading.sound("geometry")) return;
-  check_criterion(*content.growth, reading);
-  check_analysis_of_growth(content, reading);
-  if (content.analysis.kind == Analysis::Kind::static_) check_switch(content, reading);
-  const auto paths = plate::crack_paths(content);
-  if (!content.growth->by_bonds() && geometry::tips(paths).empty())
-    reading.complain("growth",
-                     "there is no crack tip that could grow: give geometry.cracks, criterion = \"bond_energy\", or "
-                     "remove [growth]");
-  double longest = 0, all = 0;
-  for (const auto& crack : content.cracks)
-    longest = std::max(longest, geometry::length(crack)), all += geometry::length(crack);
-  const double there = content.growth->by_bonds() ? all : longest;
-  if (content.growth->max_length && there >= *content.growth->max_length)
-    reading.complain("growth.max_length", fmt::format("{} given, must be larger than the {:.6g} of geometry.cracks",
-                                                      number_text(*content.growth->max_length), there));
-  const auto has = [&](const char* method) {
-    return std::ranges::find(content.srif->methods, method) != content.srif->methods.end();
+void check_analysis(const Case& content, Reading& reading) {
+  const auto given = [&](const std::string& key) { return reading.given(key); };
+  const auto complain = [&](const std::vector<plate::KeyFault>& faults) {
+    for (const auto& [key, what] : faults) reading.complain(key, what);
   };
-  if (content.srif && !content.growth->by_bonds() && !has("virtual_crack_extension") && !has("domain_integral"))
-    reading.complain("srif.methods",
-                     "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");
-  if (content.srif && content.srif->second_formulation)
-    reading.complain("srif.second_formulation",
-                     "is not available with [growth]: run both cases and compare their growth.csv");
-  if (content.srif && content.srif->richardson)
-    reading.complain("srif.richardson", "is not available with [growth]: run the case with twice the spacing");
-}
-
-/// What only steps have, and what only Lanczos vectors.
-void check_motion(const Case& content, Reading& reading) {
-  if (content.analysis.kind != Analysis::Kind::dynamic) return;
-  if (content.analysis.method != Analysis::Method::lanczos) {
-    if (reading.given("analysis.tolerance"))
-      reading.complain("analysis.tolerance", "is of method = \"lanczos\"; steps have analysis.time_step: remove it");
-    return;
-  }
-  const auto complain = [&](const char* key) {
-    reading.complain(key, "is of method = \"central_difference\"; Lanczos vectors take no steps: remove it");
-  };
-  if (content.analysis.time_step) complain("analysis.time_step");
-  if (reading.given("analysis.safety")) complain("analysis.safety");
-  if (content.analysis.precision == Analysis::Precision::mixed)
-    reading.complain("analysis.precision", "\"mixed\" is of method = \"central_difference\"; choose \"double\"");
-  if (const auto& kind = *content.discretization.formulation; !kind.offers(plate::Feature::lanczos) && !content.growth)
-    reading.complain("analysis.method", kind.lacks.at(plate::Feature::lanczos) + "; choose \"central_difference\"");
-  if (content.growth)
-    reading.complain("analysis.method",
-                     "\"lanczos\" given: growth in motion takes steps; choose \"central_difference\"");
-}
-
-/// What stands in the way of finding the discretisation.
-void check_accuracy(const Case& content, Reading& reading) {
-  if (!content.srif || !content.srif->accuracy) return;
-  const auto complain = [&](const std::string& what) { reading.complain("srif.accuracy", what); };
-  if (const auto& kind = *content.discretization.formulation; !kind.offers(plate::Feature::graded_points))
-    complain(kind.lacks.at(plate::Feature::graded_points) + " (formulation " + content.formulation_reason +
-             "): remove it or that");
-  else if (content.analysis.kind == Analysis::Kind::dynamic && content.analysis.method != Analysis::Method::lanczos)
-    complain("moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety)");
-  if (content.growth) complain("is not available with [growth]");
-  if (content.srif->richardson || content.srif->second_formulation)
-    complain("has estimates of its own: remove srif.richardson and srif.second_formulation");
-  for (const char* method : {"virtual_crack_extension", "domain_integral", "series_fit"})
-    if (std::ranges::find(content.srif->methods, method) == content.srif->methods.end())
-      complain(fmt::format("compares methods: add \"{}\" to srif.methods, or remove these", method));
+  const auto& [analysis, growth, srif] = std::tie(content.analysis, content.growth, content.srif);
+  if (growth && reading.sound("geometry"))
+    complain(fracture::faults_of_growth(content, analysis, *growth, srif, given));
+  complain(fracture::faults_of_accuracy(content, analysis, growth.has_value(), srif, content.formulation_reason));
+  complain(fracture::faults_of_motion(content, analysis, growth.has_value(), given));
 }
 
 }  // namespace
@@ -200,17 +99,17 @@ void snap_cracks(Case& content, Reading& reading) {
 }
 
 void check_case(const Case& content, Reading& reading) {
-  if (content.loads.empty() && reading.kind != Analysis::Kind::frequencies && reading.sound("load"))
+  if (content.loads.empty() && content.load_cases.empty() && reading.kind != Analysis::Kind::frequencies &&
+      reading.sound("load"))
     reading.complain("load", "nothing loads the plate: give at least one [[load]]");
   check_formulation(content, reading);
+  check_load_cases(content, reading);
   if (!check_geometry(content, reading)) return;
   check_lengths(content, reading);
   check_edges(content, reading);
   check_probes(content, reading);
   check_tips(content, reading);
-  check_growth(content, reading);
-  check_accuracy(content, reading);
-  check_motion(content, reading);
+  check_analysis(content, reading);
 }
 
 }  // namespace cases

@@ -25,6 +25,10 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   content.title = path.stem().string();
   content.discretization.formulation = plate::formulations().front();  // unless the file states another
   read_fields(case_fields(), Value(root, "", reading), content);
+  plate::join_loads(content);
+  if (const auto without = plate::settle_weights(content); without && reading.sound("section.density"))
+    reading.complain("section.density", fmt::format("is missing, must be a number > 0: {} is the plate's own weight",
+                                                    plate::key_of_load(content, *without)));
   snap_cracks(content, reading);
   settle_formulation(states_formulation(root), content, reading);
   settle_method(content, reading);

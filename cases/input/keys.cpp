@@ -22,12 +22,21 @@ const plate::Problem& problem_of(const Case& content) {
   return content;
 }
 
+/// Of [[load]]: to read them all, to write them without those of load cases.
+std::vector<plate::Load>& own_loads(Case& content) {
+  return content.loads;
+}
+std::vector<plate::Load> own_loads(const Case& content) {
+  return {content.loads.begin(), content.loads.begin() + std::ptrdiff_t(plate::shared_loads(content))};
+}
+
 }  // namespace
 
 const Fields<Case>& case_fields() {
   const auto plate_of = [](auto& content) -> auto& {
     return problem_of(content);
   };
+  const auto loads_of = [](auto& content) -> decltype(auto) { return own_loads(content); };
   static const Kinds loaded{Analysis::Kind::static_, Analysis::Kind::dynamic};
   static const Fields<Case> fields{
       text("title", &Case::title, "the file's name", "title of the case"),
@@ -41,7 +50,9 @@ const Fields<Case>& case_fields() {
       tables<Case, plate::Support>("support", Layout::block, &Case::supports, support_fields()),
       tables<Case, plate::Foundation>("foundation", Layout::block, &Case::foundations, foundation_fields()),
       tables<Case, plate::Spring>("spring", Layout::block, &Case::springs, spring_fields()),
-      tables<Case, plate::Load>("load", Layout::block, &Case::loads, load_fields(), check_load).used_in(loaded),
+      tables<Case, plate::Load>("load", Layout::block, loads_of, load_fields(), check_load).used_in(loaded),
+      tables<Case, plate::LoadCase>("case", Layout::block, &Case::load_cases, load_case_fields()),
+      tables<Case, plate::Combination>("combination", Layout::block, &Case::combinations, combination_fields()),
       table<Case, Analysis>("analysis", Layout::block, &Case::analysis, analysis_fields(), check_analysis),
       table<Case, fracture::Growth>("growth", Layout::block, &Case::growth, growth_fields()).used_in(loaded),
       table<Case, post::SrifOptions>("srif", Layout::block, &Case::srif, srif_fields(), check_srif).used_in(loaded),

@@ -7,9 +7,11 @@ struct Growth;
 }
 
 namespace plate {
+struct Combination;
 struct Discretization;
 struct Foundation;
 struct Load;
+struct LoadCase;
 struct Problem;
 struct Section;
 struct Spring;
@@ -34,6 +36,8 @@ void check_hole(const Value& hole, geometry::Hole& content);
 Fields<plate::Discretization> discretization_fields();
 Fields<plate::Support> support_fields();
 Fields<plate::Load> load_fields();
+Fields<plate::LoadCase> load_case_fields();
+Fields<plate::Combination> combination_fields();
 Fields<plate::Foundation> foundation_fields();
 Fields<plate::Spring> spring_fields();
 Fields<Analysis> analysis_fields();

@@ -5,7 +5,7 @@
 
 namespace cases {
 
-std::string key_of(const plate::Refusal& refusal) {
+std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem) {
   using enum plate::Subject;
   static const std::map<plate::Subject, const char*> keys{{geometry, "geometry"},
                                                           {cracks, "geometry.cracks"},
@@ -20,6 +20,7 @@ std::string key_of(const plate::Refusal& refusal) {
                                                           {load_edges, "load[{}].edges"},
                                                           {load_patch, "load[{}].on"},
                                                           {load_line, "load[{}].along"},
+                                                          {load_expression, "load[{}].expression"},
                                                           {foundation, "foundation[{}]"},
                                                           {foundation_patch, "foundation[{}].on"},
                                                           {spring, "spring[{}]"},
@@ -33,12 +34,16 @@ std::string key_of(const plate::Refusal& refusal) {
                                                           {duration, "analysis.duration"},
                                                           {rows, "output.history_every"},
                                                           {density, "section.density"}};
-  return fmt::format(fmt::runtime(keys.at(refusal.subject)), refusal.number);
+  const auto key = fmt::format(fmt::runtime(keys.at(refusal.subject)), refusal.number);
+  return key.starts_with("load[") ? plate::key_of_load(problem, refusal.number) + key.substr(key.find(']') + 1) : key;
 }
 
 std::vector<Problem> problems_of(const CaseFile& file, const std::vector<plate::Refusal>& refusals) {
   std::vector<Problem> problems;
-  for (const auto& one : refusals) problems.push_back({file.place(key_of(one)), key_of(one), one.what});
+  for (const auto& one : refusals) {
+    const auto key = key_of(one, file.content);
+    problems.push_back({file.place(key), key, one.what});
+  }
   return problems;
 }
 

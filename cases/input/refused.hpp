@@ -5,7 +5,7 @@
 namespace cases {
 
 /// The key that a refusal is about.
-std::string key_of(const plate::Refusal& refusal);
+std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem);
 
 /// What a plate refuses, as problems of the case.
 std::vector<Problem> problems_of(const CaseFile& file, const std::vector<plate::Refusal>& refusals);

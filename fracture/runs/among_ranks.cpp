@@ -70,6 +70,10 @@ std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
            "loads along lines cannot be run");
   refuse(!plan.problem.foundations.empty(), "foundation", "foundations cannot be run");
   refuse(!plan.problem.springs.empty(), "spring", "springs cannot be run");
+  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
+    refuse(plan.problem.loads[i].formula.given(), plate::key_of_load(plan.problem, i) + ".expression",
+           "expressions cannot be run");
+  refuse(!plan.problem.load_cases.empty(), "case", "load cases cannot be run");
   refuse(plan.growth.has_value(), "growth", "cracks cannot grow");
   refuse(plan.srif && plan.srif->richardson, "srif.richardson", "a second spacing cannot be run");
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");

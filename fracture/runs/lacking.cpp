@@ -12,6 +12,7 @@ namespace {
 std::string lacking_whole(const RunPlan& plan, const std::string& name) {
   const bool modes = plan.analysis.kind == plate::Analysis::Kind::frequencies;
   if (name == "frequency") return modes ? "" : "the case has no frequencies";
+  if (!plan.problem.load_cases.empty()) return "the case has load cases: envelope.csv and srif.csv have their factors";
   if (modes) return "the case has frequencies only";
   if (name.ends_with("_peak") && (!plan.moves() || plan.growth))
     return "peaks in time are of dynamic cases without growth";

@@ -6,6 +6,7 @@
 #include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/outline.hpp"
 #include "plate/model/history.hpp"
+#include "plate/model/loading/formula.hpp"
 
 namespace plate {
 
@@ -16,6 +17,8 @@ struct Load {
   double value = 0;                     // pressure [force/length^2], moment, shear and line load per length, force
   geometry::Point gradient{0, 0};       // of the pressure [force/length^3], which has its value at `from`
   geometry::Point from{0, 0};           // [length]
+  Formula formula;                      // the pressure, instead of the three [force/length^2]
+  std::optional<double> gravity;        // along w: the value is density thickness gravity [length/time^2]
   std::optional<geometry::Hole> patch;  // the pressure acts on this part of the plate alone
   geometry::Polyline along;             // line_load
   double twist = 0;                     // edge_moment: M_ns beside the normal moment, s = normal turned by +90 degrees
@@ -26,8 +29,10 @@ struct Load {
   History history;
 
   /// The same pressure everywhere?
-  bool uniform() const { return !patch && gradient.isZero(0); }
-  double pressure(const geometry::Point& x) const { return value + gradient.dot(x - from); }
+  bool uniform() const { return !patch && gradient.isZero(0) && !formula.given(); }
+  double pressure(const geometry::Point& x) const {
+    return formula.given() ? formula(x) : value + gradient.dot(x - from);
+  }
 };
 
 }  // namespace plate

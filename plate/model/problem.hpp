@@ -4,6 +4,7 @@
 #include "geometry/shape/crack_path.hpp"
 #include "plate/model/discretization.hpp"
 #include "plate/model/elastic/elastic_supports.hpp"
+#include "plate/model/loading/load_cases.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/section.hpp"
 #include "plate/model/supports.hpp"
@@ -20,6 +21,8 @@ struct Problem {
   std::vector<Load> loads;
   std::vector<Foundation> foundations = {};
   std::vector<Spring> springs = {};
+  std::vector<LoadCase> load_cases = {};  // in statics; their loads stand behind the others in `loads` (join_loads)
+  std::vector<Combination> combinations = {};
 
   bool elastically_held() const { return !foundations.empty() || !springs.empty(); }
 };

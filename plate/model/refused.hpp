@@ -20,6 +20,7 @@ enum class Subject {
   load_edges,
   load_patch,
   load_line,
+  load_expression,
   foundation,
   foundation_patch,
   spring,

@@ -190,6 +190,25 @@ Json json_of(const AccuracySummary& accuracy) {
   return json;
 }
 
+Json json_of(const LoadCaseSummary& one) {
+  Json json{{"name", one.name}};
+  if (!one.of.empty()) json["of"] = json_of(one.of);
+  add(json, "iterations", one.iterations);
+  add(json, "residual", one.residual);
+  json["srif"] = json_of(one.srif, one.faces);
+  json["extremes"] = json_of(one.extremes, false);
+  if (one.reactions) json["reactions"] = json_of(*one.reactions, false);
+  json["energy"] = {{"strain", one.strain_energy}, {"external_work", one.external_work}};
+  return json;
+}
+
+Json json_of(const EnvelopeEntry& one) {
+  Json json{{"tip", one.tip},           {"x", one.position.x()}, {"y", one.position.y()},
+            {"quantity", one.quantity}, {"value", one.value},    {"case", one.of}};
+  add(json, "estimated_error", one.error);
+  return json;
+}
+
 }  // namespace
 
 Wrench& Wrench::operator+=(const Wrench& other) {
@@ -238,6 +257,8 @@ std::string to_json(const Summary& summary) {
   if (!summary.extremes.empty()) json["extremes"] = json_of(summary.extremes, false);
   if (const auto& reactions = summary.reactions)
     json["reactions"] = json_of(*reactions, summary.growth || summary.analysis.kind == "dynamic");
+  for (const auto& one : summary.load_cases) json["load_cases"].push_back(json_of(one));
+  for (const auto& one : summary.envelope) json["envelope"].push_back(json_of(one));
   if (summary.deflection_over_thickness)
     json["sanity"] = {{"deflection_over_thickness", *summary.deflection_over_thickness}};
   if (summary.multipliers) json["multipliers"] = *summary.multipliers;

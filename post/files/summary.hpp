@@ -45,6 +45,29 @@ struct FaceOverlaps {
   std::optional<double> first_above = {}, first_change = {}, least = {};  // times; the least K1 where it is negative
 };
 
+/// One load case, or a combination of some.
+struct LoadCaseSummary {
+  std::string name;
+  std::vector<std::pair<std::string, double>> of = {};  // of a combination
+  std::optional<std::size_t> iterations = {};           // of a load case
+  std::optional<double> residual = {};
+  std::vector<Srif> srif = {};
+  std::vector<FaceFactors> faces = {};  // of every entry of srif
+  std::vector<Peak> extremes = {};
+  std::optional<ReactionSummary> reactions = {};
+  double strain_energy = 0, external_work = 0;
+};
+
+/// The largest of all load cases and combinations: K1, K2, K3 or G of a tip, and which of them gives it.
+struct EnvelopeEntry {
+  std::size_t tip;
+  geometry::Point position;
+  std::string quantity;
+  double value;
+  std::optional<double> error;  // estimated
+  std::string of;
+};
+
 /// How a growth of cracks ended.
 struct GrowthSummary {
   std::string outcome;
@@ -92,6 +115,8 @@ struct Summary {
   std::vector<Peak> peaks;                             // of a motion
   std::vector<Peak> extremes;                          // in statics
   std::optional<ReactionSummary> reactions;            // of a plate that is held
+  std::vector<LoadCaseSummary> load_cases;             // then combinations
+  std::vector<EnvelopeEntry> envelope;                 // of them
   std::optional<double> deflection_over_thickness;     // the largest of the run
   std::optional<double> multipliers;                   // the forces that they add, over the loads
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it

@@ -48,12 +48,13 @@ Json of_value(const std::string& text) {
   if (begins("[xmin")) return numbers(4);
   if (begins("[x, y, radius]") || begins("[Mxx")) return numbers(3);
   if (begins("[x, y]")) return numbers(2);
+  if (begins("{ name = factor")) return {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
   if (begins("{ name")) return {{"type", "object"}, {"additionalProperties", numbers(2)}};
   if (begins("a list of \"")) return list({{"enum", quoted(text)}});
   if (begins("a list of") || begins("one name")) return list({{"type", "string"}});
   if (begins("one of")) return {{"enum", quoted(text)}};
   if (begins("true or false")) return {{"type", "boolean"}};
-  if (begins("a string")) return {{"type", "string"}};
+  if (begins("a string") || begins("an expression") || begins("letters")) return {{"type", "string"}};
   if (text.find("table [[") != std::string::npos) return {{"anyOf", {{{"enum", quoted(text)}}, list(numbers(2))}}};
   if (begins("\"")) return {{"anyOf", {{{"enum", quoted(text)}}, of_number(text)}}};
   return of_number(text);

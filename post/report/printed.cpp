@@ -11,6 +11,7 @@
 
 #include "post/files/summary.hpp"
 #include "post/report/conclusion.hpp"
+#include "post/report/load_cases.hpp"
 
 namespace post {
 namespace {
@@ -35,20 +36,6 @@ void growth(Text out, const GrowthSummary& growth) {
   fmt::format_to(out, "\n");
 }
 
-/// K1, K2, K3 as they are printed.
-std::array<std::string, 3> texts(const Srif& srif, double thickness) {
-  const std::array values{srif.K1, srif.K2, srif.K3};
-  const double largest = largest_factor(srif, thickness);
-  std::array<std::string, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double size = std::abs(values[i]), moment = i == 2 ? size * thickness : size;
-    const bool zero =
-        moment < rounding * largest || (moment < nothing * largest && size <= srif.errors[i].value_or(INFINITY));
-    result[i] = !srif.resolved[i] ? "-" : zero ? "0" : fmt::format("{:.6g}", values[i]);
-  }
-  return result;
-}
-
 /// The largest estimated error of the factors that are resolved, relative to the largest of them; where no errors of
 /// single factors are known, that of all.
 std::optional<double> error_of(const Srif& srif, double thickness) {
@@ -71,7 +58,7 @@ std::string in_percent(double error) {
 void row(Text out, const Srif& srif, bool normalized, double thickness) {
   constexpr double rough = 0.1;
   fmt::format_to(out, "{:>4} {:>9.4g} {:>9.4g}", srif.tip, srif.position.x(), srif.position.y());
-  const auto K = texts(srif, thickness);
+  const auto K = factor_texts(srif, thickness);
   for (const auto& text : K) fmt::format_to(out, " {:>13}", text);
   const std::array F{srif.F1, srif.F2, srif.F3};
   for (std::size_t i = 0; i < 3 && normalized; ++i)
@@ -177,6 +164,24 @@ void accuracy(Text out, const AccuracySummary& accuracy) {
 
 }  // namespace
 
+std::array<std::string, 3> factor_texts(const Srif& srif, double thickness) {
+  const std::array values{srif.K1, srif.K2, srif.K3};
+  const double largest = largest_factor(srif, thickness);
+  std::array<std::string, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double size = std::abs(values[i]), moment = i == 2 ? size * thickness : size;
+    const bool zero =
+        moment < rounding * largest || (moment < nothing * largest && size <= srif.errors[i].value_or(INFINITY));
+    result[i] = !srif.resolved[i] ? "-" : zero ? "0" : fmt::format("{:.6g}", values[i]);
+  }
+  return result;
+}
+
+std::string error_text(const Srif& srif, double thickness) {
+  const auto error = error_of(srif, thickness);
+  return error ? in_percent(*error) : "";
+}
+
 std::string printed(const Summary& summary, bool si, double thickness, const std::filesystem::path& folder) {
   std::string text;
   const Text out(text);
@@ -189,6 +194,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   if (!summary.srif.empty() && !summary.peaks.empty()) fmt::format_to(out, "at the end of the duration:\n");
   if (!summary.srif.empty()) factors(out, summary.srif, si, thickness);
   if (!summary.faces.empty() && (si || summary.toughness)) faces(out, summary, si);
+  if (!summary.load_cases.empty()) text += printed_load_cases(summary, si, thickness);
   if (summary.reactions) reactions(out, *summary.reactions, si);
   if (summary.multipliers)
     fmt::format_to(out, "multipliers add forces of {:.2g} of the loads beside the edges\n", *summary.multipliers);

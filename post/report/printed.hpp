@@ -1,9 +1,11 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <string>
 
 namespace post {
 
+struct Srif;
 struct Summary;
 
 /// What a user reads at the end of a run: one row of factors per tip by the recommended method, the other methods below
@@ -11,5 +13,9 @@ struct Summary;
 /// largest of their tip, or below 1e-6 of it and their estimated error, are printed as 0. The error of a row
 /// is that of the factors that it has: one that is not resolved is "-" and does not count.
 std::string printed(const Summary& summary, bool si, double thickness, const std::filesystem::path& folder);
+
+/// K1, K2, K3 as they are printed, and the error of a row; empty where it is not known.
+std::array<std::string, 3> factor_texts(const Srif& srif, double thickness);
+std::string error_text(const Srif& srif, double thickness);
 
 }  // namespace post

@@ -67,11 +67,15 @@ void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces)
 
 void ReactionRows::add(double time, const plate::Formulation& plate, const plate::Operator& forces,
                        const plate::State& state, double share) {
+  add(time, plate, forces, state, plate::Forces(share * plate.total_load()));
+}
+
+void ReactionRows::add(double time, const plate::Formulation& plate, const plate::Operator& forces,
+                       const plate::State& state, const plate::Forces& load) {
   supports_ = supports_of(plate);
   if (supports_.empty()) return;
   const Supports supports(plate.boundary());
-  auto loads = supports.nothing();
-  loads.add(share, supports.applied(plate.total_load()));
+  const auto loads = supports.applied(load);
   balances_.emplace_back(time, supports.balance(on_held(plate, forces, state), loads, nullptr, state));
 }
 

@@ -31,6 +31,10 @@ public:
   void add(double time, const plate::Formulation& plate, const plate::Operator& forces, const plate::State& state,
            double share);
 
+  /// In equilibrium under a load.
+  void add(double time, const plate::Formulation& plate, const plate::Operator& forces, const plate::State& state,
+           const plate::Forces& load);
+
   /// By the Lanczos vectors that move the plate: ReactionSummary::truncation.
   void truncated(double share) { truncation_ = share; }
 

@@ -27,7 +27,7 @@ Fields<plate::Section> section_fields() {
       number<Section>("shear_correction", "-", &Section::shear_correction, {0, 1, true},
                       "factor of the transverse shear stiffness"),
       number<Section>("density", "mass/length^3", &Section::density, positive,
-                      "mass density; without effect in statics")
+                      "mass density; in statics of own weight alone")
           .required({Analysis::Kind::dynamic, Analysis::Kind::frequencies}),
   };
 }

@@ -16,4 +16,9 @@ std::vector<std::string> chosen(const Value& given, const Words<int>& words) {
   return result;
 }
 
+bool bare(const std::string& name) {
+  return !name.empty() &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+}
+
 }  // namespace cases

@@ -70,6 +70,9 @@ struct Words {
   }
 };
 
+/// Letters, digits, _ and - only?
+bool bare(const std::string& name);
+
 /// A list of words without repetition.
 std::vector<std::string> chosen(const Value& given, const Words<int>& words);
 

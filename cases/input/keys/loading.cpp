@@ -120,6 +120,21 @@ Field<T> points(const std::string& name, std::vector<geometry::Point> T::*member
   return value<T>({name, "length", "[[x, y], ...]", "", help}, read, text);
 }
 
+Field<Load> expression() {
+  return value<Load>(
+      {"expression", "force/length^2", "an expression in x, y and pi", "",
+       "the pressure, as \"100 * sin(pi * x / 2)\""},
+      [](const Value& given, Load& load) {
+        const auto text = given.text();
+        if (text) try {
+            load.formula = plate::Formula(*text);
+          } catch (const std::invalid_argument& error) {
+            given.complain(error.what());
+          }
+      },
+      [](const Load& load) { return load.formula.given() ? quoted(load.formula.text()) : ""; });
+}
+
 /// A value or twist: absent from what is written where a tensor replaces it.
 Field<Load> amount(const std::string& name, const std::string& unit, double Load::*member, const std::string& help) {
   auto field = number<Load>(name, unit, member, finite, help);
@@ -154,14 +169,24 @@ Fields<Load> load_fields() {
   const auto frequency = [](auto& load) -> auto& {
     return load.history.frequency;
   };
+  const Condition<Load> by_value{"kind", "kind = pressure with a value", [](const Load& load) {
+                                   return load.kind == pressure && !load.formula.given() && !load.gravity;
+                                 }};
   return {
       choice<Load, Load::Kind>("kind", &Load::kind, load_kinds, "what acts; see \"Loads\" and \"Signs\"").required(),
+      expression().with(kind_is({pressure})),
+      number<Load>("gravity", "length/time^2", &Load::gravity, finite,
+                   "own weight: the pressure is density thickness gravity, along w")
+          .with({"kind", "kind = pressure without expression",
+                 [](const Load& load) { return load.kind == pressure && !load.formula.given(); }}),
       amount("value", "force/length^2, force, force/length, force, force/length", &Load::value,
              "pressure, edge moment per length, edge shear per length, point force, force per length of a line")
-          .standard("required without tensor"),
+          .with({"kind", "neither expression nor gravity",
+                 [](const Load& load) { return !load.formula.given() && !load.gravity; }})
+          .standard("required without tensor, expression and gravity"),
       point("gradient", "force/length^3", &Load::gradient, "[x, y]", "what the pressure grows by along x and y")
-          .with(kind_is({pressure})),
-      point("from", "length", &Load::from, "[x, y]", "where the pressure has its value").with(kind_is({pressure})),
+          .with(by_value),
+      point("from", "length", &Load::from, "[x, y]", "where the pressure has its value").with(by_value),
       table<Load, geometry::Hole>("on", Layout::inline_, &Load::patch,
                                   hole_fields("the disc that the pressure acts on, without it the plate",
                                               "the polygon that the pressure acts on, without it the plate"),
@@ -190,18 +215,6 @@ Fields<Load> load_fields() {
   };
 }
 
-Fields<plate::Foundation> foundation_fields() {
-  using F = plate::Foundation;
-  return {
-      number<F>("modulus", "force/length^3", &F::modulus, positive, "what w is answered with (Winkler)").required(),
-      number<F>("shear", "force/length", &F::shear, {0}, "the shear layer on top of it (Pasternak)"),
-      table<F, geometry::Hole>("on", Layout::inline_, &F::patch,
-                               hole_fields("the disc that lies on the foundation, without it the plate",
-                                           "the polygon that lies on the foundation, without it the plate"),
-                               check_hole),
-  };
-}
-
 Fields<plate::Spring> spring_fields() {
   using S = plate::Spring;
   const auto position = value<S>(
@@ -223,8 +236,9 @@ Fields<plate::Spring> spring_fields() {
 
 void check_load(const Value& given, Load& load) {
   auto& reading = given.reading();
-  const bool has_value = reading.given(given.below("value")), has_tensor = reading.given(given.below("tensor"));
-  if (!has_value && !has_tensor) reading.complain(given.below("value"), "is missing, must be a finite number");
+  const auto has = [&](const char* name) { return reading.given(given.below(name)); };
+  if (!has("value") && !has("tensor") && !has("expression") && !has("gravity"))
+    reading.complain(given.below("value"), "is missing, must be a finite number");
   for (const char* name : {"value", "twist"})
     if (load.has_tensor && reading.given(given.below(name)))
       reading.complain(given.below(name),

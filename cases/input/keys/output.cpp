@@ -1,4 +1,4 @@
-#include "cases/input/output.hpp"
+#include "cases/input/case.hpp"
 #include "cases/input/keys.hpp"
 
 namespace cases {
@@ -27,11 +27,6 @@ Field<Output> fields() {
         if (output.hdf5) names.push_back("hdf5");
         return text_of(names);
       });
-}
-
-bool bare(const std::string& name) {
-  return !name.empty() &&
-         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
 }
 
 Field<Output> probes() {

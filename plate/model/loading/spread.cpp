@@ -19,8 +19,41 @@ struct Thrust {
   Point moment{0, 0};
 };
 
+/// Throws where a formula has no value: where it is not finite, and where only rounding makes a number of what has no
+/// limit, so that what is next to it, a millionth of `size` away, is smaller by orders.
+void require_value(const Formula& formula, const Point& x, double usual, double size) {
+  constexpr double near = 1e-6, orders = 1e-3;
+  const double value = std::abs(formula(x));
+  if (!std::isfinite(value)) throw NotFinite(formula, x);
+  if (!(usual < near * value)) return;
+  const auto beside = [&](double dx, double dy) { return std::abs(formula(x + near * size * Point(dx, dy))); };
+  const double most = std::max({beside(1, 0.7), beside(-1, 0.7), beside(1, -0.7), beside(-1, -0.7)});
+  if (most < orders * value) throw NotFinite(formula, x);
+}
+
+/// By the middles of the sides of the triangles that a piece makes with its middle: exact to the second order.
+Thrust thrust_of_formula(const Load& load, const Ring& piece, const Point& about) {
+  Thrust result;
+  Point middle(0, 0);
+  for (const Point& x : piece) middle += x / double(piece.size());
+  const double size = (piece.front() - middle).norm();
+  require_value(load.formula, middle, std::abs(load.formula(piece.front())), size);
+  const double usual = std::abs(load.formula(middle));
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const Point &a = piece[i], &b = piece[(i + 1) % piece.size()];
+    const double area = ((a - middle).x() * (b - middle).y() - (a - middle).y() * (b - middle).x()) / 2;
+    for (const Point& x : {Point((a + b) / 2), Point((b + middle) / 2), Point((middle + a) / 2)}) {
+      require_value(load.formula, x, usual, size);
+      const double force = area / 3 * load.pressure(x);
+      result.force += force, result.moment += force * (x - about);
+    }
+  }
+  return result;
+}
+
 Thrust thrust(const Load& load, const Ring& piece, const Point& about) {
   if (piece.empty()) return {};
+  if (load.formula.given()) return thrust_of_formula(load, piece, about);
   const auto [area, first, second] = geometry::moments(piece, about);
   const double p = load.pressure(about);
   return {p * area + load.gradient.dot(first), p * first + second * load.gradient};

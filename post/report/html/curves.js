@@ -66,6 +66,7 @@ function reaction_plot() {
 }
 
 function curves() {
+  if (data.summary.load_cases) return []; // numbers of cases are no time
   const h = data.plate.section.thickness, most = Math.max(largest(tables.srif?.K1), largest(tables.srif?.K2), h * largest(tables.srif?.K3));
   const noise = { K1: 1e-3 * most, K2: 1e-3 * most, K3: (1e-3 * most) / h }; // less is no more than that of a symmetric plate
   const drawn_plots = [

@@ -101,3 +101,26 @@ function largest_section(list, title) {
     ...(timed ? [value(`${list}[${i}].time`, 5)] : []), [place(one, i), words(one)]]));
   return section(title, table(columns, rows.filter(Boolean), { "data-table": list }));
 }
+
+/** Factors, forces and the largest deflection of every load case and combination, and the envelope of them all. */
+function load_cases_section() {
+  const all = data.summary.load_cases;
+  if (!Array.isArray(all) || all.length === 0) return null;
+  const columns = [{ title: "case", left: true }, { title: "tip" }, ...factor_names.map(name => ({ title: name, unit: unit(name) })), { title: "error" }];
+  const rows = all.flatMap((one, n) => [...grouped(one.srif, srif => srif.tip).values()].map(([i]) => {
+    const srif = one.srif[i], path = `load_cases[${n}].srif[${i}]`;
+    return [one.name, value(`${path}.tip`), ...factor_names.map(name => factor_cell(srif, path, name)), error_cell(srif)];
+  }));
+  const sizes = all.map((one, n) => [one.of ? [one.name, " = ", Object.entries(one.of).map(([name, x], i) => `${i ? " + " : ""}${shown(x, 6)} ${name}`)] : one.name,
+    one.reactions ? value(`load_cases[${n}].reactions.loads.force`, 5) : null, ...["w", "von_mises"].map(name => {
+      const at = (one.extremes ?? []).findIndex(peak => peak.quantity === name);
+      return at < 0 ? null : value(`load_cases[${n}].extremes[${at}].value`, 5);
+    })]);
+  const { envelope } = data.summary;
+  return section("Load cases", rows.length ? table(columns, rows, { "data-table": "load_cases" }) : null,
+    envelope?.length ? [element("h3", {}, "Largest of all"), table([{ title: "tip" }, { title: "" , left: true }, { title: "largest" }, { title: "case", left: true }],
+      envelope.map((one, i) => [value(`envelope[${i}].tip`), one.quantity, ...(one.estimated_error > Math.abs(one.value) ? ["not resolved in all", null]
+        : [[value(`envelope[${i}].value`), one.estimated_error === undefined ? null : element("span", { class: "error" }, ` ± ${shown(one.estimated_error, 2)}`)], one.case])]), { "data-table": "envelope" })] : null,
+    element("h3", {}, "Forces and deflections"), table([{ title: "case", left: true }, { title: "load along w", unit: unit("force") }, { title: "largest w", unit: unit("w") }, { title: "largest von Mises", unit: unit("von_mises") }], sizes),
+    note("Frames and rows of tables count load cases, then combinations, from 1 in the place of time."));
+}

@@ -97,6 +97,7 @@ function bar(field) {
 
 function frame_words(frame) {
   if (data.summary.analysis.kind === "frequencies") return `mode ${frame.time}`;
+  if (data.summary.load_cases) return data.summary.load_cases[frame.time - 1]?.name ?? "";
   if (moves) return `t = ${shown(frame.time, 4)}${unit("time") ? ` ${unit("time")}` : ""}`;
   return grows ? `advance ${frame.time}` : "";
 }

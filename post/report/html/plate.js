@@ -195,7 +195,7 @@ function plate_drawing() {
 function plate_words() {
   const { section: s } = plate, on = edges => (edges.length ? ` on ${listed(edges)}` : "");
   const load = one => {
-    const value_of = one.tensor ? `Mxx, Myy, Mxy = ${one.tensor.map(x => shown(x)).join(", ")}` : shown(one.value);
+    const value_of = one.tensor ? `Mxx, Myy, Mxy = ${one.tensor.map(x => shown(x)).join(", ")}` : one.expression ?? shown(one.value);
     const twist = one.twist ? `, twist ${shown(one.twist)}` : "", pair = ([x, y]) => `(${shown(x)}, ${shown(y)})`;
     const place = (one.position ? ` at ${pair(one.position)}` : "") + (one.gradient ? ` at ${pair(one.from)} with the gradient ${pair(one.gradient)}` : "") + (one.patch ? (one.patch.centre ? ` on a circle about ${pair(one.patch.centre)}` : ` on ${one.patch.vertices.map(pair).join(" ")}`) : "") + (one.along ? ` along ${one.along.map(pair).join(" ")}` : "");
     return `${spaced(one.kind)} ${value_of}${unit(one.kind) ? ` ${unit(one.kind)}` : ""}${twist}${on(one.edges)}${place}${one.history ? `, ${one.history}` : ""}`;

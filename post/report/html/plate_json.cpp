@@ -87,6 +87,7 @@ std::string text_of(const plate::Load& load) {
   if (load.has_tensor)
     members.emplace_back(
         "tensor", json_list({json_number(load.tensor[0]), json_number(load.tensor[1]), json_number(load.tensor[2])}));
+  if (load.formula.given()) members.emplace_back("expression", json_text(load.formula.text()));
   if (load.patch) members.emplace_back("patch", text_of(*load.patch));
   if (!load.gradient.isZero(0)) {
     members.emplace_back("gradient", text_of(load.gradient));

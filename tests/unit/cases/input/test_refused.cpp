@@ -12,7 +12,12 @@ TEST_CASE("refused: what a plate refuses is a problem of the key that it is abou
   CHECK(problems[0].key == "support[0].edges");
   CHECK(problems[0].place.ends_with(":12"));
   CHECK(problems[1].key == "output.history_every");
-  CHECK(cases::key_of({Subject::load_position, 3, ""}) == "load[3].position");
+  plate::Problem problem;
+  problem.loads.resize(4);
+  CHECK(cases::key_of({Subject::load_position, 3, ""}, problem) == "load[3].position");
+  problem.load_cases = {{"one", {{}}}, {"two", {{}, {}}}};
+  CHECK(cases::key_of({Subject::load_position, 0, ""}, problem) == "load[0].position");
+  CHECK(cases::key_of({Subject::load_position, 3, ""}, problem) == "case[1].load[1].position");
   CHECK_THROWS_AS(cases::unless_refused(file,
                                         []() -> int {
                                           throw plate::Refused({{Subject::modes, 0, "c"}});

@@ -95,3 +95,26 @@ TEST_CASE("a line load has its resultant and moments") {
   load.along = {{7, 7}, {8, 8}};
   CHECK_THROWS_AS(nodal_forces(load, geometry::lattice(outline, 0.1), outline), std::invalid_argument);
 }
+
+TEST_CASE("spread: expressions do what pressures by values do, on parts too, and their own curves on the whole") {
+  Load value, formula;
+  value.value = 2, value.gradient = {-1, 3}, value.from = {0.1, 0.2};
+  formula.formula = Formula("2 - (x - 0.1) + 3 * (y - 0.2)");
+  value.patch = formula.patch = geometry::Circle{{0.7, 0.6}, 0.3, ""};
+  const auto expected = resultants(value), found = resultants(formula);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    CHECK((found[i] - expected[i]).norm() < 1e-12);  // measured: 1e-15 at most
+  Load curved;
+  curved.formula = Formula("x * x * y");
+  const auto all = resultants(curved);  // (1.8^3 + 0.2^3) / 3 (1.3^2 - 0.1^2) / 2
+  for (const auto& one : all) CHECK(one[0] == Approx((5.832 + 0.008) / 3 * (1.69 - 0.01) / 2).epsilon(1e-3));
+  Load infinite;
+  infinite.formula = Formula("1 / (x - x)");
+  CHECK_THROWS_AS(resultants(infinite), NotFinite);
+  infinite.formula = Formula("1 / (x - 0.3)");  // 0.3 lies on points but for rounding
+  CHECK_THROWS_AS(resultants(infinite), NotFinite);
+  Load narrow, jump;  // neither has too large a value anywhere
+  narrow.formula = Formula("exp(-1e6 * ((x - 0.3)^2 + (y - 0.4)^2))"), jump.formula = Formula("x > 0.3 ? 1e9 : 0");
+  CHECK_NOTHROW(resultants(narrow));
+  CHECK_NOTHROW(resultants(jump));
+}

@@ -1,0 +1,243 @@
+#include "fracture/runs/load_cases_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "fracture/runs/results.hpp"
+#include "fracture/runs/run_plan.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulations.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "plate/solve/interruption.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/static_solver.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "post/report/load_cases.hpp"
+#include "post/report/overlaps.hpp"
+#include "post/report/progress.hpp"
+
+namespace fracture {
+namespace {
+
+/// Load cases and combinations as they are found.
+class LoadCases {
+public:
+  LoadCases(const Ready& ready, const RunPlan& plan, post::Recorder recorder)
+      : ready_(ready),
+        plan_(plan),
+        plate_(*ready.plate),
+        recorder_(std::move(recorder)),
+        probes_(probes_of(plan.probes, plate_)) {
+    if (!recorder_.draws() && !recorder_.stores()) return;
+    const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
+    if (plan_.report) pictures_.open(mesh);
+    recorder_.open(mesh);
+  }
+
+  void solve(post::Summary& summary, plate::Stopwatch& stopwatch);
+  post::Summary finish(post::Summary summary, plate::Stopwatch& stopwatch);
+
+private:
+  void look(post::LoadCaseSummary one, const plate::Forces& load, const plate::State& state, std::size_t step);
+  std::vector<std::string> warnings() const;
+
+  const Ready& ready_;
+  const RunPlan& plan_;
+  const plate::Formulation& plate_;
+  post::Recorder recorder_;
+  post::Pictures pictures_;
+  std::vector<post::Probe> probes_;
+  std::vector<post::LoadCaseSummary> found_;
+  post::Table srifs_{post::srif_columns(), {}}, reactions_;
+  std::vector<std::string> warnings_;
+};
+
+/// What is to be known of a state in equilibrium under a load.
+void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const plate::State& state,
+                     std::size_t step) {
+  const auto when = fmt::format("in {}", one.name);
+  const auto number = double(found_.size() + 1);
+  post::require_finite(state, when);
+  const double work = load.cwiseProduct(state).sum() / 2, strain = plate_.strain_energy(state);
+  one.strain_energy = strain, one.external_work = work;
+  const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
+  post::Sample row{number, step, state, strain, 0, work, 0};
+  row.discrete_energy = strain - 2 * work;
+  recorder_.row(row, probes_, plate_.cloud().plate_points);
+  post::ReactionRows reactions;
+  reactions.add(number, plate_, plate_, state, load);
+  if (!reactions.empty()) {
+    auto table = reactions.table();
+    reactions_.columns = table.columns;
+    std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
+    one.reactions = reactions.summary();
+  }
+  if (plan_.srif) one.srif = post::srifs(plate_, *plan_.srif, ready_.tip_methods, state, true);
+  post::require_finite(one.srif, when);
+  post::append(srifs_, number, one.srif);
+  for (const auto& srif : one.srif) one.faces.push_back(post::at_faces(srif, plate_.section(), plan_.srif->toughness));
+  post::Extremes extremes(plate_);
+  extremes.row(now);
+  if (recorder_.draws() || recorder_.stores()) {
+    auto frame = post::frame_of(plate_, number, step, state, recorder_.draws());
+    if (plan_.report) pictures_.look(frame);
+    if (recorder_.draws()) extremes.frame(number, frame.resultants);
+    recorder_.frame(std::move(frame), {}, {});
+  }
+  one.extremes = extremes.found();
+  found_.push_back(std::move(one));
+  if (!post::moves(state, work)) post::require_motion(plate_, {load}, state, work, warnings_);
+  post::EnergyGate(post::EnergyGate::Plate::rests).look({strain, strain, work}, when);
+}
+
+/// Of warnings that say the same of the same place, those of the first load case; none of tips that it hardly loads.
+std::vector<std::string> LoadCases::warnings() const {
+  constexpr double close = 0.01, hardly = 1e-3;
+  const double h = plate_.section().thickness;
+  std::vector<double> largest(plate_.tips().size(), 0);
+  for (const auto& one : found_)
+    for (const auto& srif : one.srif) largest[srif.tip] = std::max(largest[srif.tip], post::largest_factor(srif, h));
+  std::vector<std::string> result;
+  std::set<std::string> warned;  // what about
+  for (const auto& one : found_) {
+    post::Summary alone;
+    alone.srif = one.srif, alone.faces = one.faces;
+    auto said = post::tips_that_grow(alone);
+    std::erase_if(alone.srif,
+                  [&](const post::Srif& srif) { return post::largest_factor(srif, h) < hardly * largest[srif.tip]; });
+    for (auto& text : post::distrust_of_factors(alone.srif, {}, h, plate_.remedy())) said.push_back(std::move(text));
+    if (one.reactions && one.reactions->largest_residual > close)
+      said.push_back(
+          fmt::format("the reactions balance the loads to {:.2g} % only", 100 * one.reactions->largest_residual));
+    for (const auto& text : said)
+      if (warned.insert(text.substr(0, text.find_first_of("0123456789", text.find(": ")))).second)
+        result.push_back(fmt::format("load case {}: {}", one.name, text));
+  }
+  return result;
+}
+
+void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
+  const auto& problem = plate_.problem();
+  const auto& analysis = plan_.analysis;
+  const bool combined = !problem.combinations.empty();
+  post::Progress progress(plan_.quiet, "load cases");
+  plate::StaticSolver solver(plate_, analysis.static_method(), analysis.preconditioner);
+  std::vector<plate::State> states;
+  std::vector<plate::Forces> loads;
+  plate::StaticSolution all;  // of the summary: the sum of iterations, the largest residual
+  all.converged = true;
+  for (std::size_t i = 0; i < problem.load_cases.size(); ++i) {
+    const auto& name = problem.load_cases[i].name;
+    plate::Forces load = plate::Forces::Zero(3, Eigen::Index(plate_.points()));
+    for (const auto k : plate::loads_of(problem, i)) load += plate_.loads()[k].forces;
+    const auto result =
+        solver(load, {analysis.tolerance, analysis.max_iterations, {}}, i + 1 < problem.load_cases.size());
+    const auto& solution = result.solution;
+    stopwatch.lap("solve");
+    all.iterations += solution.iterations, all.residual = std::max(all.residual, solution.residual);
+    all.stop_reason = solution.stop_reason;
+    summary.analysis.preconditioner = result.preconditioner;
+    post::describe(summary.analysis, result.method, all, analysis.tolerance);
+    if (i == 0 && result.factor_bytes > 0)
+      summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate_.cloud().plate_points), 0});
+    if (!solution.converged)
+      throw plate::NumericalError(fmt::format("{}, {}: {}, residual {:.2e} above tolerance {:.1e}", name, result.method,
+                                              solution.stop_reason, solution.residual, analysis.tolerance));
+    look({name, {}, solution.iterations, solution.residual}, load, solution.state, solution.iterations);
+    stopwatch.lap("srif");
+    progress.update(double(i + 1) / double(problem.load_cases.size()), name);
+    if (combined) states.push_back(solution.state), loads.push_back(std::move(load));
+  }
+  for (const auto& one : problem.combinations) {
+    plate::stop_if_asked("combinations");
+    plate::State state = plate::State::Zero(3, Eigen::Index(plate_.points()));
+    plate::Forces load = state;
+    const auto factors = plate::factors_of(one, problem.load_cases);
+    for (std::size_t i = 0; i < factors.size(); ++i) state += factors[i] * states[i], load += factors[i] * loads[i];
+    look({one.name, one.of}, load, state, 0);
+    stopwatch.lap("srif");
+  }
+  progress.done();
+}
+
+post::Summary LoadCases::finish(post::Summary summary, plate::Stopwatch& stopwatch) {
+  const auto& section = plate_.section();
+  summary.envelope = post::envelope(found_);
+  if (plan_.srif) {
+    const auto crack = [&](std::size_t tip) { return plate_.tips()[tip].crack; };
+    const auto named = [&](double number) { return found_.at(std::size_t(number) - 1).name; };
+    for (auto& line : post::distrust_of_faces(post::face_overlaps(srifs_), section, crack, named))
+      warnings_.push_back(std::move(line));
+    post::name_cases(srifs_, found_);
+    recorder_.table("srif", std::move(srifs_));
+    recorder_.table("envelope", post::envelope_table(summary.envelope));
+  }
+  if (const auto cracks = post::given_cracks(plate_.paths()); !cracks.lines.empty()) recorder_.cracks(cracks, {});
+  if (!reactions_.rows.empty()) {
+    post::name_cases(reactions_, found_);
+    recorder_.table("reactions", std::move(reactions_));
+  }
+  const auto said = warnings();
+  summary.load_cases = std::move(found_);
+  post::conclude(summary, {section, plan_.srif, plan_.si(), recorder_.history(), {}, {}});
+  for (const auto& some : {post::left_out(plate_.tips(), ready_.tip_methods), said, warnings_})
+    summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
+  summary = recorder_.finish(std::move(summary), stopwatch);
+  write_report(plan_, pictures_);
+  return summary;
+}
+
+}  // namespace
+
+post::Summary run_load_cases(const Ready& ready, const RunPlan& plan, post::Recorder recorder,
+                             plate::Stopwatch& stopwatch) {
+  auto summary = about(plan, *ready.plate, ready.warnings);
+  LoadCases run(ready, plan, std::move(recorder));
+  const plate::StopOnSignals signals;
+  try {
+    run.solve(summary, stopwatch);
+    summary.outcome = "done";
+  } catch (const plate::NumericalError& error) {
+    const auto failed = placed(error, *ready.plate, summary);
+    summary.outcome = fmt::format("failed: {}", failed.what());
+    summary.analysis.stop_reason = failed.what();
+    run.finish(summary, stopwatch);
+    throw failed;
+  } catch (const plate::Interrupted& asked) {
+    summary.outcome = "interrupted";
+    summary.analysis.stop_reason = asked.what();
+    run.finish(summary, stopwatch);
+    throw;
+  }
+  return run.finish(std::move(summary), stopwatch);
+}
+
+std::vector<KeyFault> faults_beside_load_cases(const plate::Problem& problem, const plate::Analysis& analysis,
+                                               bool grows, const std::optional<post::SrifOptions>& srif) {
+  std::vector<KeyFault> result;
+  if (problem.load_cases.empty() && problem.combinations.empty()) return result;
+  const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
+    if (asked) result.push_back({key, why});
+  };
+  const std::string several = "is of one load on the plate, and [[case]] gives several: ";
+  refuse(analysis.kind != plate::Analysis::Kind::static_, "case",
+         "load cases are equilibria, which add up: they need analysis.kind = \"static\"; loads in time are [[load]] "
+         "with a history");
+  refuse(grows, "growth",
+         "cracks that grow make another plate of it under every load, so that load cases neither share it nor add up: "
+         "remove it, or run each load case by itself");
+  refuse(srif && srif->accuracy, "srif.accuracy", several + "run each load case by itself, or state the spacing");
+  refuse(srif && srif->richardson, "srif.richardson", several + "run each load case by itself");
+  refuse(srif && srif->second_formulation, "srif.second_formulation", several + "run each load case by itself");
+  const auto& kind = plate::formulation_of(problem.discretization);
+  refuse(!kind.offers(plate::Feature::symmetry), "discretization.boundary",
+         "load cases need a symmetric stiffness (" +
+             (kind.offers(plate::Feature::symmetry) ? std::string() : kind.lacks.at(plate::Feature::symmetry)) +
+             "): choose \"images\", or run each load case by itself");
+  return result;
+}
+
+}  // namespace fracture

@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "fracture/runs/faults/growth_faults.hpp"
+#include "fracture/runs/ready.hpp"
+#include "post/files/recorder.hpp"
+
+namespace fracture {
+
+struct RunPlan;
+
+/// The load cases of a plan and their combinations, one after the other on a plate that is made once: the number of
+/// each, from 1, stands in the place of time. Combinations are sums of states. Throws plate::NumericalError or
+/// plate::Interrupted after what there is has been written.
+post::Summary run_load_cases(const Ready& ready, const RunPlan& plan, post::Recorder recorder,
+                             plate::Stopwatch& stopwatch);
+
+/// What cannot go with load cases, and why.
+std::vector<KeyFault> faults_beside_load_cases(const plate::Problem& problem, const plate::Analysis& analysis,
+                                               bool grows, const std::optional<post::SrifOptions>& srif);
+
+}  // namespace fracture

@@ -1,0 +1,75 @@
+#include "plate/model/loading/formula.hpp"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+namespace plate {
+
+struct Formula::Parsed {
+  std::string text;
+  double x = 0, y = 0;
+  mu::Parser parser;
+};
+
+namespace {
+
+/// A place to store to makes a formula that means another thing than it says.
+void refuse_assignments(const std::string& text) {
+  const std::string comparing = "=<>!";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '=') continue;
+    const bool before = i > 0 && comparing.find(text[i - 1]) != std::string::npos;
+    if (!before && (i + 1 == text.size() || text[i + 1] != '='))
+      throw std::invalid_argument(fmt::format("'=' at character {}: nothing can be assigned", i + 1));
+  }
+}
+
+}  // namespace
+
+Formula::Formula(const std::string& text) : parsed_(std::make_shared<Parsed>()) {
+  refuse_assignments(text);
+  parsed_->text = text;
+  auto& parser = parsed_->parser;
+  try {
+    parser.DefineVar("x", &parsed_->x);
+    parser.DefineVar("y", &parsed_->y);
+    parser.DefineConst("pi", std::numbers::pi);
+    parser.SetExpr(text);
+    int results = 0;
+    parser.Eval(results);
+    if (results != 1) throw std::invalid_argument(fmt::format("{} expressions, must be one", results));
+  } catch (const mu::Parser::exception_type& error) {
+    const auto where = error.GetPos();
+    throw std::invalid_argument(
+        error.GetToken().empty()
+            ? error.GetMsg()
+            : fmt::format("\"{}\" at character {} ({}); known are x, y, pi, functions as sin, sqrt, exp, abs, min, and "
+                          "c ? a : b",
+                          error.GetToken(), where + 1, error.GetMsg()));
+  }
+}
+
+std::string Formula::text() const {
+  return parsed_ ? parsed_->text : "";
+}
+
+double Formula::operator()(const geometry::Point& x) const {
+  parsed_->x = x.x(), parsed_->y = x.y();
+  try {
+    return parsed_->parser.Eval();
+  } catch (const mu::Parser::exception_type&) {  // of a build of the library that throws where it divides by zero
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+NotFinite::NotFinite(const Formula& formula, const geometry::Point& x)
+    : std::domain_error(fmt::format("\"{}\" is {} at ({:.6g}, {:.6g}), must have a finite value wherever it acts",
+                                    formula.text(), formula(x), x.x(), x.y())),
+      formula_(formula.text()) {}
+
+}  // namespace plate

@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "geometry/shape/outline.hpp"
+
+namespace plate {
+
+/// A number for every place, given as text: an expression in x, y and pi, as "100 * sin(pi * x / 2)". It is evaluated
+/// by one thread at a time.
+class Formula {
+public:
+  Formula() = default;
+  /// Throws std::invalid_argument: what is wrong with the text, and where.
+  explicit Formula(const std::string& text);
+
+  bool given() const { return bool(parsed_); }
+  std::string text() const;
+  /// What is not finite there is returned as it is.
+  double operator()(const geometry::Point& x) const;
+
+private:
+  struct Parsed;
+  std::shared_ptr<Parsed> parsed_;
+};
+
+/// A formula without a finite value at a place where it is needed.
+class NotFinite : public std::domain_error {
+public:
+  NotFinite(const Formula& formula, const geometry::Point& x);
+  const std::string& formula() const { return formula_; }
+
+private:
+  std::string formula_;
+};
+
+}  // namespace plate

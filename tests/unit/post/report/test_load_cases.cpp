@@ -1,0 +1,80 @@
+// The largest of all load cases, and how load cases are printed.
+#include "post/report/load_cases.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "post/files/factor_rows.hpp"
+#include "post/files/table.hpp"
+
+using namespace post;
+
+namespace {
+
+Srif of(std::size_t tip, double K1, double K2, double G, const char* method = "a") {
+  Srif srif;
+  srif.tip = tip, srif.K1 = K1, srif.K2 = K2, srif.G = G, srif.method = method;
+  srif.errors = {0.5, 0.25, 0.125};
+  return srif;
+}
+
+std::vector<LoadCaseSummary> two() {
+  LoadCaseSummary dead{"dead"}, uls{"uls", {{"dead", 1.35}}};
+  dead.srif = {of(0, 2, -1, 5), of(0, 99, 99, 99, "b"), of(1, 1, 0, 1)};
+  uls.srif = {of(0, -3, 0.5, 4), of(1, 7, 4, 2)};
+  uls.srif[1].resolved[1] = false;
+  return {dead, uls};
+}
+
+const EnvelopeEntry& entry(const std::vector<EnvelopeEntry>& all, std::size_t tip, const std::string& quantity) {
+  for (const auto& one : all)
+    if (one.tip == tip && one.quantity == quantity) return one;
+  throw std::out_of_range(quantity);
+}
+
+}  // namespace
+
+TEST_CASE("envelope: the largest by recommended methods, with its sign and what gives it") {
+  const auto all = envelope(two());
+  CHECK(all.size() == 8);
+  CHECK(entry(all, 0, "K1").value == -3);
+  CHECK(entry(all, 0, "K1").of == "uls");
+  CHECK(entry(all, 0, "K1").error == 0.5);
+  CHECK(entry(all, 0, "K2").value == -1);
+  CHECK(entry(all, 0, "K2").of == "dead");
+  CHECK(entry(all, 0, "G").value == 5);
+  CHECK(entry(all, 1, "K1").of == "uls");
+  CHECK(entry(all, 1, "K2").of == "dead");   // not resolved in the other
+  CHECK(entry(all, 1, "K2").error == 4.25);  // where it may be 4 + 0.25
+  const auto table = envelope_table(all);
+  CHECK(table.rows.size() == 8);
+  CHECK(table.rows[0][table.column("case")] == Cell("uls"));
+  CHECK(envelope({}).empty());
+}
+
+TEST_CASE("load cases: tables get their names by the number in the place of time") {
+  const auto cases = two();
+  Table table{srif_columns(), {}};
+  append(table, 1, cases[0].srif), append(table, 2, cases[1].srif);
+  name_cases(table, cases);
+  REQUIRE(table.rows.size() == 5);
+  CHECK(table.columns.back() == "case");
+  CHECK(table.rows[2].back() == Cell("dead"));
+  CHECK(table.rows[3].back() == Cell("uls"));
+}
+
+TEST_CASE("load cases: a row for each and tip, the envelope, reactions and deflections") {
+  Summary summary;
+  summary.load_cases = two();
+  summary.load_cases[0].extremes = {{"w", {}, -0.5, 1, geometry::Point(1, 2), {}}};
+  ReactionSummary reactions{{{"left", {}}}, 1, {{{-3, 0, 0}}, {3, 0, 0}, {}, 1e-9}, 0, {}};
+  summary.load_cases[0].reactions = reactions;
+  summary.envelope = envelope(summary.load_cases);
+  const auto text = printed_load_cases(summary, false, 0.1);
+  CHECK_THAT(text, Catch::Contains("case  tip") && Catch::Contains("dead    0             2            -1"));
+  CHECK_THAT(text, Catch::Contains("uls     0            -3           0.5"));
+  CHECK_THAT(text, Catch::Contains("   0 K1             -3 +- 0.5       uls"));
+  CHECK_THAT(text, Catch::Contains("   1 K2              - +- 4.2       not resolved in all"));
+  CHECK_THAT(text, !Catch::Contains("99"));
+  CHECK_THAT(text, Catch::Contains("reactions along w, dead: left -3; loads 3; balanced to 1.0e-09"));
+  CHECK_THAT(text, Catch::Contains("largest |w|, dead: -0.5 at (1, 2)"));
+}
