@@ -61,7 +61,6 @@ void add_fictitious_nodes(LatticeBody& b, int reach) {
 }
 
 void add_surface_nodes(LatticeBody& b, const FaceDistance& distance) {
-  b.faces.assign(std::size_t(b.real), {-1, -1, -1, -1, -1, -1});
   for (int axis = 0; axis < b.dimension; ++axis)
     for (const int side : {-1, 1})
       for (int k = 0; k < b.real; ++k) {
@@ -87,7 +86,6 @@ int face_before(const LatticeBody& b, int k, int axis, int reach) {
 }
 
 void add_sights(LatticeBody& b, int reach) {
-  b.seen.assign(std::size_t(b.fictitious()), {-1, -1, -1});
   for (int k = b.real; k < b.count(); ++k) {
     std::array<int, 3> before{-1, -1, -1};
     for (int axis = 0; axis < b.dimension; ++axis) before[std::size_t(axis)] = face_before(b, k, axis, reach);
@@ -123,7 +121,7 @@ Eigen::Vector3d LatticeBody::surface_position(int s) const {
   return x;
 }
 
-LatticeBody lattice_body(int dimension, std::vector<Index> real, int reach, const FaceDistance& distance) {
+LatticeBody lattice_body(int dimension, std::vector<Index> real, int reach) {
   if (dimension < 1 || dimension > 3) throw std::invalid_argument("a body has one, two or three dimensions");
   if (real.empty()) throw std::invalid_argument("a body needs a node");
   LatticeBody b;
@@ -132,6 +130,13 @@ LatticeBody lattice_body(int dimension, std::vector<Index> real, int reach, cons
   b.real = b.count();
   enclose(b, std::max(reach, 1));
   add_fictitious_nodes(b, reach);
+  b.faces.assign(std::size_t(b.real), {-1, -1, -1, -1, -1, -1});
+  b.seen.assign(std::size_t(b.fictitious()), {-1, -1, -1});
+  return b;
+}
+
+LatticeBody lattice_body(int dimension, std::vector<Index> real, int reach, const FaceDistance& distance) {
+  LatticeBody b = lattice_body(dimension, std::move(real), reach);
   add_surface_nodes(b, distance);
   add_sights(b, reach);
   return b;

@@ -59,6 +59,10 @@ using FaceDistance = std::function<double(const LatticeBody::Index& inner, int a
 /// @throws std::invalid_argument  a dimension other than 1, 2, 3; a distance that is not between 0 and 1; no nodes
 LatticeBody lattice_body(int dimension, std::vector<LatticeBody::Index> real, int reach, const FaceDistance& distance);
 
+/// The same without surface nodes.
+/// @throws std::invalid_argument  another dimension; no nodes
+LatticeBody lattice_body(int dimension, std::vector<LatticeBody::Index> real, int reach);
+
 /// A bar, a rectangle or a box of `counts` nodes, faces half a spacing beyond its nodes.
 LatticeBody box_body(const std::vector<int>& counts, int reach);
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include "plate/model/refused.hpp"
-#include "plate/surface/rectilinear.hpp"
+#include "plate/surface/oblique/clearance.hpp"
 
 namespace plate {
 
@@ -23,18 +23,30 @@ std::string place(const Point& x) {
   return fmt::format("({:.4g}, {:.4g})", x.x(), x.y());
 }
 
+Clearance clearance_of(const Problem& problem) {
+  return is_rectilinear(problem.outline) ? clearance(problem.outline)
+                                         : oblique_clearance(problem.outline, problem.discretization.spacing);
+}
+
 /// What lies beyond an edge is expanded from points behind it, as far as a horizon, and must not be seen from behind
 /// another edge; edges as short as a horizon have too few nodes of their own.
 void check_outline(const Problem& problem, EdgeMethod method) {
   const std::string images = ": choose boundary = \"images\"";
-  if (!is_rectilinear(problem.outline))
+  const double spacing = problem.discretization.spacing;
+  const bool oblique = !is_rectilinear(problem.outline);
+  if (oblique && method == EdgeMethod::fictitious_nodes)
     refuse(Subject::geometry,
            words(method) +
                " are of edges along the axes, and of holes of such edges, as expansions beyond them run "
                "along rows of points" +
-               images);
+               images + " or \"surface_nodes\"");
+  if (const auto shortest = shortest_edge(problem.outline); oblique && shortest.value < spacing / 2)
+    refuse(Subject::geometry,
+           fmt::format("an edge is {:.3g} long at {}: surface nodes, one an edge at least, need half a spacing: take "
+                       "fewer edges, or a smaller spacing",
+                       shortest.value, place(shortest.at)));
   const double horizon = problem.discretization.horizon(), least = horizon * (1 - 1e-9);
-  const auto c = clearance(problem.outline);
+  const auto c = clearance_of(problem);
   if (c.gap.value < 2 * least)
     refuse(Subject::geometry,
            fmt::format("a hole or notch is {:.3g} wide at {}: {} need two horizons, {:.3g}, between edges that face "
@@ -68,29 +80,33 @@ struct Widest {
 /// Twist beside free edges and soft supports turns within less than the thickness; expansions of a wider horizon make
 /// deflections too small there. Measured against images and the local plate, squares with 29 kinds of support and load:
 /// with surface nodes 4 % at most up to 2 thicknesses, 28 % at 3; with multipliers 5 % at most within these limits, 6
-/// to 11 % at free edges with 0.075 to 0.15 of the side or soft ones at 1.5 thicknesses, 20 % and more at 3.
+/// to 11 % at free edges with 0.075 to 0.15 of the side or soft ones at 1.5 thicknesses, 20 % and more at 3. Edges in any
+/// direction, some of them free, have motions that grow at 1.5 and 2 thicknesses, and none up to 1.
 Widest widest(const Problem& problem, EdgeMethod method) {
-  const auto edges = geometry::straight_edges(problem.outline);
-  const auto kind = [&](const geometry::Edge& edge) {
+  const auto edges = geometry::edge_names(problem.outline);
+  const auto kind = [&](const std::string& edge) {
     for (const auto& one : problem.supports)
-      if (std::ranges::find(one.edges, edge.name) != one.edges.end()) return one.kind;
+      if (std::ranges::find(one.edges, edge) != one.edges.end()) return one.kind;
     return SupportKind::free;
   };
-  const auto stiff = [&](const geometry::Edge& edge) {
+  const auto stiff = [&](const std::string& edge) {
     const auto is = kind(edge);
     return is == SupportKind::clamped || is == SupportKind::simply_supported_hard ||
            (is == SupportKind::symmetry && method == EdgeMethod::fictitious_nodes);
   };
-  const auto free = [&](const geometry::Edge& edge) { return kind(edge) == SupportKind::free; };
+  const auto free = [&](const std::string& edge) { return kind(edge) == SupportKind::free; };
   const bool all_stiff = std::ranges::all_of(edges, stiff);
-  if (method == EdgeMethod::surface_nodes) return {all_stiff ? 3.1 : 2.1, 1};
+  if (method == EdgeMethod::surface_nodes) {
+    const bool oblique = !is_rectilinear(problem.outline);
+    return {all_stiff ? 3.1 : oblique && std::ranges::any_of(edges, free) ? 1.0 : 2.1, 1};
+  }
   if (all_stiff) return {3.1, 0.16};
   return {0.75, std::ranges::any_of(edges, free) ? 0.061 : 0.101};
 }
 
 void check_horizon(const Problem& problem, EdgeMethod method) {
   const auto [of_thickness, of_side] = widest(problem, method);
-  const double thickness = problem.section.thickness, side = clearance(problem.outline).width.value;
+  const double thickness = problem.section.thickness, side = clearance_of(problem).width.value;
   const double horizon = problem.discretization.horizon(),
                most = std::min(of_thickness * thickness, of_side * side) * (1 + 1e-9);
   if (horizon <= most) return;

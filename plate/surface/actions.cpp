@@ -135,12 +135,37 @@ PlateActions actions(const LatticeBody& b, const LatticeBonds& family, FluxRule 
         }
         if (j < b.real && !near[std::size_t(k)]) continue;
       }
-      add_fluxes(b, k, j, bond, rule, rows);
+      if (!b.surface.empty()) add_fluxes(b, k, j, bond, rule, rows);
     }
   for (int s = 0; s < int(b.surface.size()); ++s) add_shear_of_strip(b, s, family, cuts, rows);
   const Eigen::Index count = 3 * (b.real + Eigen::Index(b.surface.size())), nodes = b.values();
   PlateActions result{WeightRows(b.real, 3 * nodes), SparseStiffness(count, 3 * nodes), SparseStiffness(count, nodes)};
   result.dilatation.setFromTriplets(dilatation.begin(), dilatation.end());
+  result.of_values.setFromTriplets(rows.values().begin(), rows.values().end());
+  result.of_dilatation.setFromTriplets(rows.dilatation().begin(), rows.dilatation().end());
+  return result;
+}
+
+PlateActions edge_actions(const LatticeBody& b, const LatticeBonds& family, const ObliqueEdges& edges,
+                          const CutFamilies& cuts) {
+  Rows rows;
+  for (int k = 0; k < b.real; ++k)
+    for (std::size_t i = 0; i < family.bonds.size(); ++i) {
+      const int j = b.node(b.nodes[std::size_t(k)] + family.bonds[i].away);
+      if (j < b.real || cuts.severed(k, i)) continue;
+      const ActingBond bond = acting(family, cuts, k, j, i);
+      const auto& nearest = edges.nearest[std::size_t(j - b.real)];
+      const double share = 1.0 / double(nearest.size());
+      for (const int s : nearest) {
+        const geometry::Point at = b.position(k).head<2>();
+        const geometry::Point lever = family.spacing * (at - edges.nodes[std::size_t(s)].at);  // theory (25)
+        rows.add(s, k, j, bond, share, {0, 0});
+        rows.add_force(3 * s + 1, k, j, bond, share * lever.y());
+        rows.add_force(3 * s + 2, k, j, bond, -share * lever.x());
+      }
+    }
+  const Eigen::Index count = 3 * Eigen::Index(edges.nodes.size()), nodes = b.values();
+  PlateActions result{WeightRows(0, 3 * nodes), SparseStiffness(count, 3 * nodes), SparseStiffness(count, nodes)};
   result.of_values.setFromTriplets(rows.values().begin(), rows.values().end());
   result.of_dilatation.setFromTriplets(rows.dilatation().begin(), rows.dilatation().end());
   return result;

@@ -3,6 +3,7 @@
 #include "plate/boundary/crossings.hpp"
 #include "plate/boundary/extrapolation.hpp"
 #include "plate/surface/cut_families.hpp"
+#include "plate/surface/oblique/expansion.hpp"
 
 namespace plate {
 
@@ -21,5 +22,10 @@ struct PlateActions {
 /// cells, the shear force along it, of the inner node's family, turns the strip between: bonds along the edge do not
 /// cross it, and the couple along the edge is therefore that at the border and this one.
 PlateActions actions(const LatticeBody& body, const LatticeBonds& bonds, FluxRule rule, const CutFamilies& cuts = {});
+
+/// What bonds to points beyond the edges do to the plate: of each edge node, the forces of the bonds to the points that
+/// are expanded about it, and their couples about it. They balance what all bonds do to the real nodes. No dilatations.
+PlateActions edge_actions(const LatticeBody& body, const LatticeBonds& bonds, const ObliqueEdges& edges,
+                          const CutFamilies& cuts = {});
 
 }  // namespace plate

@@ -13,7 +13,7 @@ EdgeSpectrum spectrum(const SurfacePlate& p, const EdgeConditions& edges, double
   std::vector<Eigen::Index> surface;
   for (Eigen::Index i = 3 * p.body.real; i < p.unknowns(); ++i)
     if (!is_held[std::size_t(i)]) surface.push_back(i);
-  const Eigen::MatrixXd K = stiffness(p);
+  const Eigen::MatrixXd K = stiffness_under(p, edges);
   const Eigen::Index n = 3 * p.body.real;
   Eigen::MatrixXd inside = K.topLeftCorner(n, n);
   if (!surface.empty()) {

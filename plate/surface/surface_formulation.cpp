@@ -201,7 +201,7 @@ std::optional<double> SurfaceNodePlate::multipliers(const State& state) const {
 }
 
 std::string SurfaceNodePlate::of_edges() const {
-  if (multiplied_) return "";
+  if (multiplied_ || plate_.oblique) return "";
   const double d = plate_.bonds.spacing;
   auto outline = geometry::rectangle(0, 0, 10 * d, 8 * d);
   const bool notched = !plate_.body.sights.empty();
@@ -245,9 +245,15 @@ std::map<Feature, std::string> lacks(const std::string& nodes) {
           {Feature::running_tips, asymmetric + "cracks grow with boundary = \"images\""}};
 }
 
+std::map<Feature, std::string> without(std::map<Feature, std::string> all, Feature one) {
+  all.erase(one);
+  return all;
+}
+
 }  // namespace
 
-const FormulationKind bonds_with_surface_nodes{"surface_nodes", "bonds with surface nodes", lacks("surface nodes"),
+const FormulationKind bonds_with_surface_nodes{"surface_nodes", "bonds with surface nodes",
+                                               without(lacks("surface nodes"), Feature::any_direction),
                                                discretised<EdgeMethod::surface_nodes>};
 
 const FormulationKind bonds_with_fictitious_nodes{"fictitious_nodes", "bonds with fictitious nodes",

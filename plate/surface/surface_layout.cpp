@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include "geometry/lattice/seeding.hpp"
 #include "plate/bonds/parameters/horizon_parameters.hpp"
@@ -9,6 +10,7 @@
 #include "plate/model/refused.hpp"
 #include "plate/surface/acceptance.hpp"
 #include "plate/surface/multiplied_plate.hpp"
+#include "plate/surface/rectilinear.hpp"
 
 namespace plate {
 
@@ -44,8 +46,8 @@ std::size_t side_at(const Boundary& b, const Point& at, const Point& normal) {
   for (std::size_t i = 0; i < b.sides.size(); ++i) {
     const auto& side = b.sides[i];
     if (side.outward(u).dot(normal) < 0.5) continue;
-    if (const double away = geometry::distance({side.edge.from, side.edge.to}, u); away < least)
-      least = away, result = i;
+    const double away = side.circle ? std::abs(side.inside(u)) : geometry::distance({side.edge.from, side.edge.to}, u);
+    if (away < least) least = away, result = i;
   }
   return result;
 }
@@ -53,7 +55,7 @@ std::size_t side_at(const Boundary& b, const Point& at, const Point& normal) {
 /// Of the surface nodes, in their order: the side on which each lies.
 std::vector<std::size_t> sides_of_nodes(const SurfacePlate& plate, const Boundary& boundary) {
   std::vector<std::size_t> result;
-  for (int s = 0; s < int(plate.body.surface.size()); ++s)
+  for (int s = 0; s < plate.surfaces(); ++s)
     result.push_back(side_at(boundary, plate.at_surface(s), plate.normal(s)));
   return result;
 }
@@ -62,7 +64,7 @@ Boundary boundary_of(const Problem& problem, const SurfacePlate& plate, bool mul
   Boundary b;
   b.cloud = geometry::lattice(problem.outline, problem.discretization.spacing);
   for (int times = multiplied ? 2 : 1; times > 0; --times)
-    for (int s = 0; s < int(plate.body.surface.size()); ++s) {
+    for (int s = 0; s < plate.surfaces(); ++s) {
       b.cloud.positions.push_back(plate.at_surface(s));
       b.cloud.areas.push_back(0);
     }
@@ -80,10 +82,17 @@ void hold(const SurfacePlate& plate, const std::vector<std::size_t>& side_of, Bo
     b.fictitious.push_back({{int(side_of[i % side_of.size()]), -1}, false, false});
   for (std::uint32_t s = 0; s < side_of.size(); ++s) {
     const auto condition = edge_condition(b.sides[side_of[s]].kind);
+    const auto first = std::uint32_t(3 * (plate.body.real + int(s)));
+    if (plate.oblique) {  // one rotation that is held: a row of the stiffness
+      if (condition.held[0]) b.constraints.fix(first);
+      for (const std::uint32_t i : {1U, 2U})
+        if (condition.held[1] && condition.held[2]) b.constraints.fix(first + i);
+      continue;
+    }
     const int axis = plate.body.surface[s].axis;
     const int components[] = {0, normal_rotation(axis), tangential_rotation(axis)};
     for (std::size_t i = 0; i < 3; ++i)
-      if (condition.held[i]) b.constraints.fix(std::uint32_t(3 * (plate.body.real + int(s)) + components[i]));
+      if (condition.held[i]) b.constraints.fix(first + std::uint32_t(components[i]));
   }
   for (std::uint32_t pin = 0; pin < b.holders.size(); ++pin)
     if (const auto& at = b.holders[pin].position) {
@@ -95,6 +104,12 @@ void hold(const SurfacePlate& plate, const std::vector<std::size_t>& side_of, Bo
 
 /// The stiffness by a method; by multipliers with the conditions that are left out.
 SparseStiffness stiffness_of(const SurfacePlate& plate, EdgeMethod method, Boundary& b) {
+  if (plate.oblique) {
+    b.constraints.resolve();
+    return stiffness_under(plate, [&](const Point& at, const Point& normal) {
+      return edge_condition(b.sides[side_at(b, at, normal)].kind);
+    });
+  }
   if (method == EdgeMethod::surface_nodes) {
     b.constraints.resolve();
     return stiffness_with_reactions(plate, [&](int unknown) { return b.constraints.held(std::uint32_t(unknown)); });
@@ -123,16 +138,35 @@ EdgeAction action_of(const Load& load, const Point& n) {
   return action;
 }
 
+/// Forces per area at points of the plate, as conditions at edges in any direction say nothing of parts of cells.
+geometry::Cloud whole_cells(geometry::Cloud cloud) {
+  std::fill_n(cloud.areas.begin(), cloud.plate_points, cloud.units.spacing * cloud.units.spacing);
+  return cloud;
+}
+
+/// Of a pressure on edges in any direction: what the cells of the points leave out or have too much, on the edges that
+/// hold the deflection, so that reactions are those of the whole load.
+void add_rest(double pressure, const SurfacePlate& plate, const Boundary& b, const geometry::Outline& outline,
+              Forces& forces) {
+  double around = 0;
+  for (int s = 0; s < plate.surfaces(); ++s) around += plate.length(s);
+  const double rest = geometry::area(outline) - plate.body.real * std::pow(plate.bonds.spacing, 2);
+  for (int s = 0; s < plate.surfaces(); ++s)
+    if (b.constraints.held(std::uint32_t(3 * (plate.body.real + s))))
+      forces(0, plate.body.real + s) += pressure * rest * plate.length(s) / around;
+}
+
 Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate, const Boundary& b,
                  const geometry::Outline& outline) {
   using enum Load::Kind;
   if (load.kind == point_force || load.kind == line_load || (load.kind == pressure && !load.uniform()))
-    return nodal_forces(load, b.cloud, outline);
+    return nodal_forces(load, plate.oblique ? whole_cells(b.cloud) : b.cloud, outline);
   const double everywhere = load.kind == pressure ? load.value : 0;
   const auto on_edges = [&](const Point& at, const Point& n) {
     const auto& side = b.sides[side_at(b, at, n)];
     const bool loaded = std::ranges::find(load.edges, side.name) != load.edges.end();
     auto condition = edge_condition(side.kind, loaded ? action_of(load, n) : EdgeAction{}, number);
+    if (plate.oblique) return condition;
     condition.held = {false, false, false};  // forces on what is held are booked to the supports
     return condition;
   };
@@ -140,6 +174,7 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
       edge_problem(plate, on_edges, [&](const Point&) { return Eigen::Vector3d(everywhere, 0, 0); }).right;
   Forces forces = Forces::Zero(3, Eigen::Index(b.cloud.size()));
   forces.leftCols(right.size() / 3) = Eigen::Map<const Eigen::Matrix3Xd>(right.data(), 3, right.size() / 3);
+  if (plate.oblique) add_rest(everywhere, plate, b, outline, forces);
   return forces;
 }
 
@@ -147,6 +182,7 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
 void warn_of_lengths(const Problem& problem, const SurfacePlate& plate, const std::vector<std::size_t>& side_of,
                      Boundary& b) {
   constexpr double close = 0.01;
+  if (plate.oblique) return;  // parts of edges are as long as these together
   for (const auto& load : problem.loads)
     for (const auto& name : load.edges) {
       const double length = geometry::edge_length(problem.outline, name);
@@ -164,7 +200,7 @@ void warn_of_lengths(const Problem& problem, const SurfacePlate& plate, const st
 geometry::Families families_of(const Boundary& b, const geometry::Outline& outline, double horizon) {
   geometry::Cloud points = b.cloud;
   points.positions.resize(points.plate_points), points.areas.resize(points.plate_points);
-  const bool convex = geometry::straight_edges(outline).size() == 4;
+  const bool convex = is_rectilinear(outline) && geometry::straight_edges(outline).size() == 4;
   const auto in_spacings = geometry::to_lattice(outline, b.cloud.units);
   auto families = geometry::families(points, horizon, [&](std::uint32_t k, std::uint32_t j) {
     return convex || !geometry::leaves(in_spacings, b.lattice[k], b.lattice[j]);
@@ -177,7 +213,7 @@ geometry::Families families_of(const Boundary& b, const geometry::Outline& outli
 geometry::Families tied(geometry::Families families, const SurfacePlate& plate, std::size_t points) {
   const auto real = std::size_t(plate.body.real);
   for (std::size_t k = real; k < points; ++k)
-    families.set(k, {{plate.body.surface[(k - real) % plate.body.surface.size()].inner - int(k), 0}});
+    families.set(k, {{plate.inner(int(k - real) % plate.surfaces()) - int(k), 0}});
   return families;
 }
 

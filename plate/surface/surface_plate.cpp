@@ -1,7 +1,10 @@
 #include "plate/surface/surface_plate.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include "geometry/lattice/cloud.hpp"
+#include "geometry/lattice/seeding.hpp"
 #include "plate/model/algebra/dense.hpp"
 #include "plate/model/refused.hpp"
 #include "plate/surface/reaction_rows.hpp"
@@ -13,6 +16,46 @@ namespace {
 
 using geometry::Point;
 constexpr double same = 1e-9;  // spacings
+
+SurfacePlate oblique_plate(const Section& section, LatticeBonds bonds, const geometry::Outline& outline,
+                           const Point& first) {
+  const Point half(0.5, 0.5);
+  std::vector<LatticeBody::Index> places;
+  for (const Point& x : geometry::lattice(outline, 1).positions)
+    places.push_back({int(std::floor(x.x())), int(std::floor(x.y())), 0});
+  if (places.empty()) throw Refused({{Subject::spacing, 0, "no point of the lattice lies inside the plate; refine"}});
+  LatticeBody body = lattice_body(2, std::move(places), bonds.reach);
+  auto nodes = edge_nodes(outline);
+  for (auto& node : nodes) node.at -= half;
+  const Sees sees = [&](const Point& from, const Point& to) {
+    return !geometry::leaves(outline, from + half, to + half);
+  };
+  auto edges = oblique_edges(body, std::move(nodes), sees);
+  SurfacePlate result{std::move(body), std::move(bonds), first};
+  result.oblique.emplace(LocalEdges{std::move(edges), section});
+  return result;
+}
+
+/// Of edge nodes in any direction: what is held, and forces with what rotations are brought to.
+void add_oblique(const SurfacePlate& p, int s, const EdgeCondition& c, EdgeProblem& to) {
+  const Point normal = p.normal(s);
+  const int row = 3 * (p.body.real + s);
+  const Eigen::Vector3d given(c.value[0], c.value[1], c.value[2]), value = rotated(given, normal);
+  const bool both = c.held[1] && c.held[2];
+  if (c.held[0])
+    to.held.push_back({row, value[0]});
+  else
+    to.right[row] = p.length(s) * c.value[0];
+  const auto directions = turning_directions(normal);
+  for (int i = 0; i < 2; ++i) {
+    if (both) to.held.push_back({row + 1 + i, value[1 + i]});
+    const auto k = std::size_t(i);
+    if (!both)
+      to.right.segment<2>(row + 1) += directions[k] * (c.held[k + 1]
+                                                           ? -p.oblique->section.bending_stiffness() * c.value[k + 1]
+                                                           : p.length(s) * c.value[k + 1]);
+  }
+}
 
 }  // namespace
 
@@ -30,15 +73,32 @@ Point SurfacePlate::at(int k) const {
 }
 
 Point SurfacePlate::at_surface(int s) const {
+  if (oblique) return first + bonds.spacing * oblique->nodes[std::size_t(s)].at;
   return first + bonds.spacing * body.surface_position(s).head<2>();
 }
 
 Point SurfacePlate::normal(int s) const {
+  if (oblique) return oblique->nodes[std::size_t(s)].normal;
   const auto& face = body.surface[std::size_t(s)];
   return face.side * Point::Unit(face.axis);
 }
 
+int SurfacePlate::inner(int s) const {
+  if (!oblique) return body.surface[std::size_t(s)].inner;
+  const auto& fit = oblique->rotation[std::size_t(s)].nodes;
+  const auto away = [&](int k) {
+    return k < body.real ? (body.position(k).head<2>() - oblique->nodes[std::size_t(s)].at).norm()
+                         : std::numeric_limits<double>::infinity();
+  };
+  return *std::ranges::min_element(fit, {}, away);
+}
+
+double SurfacePlate::length(int s) const {
+  return bonds.spacing * (oblique ? oblique->nodes[std::size_t(s)].length : 1);
+}
+
 double SurfacePlate::beyond(int s) const {
+  if (oblique) return 0;
   return (body.surface[std::size_t(s)].distance - 0.5) * bonds.spacing;
 }
 
@@ -65,11 +125,15 @@ SurfacePlate surface_plate(const Section& section, const Discretization& d, cons
 SurfacePlate surface_plate(const Section& section, const Discretization& d, const geometry::Outline& outline) {
   LatticeBonds bonds = lattice_bonds(section, d);
   const geometry::LatticeUnits units{geometry::bounding_box(outline).first, d.spacing};
-  LatticeBody body = rectilinear_body(geometry::to_lattice(outline, units), bonds.reach);
-  return {std::move(body), std::move(bonds), units.from_lattice({0.5, 0.5})};
+  const auto in_spacings = geometry::to_lattice(outline, units);
+  const Point first = units.from_lattice({0.5, 0.5});
+  if (!is_rectilinear(outline)) return oblique_plate(section, std::move(bonds), in_spacings, first);
+  LatticeBody body = rectilinear_body(in_spacings, bonds.reach);
+  return {std::move(body), std::move(bonds), first};
 }
 
 WeightRows expansion(const SurfacePlate& p) {
+  if (p.oblique) return oblique_expansion(p.body, *p.oblique);
   check_orders(p.orders);
   const WeightRows deflection = extrapolation(p.body, Centre::surface_node, p.orders.deflection),
                    rotation = extrapolation(p.body, Centre::surface_node, p.orders.rotation);
@@ -94,7 +158,11 @@ EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, con
   const double spacing = p.bonds.spacing;
   EdgeProblem result{Eigen::VectorXd::Zero(p.unknowns()), {}};
   for (int k = 0; k < p.body.real; ++k) result.right.segment<3>(3 * k) = spacing * spacing * load(p.at(k));
-  for (int s = 0; s < int(p.body.surface.size()); ++s) {
+  for (int s = 0; s < p.surfaces(); ++s) {
+    if (p.oblique) {
+      add_oblique(p, s, edges(p.at_surface(s), p.normal(s)), result);
+      continue;
+    }
     const int axis = p.body.surface[std::size_t(s)].axis, row = 3 * (p.body.real + s);
     const Point at = p.at_surface(s), normal = p.normal(s);
     const EdgeCondition c = edges(at, normal);
@@ -116,6 +184,13 @@ EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, con
   return result;
 }
 
+SparseStiffness stiffness_under(const SurfacePlate& p, const EdgeConditions& edges) {
+  if (!p.oblique) return stiffness(p);
+  std::vector<HeldOfNode> held;
+  for (int s = 0; s < p.surfaces(); ++s) held.push_back(edges(p.at_surface(s), p.normal(s)).held);
+  return oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, p.oblique->section, held);
+}
+
 int rigid_motions(const SurfacePlate& p, const std::vector<HeldUnknown>& held) {
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(3, Eigen::Index(held.size())), 3);
   for (std::size_t i = 0; i < held.size(); ++i) {
@@ -132,7 +207,7 @@ int rigid_motions(const SurfacePlate& p, const std::vector<HeldUnknown>& held) {
 HeldSolution solution(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {
   const auto [right, held] = edge_problem(p, edges, load);
   if (rigid_motions(p, held) > 0) throw Refused({{Subject::support, 0, "the supports leave the plate free to move"}});
-  return solution_held(stiffness(p), right, held);
+  return solution_held(stiffness_under(p, edges), right, held);
 }
 
 }  // namespace plate

@@ -1,7 +1,9 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include "plate/surface/actions.hpp"
 #include "plate/surface/edges.hpp"
+#include "plate/surface/oblique/rows.hpp"
 
 namespace plate {
 
@@ -14,8 +16,13 @@ struct ExpansionOrders {
 /// @throws std::invalid_argument  rotations of order 0, deflections of order 1 or below the rotations
 void check_orders(const ExpansionOrders& orders);
 
-/// A plate with edges along the axes and surface nodes on them (Sca23, for the Mindlin plate). All families are full
-/// but for what cracks cut, which stay a horizon away from the edges.
+/// Edges in any direction, and round holes: surface nodes on them, where the section forces are those of the local plate.
+struct LocalEdges : ObliqueEdges {
+  Section section;
+};
+
+/// A plate with surface nodes on its edges (Sca23, for the Mindlin plate). All families are full but for what cracks
+/// cut, which stay a horizon away from the edges.
 struct SurfacePlate {
   LatticeBody body;
   LatticeBonds bonds;
@@ -23,11 +30,15 @@ struct SurfacePlate {
   ExpansionOrders orders = {};
   FluxRule rule = FluxRule::lever;
   CutFamilies cuts = {};
+  std::optional<LocalEdges> oblique = {};  // where not all edges are along the axes; body.surface is empty then
 
-  int unknowns() const { return 3 * (body.real + int(body.surface.size())); }
+  int surfaces() const { return int(oblique ? oblique->nodes.size() : body.surface.size()); }
+  int unknowns() const { return 3 * (body.real + surfaces()); }
   geometry::Point at(int k) const;  // [length]
   geometry::Point at_surface(int s) const;
   geometry::Point normal(int s) const;  // outward
+  int inner(int s) const;               // a real node next to it
+  double length(int s) const;           // of its part of the edge [length]
   double beyond(int s) const;           // how far the edge lies beyond the border of the outermost cell [length]
 };
 
@@ -40,15 +51,15 @@ LatticeBody rectangle_body(const geometry::Point& low, const geometry::Point& hi
 SurfacePlate surface_plate(const Section& section, const Discretization& discretization, const geometry::Point& low,
                            const geometry::Point& high);
 
-/// The same of any outline with edges along the axes, the lattice that of geometry::lattice.
-/// @throws Refused  as rectilinear_body() does
+/// The same of any outline, the lattice that of geometry::lattice; orders (2, 1) unless all edges are along the axes.
+/// @throws Refused  as rectilinear_body() and oblique_edges() do
 SurfacePlate surface_plate(const Section& section, const Discretization& discretization,
                            const geometry::Outline& outline);
 
 /// Values of all nodes from those of real and, behind them, surface nodes: 3 nodes x unknowns().
 WeightRows expansion(const SurfacePlate& plate);
 
-/// Equilibrium of real nodes (Sca23 33) and fluxes of surface nodes (Sca23 36), expanded fictitious nodes in them:
+/// Of edges along the axes. Equilibrium of real nodes (Sca23 33) and fluxes of surface nodes (Sca23 36), expanded fictitious nodes in them:
 /// deflections and rotations about the nearest surface node, dilatations to one order below the rotations about the
 /// nearest real node. Not symmetric.
 /// @throws std::invalid_argument  as check_orders() does
@@ -71,6 +82,9 @@ struct EdgeProblem {
 
 /// What lies between the border of an outermost cell and an edge beyond it is loaded too; it goes to the surface node.
 EdgeProblem edge_problem(const SurfacePlate& plate, const EdgeConditions& edges, const AreaLoad& load);
+
+/// The stiffness under these conditions: stiffness(), or oblique_stiffness() with rows of what they hold.
+SparseStiffness stiffness_under(const SurfacePlate& plate, const EdgeConditions& edges);
 
 /// How many of the three rigid motions leave all that is held at rest.
 int rigid_motions(const SurfacePlate& plate, const std::vector<HeldUnknown>& held);

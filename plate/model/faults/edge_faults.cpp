@@ -61,7 +61,8 @@ void check_supports(const Problem& problem, std::vector<Refusal>& found) {
       if (!fresh && first->second != i)
         found.push_back({Subject::support_edges, i,
                          fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second)});
-      const bool any_direction = problem.discretization.formulation->offers(Feature::any_direction);
+      const bool any_direction = problem.discretization.formulation->offers(Feature::any_direction) ||
+                                 problem.discretization.boundary == EdgeMethod::surface_nodes;
       if (!any_direction && needs_axis_parallel(support.kind) && !axis_parallel(problem.outline, edge))
         found.push_back({Subject::support_direction, i,
                          fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
