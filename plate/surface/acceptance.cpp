@@ -80,8 +80,8 @@ struct Widest {
 /// Twist beside free edges and soft supports turns within less than the thickness; expansions of a wider horizon make
 /// deflections too small there. Measured against images and the local plate, squares with 29 kinds of support and load:
 /// with surface nodes 4 % at most up to 2 thicknesses, 28 % at 3; with multipliers 5 % at most within these limits, 6
-/// to 11 % at free edges with 0.075 to 0.15 of the side or soft ones at 1.5 thicknesses, 20 % and more at 3. Edges in any
-/// direction, some of them free, have motions that grow at 1.5 and 2 thicknesses, and none up to 1.
+/// to 11 % at free edges with 0.075 to 0.15 of the side or soft ones at 1.5 thicknesses, 20 % and more at 3. Edges in
+/// any direction, some of them free, have motions that grow at 1.5 and 2 thicknesses, and none up to 1.
 Widest widest(const Problem& problem, EdgeMethod method) {
   const auto edges = geometry::edge_names(problem.outline);
   const auto kind = [&](const std::string& edge) {

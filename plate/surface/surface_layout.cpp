@@ -55,8 +55,7 @@ std::size_t side_at(const Boundary& b, const Point& at, const Point& normal) {
 /// Of the surface nodes, in their order: the side on which each lies.
 std::vector<std::size_t> sides_of_nodes(const SurfacePlate& plate, const Boundary& boundary) {
   std::vector<std::size_t> result;
-  for (int s = 0; s < plate.surfaces(); ++s)
-    result.push_back(side_at(boundary, plate.at_surface(s), plate.normal(s)));
+  for (int s = 0; s < plate.surfaces(); ++s) result.push_back(side_at(boundary, plate.at_surface(s), plate.normal(s)));
   return result;
 }
 
@@ -148,12 +147,12 @@ geometry::Cloud whole_cells(geometry::Cloud cloud) {
 /// hold the deflection, so that reactions are those of the whole load.
 void add_rest(double pressure, const SurfacePlate& plate, const Boundary& b, const geometry::Outline& outline,
               Forces& forces) {
+  std::vector<int> held;
   double around = 0;
-  for (int s = 0; s < plate.surfaces(); ++s) around += plate.length(s);
-  const double rest = geometry::area(outline) - plate.body.real * std::pow(plate.bonds.spacing, 2);
   for (int s = 0; s < plate.surfaces(); ++s)
-    if (b.constraints.held(std::uint32_t(3 * (plate.body.real + s))))
-      forces(0, plate.body.real + s) += pressure * rest * plate.length(s) / around;
+    if (b.constraints.held(std::uint32_t(3 * (plate.body.real + s)))) held.push_back(s), around += plate.length(s);
+  const double rest = geometry::area(outline) - plate.body.real * std::pow(plate.bonds.spacing, 2);
+  for (const int s : held) forces(0, plate.body.real + s) += pressure * rest * plate.length(s) / around;
 }
 
 Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate, const Boundary& b,

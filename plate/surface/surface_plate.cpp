@@ -51,9 +51,9 @@ void add_oblique(const SurfacePlate& p, int s, const EdgeCondition& c, EdgeProbl
     if (both) to.held.push_back({row + 1 + i, value[1 + i]});
     const auto k = std::size_t(i);
     if (!both)
-      to.right.segment<2>(row + 1) += directions[k] * (c.held[k + 1]
-                                                           ? -p.oblique->section.bending_stiffness() * c.value[k + 1]
-                                                           : p.length(s) * c.value[k + 1]);
+      to.right.segment<2>(row + 1) +=
+          directions[k] *
+          (c.held[k + 1] ? -p.oblique->section.bending_stiffness() * c.value[k + 1] : p.length(s) * c.value[k + 1]);
   }
 }
 

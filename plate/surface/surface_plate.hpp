@@ -16,7 +16,8 @@ struct ExpansionOrders {
 /// @throws std::invalid_argument  rotations of order 0, deflections of order 1 or below the rotations
 void check_orders(const ExpansionOrders& orders);
 
-/// Edges in any direction, and round holes: surface nodes on them, where the section forces are those of the local plate.
+/// Edges in any direction, and round holes: surface nodes on them, where the section forces are those of the local
+/// plate.
 struct LocalEdges : ObliqueEdges {
   Section section;
 };
@@ -59,9 +60,9 @@ SurfacePlate surface_plate(const Section& section, const Discretization& discret
 /// Values of all nodes from those of real and, behind them, surface nodes: 3 nodes x unknowns().
 WeightRows expansion(const SurfacePlate& plate);
 
-/// Of edges along the axes. Equilibrium of real nodes (Sca23 33) and fluxes of surface nodes (Sca23 36), expanded fictitious nodes in them:
-/// deflections and rotations about the nearest surface node, dilatations to one order below the rotations about the
-/// nearest real node. Not symmetric.
+/// Of edges along the axes. Equilibrium of real nodes (Sca23 33) and fluxes of surface nodes (Sca23 36), expanded
+/// fictitious nodes in them: deflections and rotations about the nearest surface node, dilatations to one order below
+/// the rotations about the nearest real node. Not symmetric.
 /// @throws std::invalid_argument  as check_orders() does
 /// @throws Refused                where the plate has too few points for the orders
 SparseStiffness stiffness(const SurfacePlate& plate);

@@ -32,8 +32,7 @@ std::vector<EdgeNode> edge_nodes(const geometry::Outline& outline) {
     const Point along = edge.to - edge.from, unit = along.normalized();
     const int count = parts(along.norm());
     for (int i = 0; i < count; ++i)
-      result.push_back(
-          {edge.from + (i + 0.5) / count * along, Point(unit.y(), -unit.x()), along.norm() / count});
+      result.push_back({edge.from + (i + 0.5) / count * along, Point(unit.y(), -unit.x()), along.norm() / count});
   }
   for (const auto& hole : outline.holes)
     if (const auto* circle = std::get_if<geometry::Circle>(&hole)) add(*circle, result);

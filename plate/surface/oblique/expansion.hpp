@@ -12,7 +12,8 @@ struct EdgeFit {
   Eigen::MatrixXd terms;   // terms x nodes
 };
 
-/// Nodes on edges in any direction, and what is expanded about them. Positions in spacings; node (0, 0) is at the origin.
+/// Nodes on edges in any direction, and what is expanded about them. Positions in spacings; node (0, 0) is at the
+/// origin.
 struct ObliqueEdges {
   std::vector<EdgeNode> nodes;
   std::vector<EdgeFit> deflection, rotation;  // of each edge node, orders 2 and 1

@@ -1,6 +1,7 @@
 #include "plate/surface/oblique/rows.hpp"
 
 #include <fmt/format.h>
+#include <limits>
 #include "plate/model/refused.hpp"
 
 namespace plate {
@@ -47,8 +48,7 @@ void add_section_forces(int s, const EdgeNode& node, const EdgeFit& deflection, 
     for (std::size_t i = 0; i < rotation.nodes.size(); ++i) {
       const auto moments = law.moments(psi, gradient(rotation, i));
       const Point couple = length * (moments[0] * directions[0] + moments[1] * directions[1]);
-      for (int row = 0; row < 2; ++row)
-        to.emplace_back(3 * s + 1 + row, 3 * rotation.nodes[i] + 1 + c, couple[row]);
+      for (int row = 0; row < 2; ++row) to.emplace_back(3 * s + 1 + row, 3 * rotation.nodes[i] + 1 + c, couple[row]);
     }
   }
 }
@@ -73,17 +73,49 @@ void add_turning_rows(const StiffnessRows& forces, int s, int row, const EdgeNod
   }
 }
 
-/// Least weights of a node in its own derivatives along the normal, per spacing. Measured: 0.63, 0.25 and more on squares,
-/// hexagons, Ls, holes at any angle; 0.08, 0.15 in corners of 46 degrees, where free edges had motions that grow.
+/// The nearest edge node that holds something; -1: none.
+int nearest_held(const ObliqueEdges& edges, const std::vector<HeldOfNode>& held, std::size_t from, bool rotations) {
+  int result = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < held.size(); ++s) {
+    const double away = (edges.nodes[s].at - edges.nodes[from].at).norm();
+    if ((rotations ? held[s][1] && held[s][2] : held[s][0]) && away < least) result = int(s), least = away;
+  }
+  return result;
+}
+
+/// Bonds beyond a free edge do not sum up to its section forces part by part. What is left of them is a force on the
+/// nearest node that holds the deflection, with its couple there if that holds it, and a couple on the nearest clamped
+/// one: nothing in homogeneous states.
+void add_left_over(const StiffnessRows& beyond, const StiffnessRows& forces, const ObliqueEdges& edges,
+                   const std::vector<HeldOfNode>& held, int real, double spacing, Triplets& to) {
+  for (std::size_t s = 0; s < held.size(); ++s) {
+    const auto move = [&](int component, int target, double factor) {
+      add(beyond, 3 * int(s) + component, factor, target, to);
+      add(forces, 3 * int(s) + component, -factor, target, to);
+    };
+    if (const int at = held[s][0] ? -1 : nearest_held(edges, held, s, false); at >= 0) {
+      const int row = 3 * (real + at);
+      move(0, row, 1);
+      const auto& of_node = held[std::size_t(at)];
+      const Point lever = spacing * (edges.nodes[s].at - edges.nodes[std::size_t(at)].at);  // theory (25)
+      if (of_node[1] && of_node[2]) move(0, row + 1, lever.y()), move(0, row + 2, -lever.x());
+    }
+    const bool clamped = held[s][1] && held[s][2];
+    if (const int at = clamped ? -1 : nearest_held(edges, held, s, true); at >= 0)
+      for (const int c : {1, 2}) move(c, 3 * (real + at) + c, 1);
+  }
+}
+
+/// Least weights of a node in its own derivatives along the normal, per spacing. Measured: 0.63, 0.25 and more on
+/// squares, hexagons, Ls, holes at any angle; 0.08, 0.15 in corners of 46 degrees, where free edges had motions that
+/// grow.
 void check_own_weights(const ObliqueEdges& edges, const std::vector<HeldOfNode>& held) {
   constexpr double least_of_rotation = 0.3, least_of_deflection = 0.2;
   for (std::size_t s = 0; s < held.size(); ++s) {
     if (held[s] == HeldOfNode{true, true, true}) continue;
-    const auto own = [&](const EdgeFit& fit) {
-      return fit.terms.rightCols<1>().head<2>().dot(edges.nodes[s].normal);
-    };
-    if (own(edges.rotation[s]) < least_of_rotation ||
-        (!held[s][0] && own(edges.deflection[s]) < least_of_deflection))
+    const auto own = [&](const EdgeFit& fit) { return fit.terms.rightCols<1>().head<2>().dot(edges.nodes[s].normal); };
+    if (own(edges.rotation[s]) < least_of_rotation || (!held[s][0] && own(edges.deflection[s]) < least_of_deflection))
       throw Refused({{Subject::geometry, 0,
                       fmt::format("surface nodes on an edge that is not clamped need points of the plate behind them, "
                                   "and the corner about ({:.3g}, {:.3g}) of the lattice is too sharp or too near to a "
@@ -103,7 +135,8 @@ WeightRows section_force_rows(const LatticeBody& b, const ObliqueEdges& edges, c
   const int count = int(edges.nodes.size());
   for (int s = 0; s < count; ++s) {
     const auto i = std::size_t(s);
-    add_section_forces(s, edges.nodes[i], edges.deflection[i], edges.rotation[i], b.real + s, section, spacing, entries);
+    add_section_forces(s, edges.nodes[i], edges.deflection[i], edges.rotation[i], b.real + s, section, spacing,
+                       entries);
   }
   WeightRows rows(3 * count, 3 * (b.real + count));
   rows.setFromTriplets(entries.begin(), entries.end());
@@ -135,6 +168,7 @@ SparseStiffness oblique_stiffness(const LatticeBody& b, const LatticeBonds& bond
       add_turning_rows(forces, s, row, edges.nodes[std::size_t(s)], of_node, section.bending_stiffness(), entries);
     }
   }
+  add_left_over(beyond, forces, edges, held, b.real, bonds.spacing, entries);
   SparseStiffness result(expanded.cols(), expanded.cols());
   result.setFromTriplets(entries.begin(), entries.end());
   return result;

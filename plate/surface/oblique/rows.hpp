@@ -25,7 +25,8 @@ SparseStiffness oblique_stiffness(const LatticeBody& body, const LatticeBonds& b
                                   const ObliqueEdges& edges, const Section& section,
                                   const std::vector<HeldOfNode>& held);
 
-/// The directions in the plane of theta about which M_nn and M_ns turn; psi_n = -first . theta, psi_s = -second . theta.
+/// The directions in the plane of theta about which M_nn and M_ns turn; psi_n = -first . theta, psi_s = -second .
+/// theta.
 std::array<geometry::Point, 2> turning_directions(const geometry::Point& normal);
 
 }  // namespace plate

@@ -21,8 +21,8 @@ Outline turned(const std::vector<Point>& corners, double degrees) {
   for (const auto& x : corners) result.outer.vertices.push_back(turn * x);
   return result;
 }
-const std::vector<Point> square{{-0.6, -0.6}, {0.6, -0.6}, {0.6, 0.6}, {-0.6, 0.6}},
-    ell{{-0.6, -0.6}, {0.6, -0.6}, {0.6, 0}, {0, 0}, {0, 0.6}, {-0.6, 0.6}};
+const std::vector<Point> square{{-0.45, -0.45}, {0.45, -0.45}, {0.45, 0.45}, {-0.45, 0.45}},
+    ell{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0}, {0, 0}, {0, 0.5}, {-0.5, 0.5}};
 
 Outline holed() {
   Outline result = geometry::rectangle(-0.81, -0.81, 0.81, 0.81);
@@ -34,7 +34,7 @@ Outline polygon(int edges) {
   std::vector<Point> corners;
   for (int i = 0; i < edges; ++i) {
     const double angle = 2 * 3.141592653589793 * i / edges;
-    corners.push_back({0.65 * std::cos(angle), 0.65 * std::sin(angle)});
+    corners.push_back({0.5 * std::cos(angle), 0.5 * std::sin(angle)});
   }
   return turned(corners, 6);
 }
@@ -56,7 +56,8 @@ struct Homogeneous {
   }
 };
 
-/// Largest error of real and surface nodes; `held`: bits of w, psi_n, psi_s, by the quarter into which the normal points.
+/// Largest error of real and surface nodes; `held`: bits of w, psi_n, psi_s, by the quarter into which the normal
+/// points.
 double patch(const SurfacePlate& p, const plate::Section& section, const Homogeneous& s,
              const std::array<unsigned, 4>& held) {
   const double D = section.bending_stiffness(), nu = section.poisson, S = section.shear_stiffness();
@@ -89,25 +90,29 @@ double patch(const SurfacePlate& p, const plate::Section& section, const Homogen
 }  // namespace
 
 TEST_CASE("surface plate, oblique edges: bending, twist and shear are exact, held, mixed and loaded") {
-  const std::vector<Homogeneous> states{{1, 0, 0, {0, 0}}, {0, -1, 0, {0, 0}}, {0, 0, 1, {0, 0}}, {0, 0, 0, {0.3, -0.7}}};
+  const std::vector<Homogeneous> states{{1, -0.6, 0.4, {0.3, -0.7}}, {0, 0, 1, {0, 0}}};
   double worst = 0;
-  for (const auto& outline : {turned(square, 45), turned(square, 26.565), turned(square, 17.3), turned(ell, 17.3),
-                              holed(), polygon(6), polygon(24)}) {
+  for (const auto& outline : {turned(square, 45), turned(square, 17.3), turned(ell, 26.565), holed(), polygon(20)}) {
     const auto p = made(outline, 0.3);
     for (const auto& s : states)
       for (const auto& held : {std::array{7U, 7U, 7U, 7U}, std::array{7U, 5U, 2U, 1U}, std::array{0U, 0U, 0U, 0U}})
         worst = std::max(worst, patch(p, {1000, 0.3, 0.3}, s, held));
   }
-  CHECK(worst < 1e-9);  // measured:
+  INFO(worst);
+  CHECK(worst < 1e-9);  // measured: 2.1e-12
 }
 
 TEST_CASE("surface plate, oblique edges: no motion grows at rest within what the program accepts") {
   using enum SupportKind;
   double lowest = 1;
-  for (const auto& outline : {turned(square, 45), turned(square, 22), turned(square, 17.3), turned(ell, 17.3),
-                              turned(ell, 45), polygon(24)})
-    for (const auto& [kind, ratio] : {std::pair{free, 0.3}, {free, 1.0}, {clamped, 0.3}, {clamped, 3.0},
-                                      {simply_supported, 0.3}, {simply_supported, 2.0}, {simply_supported_hard, 0.3},
+  for (const auto& outline : {turned(square, 22), turned(ell, 17.3), polygon(20)})
+    for (const auto& [kind, ratio] : {std::pair{free, 0.3},
+                                      {free, 1.0},
+                                      {clamped, 0.3},
+                                      {clamped, 3.0},
+                                      {simply_supported, 0.3},
+                                      {simply_supported, 2.0},
+                                      {simply_supported_hard, 0.3},
                                       {simply_supported_hard, 3.0}}) {
       const double h = 0.3 / ratio;
       const auto s = plate::spectrum(
@@ -116,15 +121,16 @@ TEST_CASE("surface plate, oblique edges: no motion grows at rest within what the
       CHECK(s.negative == 0);
       lowest = std::min(lowest, s.lowest);
     }
-  CHECK(lowest > -1e-12);  // measured:
+  INFO(lowest);
+  CHECK(lowest > -1e-12);  // measured: -1e-15, rigid motions
 }
 
 TEST_CASE("surface plate, oblique edges: free edges of thin plates have motions that grow") {
   int negative = 0;
   for (const double degrees : {22.0, 31.0})
     negative += plate::spectrum(
-                    made(turned(ell, degrees), 0.1), [](const Point&, const Point&) { return plate::edge_condition(SupportKind::free); },
-                    0.1)
+                    made(turned(ell, degrees), 0.1),
+                    [](const Point&, const Point&) { return plate::edge_condition(SupportKind::free); }, 0.1)
                     .negative;
   CHECK(negative > 0);
 }
@@ -137,8 +143,9 @@ TEST_CASE("surface plate, oblique edges: deflection of a turned square under pre
   };
   const double tangent = 36.86989764584402;  // 3 / 4
   for (const auto& [degrees, spacing, kind, error] :
-       {Row{tangent, 2.8 / 27, SupportKind::clamped, 0}, Row{tangent, 2.8 / 41, SupportKind::clamped, 0},
-        Row{tangent, 2.8 / 55, SupportKind::clamped, 0}, Row{tangent, 2.8 / 55, SupportKind::simply_supported_hard, 0}}) {
+       {Row{tangent, 2.8 / 27, SupportKind::clamped, 0.8337}, Row{tangent, 2.8 / 41, SupportKind::clamped, 0.6081},
+        Row{tangent, 2.8 / 55, SupportKind::clamped, 0.3936},
+        Row{tangent, 2.8 / 55, SupportKind::simply_supported_hard, -0.8547}}) {
     const auto p = made(turned({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, degrees), 0.1, spacing);
     const auto held = kind;
     const auto found = plate::solution(

@@ -43,8 +43,8 @@ TEST_CASE("oblique expansion: deflections of second and rotations of first order
   const auto edges = oblique_edges(disc.body, disc.nodes, all);
   Eigen::VectorXd known(3 * (disc.body.real + 30));
   for (int k = 0; k < disc.body.real + 30; ++k) {
-    const Point x = k < disc.body.real ? Point(disc.body.position(k).head<2>())
-                                       : disc.nodes[std::size_t(k - disc.body.real)].at;
+    const Point x =
+        k < disc.body.real ? Point(disc.body.position(k).head<2>()) : disc.nodes[std::size_t(k - disc.body.real)].at;
     known.segment<3>(3 * k) << w(x), theta(x), -theta(x);
   }
   const Eigen::VectorXd values = oblique_expansion(disc.body, edges) * known;

@@ -41,9 +41,12 @@ TEST_CASE("oblique rows: section forces of bending about an axis, of twist and o
   const WeightRows rows = section_force_rows(p.body, *p.oblique, section, 0.1);
   const double D = section.bending_stiffness(), S = section.shear_stiffness();
   // psi = (x, 0), w = x^2 / 2: M_xx = -D, M_yy = -nu D; psi = (y, x), w = x y: M_xy = -(1 - nu) D; w = x: Q_x = S
-  const Eigen::VectorXd bent = rows * values(p, [](const Point& x) { return Eigen::Vector3d(x.x() * x.x() / 2, 0, -x.x()); }),
-                        twisted = rows * values(p, [](const Point& x) { return Eigen::Vector3d(x.x() * x.y(), x.x(), -x.y()); }),
-                        sheared = rows * values(p, [](const Point& x) { return Eigen::Vector3d(x.x(), 0, 0); });
+  const Eigen::VectorXd bent = rows *
+                               values(p, [](const Point&x) { return Eigen::Vector3d(x.x() * x.x() / 2, 0, -x.x()); }),
+                        twisted =
+                            rows *
+                            values(p, [](const Point&x) { return Eigen::Vector3d(x.x() * x.y(), x.x(), -x.y()); }),
+                        sheared = rows * values(p, [](const Point&x) { return Eigen::Vector3d(x.x(), 0, 0); });
   double off = 0;
   for (int s = 0; s < p.surfaces(); ++s) {
     const Point n = p.normal(s);
