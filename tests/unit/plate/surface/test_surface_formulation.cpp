@@ -158,6 +158,29 @@ TEST_CASE("surface nodes: what they cannot carry is refused with the reason") {
   CHECK(bonds_with_surface_nodes.discretise(square(clamp, {pressure()})).plate->held());
 }
 
+TEST_CASE("surface nodes: on oblique edges and round holes reactions are the load, whatever holds them") {
+  using enum SupportKind;
+  auto problem = square({}, {pressure()}, 0.1);
+  problem.outline.outer = {{{-1, -0.8}, {0.9, -1}, {1, 0.7}, {-0.7, 1}}, all};
+  problem.outline.holes.push_back(geometry::Circle{{0, 0}, 0.35, "hole"});
+  for (const auto kind : {clamped, simply_supported_hard, simply_supported}) {
+    problem.supports = {{kind, {"left", "top"}, {}}};
+    const auto made = bonds_with_surface_nodes.discretise(problem);
+    CHECK(made.plate->held());
+    Forces force;
+    made.plate->internal_force(solved(*made.plate), force);
+    const Eigen::VectorXd held = made.plate->constraints().on_held(force);
+    double sum = 0, load = made.plate->total_load().row(0).sum();
+    for (std::size_t i = 0; i < made.plate->constraints().held().size(); ++i)
+      if (made.plate->constraints().held()[i] % 3 == 0) sum += held[Eigen::Index(i)];
+    for (std::size_t i = 0; i < made.plate->constraints().held().size(); ++i)
+      if (made.plate->constraints().held()[i] % 3 == 0)
+        load -= made.plate->total_load()(0, Eigen::Index(made.plate->constraints().held()[i] / 3));
+    CHECK(sum == Approx(load).epsilon(1e-9));
+    CHECK(made.plate->total_load().row(0).sum() == Approx(geometry::area(problem.outline)).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("surface nodes: a small plate tells that no motion grows with these edges, and how asymmetric they are") {
   const auto free = bonds_with_surface_nodes.discretise(
       square({{SupportKind::pinned, {}, {{-0.9, -0.9}, {0.9, -0.9}, {0.1, 0.9}}}}, {moment({"left", "right"}, 2)}));
