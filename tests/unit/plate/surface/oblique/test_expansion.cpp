@@ -53,7 +53,7 @@ TEST_CASE("oblique expansion: deflections of second and rotations of first order
     const Point x = disc.body.position(k).head<2>();
     off = std::max(off, (values.segment<3>(3 * k) - Eigen::Vector3d(w(x), theta(x), -theta(x))).cwiseAbs().maxCoeff());
   }
-  CHECK(off < 1e-11);  // measured: below 1e-12 of values up to 300
+  CHECK(off < 1e-11);  // measured: below 1e-12
 }
 
 TEST_CASE("oblique expansion: what is not seen is not used, and too little of it is refused") {

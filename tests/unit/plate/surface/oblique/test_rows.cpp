@@ -92,7 +92,7 @@ TEST_CASE("oblique rows: a rotation that is held alone is a row of the stiffness
 
 TEST_CASE("oblique rows: corners too sharp for edges that are not clamped are refused") {
   geometry::Outline triangle;
-  triangle.outer.vertices = {{0, 0}, {1.2, 0.05}, {1.1, 0.4}};
+  triangle.outer.vertices = {{-0.9, -0.54}, {0.9, -0.36}, {-0.18, 0.81}};
   const auto p = made(triangle);
   const auto count = std::size_t(p.surfaces());
   const auto stiffness = [&](const HeldOfNode& held) {
