@@ -55,11 +55,12 @@ std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
   };
   const auto& d = plan.problem.discretization;
-  refuse(!plan.moves(), "analysis.kind", "only \"dynamic\" can be run");
-  refuse(plan.moves() && plan.analysis.method != plate::Analysis::Method::central_difference, "analysis.method",
-         "only \"central_difference\" can be run");
-  refuse(plan.analysis.start == plate::Analysis::Start::equilibrium, "analysis.start",
-         "a start from equilibrium cannot be found");
+  using enum plate::Analysis::Method;
+  refuse(plan.analysis.kind == plate::Analysis::Kind::frequencies, "analysis.kind", "frequencies cannot be found");
+  refuse(plan.analysis.method == lanczos, "analysis.method", "\"lanczos\" cannot be run");
+  refuse(plan.analysis.method == direct, "analysis.method", "\"direct\" cannot be run");
+  refuse(plan.analysis.preconditioner == plate::Preconditioning::local, "analysis.preconditioner",
+         "\"local\" cannot be made");
   refuse(d.formulation != &plate::ordinary, "formulation", "only \"ordinary\" can be run");
   refuse(d.boundary != plate::EdgeMethod::images, "discretization.boundary", "only \"images\" can be run");
   for (std::size_t i = 0; i < plan.problem.supports.size(); ++i)

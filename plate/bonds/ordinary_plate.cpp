@@ -28,6 +28,7 @@
 #include "plate/model/free_memory.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/refused.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -133,10 +134,11 @@ std::vector<Share> OrdinaryPlate::interpolation(const Point& at) const {
 
 ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const {
   // the factor of two levels would enlarge the rounding of a motion without resistance
-  const auto usual = [&] {
-    return may_move() ? Preconditioning::diagonal : usual_preconditioner_of_bonds(problem(), double(points()));
-  };
   using enum Preconditioning;
+  const auto usual = [&] {
+    const auto here = may_move() ? diagonal : usual_preconditioner_of_bonds(problem(), double(points()));
+    return largest_of_all(here == diagonal) > 0 ? diagonal : here;
+  };
   if (wanted == automatic) wanted = usual();
   if (wanted == diagonal) return {nullptr, "diagonal"};
   if (wanted == local) return {std::make_unique<LocalPlate>(op_, boundary(), section(), discretization()), "local"};
@@ -214,10 +216,8 @@ Discretised discretised(const Problem& problem) {
   auto families = sever(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
   boundary.attached = attached_stiffness(problem, boundary.cloud);
   OperatedPart operated_part;
-  if (part)
-    operated_part = operated(*part, boundary, families, layout.tips);
-  else
-    layout.pieces = pieces(boundary, families);
+  if (part) operated_part = operated(*part, boundary, families, layout.tips);
+  layout.pieces = pieces(boundary, families);
   stopwatch.lap("families");
 
   auto shapes = bond_shapes(families.vectors(), problem.section, d);
@@ -229,10 +229,7 @@ Discretised discretised(const Problem& problem) {
     const double share = 1 + (problem.load_cases.empty() ? 0 : 0.1 * double(layout.loads.size()));
     load += share * layout.loads.back().forces;  // those of load cases do not act together: none takes another away
   }
-  if (part)
-    layout.mechanisms.searched = false;
-  else
-    layout.mechanisms = mechanisms(boundary, families, layout.pieces, load);
+  layout.mechanisms = mechanisms(boundary, families, layout.pieces, load);
   auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
   LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights),
                                     std::move(operated_part)));

@@ -4,29 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "geometry/lattice/cell_index.hpp"
-#include "plate/model/ranks/ranks.hpp"
+#include "plate/model/ranks/gathered.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {
 namespace {
 
 using geometry::Cell;
-
-std::string text_of(const std::vector<Cell>& cells) {
-  std::string text(cells.size() * sizeof(Cell), '\0');
-  if (!cells.empty()) std::memcpy(text.data(), cells.data(), text.size());
-  return text;
-}
-
-template <typename T>
-std::vector<T> values_of(const std::string& text) {
-  std::vector<T> values(text.size() / sizeof(T));
-  if (!values.empty()) std::memcpy(values.data(), text.data(), text.size());
-  return values;
-}
 
 /// Points of the plate that are not one's own, and what they follow.
 class Seen {
@@ -91,12 +77,10 @@ std::vector<Copy> numbered(const Ranks& all, const PartOfLattice& part, const Se
   const geometry::CellIndex index(boundary.lattice);
   std::vector<std::string> answers;
   for (const auto& question : questions) {
-    std::string answer;
-    for (const Cell& cell : values_of<Cell>(question)) {
-      const auto k = index.at(geometry::Point(double(cell[0]) + 0.5, double(cell[1]) + 0.5)).value();
-      answer.append(reinterpret_cast<const char*>(&k), sizeof k);
-    }
-    answers.push_back(std::move(answer));
+    std::vector<std::uint32_t> answer;
+    for (const Cell& cell : values_of<Cell>(question))
+      answer.push_back(index.at(geometry::Point(double(cell[0]) + 0.5, double(cell[1]) + 0.5)).value());
+    answers.push_back(text_of(answer));
   }
   const auto replies = all.exchanged(std::move(answers));
   std::vector<Copy> result;

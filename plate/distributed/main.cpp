@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "plate/distributed/mpi_ranks.hpp"
+#include "plate/distributed/petsc_inverse.hpp"
 #include "plate/model/process.hpp"
 
 extern "C" int pdplate_main(int argc, char** argv);
@@ -43,15 +44,18 @@ int main(int argc, char** argv) {
     std::fputs("failed: this MPI allows no threads\n", stderr);
     MPI_Abort(MPI_COMM_WORLD, 4);
   }
-  const plate::MpiRanks all(MPI_COMM_WORLD);
-  const plate::AmongRanks among(all);
-  const Listener listener(all.rank() > 0);
-  const int code = pdplate_main(argc, argv);
-  if (code != 0) {
-    listener.speak();
-    std::fflush(nullptr);
-    MPI_Abort(MPI_COMM_WORLD, code);
+  {
+    const plate::Petsc petsc;
+    const plate::MpiRanks all(MPI_COMM_WORLD);
+    const plate::AmongRanks among(all);
+    const Listener listener(all.rank() > 0);
+    const int code = pdplate_main(argc, argv);
+    if (code != 0) {
+      listener.speak();
+      std::fflush(nullptr);
+      MPI_Abort(MPI_COMM_WORLD, code);
+    }
   }
   MPI_Finalize();
-  return code;
+  return 0;
 }

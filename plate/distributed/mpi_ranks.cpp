@@ -1,8 +1,9 @@
 #include "plate/distributed/mpi_ranks.hpp"
 
-#include <algorithm>
-#include <cstring>
 #include <numeric>
+
+#include "plate/distributed/petsc_inverse.hpp"
+#include "plate/model/ranks/gathered.hpp"
 
 namespace plate {
 namespace {
@@ -123,18 +124,18 @@ std::unique_ptr<Exchange> MpiRanks::exchange(std::size_t points, const std::vect
     there[std::size_t(copy.owner)].push_back(copy.of_owner);
   }
   std::vector<std::string> asked;
-  for (const auto& points_there : there)
-    asked.emplace_back(reinterpret_cast<const char*>(points_there.data()), points_there.size() * sizeof(std::uint32_t));
+  for (const auto& points_there : there) asked.push_back(text_of(points_there));
   const auto wanted = exchanged(std::move(asked));
   Traffic out, in;
   for (int other = 0; other < size_; ++other) {
-    const auto& text = wanted[std::size_t(other)];
-    std::vector<std::uint32_t> sent(text.size() / sizeof(std::uint32_t));
-    if (!sent.empty()) std::memcpy(sent.data(), text.data(), text.size());
-    out.add(other, sent);
+    out.add(other, values_of<std::uint32_t>(wanted[std::size_t(other)]));
     in.add(other, here[std::size_t(other)]);
   }
   return std::make_unique<MpiExchange>(all_, points, std::move(out), std::move(in));
+}
+
+std::unique_ptr<SharedInverse> MpiRanks::inverse(const SharedRows& rows) const {
+  return petsc_inverse(all_, rows);
 }
 
 }  // namespace plate

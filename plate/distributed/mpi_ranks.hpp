@@ -5,7 +5,8 @@
 
 namespace plate {
 
-/// The processes of MPI. MPI must have been initialised for calls from one thread at a time (MPI_THREAD_FUNNELED).
+/// The processes of MPI. MPI must have been initialised for calls from one thread at a time (MPI_THREAD_FUNNELED), and
+/// PETSc (Petsc).
 class MpiRanks : public Ranks {
 public:
   explicit MpiRanks(MPI_Comm all);
@@ -16,6 +17,7 @@ public:
   void largest(std::span<double> values) const override;
   std::vector<std::string> exchanged(std::vector<std::string> texts) const override;
   std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const override;
+  std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const override;
 
 private:
   MPI_Comm all_;

@@ -12,6 +12,7 @@
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/free_memory.hpp"
+#include "plate/model/ranks/exact_sum.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {
@@ -81,6 +82,15 @@ bool Formulation::may_move() const {
 
 bool Formulation::held() const {
   return std::ranges::all_of(pieces(), [](const Piece& piece) { return piece.free_modes == 0; });
+}
+
+double Formulation::strain_energy(const State& state) const {
+  if (!ranks()) return energies(state).sum();
+  Forces force;  // of which every process finds the same bits
+  internal_force(state, force);
+  return exact_sum<1>(*ranks(), points(), [&](std::size_t k, const auto& add) {
+    if (boundary().owns(k)) add(0, -state.col(Eigen::Index(k)).dot(force.col(Eigen::Index(k))) / 2);
+  })[0];
 }
 
 Forces Formulation::total_load() const {

@@ -87,9 +87,9 @@ public:
   /// Is every piece held against all rigid motions?
   bool held() const;
 
-  Forces total_load() const;  // all loads at their last values together
-  Forces first_load() const;  // all loads as they are at time 0
-  double strain_energy(const State& state) const { return energies(state).sum(); }
+  Forces total_load() const;                       // all loads at their last values together
+  Forces first_load() const;                       // all loads as they are at time 0
+  double strain_energy(const State& state) const;  // of all processes that share the plate
   /// Mass per degree of freedom. `rotary`: factor of the rotary inertia.
   Forces mass(double rotary = 1) const;
   std::size_t bonds() const;             // directed, between points of the plate

@@ -6,6 +6,7 @@
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/reduction.hpp"
 #include "plate/solve/static_solver.hpp"
 
 namespace plate {
@@ -21,7 +22,7 @@ StaticResult static_solution(const Formulation& plate, const Analysis& analysis,
 
 State start_of(const Formulation& plate, const Analysis& analysis) {
   const auto load = plate.first_load();
-  if (load.isZero(0)) return {};
+  if (largest_of_all(load.isZero(0) ? 0 : 1) == 0) return {};
   const auto result = solve_static(plate, load, analysis.static_method(), analysis.preconditioner,
                                    {StaticOptions{}.tolerance, analysis.max_iterations, {}});
   if (!result.solution.converged)

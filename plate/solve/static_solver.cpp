@@ -4,6 +4,7 @@
 
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/preconditioner.hpp"
+#include "plate/solve/motion/dynamics.hpp"
 
 namespace plate {
 
@@ -21,8 +22,11 @@ StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& o
   constexpr std::size_t most = 24;  // of what is kept
   const auto& constraints = plate_->constraints();
   const std::size_t bytes = inverse_ ? inverse_->bytes() : 0;
-  if (method_ == StaticMethod::adr)
-    return {adaptive_dynamic_relaxation(*plate_, constraints, load, options), "adr", {}, 0};
+  if (method_ == StaticMethod::adr) {
+    auto from = options;
+    from.start_of_bound = start_by_place(*plate_);
+    return {adaptive_dynamic_relaxation(*plate_, constraints, load, from), "adr", {}, 0};
+  }
   if (method_ == StaticMethod::direct) {
     const auto solution = plate_->offers(Feature::symmetry)
                               ? conjugate_gradients(*plate_, constraints, load, options, inverse_.get())

@@ -19,8 +19,9 @@ Forces inverse(const Forces& diagonal) {
 }
 
 /// 1 / lambda of Dai 14: the diagonal, scaled so that no frequency exceeds 2 with time step 1.
-Forces inverse_fictitious_mass(const Operator& plate, const Constraints& constraints, const Forces& diagonal) {
-  const double step = stable_time_step(plate, constraints, diagonal);
+Forces inverse_fictitious_mass(const Operator& plate, const Constraints& constraints, const Forces& diagonal,
+                               const std::optional<State>& start) {
+  const double step = stable_time_step(plate, constraints, diagonal, start);
   return inverse(diagonal) * (step * step);
 }
 
@@ -33,7 +34,10 @@ double weighted_norm(const Forces& forces, const Forces& weight) {
 
 /// Before an iteration. Throws where its residual is not finite, or a signal asks for the end.
 void may_go_on(double residual, const char* method, std::size_t iteration) {
-  stop_if_asked(method);
+  constexpr std::size_t seldom = 20;  // processes that share the plate stop together, and ask each other
+  if (!ranks()) stop_if_asked(method);
+  if (ranks() && iteration % seldom == 0 && largest_of_all(stop_is_asked()) > 0)
+    throw Interrupted(std::string("asked to stop in ") + method);
   if (!std::isfinite(residual))
     throw NumericalError(std::string(method) + ": the residual is not finite at iteration " +
                          std::to_string(iteration));
@@ -102,13 +106,13 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
       throw NotPositive("conjugate gradients: the stiffness is not positive at iteration " +
                         std::to_string(result.iterations));
     const double alpha = rho / curvature;
-    const auto [square] = ordered_sum<1>(size, [&](std::size_t i) {
+#pragma omp parallel for simd schedule(static)
+    for (std::size_t i = 0; i < size; ++i) {
       const double moved = d[i] > 0 ? alpha : 0;
       u[i] += moved * p[i];
       r[i] += moved * minus_kp[i];
-      return std::array<double, 1>{r[i] * r[i] * d[i]};
-    });
-    norm = std::sqrt(square);
+    }
+    norm = weighted_norm(residual, weight);
   }
   constraints.impose(result.state);
   result.stop_reason = reason(result.converged, options);
@@ -121,7 +125,7 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
                                            const StaticOptions& options) {
   const auto size = static_cast<std::size_t>(load.size());
   const Forces diagonal = folded_diagonal(plate, constraints), weight = inverse(diagonal);
-  const Forces inverse_mass = inverse_fictitious_mass(plate, constraints, diagonal);
+  const Forces inverse_mass = inverse_fictitious_mass(plate, constraints, diagonal, options.start_of_bound);
   Forces external = load;
   constraints.fold(external);
   const double load_norm = weighted_norm(external, weight);

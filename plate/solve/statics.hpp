@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include "plate/formulation/operator.hpp"
 
@@ -15,6 +16,7 @@ struct StaticOptions {
   double tolerance = 1e-6;
   std::size_t max_iterations = 200000;
   std::function<void(std::size_t iteration, double residual)> progress;  // now and then
+  std::optional<State> start_of_bound = {};  // of relaxation: where its bound of frequencies is sought from
 };
 
 struct StaticSolution {

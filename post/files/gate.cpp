@@ -6,12 +6,21 @@
 #include <cmath>
 #include <limits>
 
-#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/finite.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace post {
+namespace {
+
+/// Of all processes that share the plate.
+bool is_zero(const plate::State& values) {
+  return plate::largest_of_all(values.isZero(0) ? 0 : 1) == 0;
+}
+
+}  // namespace
 
 void require_finite(const Named& numbers, const std::string& when) {
   for (const auto& [name, value] : numbers)
@@ -36,7 +45,14 @@ void require_finite(const plate::State& state, const std::string& when) {
 
 double slow_work(const plate::Formulation& plate, const plate::State& state) {
   double work = 0;
-  for (const auto& load : plate.loads()) work += load.forces.cwiseProduct(state).sum() / 2;
+  for (const auto& load : plate.loads()) {
+    const auto of_point = [&](std::size_t k) {
+      const bool counts = plate.boundary().owns(k);
+      return std::array<double, 1>{counts ? load.forces.col(Eigen::Index(k)).dot(state.col(Eigen::Index(k))) : 0};
+    };
+    work += plate::ranks() ? plate::ordered_sum<1>(std::size_t(state.cols()), of_point)[0] / 2
+                           : load.forces.cwiseProduct(state).sum() / 2;
+  }
   return work;
 }
 
@@ -48,7 +64,7 @@ std::vector<plate::Forces> forces_of(const plate::Formulation& plate) {
 
 bool moves(const plate::State& state, double work) {
   constexpr double least = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
-  return !state.isZero(0) && std::abs(work) >= least;
+  return !is_zero(state) && std::abs(work) >= least;
 }
 
 void require_motion(const plate::Formulation& plate, const std::vector<plate::Forces>& loads, const plate::State& state,
@@ -56,13 +72,13 @@ void require_motion(const plate::Formulation& plate, const std::vector<plate::Fo
   const auto& constraints = plate.constraints();
   const bool loaded = std::ranges::any_of(loads, [&](plate::Forces load) {
     constraints.fold(load);
-    return !load.isZero(0);
+    return !is_zero(load);
   });
   if (!loaded) {
     warnings.emplace_back("no load reaches a part of the plate that may move: it stays as it is");
     return;
   }
-  if (state.isZero(0))
+  if (is_zero(state))
     throw plate::NumericalError(
         "nothing has moved although loads act: numbers are too small for double precision, or no load acts at any "
         "step");

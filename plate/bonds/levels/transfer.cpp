@@ -38,6 +38,7 @@ Transfer::Transfer(const geometry::Families& families, const Boundary& boundary)
     if (const Cell c = cell(k); even(c.column) && even(c.row)) {
       coarse_of[k] = std::uint32_t(cell_.size());
       cell_.push_back({c.column / 2, c.row / 2});
+      fine_point_.push_back(std::uint32_t(k));
     }
   fine_.first.assign(points + 1, 0);
   std::vector<Source> sources;

@@ -21,6 +21,8 @@ public:
     auto operator<=>(const Cell&) const = default;
   };
   const std::vector<Cell>& cells() const { return cell_; }
+  /// The point of the plate that each coarse one is.
+  const std::vector<std::uint32_t>& fine_points() const { return fine_point_; }
 
   void prolong(const State& coarse, State& fine) const;       // adds to `fine`
   void restrict_to(State& coarse, const Forces& fine) const;  // the transpose: coarse = R fine
@@ -37,6 +39,7 @@ private:
   static Shares transposed(const Shares& shares, std::size_t others);
 
   std::vector<Cell> cell_;
+  std::vector<std::uint32_t> fine_point_;
   Shares fine_, coarse_;  // of every fine point, of every coarse point
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "plate/bonds/levels/coarse_plate.hpp"
 #include "plate/bonds/levels/local_plate.hpp"
 #include "plate/bonds/levels/transfer.hpp"
 
@@ -14,17 +15,14 @@ public:
 
   void apply(const Forces& residual, State& result) const override;
 
-  std::size_t bytes() const override { return factor_->bytes(); }
+  std::size_t bytes() const override { return coarse_plate_->bytes(); }
 
 private:
-  PointMatrix coarse_stiffness(const FamilyOperator& local) const;
-
   const FamilyOperator& plate_;
   const Constraints& constraints_;
   Forces inverse_diagonal_;  // of the plate, times the weight of a sweep
   Transfer transfer_;
-  Unknowns unknowns_;  // of the coarse points
-  std::unique_ptr<Factor> factor_;
+  std::unique_ptr<CoarsePlate> coarse_plate_;
   mutable Forces product_, rest_, coarse_force_;
   mutable State coarse_;
 };

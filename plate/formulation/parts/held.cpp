@@ -4,6 +4,7 @@
 
 #include "plate/formulation/parts/mechanisms.hpp"
 #include "plate/formulation/parts/pieces.hpp"
+#include "plate/model/ranks/ranks.hpp"
 
 namespace plate {
 namespace {
@@ -34,6 +35,11 @@ std::vector<Refusal> loose(const Formulation& plate) {
                                     "; hold an edge, or pin three points that are not on one line"
                               : "cracks cut the plate into pieces, and " + free_motion(piece)});
   if (!result.empty()) return result;
+  if (ranks() && !plate.mechanisms().searched)
+    result.push_back(
+        {Subject::cracks, 0,
+         "cracks and edges leave ligaments one row of points wide, which are hinges, and several processes "
+         "cannot tell what hangs by them: take a finer spacing, or one process"});
   for (const auto& part : {plate.mechanisms().driven, plate.mechanisms().twisted})
     if (part && result.empty())
       result.push_back({Subject::cracks, 0,
@@ -54,7 +60,7 @@ std::vector<std::string> distrust_of_mechanisms(const Formulation& plate, bool s
     warnings.push_back(fmt::format("parts that hang by bonds along one line can move in {} way{} without resistance{}",
                                    found.motions, found.motions == 1 ? "" : "s",
                                    found.driven ? ": " + hanging(*found.driven) : "; no load does so"));
-  if (!found.searched)
+  if (!found.searched && !ranks())
     warnings.push_back(
         fmt::format("bonds along one line divide the plate into {} parts, too many to look for motions "
                     "without resistance",

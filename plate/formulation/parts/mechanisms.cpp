@@ -1,144 +1,24 @@
 #include "plate/formulation/parts/mechanisms.hpp"
 
 #include <algorithm>
-#include <limits>
 
-#include "plate/formulation/parts/disjoint_sets.hpp"
+#include "plate/formulation/parts/rigid_parts.hpp"
 #include "plate/model/algebra/dense.hpp"
+#include "plate/model/ranks/ranks.hpp"
 
 namespace plate {
 namespace {
 
 using geometry::Point;
 
-/// Coordinates in lattice units are multiples of 2^-20: no sound triangle has less area.
-constexpr double straight = 1e-9;
 constexpr std::size_t most_parts = 300;  // a dense matrix of 900 x 900
-
-double cross(const Point& a, const Point& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-/// The plate as parts that are rigid in themselves, and hinges between them.
-class Parts {
-public:
-  Parts(const Boundary& boundary, const geometry::Families& families)
-      : boundary_(boundary), families_(families), sets_(families.points()), line_(families.points(), Point(0, 0)) {
-    for (std::uint32_t k = 0; k < families.points(); ++k) {
-      const auto& constraints = boundary.constraints;
-      follows_.push_back(!boundary.is_plate(k) && constraints.held(3 * k) && constraints.held(3 * k + 1) &&
-                         constraints.held(3 * k + 2));
-      line_[k] = line_of(k);
-    }
-    // what has an image is tied to all that the image is bonded to
-    for (const auto& tie : boundary.constraints.ties())
-      if (follows_[tie.follower / 3]) line_[tie.leader / 3] = Point(0, 0);
-    for_each_bond([&](std::uint32_t k, std::uint32_t j) {
-      if (follows_[k] || follows_[j] || sets_.root(k) == sets_.root(j)) return;
-      if (on_line(k) && on_line(j)) sets_.join(k, j);  // one chain; its points' turns are counted one by one
-      if (!on_line(k) && !on_line(j)) join_triangle(k, j);
-    });
-    number();
-  }
-
-  std::size_t count() const { return first_.size(); }
-  std::uint32_t part(std::uint32_t k) const { return part_[k]; }
-  bool has(std::uint32_t k) const { return part_[k] != none; }  // not images, nor fictitious points without a bond
-  std::uint32_t first(std::uint32_t part) const { return first_[part]; }
-  std::size_t points(std::uint32_t part) const { return points_[part]; }
-  bool on_line(std::uint32_t k) const { return line_[k] != Point(0, 0); }
-  const Point& line(std::uint32_t k) const { return line_[k]; }  // unit vector along its bonds
-
-  /// w [spacings] and slopes at a place as linear functions of the part's three unknowns, columns 0, 1, 2: all of the
-  /// order of 1 within the part.
-  Eigen::Vector3d deflection(std::uint32_t part, const Point& u) const {
-    const Point r = (u - boundary_.lattice[first_[part]]) / extent_[part];
-    return {1, r.x(), r.y()};
-  }
-  Eigen::Vector3d slope(std::uint32_t part, const Point& n) const {
-    return Eigen::Vector3d(0, n.x(), n.y()) / extent_[part];
-  }
-  /// The same for a degree of freedom, deflections in spacings.
-  Eigen::Vector3d row(std::uint32_t dof) const {
-    const auto k = dof / 3, own = part(k);
-    if (dof % 3 == 0) return deflection(own, boundary_.lattice[k]);
-    return dof % 3 == 1 ? slope(own, {0, 1}) : slope(own, {-1, 0});
-  }
-
-  /// Every pair of bonded points that stores energy, once.
-  template <typename Visit>
-  void for_each_bond(const Visit& visit) const {
-    for (std::uint32_t k = 0; k < families_.points(); ++k)
-      for (const auto& bond : families_[k])
-        if (const auto j = bond.neighbour; j < k && (boundary_.active[k] || boundary_.active[j])) visit(k, j);
-  }
-
-private:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-  /// Numbers the sets, in the order of their first points.
-  void number() {
-    part_.assign(families_.points(), none);
-    for (std::uint32_t k = 0; k < families_.points(); ++k) {
-      if (follows_[k] || (!boundary_.is_plate(k) && families_[k].empty())) continue;
-      const auto root = sets_.root(k);
-      if (root == k) {
-        part_[k] = std::uint32_t(first_.size());
-        first_.push_back(k), points_.push_back(0), extent_.push_back(1);
-      }
-      const auto own = part_[k] = part_[root];
-      points_[own] += boundary_.is_plate(k);
-      extent_[own] = std::max(extent_[own], (boundary_.lattice[k] - boundary_.lattice[root]).norm());
-    }
-  }
-
-  Point to(std::uint32_t k, std::uint32_t j) const { return boundary_.lattice[j] - boundary_.lattice[k]; }
-
-  /// Direction of the bonds where they lie on one line, else zero.
-  Point line_of(std::uint32_t k) const {
-    const auto family = families_[k];
-    if (family.empty()) return {0, 0};
-    const Point one = to(k, family[0].neighbour);
-    for (const auto& bond : family)
-      if (std::abs(cross(one, to(k, bond.neighbour))) > straight) return {0, 0};
-    return one.normalized();
-  }
-
-  /// Two bonded points and a third that is bonded to both beside their line: none can turn against the others.
-  void join_triangle(std::uint32_t k, std::uint32_t j) {
-    const auto own = families_[k], others = families_[j];
-    for (std::size_t a = 0, b = 0; a < own.size() && b < others.size();) {
-      const auto i = own[a].neighbour, other = others[b].neighbour;
-      if (i == other && stores(k, i) && stores(j, i) && std::abs(cross(to(k, j), to(k, i))) > straight) {
-        sets_.join(k, j);
-        sets_.join(k, i);
-        return;
-      }
-      a += i <= other;
-      b += other <= i;
-    }
-  }
-  bool stores(std::uint32_t k, std::uint32_t i) const {
-    return !follows_[i] && (boundary_.active[k] || boundary_.active[i]);
-  }
-
-  const Boundary& boundary_;
-  const geometry::Families& families_;
-  DisjointSets sets_;
-  std::vector<char> follows_;  // images: all that they do is what others do
-  std::vector<Point> line_;
-  std::vector<std::uint32_t> part_;   // of each point
-  std::vector<std::uint32_t> first_;  // its first point
-  std::vector<std::size_t> points_;
-  std::vector<double> extent_;
-};
 
 using Condition = std::vector<std::pair<std::uint32_t, Eigen::Vector3d>>;  // part, factors of its unknowns: sum = 0
 
 /// Gram matrix of all conditions on the parts' motions: supports, ties, hinges; a chain does not turn about itself.
 class Conditions {
 public:
-  Conditions(const Boundary& boundary, const Parts& parts) : boundary_(boundary), parts_(parts) {
+  Conditions(const Boundary& boundary, const RigidParts& parts) : boundary_(boundary), parts_(parts) {
     const auto size = static_cast<Eigen::Index>(3 * parts.count());
     gram_ = Eigen::MatrixXd::Zero(size, size);
     const auto& ties = boundary.constraints.ties();
@@ -210,7 +90,7 @@ private:
   }
 
   const Boundary& boundary_;
-  const Parts& parts_;
+  const RigidParts& parts_;
   Eigen::MatrixXd gram_;
 };
 
@@ -225,7 +105,7 @@ struct Drive {
   Eigen::VectorXd sum, size;  // of the work on every unknown, and of its absolute parts
 };
 
-Drive drive(const Boundary& boundary, const Parts& parts, const Forces& load) {
+Drive drive(const Boundary& boundary, const RigidParts& parts, const Forces& load) {
   Drive result;
   result.sum = result.size = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * parts.count()));
   for (std::uint32_t dof = 0; dof < load.size(); ++dof) {
@@ -239,7 +119,7 @@ Drive drive(const Boundary& boundary, const Parts& parts, const Forces& load) {
 }
 
 /// The largest part that a motion moves, and where it hangs on one that stays.
-std::optional<LoosePart> largest(const Boundary& boundary, const Parts& parts, const Eigen::VectorXd& motion) {
+std::optional<LoosePart> largest(const Boundary& boundary, const RigidParts& parts, const Eigen::VectorXd& motion) {
   const auto moves = [&](std::uint32_t part) { return motion.segment<3>(3 * part).norm() > 1e-6 * motion.norm(); };
   std::optional<std::uint32_t> best;
   for (std::uint32_t part = 0; part < parts.count(); ++part)
@@ -256,10 +136,11 @@ std::optional<LoosePart> largest(const Boundary& boundary, const Parts& parts, c
 }
 
 /// Counts the points that turn about the line of their bonds, and finds one that the load turns.
-void find_twists(const Boundary& boundary, const Parts& parts, const Forces& load, Mechanisms& result) {
+void find_twists(const Boundary& boundary, const RigidParts& parts, const Forces& load, Mechanisms& result) {
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) {
     const auto& constraints = boundary.constraints;
-    if (!parts.on_line(k) || (constraints.held(3 * k + 1) && constraints.held(3 * k + 2))) continue;
+    if (!boundary.owns(k) || !parts.on_line(k) || (constraints.held(3 * k + 1) && constraints.held(3 * k + 2)))
+      continue;
     ++result.twisting;
     const Point& n = parts.line(k);
     const auto force = load.col(k);
@@ -273,10 +154,17 @@ void find_twists(const Boundary& boundary, const Parts& parts, const Forces& loa
 
 Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& families, const std::vector<Piece>& pieces,
                       const Forces& load) {
-  Parts parts(boundary, families);
+  RigidParts parts(boundary, families);
   Mechanisms result;
   result.parts = parts.count();
   find_twists(boundary, parts, load, result);
+  if (const Ranks* all = ranks()) {
+    std::array<std::int64_t, 1> twisting{std::int64_t(result.twisting)};
+    all->sum(twisting);
+    result.twisting = std::size_t(twisting[0]), result.parts = parts.count_of(*all), result.twisted.reset();
+    result.searched = result.parts == pieces.size() && result.twisting == 0;
+    return result;
+  }
   int chains = 0;  // pieces of their own, whose turn as a whole is one of their free motions
   for (const auto& piece : pieces)
     chains += piece.free_modes > 0 && parts.on_line(piece.first_point) &&

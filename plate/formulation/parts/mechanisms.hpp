@@ -20,7 +20,7 @@ struct Mechanisms {
   int motions = 0;                   // of whole parts against each other
   std::optional<LoosePart> driven;   // the largest part that the load sets in motion
   std::size_t parts = 0;             // rigid in themselves
-  bool searched = true;              // false: too many parts to look for motions
+  bool searched = true;              // false: too many parts to look for motions, or several processes share them
 };
 
 /// `pieces` of the same plate; `load` of all points, as nodal forces.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
-#include "plate/formulation/parts/disjoint_sets.hpp"
+#include "plate/formulation/parts/shared_sets.hpp"
 #include "plate/model/algebra/dense.hpp"
+#include "plate/model/ranks/gathered.hpp"
 
 namespace plate {
 namespace {
@@ -30,31 +32,120 @@ DisjointSets connected(const Boundary& boundary, const geometry::Families& famil
   return sets;
 }
 
+using Grams = std::map<std::int64_t, Eigen::Matrix3d>;  // by the numbers of pieces
+
 /// What foundations and springs have against the rigid motions of every piece, over the largest entry. A link between
 /// two pieces holds neither: of those, rounding is left.
 template <typename Rows>
-std::map<std::uint32_t, Eigen::Matrix3d> elastic(const Boundary& boundary, DisjointSets& sets, const Rows& at) {
+Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_of, const Rows& at) {
   constexpr double rounding = 1e-11;
-  std::map<std::uint32_t, Eigen::Matrix3d> result, sizes;
+  Grams result, sizes;
   const double spacing = boundary.cloud.units.spacing;
   const auto length = [&](std::uint32_t dof) { return dof % 3 == 0 ? spacing : 1; };
   for (const auto& part : boundary.attached.parts())
     part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
-      const auto root = sets.root(row / 3);
-      const bool within = root == sets.root(column / 3);
+      const auto number = piece_of[row / 3];
+      const bool within = number == piece_of[column / 3];
       const Eigen::Matrix3d one =
           value * length(row) * length(column) * at(row) * at(within ? column : row).transpose();
-      result.try_emplace(root, Eigen::Matrix3d::Zero()).first->second += one;
-      sizes.try_emplace(root, Eigen::Matrix3d::Zero()).first->second += one.cwiseAbs();
+      result.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one;
+      sizes.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one.cwiseAbs();
     });
-  for (auto& [root, own] : result) {
+  for (auto& [number, own] : result) {
     const double largest = own.cwiseAbs().maxCoeff();
-    if (largest > rounding * sizes.at(root).maxCoeff())
+    if (largest > rounding * sizes.at(number).maxCoeff())
       own /= largest;
     else
       own.setZero();
   }
   return result;
+}
+
+/// A piece, and where the rows of its conditions count from [lattice units].
+struct Found {
+  Piece piece;
+  geometry::Point origin{0, 0};
+};
+using AllFound = std::map<std::int64_t, Found>;
+
+/// All that processes have found of pieces: the first point of each is the lowest, of these the one to the left.
+void share(const Ranks& all, AllFound& found) {
+  struct Part {
+    std::int64_t number, points;
+    double position[2], origin[2];
+  };
+  std::vector<Part> own;
+  for (const auto& [number, one] : found)
+    own.push_back({number,
+                   std::int64_t(one.piece.points),
+                   {one.piece.position.x(), one.piece.position.y()},
+                   {one.origin.x(), one.origin.y()}});
+  auto parts = gathered(all, own);
+  std::ranges::sort(parts, {}, [](const Part& p) { return std::tuple(p.number, p.origin[1], p.origin[0]); });
+  for (auto& [number, one] : found) one.piece.points = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Found& one = found[parts[i].number];
+    one.piece.points += std::size_t(parts[i].points);
+    if (i > 0 && parts[i - 1].number == parts[i].number) continue;
+    one.piece.position = {parts[i].position[0], parts[i].position[1]};
+    one.origin = {parts[i].origin[0], parts[i].origin[1]};
+  }
+}
+
+void share(const Ranks& all, Grams& grams) {
+  struct Part {
+    std::int64_t number;
+    double entries[9];
+  };
+  std::vector<Part> own;
+  for (const auto& [number, gram] : grams) {
+    own.push_back({number, {}});
+    Eigen::Map<Eigen::Matrix3d>(own.back().entries) = gram;
+  }
+  for (auto& [number, gram] : grams) gram.setZero();
+  for (const auto& part : gathered(all, own)) grams[part.number] += Eigen::Map<const Eigen::Matrix3d>(part.entries);
+}
+
+AllFound found_in(const Boundary& boundary, const std::vector<std::int64_t>& piece_of) {
+  AllFound found;
+  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) {
+    if (!boundary.owns(k)) continue;
+    auto& [piece, origin] = found[piece_of[k]];
+    if (piece.points++ == 0)
+      piece.position = boundary.cloud.positions[k], piece.first_point = k, origin = boundary.lattice[k];
+  }
+  if (const Ranks* all = ranks()) share(*all, found);
+  return found;
+}
+
+/// The conditions that supports, ties, foundations and springs set to the rigid motions of every piece.
+Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piece_of, const AllFound& found) {
+  Grams gram;
+  for (const auto& [number, one] : found) gram[number].setZero();
+  const auto counts = [&](std::uint32_t dof) { return found.contains(piece_of[dof / 3]); };
+  const auto add = [&](std::uint32_t dof, const Eigen::Vector3d& row) {
+    gram.at(piece_of[dof / 3]) += row * row.transpose();
+  };
+  const auto at = [&](std::uint32_t dof) {  // in lattice units about the piece's first point
+    return rigid(dof, boundary.lattice[dof / 3] - found.at(piece_of[dof / 3]).origin);
+  };
+  for (const auto dof : boundary.constraints.fixed())
+    if (counts(dof)) add(dof, at(dof));
+  const auto scaled_factor = [&](const Constraints::Tie& tie) {  // w in spacings, rotations as they are
+    return tie.follower % 3 == 0 && tie.leader % 3 != 0 ? tie.factor / boundary.cloud.units.spacing : tie.factor;
+  };
+  const auto& ties = boundary.constraints.ties();
+  for (std::size_t i = 0; i < ties.size();) {
+    const auto follower = ties[i].follower;
+    Eigen::Vector3d row = counts(follower) ? at(follower) : Eigen::Vector3d(0, 0, 0);
+    for (; i < ties.size() && ties[i].follower == follower; ++i)
+      if (counts(follower)) row -= scaled_factor(ties[i]) * at(ties[i].leader);
+    if (counts(follower)) add(follower, row);
+  }
+  for (auto& [number, own] : elastic(boundary, piece_of, at))
+    if (found.contains(number)) gram[number] += own;
+  if (const Ranks* all = ranks()) share(*all, gram);
+  return gram;
 }
 
 }  // namespace
@@ -76,48 +167,18 @@ std::vector<std::uint32_t> fallen(const Boundary& boundary, const geometry::Fami
 
 std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families) {
   auto sets = connected(boundary, families);
-
-  std::map<std::uint32_t, Piece> found;
-  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) {
-    Piece& piece = found[sets.root(k)];
-    if (piece.points++ == 0) piece.position = boundary.cloud.positions[k], piece.first_point = k;
-  }
-
-  // a rigid motion survives where it meets every condition of the piece: rows of conditions, their Gram matrix
-  std::map<std::uint32_t, Eigen::Matrix3d> gram;
-  for (const auto& [root, piece] : found) gram[root].setZero();
-  const auto add = [&](std::uint32_t dof, const Eigen::Vector3d& row) {
-    if (const auto entry = gram.find(sets.root(dof / 3)); entry != gram.end()) entry->second += row * row.transpose();
-  };
-  const auto at = [&](std::uint32_t dof) {  // in lattice units about the piece's first point
-    return rigid(dof, boundary.lattice[dof / 3] - boundary.lattice[found[sets.root(dof / 3)].first_point]);
-  };
-  for (const auto dof : boundary.constraints.fixed())
-    if (found.contains(sets.root(dof / 3))) add(dof, at(dof));
-  const auto scaled_factor = [&](const Constraints::Tie& tie) {  // w in spacings, rotations as they are
-    return tie.follower % 3 == 0 && tie.leader % 3 != 0 ? tie.factor / boundary.cloud.units.spacing : tie.factor;
-  };
-  const auto& ties = boundary.constraints.ties();
-  for (std::size_t i = 0; i < ties.size();) {
-    const auto follower = ties[i].follower;
-    const bool counts = found.contains(sets.root(follower / 3));
-    Eigen::Vector3d row = counts ? at(follower) : Eigen::Vector3d(0, 0, 0);
-    for (; i < ties.size() && ties[i].follower == follower; ++i)
-      if (counts) row -= scaled_factor(ties[i]) * at(ties[i].leader);
-    if (counts) add(follower, row);
-  }
-
-  for (auto& [root, own] : elastic(boundary, sets, at))
-    if (found.contains(root)) gram[root] += own;
-
+  const auto piece_of = set_numbers(sets, boundary);
+  auto found = found_in(boundary, piece_of);
+  const auto grams = conditions(boundary, piece_of, found);
   std::vector<Piece> result;
-  for (auto& [root, piece] : found) {
+  for (auto& [number, one] : found) {
+    // a rigid motion survives where it meets every condition of the piece: rows of conditions, their Gram matrix,
     // scaled to a unit diagonal, because rows in lattice units grow with the size of the plate
-    const Eigen::Matrix3d& g = gram[root];
+    const Eigen::Matrix3d& g = grams.at(number);
     const Eigen::Vector3d scale = g.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0; });
     const Eigenpairs eigen = eigenpairs(scale.asDiagonal() * g * scale.asDiagonal());
-    piece.free_modes = static_cast<int>((eigen.values.array() < 1e-9).count());
-    result.push_back(piece);
+    one.piece.free_modes = static_cast<int>((eigen.values.array() < 1e-9).count());
+    result.push_back(one.piece);
   }
   std::stable_sort(result.begin(), result.end(), [](const Piece& a, const Piece& b) { return a.points > b.points; });
   return result;

@@ -24,6 +24,23 @@ struct Copy {
   std::uint32_t of_owner;  // its number there
 };
 
+/// Rows of a symmetric matrix of 3 x 3 blocks that is positive but for rows of zeros, of the points of one process:
+/// all points are numbered process by process.
+struct SharedRows {
+  std::vector<std::size_t> first{0};  // where the blocks of a row begin [own points + 1]
+  std::vector<std::int64_t> column;   // numbers among all, ascending in every row
+  std::vector<double> block;          // [9 x columns], row by row
+  std::vector<double> position;       // of the points [2 x own points]: rigid motions are its softest vectors
+};
+
+/// An approximate inverse of such a matrix, symmetric; unknowns without stiffness stay zero.
+class SharedInverse {
+public:
+  virtual ~SharedInverse() = default;
+  /// Of the unknowns of the process's own points [3 x points, point by point]. All processes call it at once.
+  virtual void apply(std::span<double> values) const = 0;
+};
+
 /// The processes that share a plate. What they do together all of them call, in the same order.
 class Ranks {
 public:
@@ -35,6 +52,7 @@ public:
   /// `texts`: one for every process; returns what every process has sent here.
   virtual std::vector<std::string> exchanged(std::vector<std::string> texts) const = 0;
   virtual std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const = 0;
+  virtual std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const = 0;
 };
 
 /// Those of the thread in hand; nothing where one process holds the whole plate.

@@ -18,6 +18,8 @@ double stable_time_step(const Operator& plate, const Constraints& constraints, c
                         std::optional<State> start = {});
 /// Of a plate with this factor of its rotary inertia; of a shared one the same for any number of processes.
 double stable_time_step(const Formulation& plate, double rotary);
+/// Numbers by the places of the points; absent where one process holds the whole plate.
+std::optional<State> start_by_place(const Formulation& plate);
 
 /// What the observer of a dynamic run sees.
 struct Instant {

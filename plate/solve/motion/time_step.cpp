@@ -100,18 +100,21 @@ double stable_time_step(const Operator& plate, const Constraints& constraints, c
   return 2 / std::sqrt(std::min(bound, lanczos_bound(plate, constraints, mass, std::move(*start)).value_or(bound)));
 }
 
-double stable_time_step(const Formulation& plate, double rotary) {
-  const auto mass = plate.mass(rotary);
-  if (!ranks()) return stable_time_step(plate, plate.constraints(), mass);
-  State start(3, mass.cols());  // numbers by place, not by order
-  for (Eigen::Index k = 0; k < mass.cols(); ++k) {
+std::optional<State> start_by_place(const Formulation& plate) {
+  if (!ranks()) return std::nullopt;
+  State start(3, Eigen::Index(plate.points()));
+  for (Eigen::Index k = 0; k < start.cols(); ++k) {
     const auto [column, row] = geometry::cell_of(plate.boundary().lattice[std::size_t(k)]);
     std::seed_seq seed{std::uint32_t(column), std::uint32_t(row)};
     std::array<std::uint32_t, 3> random{};
     seed.generate(random.begin(), random.end());
     for (Eigen::Index c = 0; c < 3; ++c) start(c, k) = std::ldexp(double(random[std::size_t(c)]), -31) - 1;
   }
-  return stable_time_step(plate, plate.constraints(), mass, std::move(start));
+  return start;
+}
+
+double stable_time_step(const Formulation& plate, double rotary) {
+  return stable_time_step(plate, plate.constraints(), plate.mass(rotary), start_by_place(plate));
 }
 
 }  // namespace plate

@@ -1,15 +1,18 @@
 #include "plate/bonds/part_of_lattice.hpp"
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/parts/mechanisms.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/solution.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace plate;
@@ -94,6 +97,62 @@ void check(const Problem& problem, bool mixed = false) {
   }
 }
 
+/// What this process, or the only one, has of an equilibrium, and the iterations to it.
+struct Rest {
+  std::size_t iterations = 0;
+  double strain = 0;
+  std::vector<std::array<double, 3>> pieces;  // points, free motions, abscissa
+  std::map<std::array<long, 2>, std::array<double, 3>> state;
+};
+
+Rest at_rest(const Problem& problem, StaticMethod method, Preconditioning wanted) {
+  const auto plate = discretise(problem).plate;
+  const auto part = part_of_lattice(problem.outline, problem.discretization);
+  const auto found = solve_static(*plate, plate->total_load(), method, wanted, {1e-7, 20000, {}}).solution;
+  CHECK(found.converged);
+  Rest rest{found.iterations, plate->strain_energy(found.state), {}, {}};
+  for (const auto& piece : plate->pieces())
+    rest.pieces.push_back({double(piece.points), double(piece.free_modes), piece.position.x()});
+  for (std::uint32_t k = 0; k < plate->cloud().plate_points; ++k)
+    if (const auto cell = geometry::cell_of(plate->boundary().lattice[k]); !part || part->own.contains(cell))
+      rest.state[cell] = {found.state(0, k), found.state(1, k), found.state(2, k)};
+  return rest;
+}
+
+/// `bound`: of how far apart states are for different numbers of processes, over the largest; 0: the same bits.
+void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound) {
+  const Rest whole = at_rest(problem, method, wanted);
+  Rest one;
+  for (const int processes : {1, 3, 7}) {
+    INFO(processes << " processes");
+    Rest all;
+    std::mutex one_by_one;
+    thread_ranks::run(processes, [&](const Ranks& ranks) {
+      Rest own = at_rest(problem, method, wanted);
+      const std::lock_guard guard(one_by_one);
+      all.state.merge(own.state);
+      if (ranks.rank() == 0) all.iterations = own.iterations, all.strain = own.strain, all.pieces = own.pieces;
+    });
+    REQUIRE(all.state.size() == whole.state.size());
+    CHECK((all.pieces == whole.pieces));
+    CHECK(std::abs(double(all.iterations) - double(whole.iterations)) <= 0.01 * double(whole.iterations));
+    if (processes == 1) one = all;
+    double largest = 0, apart = 0, apart_of_whole = 0;
+    for (const auto& [cell, value] : whole.state)
+      for (std::size_t c = 0; c < 3; ++c) {
+        largest = std::max(largest, std::abs(value[c]));
+        apart_of_whole = std::max(apart_of_whole, std::abs(value[c] - all.state.at(cell)[c]));
+        apart = std::max(apart, std::abs(one.state.at(cell)[c] - all.state.at(cell)[c]));
+      }
+    CAPTURE(apart / largest, apart_of_whole / largest, all.strain / one.strain - 1);
+    CHECK(largest > 0);
+    CHECK(apart <= bound * largest);
+    CHECK(apart_of_whole < 1e-7 * largest);
+    CHECK(std::abs(all.strain - one.strain) <= bound * one.strain);
+    if (bound == 0) CHECK(all.iterations == one.iterations);
+  }
+}
+
 Load pressure(double value) {
   Load load;
   load.value = value;
@@ -134,4 +193,61 @@ TEST_CASE("a plate in parts: oblique edges, a held round hole, edge loads, pins 
       {{clamped, {"hole"}, {}}, {simply_supported, {"bottom"}, {}}, {simply_supported, {}, {{2.56, 0.96}, {1.4, 1.1}}}},
       {moment, force, shear});
   check(problem);
+}
+
+TEST_CASE("a plate in parts: at rest by the diagonal and by relaxation the same bits, two levels to rounding") {
+  using enum SupportKind;
+  auto problem =
+      problem_of(geometry::rectangle(0, 0, 0.5, 1.2),
+                 {{clamped, {"left"}, {}}, {simply_supported, {"top"}, {}}, {symmetry, {"bottom"}, {}}}, {pressure(2)});
+  problem.cracks = {{{0.15, 0.21}, {0.33, 0.67}}};
+  check_rest(problem, StaticMethod::cg, Preconditioning::diagonal, 0);
+  check_rest(problem, StaticMethod::cg, Preconditioning::two_level, 1e-12);
+  auto coarse = problem_of(geometry::rectangle(0, 0, 0.4, 2.4), {{clamped, {"left"}, {}}}, {pressure(2)});
+  coarse.discretization.spacing = 0.02;
+  check_rest(coarse, StaticMethod::adr, Preconditioning::automatic, 0);
+}
+
+TEST_CASE("a plate in parts: pieces that cracks cut off, whoever has them") {
+  using enum SupportKind;
+  auto problem = problem_of(geometry::rectangle(0, 0, 3, 0.7), {{clamped, {"left", "right"}, {}}}, {pressure(2)});
+  problem.cracks = {{{1.131, -0.1}, {1.249, 0.8}}, {{2.831, -0.1}, {2.831, 0.8}}};
+  const auto found = [&] {
+    std::vector<std::array<double, 3>> result;
+    const auto plate = discretise(problem).plate;
+    for (const auto& piece : plate->pieces())
+      result.push_back({double(piece.points), double(piece.free_modes), piece.position.x()});
+    return result;
+  };
+  const auto whole = found();
+  REQUIRE(whole.size() == 3);
+  CHECK(whole[0][1] == 3);  // the middle is free, the others are held
+  CHECK(whole[1][1] + whole[2][1] == 0);
+  for (const int processes : {1, 2, 4, 7})
+    thread_ranks::run(processes, [&](const Ranks&) {
+      const auto shared = found();
+      static std::mutex one_by_one;
+      const std::lock_guard guard(one_by_one);
+      CHECK((shared == whole));
+    });
+}
+
+TEST_CASE("a plate in parts: a ligament one row of points wide is seen by all") {
+  using enum SupportKind;
+  geometry::Outline outline;
+  outline.outer.vertices = {{0, 0},   {1.35, 0},   {1.35, 0.35}, {1.45, 0.35}, {1.45, 0},   {3, 0},
+                            {3, 0.7}, {1.45, 0.7}, {1.45, 0.36}, {1.35, 0.36}, {1.35, 0.7}, {0, 0.7}};
+  for (std::size_t i = 0; i < outline.outer.vertices.size(); ++i)
+    outline.outer.edge_names.push_back(fmt::format("edge{}", i));
+  const auto problem = problem_of(outline, {{clamped, {"edge11"}, {}}}, {pressure(2)});
+  const auto searched = [&] { return discretise(problem).plate->mechanisms(); };
+  const bool hinge = searched().motions > 0;
+  for (const int processes : {2, 4})
+    thread_ranks::run(processes, [&](const Ranks&) {
+      const bool seen = searched().searched;
+      static std::mutex one_by_one;
+      const std::lock_guard guard(one_by_one);
+      CHECK(seen == !hinge);
+    });
+  CHECK(hinge);
 }

@@ -1,9 +1,14 @@
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <barrier>
+#include <catch2/catch.hpp>
 #include <exception>
+#include <numeric>
 #include <thread>
+
+#include "plate/model/ranks/gathered.hpp"
 
 namespace thread_ranks {
 namespace {
@@ -55,6 +60,50 @@ private:
   std::vector<plate::Copy> copies_;
 };
 
+/// Every thread has the factor of the whole matrix.
+class ThreadInverse : public plate::SharedInverse {
+public:
+  ThreadInverse(const plate::Ranks& all, const plate::SharedRows& rows) : all_(all) {
+    const auto own = std::int64_t(rows.first.size()) - 1;
+    const auto counts = plate::gathered(all, std::vector<std::int64_t>{own});
+    begin_ = 3 * std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
+    struct Entry {
+      std::int64_t row, column;
+      double value;
+    };
+    std::vector<Entry> entries;
+    for (std::int64_t k = 0; k < own; ++k)
+      for (auto b = rows.first[std::size_t(k)]; b < rows.first[std::size_t(k) + 1]; ++b)
+        for (std::int64_t i = 0; i < 9; ++i)
+          entries.push_back({begin_ + 3 * k + i / 3, 3 * rows.column[b] + i % 3, rows.block[9 * b + std::size_t(i)]});
+    const auto size = 3 * std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
+    Eigen::SparseMatrix<double> matrix(size, size);
+    std::vector<Eigen::Triplet<double>> triplets;
+    for (const auto& e : plate::gathered(all, entries)) triplets.emplace_back(int(e.row), int(e.column), e.value);
+    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    without_stiffness_ = Eigen::VectorXd(matrix.diagonal()).array() <= 0;
+    for (int i = 0; i < size; ++i)
+      if (without_stiffness_[i]) matrix.coeffRef(i, i) = 1;
+    CHECK(Eigen::SparseMatrix<double>(matrix - Eigen::SparseMatrix<double>(matrix.transpose())).norm() <
+          1e-12 * matrix.norm());
+    factor_.compute(matrix);
+  }
+
+  void apply(std::span<double> values) const override {
+    auto right = plate::gathered(all_, std::vector<double>(values.begin(), values.end()));
+    Eigen::Map<Eigen::VectorXd> map(right.data(), Eigen::Index(right.size()));
+    map = without_stiffness_.select(0, map).eval();
+    map = factor_.solve(map).eval();
+    std::copy_n(right.begin() + begin_, values.size(), values.begin());
+  }
+
+private:
+  const plate::Ranks& all_;
+  std::int64_t begin_ = 0;
+  Eigen::Array<bool, Eigen::Dynamic, 1> without_stiffness_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+};
+
 class ThreadRanks : public plate::Ranks {
 public:
   ThreadRanks(Common& common, int rank) : common_(common), rank_(rank) {}
@@ -77,6 +126,9 @@ public:
   }
   std::unique_ptr<plate::Exchange> exchange(std::size_t points, const std::vector<plate::Copy>& copies) const override {
     return std::make_unique<ThreadExchange>(common_, rank_, points, copies);
+  }
+  std::unique_ptr<plate::SharedInverse> inverse(const plate::SharedRows& rows) const override {
+    return std::make_unique<ThreadInverse>(*this, rows);
   }
 
 private:

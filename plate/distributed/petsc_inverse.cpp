@@ -1,0 +1,178 @@
+#include "plate/distributed/petsc_inverse.hpp"
+
+#include <petscksp.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace plate {
+namespace {
+
+constexpr PetscInt most_factorised = 3000000;
+
+void require(PetscErrorCode code) {
+  if (code == 0) return;
+  const char* text = nullptr;
+  PetscErrorMessage(code, &text, nullptr);
+  throw std::runtime_error("PETSc: " + std::string(text ? text : "unknown error"));
+}
+
+class PetscInverse : public SharedInverse {
+public:
+  PetscInverse(MPI_Comm all, const SharedRows& rows) : unknowns_(PetscInt(3 * (rows.first.size() - 1))) {
+    assemble(all, rows);
+    PetscInt size = 0;
+    require(MatGetSize(matrix_, &size, nullptr));
+    if (size <= most_factorised) {
+      factorise(all);
+    } else {
+      near_null_space(all, rows);
+      set_up(all, [](PC inverse) { require(PCSetType(inverse, PCGAMG)); });
+    }
+    require(MatCreateVecs(matrix_, &right_, &solution_));
+  }
+  ~PetscInverse() override {
+    PetscBool over = PETSC_FALSE;
+    if (PetscFinalized(&over); over) return;
+    VecDestroy(&right_), VecDestroy(&solution_), KSPDestroy(&solver_), MatDestroy(&matrix_);
+  }
+  PetscInverse(const PetscInverse&) = delete;
+  PetscInverse& operator=(const PetscInverse&) = delete;
+
+  void apply(std::span<double> values) const override {
+    double* entries = nullptr;
+    require(VecGetArrayWrite(right_, &entries));
+    for (std::size_t i = 0; i < values.size(); ++i) entries[i] = without_stiffness_[i] ? 0 : values[i];
+    require(VecRestoreArrayWrite(right_, &entries));
+    require(KSPSolve(solver_, right_, solution_));
+    const double* found = nullptr;
+    require(VecGetArrayRead(solution_, &found));
+    std::copy_n(found, values.size(), values.begin());
+    require(VecRestoreArrayRead(solution_, &found));
+  }
+
+private:
+  void assemble(MPI_Comm all, const SharedRows& rows) {
+    require(MatCreate(all, &matrix_));
+    require(MatSetSizes(matrix_, unknowns_, unknowns_, PETSC_DETERMINE, PETSC_DETERMINE));
+    require(MatSetBlockSize(matrix_, 3));
+    require(MatSetType(matrix_, MATAIJ));
+    const PetscInt own = unknowns_ / 3;
+    PetscInt begin = 0;
+    MPI_Exscan(&own, &begin, 1, MPIU_INT, MPI_SUM, all);
+    std::vector<PetscInt> here, there;  // blocks of every row, by whose the columns are
+    for (std::size_t k = 0; k < std::size_t(own); ++k) {
+      here.push_back(1), there.push_back(0);
+      for (auto b = rows.first[k]; b < rows.first[k + 1]; ++b) {
+        const bool mine = rows.column[b] >= begin && rows.column[b] < begin + own;
+        (mine ? here : there).back() += rows.column[b] != begin + PetscInt(k);
+      }
+    }
+    require(MatXAIJSetPreallocation(matrix_, 3, here.data(), there.data(), nullptr, nullptr));
+    without_stiffness_.assign(std::size_t(unknowns_), true);
+    for (std::size_t k = 0; k < std::size_t(own); ++k) {
+      const PetscInt row = begin + PetscInt(k);
+      for (auto b = rows.first[k]; b < rows.first[k + 1]; ++b) {
+        const auto column = PetscInt(rows.column[b]);
+        const double* block = &rows.block[9 * b];
+        require(MatSetValuesBlocked(matrix_, 1, &row, 1, &column, block, ADD_VALUES));
+        for (std::size_t c = 0; column == row && c < 3; ++c)
+          if (block[4 * c] > 0) without_stiffness_[3 * k + c] = false;
+      }
+      std::array<double, 9> rest{};
+      for (std::size_t c = 0; c < 3; ++c) rest[4 * c] = without_stiffness_[3 * k + c] ? 1 : 0;
+      require(MatSetValuesBlocked(matrix_, 1, &row, 1, &row, rest.data(), ADD_VALUES));
+    }
+    require(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
+    require(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
+    require(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
+  }
+
+  /// False where it did not succeed.
+  template <typename Choose>
+  bool set_up(MPI_Comm all, const Choose& choose) {
+    KSPDestroy(&solver_);
+    require(KSPCreate(all, &solver_));
+    require(KSPSetOperators(solver_, matrix_, matrix_));
+    require(KSPSetType(solver_, KSPPREONLY));
+    PC inverse;
+    require(KSPGetPC(solver_, &inverse));
+    choose(inverse);
+    require(KSPSetUp(solver_));
+    PCFailedReason failed = PC_NOERROR;
+    require(PCGetFailedReason(inverse, &failed));
+    return failed == PC_NOERROR;
+  }
+
+  /// MUMPS foretells the memory that a process needs, and some more is given: what it lacks it asks for by failing.
+  void factorise(MPI_Comm all) {
+    constexpr PetscInt more = 14;  // ICNTL(14): percent above what is foretold
+    for (const PetscInt percent : {50, 200, 1000})
+      if (set_up(all, [&](PC inverse) {
+            require(PCSetType(inverse, PCCHOLESKY));
+            require(PCFactorSetMatSolverType(inverse, MATSOLVERMUMPS));
+            require(PCFactorSetUpMatSolverType(inverse));
+            Mat factor;
+            require(PCFactorGetMatrix(inverse, &factor));
+            require(MatMumpsSetIcntl(factor, more, percent));
+          }))
+        return;
+    throw std::runtime_error("MUMPS finds no factor of the coarse plate");
+  }
+
+  /// The rigid motions: w = 1; w = x, theta_y = -1; w = y, theta_x = 1, orthogonal and of length 1.
+  void near_null_space(MPI_Comm all, const SharedRows& rows) {
+    Vec motions[3];
+    for (int motion = 0; motion < 3; ++motion) {
+      require(MatCreateVecs(matrix_, &motions[motion], nullptr));
+      double* entries = nullptr;
+      require(VecGetArrayWrite(motions[motion], &entries));
+      for (std::size_t k = 0; 3 * k < std::size_t(unknowns_); ++k) {
+        const double x = rows.position[2 * k], y = rows.position[2 * k + 1];
+        const double of_point[3][3] = {{1, 0, 0}, {x, 0, -1}, {y, 1, 0}};
+        for (std::size_t c = 0; c < 3; ++c)
+          entries[3 * k + c] = without_stiffness_[3 * k + c] ? 0 : of_point[motion][c];
+      }
+      require(VecRestoreArrayWrite(motions[motion], &entries));
+      for (int before = 0; before < motion; ++before) {
+        double along = 0;
+        require(VecDot(motions[motion], motions[before], &along));
+        require(VecAXPY(motions[motion], -along, motions[before]));
+      }
+      require(VecNormalize(motions[motion], nullptr));
+    }
+    MatNullSpace space;
+    require(MatNullSpaceCreate(all, PETSC_FALSE, 3, motions, &space));
+    require(MatSetNearNullSpace(matrix_, space));
+    require(MatNullSpaceDestroy(&space));
+    for (auto& motion : motions) require(VecDestroy(&motion));
+  }
+
+  PetscInt unknowns_;
+  std::vector<char> without_stiffness_;
+  Mat matrix_ = nullptr;
+  KSP solver_ = nullptr;
+  Vec right_ = nullptr, solution_ = nullptr;
+};
+
+}  // namespace
+
+Petsc::Petsc() {
+  require(PetscOptionsSetValue(nullptr, "-skip_petscrc", nullptr));
+  require(PetscInitializeNoArguments());
+  require(PetscPopSignalHandler());
+  require(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+}
+
+Petsc::~Petsc() {
+  PetscFinalize();
+}
+
+std::unique_ptr<SharedInverse> petsc_inverse(MPI_Comm all, const SharedRows& rows) {
+  return std::make_unique<PetscInverse>(all, rows);
+}
+
+}  // namespace plate

@@ -1,0 +1,79 @@
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "plate/formulation/parts/shared_sets.hpp"
+
+namespace plate {
+
+class Ranks;
+
+/// The plate as parts that are rigid in themselves, and hinges between them.
+class RigidParts {
+  using Point = geometry::Point;
+
+public:
+  RigidParts(const Boundary& boundary, const geometry::Families& families);
+
+  std::size_t count() const { return first_.size(); }
+  /// Of all processes that share the plate.
+  std::size_t count_of(const Ranks& all);
+  std::uint32_t part(std::uint32_t k) const { return part_[k]; }
+  bool has(std::uint32_t k) const { return part_[k] != none; }  // not images, nor fictitious points without a bond
+  std::uint32_t first(std::uint32_t part) const { return first_[part]; }
+  std::size_t points(std::uint32_t part) const { return points_[part]; }
+  bool on_line(std::uint32_t k) const { return line_[k] != Point(0, 0); }
+  const Point& line(std::uint32_t k) const { return line_[k]; }  // unit vector along its bonds
+
+  /// w [spacings] and slopes at a place as linear functions of the part's three unknowns, columns 0, 1, 2: all of the
+  /// order of 1 within the part.
+  Eigen::Vector3d deflection(std::uint32_t part, const Point& u) const {
+    const Point r = (u - boundary_.lattice[first_[part]]) / extent_[part];
+    return {1, r.x(), r.y()};
+  }
+  Eigen::Vector3d slope(std::uint32_t part, const Point& n) const {
+    return Eigen::Vector3d(0, n.x(), n.y()) / extent_[part];
+  }
+  /// The same for a degree of freedom, deflections in spacings.
+  Eigen::Vector3d row(std::uint32_t dof) const {
+    const auto k = dof / 3, own = part(k);
+    if (dof % 3 == 0) return deflection(own, boundary_.lattice[k]);
+    return dof % 3 == 1 ? slope(own, {0, 1}) : slope(own, {-1, 0});
+  }
+
+  /// Every pair of bonded points that stores energy, once.
+  template <typename Visit>
+  void for_each_bond(const Visit& visit) const {
+    for (std::uint32_t k = 0; k < families_.points(); ++k)
+      for (const auto& bond : families_[k])
+        if (const auto j = bond.neighbour; j < k && (boundary_.active[k] || boundary_.active[j])) visit(k, j);
+  }
+
+private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// Numbers the sets, in the order of their first points.
+  void number();
+
+  Point to(std::uint32_t k, std::uint32_t j) const { return boundary_.lattice[j] - boundary_.lattice[k]; }
+
+  /// Direction of the bonds where they lie on one line, else zero.
+  Point line_of(std::uint32_t k) const;
+  /// Two bonded points and a third that is bonded to both beside their line: none can turn against the others.
+  void join_triangle(std::uint32_t k, std::uint32_t j);
+  bool stores(std::uint32_t k, std::uint32_t i) const {
+    return !follows_[i] && (boundary_.active[k] || boundary_.active[i]);
+  }
+
+  const Boundary& boundary_;
+  const geometry::Families& families_;
+  DisjointSets sets_;
+  std::vector<char> follows_;  // images: all that they do is what others do
+  std::vector<Point> line_;
+  std::vector<std::uint32_t> part_;   // of each point
+  std::vector<std::uint32_t> first_;  // its first point
+  std::vector<std::size_t> points_;
+  std::vector<double> extent_;
+};
+
+}  // namespace plate
