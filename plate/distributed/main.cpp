@@ -17,7 +17,7 @@ class Listener {
 public:
   explicit Listener(bool listens) {
     if (!listens) return;
-    std::freopen("/dev/null", "w", stdout);
+    if (!std::freopen("/dev/null", "w", stdout)) std::fclose(stdout);
     stderr = open_memstream(&said_, &length_);
   }
   void speak() const {

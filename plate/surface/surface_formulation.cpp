@@ -196,7 +196,8 @@ std::optional<double> SurfaceNodePlate::multipliers(const State& state) const {
   const auto [low, high] = geometry::bounding_box(problem().outline);
   const double arm = (high - low).norm() / 2;
   const Forces load = total_load();
-  const double loads = load.row(0).cwiseAbs().sum() + load.bottomRows<2>().colwise().norm().sum() / arm;
+  double loads = load.row(0).cwiseAbs().sum();  // roots one by one: gcc warns of Eigen's for eight
+  for (Eigen::Index k = 0; k < load.cols(); ++k) loads += load.col(k).tail<2>().norm() / arm;
   return loads > 0 ? added_forces(stiffness_, plate_, by_points(state), arm) / loads : 0;
 }
 

@@ -13,7 +13,7 @@ using small_run::TemporaryFolder, small_run::text_of;
 
 namespace {
 
-/// Six runs of some 20 ms. With `long_one` the fourth moves for some seconds, the others are at rest.
+/// Six runs of some 20 ms. With `long_one` the fourth moves until it is killed, the others are at rest.
 class SmallStudy {
 public:
   explicit SmallStudy(bool long_one = false) {
@@ -22,7 +22,7 @@ public:
   }
   static std::string text(bool long_one, const std::string& young) {
     const std::string last =
-        long_one ? "set = [\"analysis.kind=dynamic\", \"analysis.duration=1e5\", \"section.density=1\", "
+        long_one ? "set = [\"analysis.kind=dynamic\", \"analysis.duration=1e6\", \"section.density=1\", "
                    "\"analysis.method=central_difference\", \"discretization.formulation=ordinary\"]\n"
                  : "";
     return "case = \"plate.toml\"\nset = [\"section.young=" + young +
