@@ -83,7 +83,8 @@ std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
   refuse(plan.srif && !plan.srif->window && plan.srif->window_horizons * d.horizon() > seen, "srif.window_horizons",
          "so wide a window cannot be seen");
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
-  refuse(plan.fields || plan.states, "output.fields", "fields and states cannot be written");
+  if (plan.states)
+    result.push_back({"output.fields", "\"hdf5\" cannot be written yet by several processes: take [\"vtk\"] or []"});
   refuse(resumes, "--resume", "checkpoints cannot be kept");
   return result;
 }

@@ -9,6 +9,7 @@
 #include "post/files/digest.hpp"
 #include "post/files/earlier.hpp"
 #include "post/files/sinks/folder.hpp"
+#include "post/files/sinks/pieces.hpp"
 #include "post/report/say.hpp"
 #include "post/studies/runs/read_summary.hpp"
 
@@ -34,20 +35,12 @@ bool finds(Keeper* keeper, const RecordingOptions& options) {
   return found;
 }
 
-/// Of a process that writes nothing.
-class Nowhere : public post::Sink {
-public:
-  bool draws() const override { return false; }
-  bool stores() const override { return false; }
-  bool plots() const override { return false; }
-  void open(const post::Mesh&) override {}
-  void frame(post::Frame, std::optional<post::Mesh>, plate::State) override {}
-  void final_state(const post::Mesh&, const post::Frame&) override {}
-  void cracks(const post::Cracks&) override {}
-  void plot(const std::string&, const std::string&) override {}
-  void tables(const Tables&) override {}
-  void summary(const std::string&) override {}
-};
+/// Where processes share the plate: when the first has made the folder ready, all write their pieces into it.
+std::unique_ptr<post::Sink> shared(const RecordingOptions& options, std::unique_ptr<post::Sink> rest) {
+  std::array<std::int64_t, 1> ready{1};
+  plate::ranks()->sum(ready);
+  return std::make_unique<post::Pieces>(*plate::ranks(), options.folder, options.vtk, std::move(rest));
+}
 
 }  // namespace
 
@@ -74,7 +67,7 @@ std::optional<post::Summary> done_before(const RecordingOptions& options, bool r
 }
 
 Recording recording(const RecordingOptions& options) {
-  if (!speaks()) return {{std::make_unique<Nowhere>(), options.resolved, options.version}, nullptr};
+  if (!speaks()) return {{shared(options, nullptr), options.resolved, options.version}, nullptr};
   const auto& [folder, resolved, version, vtk, hdf5, velocities, every, resumes, quiet] = options;
   std::filesystem::create_directories(folder);
   post::FolderLock lock(folder);
@@ -91,6 +84,7 @@ Recording recording(const RecordingOptions& options) {
     post::say(fmt::format("{}: removed {} files of an earlier run\n", folder.string(), removed));
   auto sink = std::make_unique<post::Folder>(
       post::FolderOptions{folder, resolved, version, vtk, hdf5, velocities, goes_on}, std::move(lock));
+  if (plate::ranks()) return {{shared(options, std::move(sink)), resolved, version}, nullptr};
   return {{std::move(sink), resolved, version}, std::move(keeper)};
 }
 

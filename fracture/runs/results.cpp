@@ -10,6 +10,7 @@
 #include "fracture/runs/among_ranks.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/model/ranks/ranks.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -52,7 +53,7 @@ plate::NumericalError placed(const plate::NumericalError& error, const plate::Fo
 }
 
 void write_report(const RunPlan& plan, const post::Pictures& pictures) {
-  if (plan.report)
+  if (plan.report && speaks())
     post::write_report(*plan.report, {plan.problem, plan.title, plan.source, plan.units, plan.probes}, pictures);
 }
 
@@ -68,6 +69,11 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
       extremes_(plate),
       energy_gate_(plan.growth ? post::EnergyGate::Plate::grows : post::EnergyGate::Plate::moves) {
   if (!recorder_.draws() && !recorder_.stores()) return;
+  if (plate::ranks()) {
+    drawing_.emplace(plate);
+    recorder_.open(drawing_->mesh());
+    return;
+  }
   const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
   if (plan_.report) pictures_.open(mesh);
   recorder_.open(mesh);
@@ -104,6 +110,11 @@ void Results::frame(const plate::Instant& now) {
   next_frame_ = plan_.frames_every ? next_frame_ + *plan_.frames_every : INFINITY;
   if (!recorder_.draws() && !recorder_.stores()) return;
   auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_);
+  if (drawing_) {
+    extremes_.frame(now.time, frame.resultants);
+    recorder_.frame(drawing_->frame(std::move(frame)), {}, {});
+    return;
+  }
   std::optional<plate::Mesh> mesh;
   if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state, factors_.last());
   if (plan_.report) {

@@ -1,4 +1,5 @@
 #pragma once
+#include "fracture/runs/own_drawing.hpp"
 #include "fracture/runs/run_plan.hpp"
 #include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
@@ -74,7 +75,8 @@ private:
   const plate::Formulation& plate_;
   const std::vector<post::TipMethods>& tip_methods_;
   post::Recorder recorder_;
-  post::Pictures pictures_;  // for the report
+  post::Pictures pictures_;            // for the report
+  std::optional<OwnDrawing> drawing_;  // where processes share the plate
   std::vector<post::Probe> probes_;
   post::FactorRows factors_;
   post::ReactionRows reactions_;

@@ -27,6 +27,7 @@ struct Mesh {
     std::vector<Source> sources;
   };
   std::vector<Corner> corners = {};
+  std::size_t others = 0;  // points at the end of `positions` that are in no cell: corners take values from them
 };
 
 }  // namespace plate

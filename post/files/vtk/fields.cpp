@@ -42,7 +42,9 @@ void insert_points_and_cells(vtkUnstructuredGrid& grid, const Mesh& mesh) {
   std::vector<bool> used(all.size(), false);
   insert(grid, VTK_QUAD, mesh.quads, used);
   insert(grid, VTK_TRIANGLE, mesh.triangles, used);
+  const auto own = mesh.positions.size() - mesh.others;
   for (std::size_t k = 0; k < used.size(); ++k) {
+    if (k >= own && k < mesh.positions.size()) continue;
     const auto id = static_cast<vtkIdType>(k);
     if (!used[k]) grid.InsertNextCell(VTK_VERTEX, 1, &id);
   }

@@ -18,6 +18,8 @@ std::string cracks(std::size_t frame) {
   return fmt::format("cracks_{:04}.vtp", frame);
 }
 
+}  // namespace
+
 std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame)) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"{}\">\n  <Collection>\n",
@@ -27,8 +29,6 @@ std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::
   }
   return text + "  </Collection>\n</VTKFile>\n";
 }
-
-}  // namespace
 
 VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh) : folder_(std::move(folder)), mesh_(std::move(mesh)) {}
 
@@ -44,7 +44,7 @@ void VtkSeries::write(const Frame& frame) {
 std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> frames;
   if (!std::filesystem::exists(folder / "fields.pvd")) return frames;
-  static const std::regex file("file=\"([^\"]+)\"");
+  static const std::regex file("file=\"([^\"]+\\.vtu)\"");
   const auto text = read_text(folder / "fields.pvd");
   for (std::sregex_iterator found(text.begin(), text.end(), file), end; found != end; ++found)
     frames.push_back(folder / (*found)[1].str());

@@ -23,12 +23,15 @@ private:
   std::vector<double> times_;
 };
 
+/// A list of frames and their times, as ParaView opens it.
+std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame));
+
 /// A frame that was written, and the cells that it is drawn with.
 struct Drawn {
   Mesh mesh;
   Frame frame;
 };
-/// The frames that fields.pvd lists, in their order; none without that file.
+/// The frames that fields.pvd lists, in their order; none without that file, or where each is in pieces.
 std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder);
 /// Throws std::runtime_error where the file is none of ours.
 Drawn read_frame(const std::filesystem::path& path);

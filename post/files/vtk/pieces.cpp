@@ -1,0 +1,66 @@
+#include "post/files/vtk/pieces.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "plate/model/ranks/ranks.hpp"
+#include "post/files/files.hpp"
+#include "post/files/vtk/series.hpp"
+#include "post/files/whole_file.hpp"
+
+namespace post {
+namespace {
+
+std::string frame_name(std::size_t frame) {
+  return fmt::format("fields_{:04}.pvtu", frame);
+}
+
+std::string piece_name(std::size_t frame, int rank) {
+  return fmt::format("fields_{:04}_{}.vtu", frame, rank);
+}
+
+/// The pieces, and what each has of its points: as vtu() writes it.
+std::string pvtu(std::size_t frame, int pieces) {
+  constexpr std::array<std::pair<const char*, int>, 11> arrays{{{"w", 1},
+                                                                {"theta", 2},
+                                                                {"damage", 1},
+                                                                {"cut", 1},
+                                                                {"Mxx", 1},
+                                                                {"Myy", 1},
+                                                                {"Mxy", 1},
+                                                                {"Qx", 1},
+                                                                {"Qy", 1},
+                                                                {"von_mises", 1},
+                                                                {"displacement", 3}}};
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" byte_order=\"{}\">\n"
+      "  <PUnstructuredGrid GhostLevel=\"0\">\n    <PPoints>\n"
+      "      <PDataArray type=\"Float64\" NumberOfComponents=\"3\"/>\n    </PPoints>\n    <PPointData>\n",
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+  for (const auto& [name, components] : arrays)
+    text +=
+        fmt::format("      <PDataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n", name, components);
+  text += "    </PPointData>\n";
+  for (int rank = 0; rank < pieces; ++rank)
+    text += fmt::format("    <Piece Source=\"{}\"/>\n", piece_name(frame, rank));
+  return text + "  </PUnstructuredGrid>\n</VTKFile>\n";
+}
+
+}  // namespace
+
+VtkPieces::VtkPieces(const plate::Ranks& all, std::filesystem::path folder, Mesh mesh)
+    : all_(all), folder_(std::move(folder)), mesh_(std::move(mesh)) {}
+
+void VtkPieces::write(const Frame& frame) {
+  const auto number = times_.size();
+  write_whole(folder_ / piece_name(number, all_.rank()), files().vtu(mesh_, frame));
+  times_.push_back(frame.time);
+  std::array<std::int64_t, 1> written{1};
+  all_.sum(written);  // waits for all
+  if (all_.rank() > 0) return;
+  write_whole(folder_ / frame_name(number), pvtu(number, all_.size()));
+  write_whole(folder_ / "fields.pvd", pvd(times_, frame_name));
+}
+
+}  // namespace post

@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+
+#include "post/files/frame.hpp"
+
+namespace plate {
+class Ranks;
+}
+
+namespace post {
+
+/// Frames of a plate that processes share: each writes its piece, fields_NNNN_RANK.vtu as VtkSeries does, and when all
+/// are there the first writes fields_NNNN.pvtu, which names the pieces, and fields.pvd.
+class VtkPieces {
+public:
+  /// `mesh`: what this process draws. `all` must outlive this.
+  VtkPieces(const plate::Ranks& all, std::filesystem::path folder, Mesh mesh);
+  /// All processes call it at once.
+  void write(const Frame& frame);
+
+private:
+  const plate::Ranks& all_;
+  std::filesystem::path folder_;
+  Mesh mesh_;
+  std::vector<double> times_;
+};
+
+}  // namespace post
