@@ -8,7 +8,7 @@
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
 #include "cases/templates/new_case.hpp"
-#include "fracture/runs/among_ranks.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/process.hpp"
 #include "plate/solve/interruption.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "fracture/runs/among_ranks.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
 #include "plate/model/process.hpp"
 #include "plate/model/ranks/ranks.hpp"
 #include "post/files/digest.hpp"
@@ -36,7 +36,7 @@ bool finds(Keeper* keeper, const RecordingOptions& options) {
 }
 
 /// Where processes share the plate: when the first has made the folder ready, all write their pieces into it.
-std::unique_ptr<post::Sink> shared(const RecordingOptions& options, std::unique_ptr<post::Sink> rest) {
+std::unique_ptr<post::Sink> of_pieces(const RecordingOptions& options, std::unique_ptr<post::Sink> rest) {
   std::array<std::int64_t, 1> ready{1};
   plate::ranks()->sum(ready);
   return std::make_unique<post::Pieces>(*plate::ranks(), options.folder, options.vtk, std::move(rest));
@@ -67,7 +67,7 @@ std::optional<post::Summary> done_before(const RecordingOptions& options, bool r
 }
 
 Recording recording(const RecordingOptions& options) {
-  if (!speaks()) return {{shared(options, nullptr), options.resolved, options.version}, nullptr};
+  if (!speaks()) return {{of_pieces(options, nullptr), options.resolved, options.version}, nullptr};
   const auto& [folder, resolved, version, vtk, hdf5, velocities, every, resumes, quiet] = options;
   std::filesystem::create_directories(folder);
   post::FolderLock lock(folder);
@@ -84,7 +84,7 @@ Recording recording(const RecordingOptions& options) {
     post::say(fmt::format("{}: removed {} files of an earlier run\n", folder.string(), removed));
   auto sink = std::make_unique<post::Folder>(
       post::FolderOptions{folder, resolved, version, vtk, hdf5, velocities, goes_on}, std::move(lock));
-  if (plate::ranks()) return {{shared(options, std::move(sink)), resolved, version}, nullptr};
+  if (shared()) return {{of_pieces(options, std::move(sink)), resolved, version}, nullptr};
   return {{std::move(sink), resolved, version}, std::move(keeper)};
 }
 

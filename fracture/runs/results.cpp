@@ -7,10 +7,10 @@
 
 #include "fracture/growth/motion/moving_growth.hpp"
 #include "fracture/growth/words.hpp"
-#include "fracture/runs/among_ranks.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
+#include "fracture/runs/shared/own_drawing.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/model/numerical_error.hpp"
-#include "plate/model/ranks/ranks.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -69,8 +69,8 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
       extremes_(plate),
       energy_gate_(plan.growth ? post::EnergyGate::Plate::grows : post::EnergyGate::Plate::moves) {
   if (!recorder_.draws() && !recorder_.stores()) return;
-  if (plate::ranks()) {
-    drawing_.emplace(plate);
+  if (shared()) {
+    drawing_ = std::make_unique<OwnDrawing>(plate);
     recorder_.open(drawing_->mesh());
     return;
   }
@@ -78,6 +78,8 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
   if (plan_.report) pictures_.open(mesh);
   recorder_.open(mesh);
 }
+
+Results::~Results() = default;
 
 void Results::sample(const plate::Instant& now, bool last) {
   strain_energy_ = now.strain_energy;

@@ -1,5 +1,4 @@
 #pragma once
-#include "fracture/runs/own_drawing.hpp"
 #include "fracture/runs/run_plan.hpp"
 #include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
@@ -20,6 +19,7 @@ struct Mode;
 namespace fracture {
 
 class MovingGrowth;
+class OwnDrawing;
 
 /// The points about probes.
 std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>& places,
@@ -41,6 +41,7 @@ public:
   /// `methods` of every tip. Plate and methods must outlive this.
   Results(const RunPlan& plan, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
           post::Recorder recorder);
+  ~Results();
 
   const RunPlan& plan() const { return plan_; }
   /// The growth of the run, which must outlive it.
@@ -75,8 +76,8 @@ private:
   const plate::Formulation& plate_;
   const std::vector<post::TipMethods>& tip_methods_;
   post::Recorder recorder_;
-  post::Pictures pictures_;            // for the report
-  std::optional<OwnDrawing> drawing_;  // where processes share the plate
+  post::Pictures pictures_;              // for the report
+  std::unique_ptr<OwnDrawing> drawing_;  // where processes share the plate
   std::vector<post::Probe> probes_;
   post::FactorRows factors_;
   post::ReactionRows reactions_;

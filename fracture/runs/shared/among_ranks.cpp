@@ -1,4 +1,4 @@
-#include "fracture/runs/among_ranks.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -43,6 +43,10 @@ bool before(const post::Peak& a, const post::Peak& b) {
 }
 
 }  // namespace
+
+bool shared() {
+  return plate::ranks() != nullptr;
+}
 
 bool speaks() {
   return !plate::ranks() || plate::ranks()->rank() == 0;

@@ -1,4 +1,4 @@
-#include "fracture/runs/own_drawing.hpp"
+#include "fracture/runs/shared/own_drawing.hpp"
 
 #include <optional>
 

@@ -15,6 +15,9 @@ namespace fracture {
 
 struct RunPlan;
 
+/// Do several processes share the plate of this one's runs?
+bool shared();
+
 /// Is this the process that writes and speaks?
 bool speaks();
 
