@@ -78,6 +78,11 @@ Cell Partition::block_of(const Cell& cell) {
   return {floored(cell[0], block[0]), floored(cell[1], block[1])};
 }
 
+int Partition::nearest_owner(const Cell& cell) const {
+  const Cell place = block_of(cell);
+  return owners_[index({std::clamp(place[0], 0L, counts_[0] - 1), std::clamp(place[1], 0L, counts_[1] - 1)})];
+}
+
 std::uint32_t Partition::number(const Cell& cell) const {
   const Cell place = block_of(cell);  // a block more on every side
   return std::uint32_t((place[1] + 1) * (counts_[0] + 2) + place[0] + 1);

@@ -20,6 +20,8 @@ public:
   const CellBox& box(int part) const { return boxes_[std::size_t(part)]; }
   /// The part of a cell of the outline's bounding box.
   int owner(const Cell& cell) const { return owners_[index(block_of(cell))]; }
+  /// The part of the block nearest to any cell.
+  int nearest_owner(const Cell& cell) const;
   /// A number of the block of any cell, near the plate or in it.
   std::uint32_t number(const Cell& cell) const;
 

@@ -92,6 +92,17 @@ std::vector<Copy> numbered(const Ranks& all, const PartOfLattice& part, const Se
   return result;
 }
 
+/// Fictitious points: those that follow a w are of whom that is, the others of whose block is nearest. Whatever is held
+/// alone reacts there, and each reaction must count once.
+void own_fictitious(const PartOfLattice& part, const Seen& seen, Boundary& boundary) {
+  const int self = ranks()->rank();
+  for (std::uint32_t k = boundary.cloud.plate_points; k < boundary.cloud.size(); ++k)
+    boundary.own[k] = part.partition.nearest_owner(seen.cell(k)) == self;
+  for (const auto& tie : boundary.constraints.ties())
+    if (const auto k = tie.follower / 3; !boundary.is_plate(k) && tie.follower % 3 == 0)
+      boundary.own[k] = boundary.own[tie.leader / 3];
+}
+
 }  // namespace
 
 std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, const Discretization& discretization) {
@@ -126,9 +137,9 @@ OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geome
   result.wanted = seen.wanted();
   boundary.own.assign(boundary.cloud.size(), 0);
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) boundary.own[k] = seen.own(k);
-  for (const auto& tie : boundary.constraints.ties())  // what is fictitious is whose the first point that it follows is
-    if (const auto k = tie.follower / 3; !boundary.is_plate(k) && tie.follower % 3 == 0)
-      boundary.own[k] = boundary.own[tie.leader / 3];
+  own_fictitious(part, seen, boundary);
+  for (std::uint32_t k = boundary.cloud.plate_points; k < boundary.cloud.size(); ++k)
+    if (boundary.own[k]) result.wanted[k] = 1;
   const auto copies = seen.copies(result.wanted, families, own_tips);
   result.exchange = all.exchange(boundary.cloud.size(), numbered(all, part, seen, boundary, copies));
   std::vector<std::uint32_t> others;  // copies, and what nobody here needs

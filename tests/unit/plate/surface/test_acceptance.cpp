@@ -61,6 +61,20 @@ TEST_CASE("acceptance: edges shorter than a horizon between corners, and than ha
   CHECK(refused(p) == Subject::geometry);  // 0.045
 }
 
+TEST_CASE("acceptance: symmetry and loads on edges are refused where an edge is oblique") {
+  auto p = square(SupportKind::symmetry);
+  CHECK(!refused(p));
+  p.outline.outer.vertices[2] = {1, 1.3};
+  CHECK(refused(p) == Subject::support);
+  p = square(SupportKind::simply_supported);
+  Load shear;
+  shear.kind = Load::Kind::edge_shear, shear.edges = {"left"}, shear.value = 1;
+  p.loads = {shear};
+  CHECK(!refused(p));
+  p.outline.outer.vertices[2] = {1, 1.3};
+  CHECK(refused(p) == Subject::load_edges);
+}
+
 TEST_CASE("acceptance: cracks stay more than a horizon from the edges") {
   const auto crack = [](double end) {
     return std::vector<geometry::CrackPath>{{{{-0.2, 0}, {end, 0}}, geometry::End::tip, geometry::End::tip}};
