@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
+#include <utility>
+
 #include "geometry/lattice/cell_index.hpp"
 
 namespace plate {
 namespace {
 
 using geometry::Point;
-
-bool mirrors(SupportKind kind) {
-  return kind == SupportKind::clamped || kind == SupportKind::simply_supported_hard || kind == SupportKind::symmetry;
-}
 
 /// +1 or -1 for w, theta_x, theta_y across an edge with the given normal axis.
 std::array<int, 3> parity(SupportKind kind, int normal_axis) {
@@ -62,7 +62,7 @@ private:
   bool within(const Side& side, const Point& u) const;
   void mirror_at_corners();
   void follow(std::uint32_t k, const Side& side);
-  void outside_cell(const Point& u, const std::vector<int>& candidates);
+  void outside_cell(const Point& u, int s);
 
   Boundary& b_;
   double reach_, spacing_;
@@ -93,7 +93,7 @@ void Builder::tie_clamped(std::uint32_t leader, double depth, const Side& side) 
 void Builder::mirror_images() {
   for (std::size_t s = 0; s < b_.sides.size(); ++s) {
     const Side& side = b_.sides[s];
-    if (!mirrors(side.kind) || !side.along_lattice()) continue;
+    if (!has_images(side) || !side.along_lattice()) continue;
     const auto signs = parity(side.kind, side.normal_axis());
     for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
       if (!within(side, b_.lattice[k])) continue;
@@ -112,7 +112,7 @@ void Builder::mirror_at_corners() {
   for (std::size_t s = 0; s < b_.sides.size(); ++s)
     for (std::size_t t = 0; t < b_.sides.size(); ++t) {
       const Side &first = b_.sides[s], &second = b_.sides[t];
-      const bool both = mirrors(first.kind) && mirrors(second.kind) && first.along_lattice() && second.along_lattice();
+      const bool both = has_images(first) && has_images(second) && first.along_lattice() && second.along_lattice();
       if (!both || !convex_corner(first, second)) continue;
       const auto p = parity(first.kind, first.normal_axis()), q = parity(second.kind, second.normal_axis());
       for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
@@ -124,34 +124,29 @@ void Builder::mirror_at_corners() {
     }
 }
 
-/// Sides that mirror but do not lie along the lattice: lattice points outside, next to the side.
+/// Sides that mirror but do not lie along the lattice: lattice points outside, next to the side. Where two sides see
+/// one place each has its own image of it: a bond meets the one of the side through which it leaves.
 void Builder::general_images() {
-  std::map<std::pair<long, long>, std::vector<int>> outside;
+  const auto window = static_cast<long>(std::ceil(reach_));
   for (std::size_t s = 0; s < b_.sides.size(); ++s) {
     const Side& side = b_.sides[s];
-    if (!mirrors(side.kind) || side.along_lattice()) continue;
-    const auto window = static_cast<long>(std::ceil(reach_));
+    if (!has_images(side) || side.along_lattice()) continue;
+    std::set<std::pair<long, long>> outside;  // twice their coordinates
     for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
       const Point& u = b_.lattice[k];
       if (side.inside(u) > reach_ || (!side.circle && !within(side, u))) continue;
       for (long y = -window; y <= window; ++y)
         for (long x = -window; x <= window; ++x) {
           const Point v = u + Point(double(x), double(y));
-          const double d = side.inside(v);
-          if (d > 0 || -d > reach_ || (v - u).norm() > reach_ || cells_.at(v)) continue;
-          auto& list = outside[{std::lround(2 * v.x()), std::lround(2 * v.y())}];
-          if (std::find(list.begin(), list.end(), int(s)) == list.end()) list.push_back(static_cast<int>(s));
+          if ((v - u).norm() <= reach_ && side.inside(v) <= 0 && !cells_.at(v) && side.meets(u, v))
+            outside.insert({std::lround(2 * v.x()), std::lround(2 * v.y())});
         }
     }
+    for (const auto& [x, y] : outside) outside_cell(Point(double(x) / 2, double(y) / 2), static_cast<int>(s));
   }
-  for (const auto& [key, candidates] : outside)
-    outside_cell(Point(double(key.first) / 2, double(key.second) / 2), candidates);
 }
 
-void Builder::outside_cell(const Point& u, const std::vector<int>& candidates) {
-  const int s = *std::min_element(candidates.begin(), candidates.end(), [&](int a, int c) {
-    return -b_.sides[static_cast<std::size_t>(a)].inside(u) < -b_.sides[static_cast<std::size_t>(c)].inside(u);
-  });
+void Builder::outside_cell(const Point& u, int s) {
   const Side& side = b_.sides[static_cast<std::size_t>(s)];
   const double depth = std::max(-side.inside(u), 0.0);
   const Point image = u - 2 * depth * side.outward(u);
@@ -249,7 +244,26 @@ void Builder::pins() {
     }
 }
 
+/// One warning for all sides, of many the first ten by name.
+void warn_of_general_images(Boundary& boundary) {
+  std::string names;
+  int sides = 0;
+  for (const auto& side : boundary.sides)
+    if (has_images(side) && !side.along_lattice() && ++sides <= 10)
+      names += (names.empty() ? "'" : ", '") + side.name + "'";
+  if (sides == 0) return;
+  if (sides > 10) names += " and " + std::to_string(sides - 10) + " more";
+  boundary.warnings.push_back((sides == 1 ? "edge " + names + " does" : "edges " + names + " do") +
+                              " not lie on a boundary between lattice cells: held by points outside that follow their "
+                              "nearest image, which is less accurate than mirror images");
+}
+
 }  // namespace
+
+bool has_images(const Side& side) {
+  using enum SupportKind;
+  return side.kind == clamped || side.kind == simply_supported_hard || side.kind == symmetry;
+}
 
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
                   const Discretization& discretization) {
@@ -258,11 +272,7 @@ Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const
   result.cloud = std::move(cloud);
   result.sides = sides_of(outline, supports);
   result.holders = holders_of(supports);
-  for (const auto& side : result.sides)
-    if (mirrors(side.kind) && !side.along_lattice())
-      result.warnings.push_back("edge '" + side.name +
-                                "' does not lie on a boundary between lattice cells: it is held by points outside that "
-                                "follow their nearest image, which is less accurate than mirror images");
+  warn_of_general_images(result);
   Builder builder(result, discretization.horizon_ratio, discretization.spacing);
   builder.pins();
   builder.outermost_rows();

@@ -8,6 +8,9 @@ namespace plate {
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
                   const Discretization& discretization);
 
+/// Does the plate go on beyond the side, as images?
+bool has_images(const Side& side);
+
 /// May two points be bonded: the bond stays in the plate, or leaves it only across the sides that its fictitious
 /// point belongs to. `outline` in lattice units; both arguments must outlive the answer.
 geometry::Pairwise sees(const Boundary& boundary, const geometry::Outline& outline, double horizon_ratio);

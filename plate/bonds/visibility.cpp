@@ -32,11 +32,7 @@ std::vector<char> near_openings(const Boundary& boundary, const geometry::Outlin
 
 /// Do pq and the side cross, each strictly between the ends of the other?
 bool crosses(const Side& side, const Point& p, const Point& q) {
-  if (side.circle) {
-    const Point d = q - p;
-    const double t = std::clamp((side.centre - p).dot(d) / d.squaredNorm(), 0.0, 1.0);
-    return (p + t * d - side.centre).norm() < side.radius;
-  }
+  if (side.circle) return side.meets(p, q);
   const auto turn = [](const Point& a, const Point& b, const Point& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
   };
@@ -50,21 +46,37 @@ bool is_layer_side(const Side& side) {
 }
 
 /// A bond to a mirror image must cross a side of the image, and no image of it any other side.
-bool sees_image(const Boundary& boundary, std::uint32_t k, std::uint32_t j) {
-  const FictitiousPoint& image = boundary.fictitious[j - boundary.cloud.plate_points];
+bool sees_mirror_image(const Boundary& boundary, std::uint32_t k, std::uint32_t j, const FictitiousPoint& image) {
   const Point &p = boundary.lattice[k], &q = boundary.lattice[j];
   const auto own = [&](std::size_t s) { return int(s) == image.sides[0] || int(s) == image.sides[1]; };
   bool through = false;
-  for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
-    const Side& side = boundary.sides[s];
-    if (own(s))
-      through = through || (side.circle ? crosses(side, p, q) : geometry::meet(p, q, side.edge.from, side.edge.to));
-  }
+  for (std::size_t s = 0; s < boundary.sides.size(); ++s)
+    if (own(s)) through = through || boundary.sides[s].meets(p, q);
   return through && !boundary.any_image(k, j, [&](const Point& a, const Point& b) {
     for (std::size_t s = 0; s < boundary.sides.size(); ++s)
       if (!own(s) && crosses(boundary.sides[s], a, b)) return true;
     return false;
   });
+}
+
+/// Of the images at one place a bond meets that of the side through which it leaves; through a vertex, of
+/// a mirror image or of the first.
+bool sees_general_image(const Boundary& boundary, std::uint32_t k, std::uint32_t j, const FictitiousPoint& image) {
+  const Point &p = boundary.lattice[k], &q = boundary.lattice[j];
+  const auto own = std::size_t(image.sides[0]);
+  if (!boundary.sides[own].meets(p, q)) return false;
+  for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+    if (s == own) continue;
+    const Side& side = boundary.sides[s];
+    if (crosses(side, p, q) || ((s < own || side.along_lattice()) && has_images(side) && side.meets(p, q)))
+      return false;
+  }
+  return true;
+}
+
+bool sees_image(const Boundary& boundary, std::uint32_t k, std::uint32_t j) {
+  const FictitiousPoint& image = boundary.fictitious[j - boundary.cloud.plate_points];
+  return image.exact ? sees_mirror_image(boundary, k, j, image) : sees_general_image(boundary, k, j, image);
 }
 
 bool sees_layer(const Boundary& boundary, std::uint32_t k, std::uint32_t j) {

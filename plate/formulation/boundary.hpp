@@ -27,6 +27,8 @@ struct Side {
   bool along_lattice() const;
   int normal_axis() const;  // 0: x, 1: y; -1: neither
   geometry::Point mirrored(const geometry::Point& u) const;
+  /// Does the segment pq meet the side, be it in one point?
+  bool meets(const geometry::Point& p, const geometry::Point& q) const;
 };
 
 /// A point outside the plate that stands for what a support does there. It is seen across one side, or across two

@@ -35,6 +35,11 @@ Point Side::mirrored(const Point& u) const {
   return image;
 }
 
+bool Side::meets(const Point& p, const Point& q) const {
+  if (circle) return geometry::distance({p, q}, centre) < radius;
+  return geometry::meet(p, q, edge.from, edge.to);
+}
+
 std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports) {
   std::vector<Side> sides;
   for (const auto& edge : geometry::straight_edges(outline)) sides.push_back({edge.name, false, edge, {0, 0}, 0, {}});

@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <map>
+#include <numbers>
 
 #include "tests/unit/plate/held_plate.hpp"
 
@@ -83,6 +85,42 @@ TEST_CASE("sees: images across their own side alone, never each other") {
     }
   CHECK(seen > 100);
   CHECK(images > 100);
+}
+
+TEST_CASE("sees: a bond that leaves a held polygon meets one image of the place where it ends") {
+  const int sides = GENERATE(3, 5, 8, 24, 48, 96);
+  geometry::Outline outline;
+  Support clamp{SupportKind::clamped, {}, {}};
+  for (int s = 0; s < sides; ++s) {
+    const double angle = 2 * std::numbers::pi * (s + 0.13) / sides;
+    outline.outer.vertices.emplace_back(6.3 * std::cos(angle), 6.3 * std::sin(angle));
+    outline.outer.edge_names.push_back("side" + std::to_string(s));
+    clamp.edges.push_back(outline.outer.edge_names.back());
+  }
+  outline = geometry::to_lattice(outline, geometry::lattice(outline, 1).units);
+  const Boundary b = held({clamp}, outline);
+  const auto bonded = sees(b, outline, 3.015);
+  std::map<std::pair<std::uint32_t, std::pair<long, long>>, int> met;
+  for (std::uint32_t j = std::uint32_t(b.cloud.plate_points); j < b.lattice.size(); ++j)
+    for (std::uint32_t k = 0; k < b.cloud.plate_points; ++k)
+      if (const Point& v = b.lattice[j]; (b.lattice[k] - v).norm() < 3.015)
+        met[{k, {std::lround(2 * v.x()), std::lround(2 * v.y())}}] += bonded(k, j);
+  CHECK(met.size() > 50);
+  for (const auto& [bond, images] : met) {
+    CAPTURE(sides, b.lattice[bond.first].transpose(), bond.second.first, bond.second.second);
+    CHECK(images == 1);
+  }
+  // and no place without an image: every family is full
+  std::map<std::uint32_t, int> family;
+  for (const auto& [bond, images] : met) family[bond.first] += images;
+  for (std::uint32_t k = 0; k < b.cloud.plate_points; ++k) {
+    int within = 0;
+    for (std::uint32_t j = 0; j < b.cloud.plate_points; ++j)
+      within += j != k && (b.lattice[k] - b.lattice[j]).norm() < 3.015;
+    CAPTURE(sides, b.lattice[k].transpose());
+    CHECK(within + family[k] == 28);
+  }
+  CHECK(b.warnings.size() == 1);
 }
 
 TEST_CASE("sees: inside a mirrored rectangle every point has its full family") {
