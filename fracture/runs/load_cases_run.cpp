@@ -8,12 +8,14 @@
 #include "fracture/runs/results.hpp"
 #include "fracture/runs/run_plan.hpp"
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/constraints.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/static_solver.hpp"
+#include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/report/load_cases.hpp"
 #include "post/report/overlaps.hpp"
@@ -21,6 +23,11 @@
 
 namespace fracture {
 namespace {
+
+double folded_norm(const plate::Formulation& plate, plate::Forces load) {
+  plate.constraints().fold(load);
+  return load.norm();
+}
 
 /// Load cases and combinations as they are found.
 class LoadCases {
@@ -42,6 +49,9 @@ public:
 
 private:
   void look(post::LoadCaseSummary one, const plate::Forces& load, const plate::State& state, std::size_t step);
+  void combine(const plate::Combination& combination, const std::vector<plate::State>& states,
+               const std::vector<plate::Forces>& loads);
+  std::vector<std::pair<double, const std::vector<post::Srif>*>> parts_of(const post::LoadCaseSummary& combined) const;
   std::vector<std::string> warnings() const;
 
   const Ready& ready_;
@@ -76,6 +86,7 @@ void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const
     one.reactions = reactions.summary();
   }
   if (plan_.srif) one.srif = post::srifs(plate_, *plan_.srif, ready_.tip_methods, state, true);
+  if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
   for (const auto& srif : one.srif) one.faces.push_back(post::at_faces(srif, plate_.section(), plan_.srif->toughness));
@@ -89,8 +100,17 @@ void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const
   }
   one.extremes = extremes.found();
   found_.push_back(std::move(one));
-  if (!post::moves(state, work)) post::require_motion(plate_, {load}, state, work, warnings_);
+  const bool rests = !found_.back().of.empty() && state.isZero(0);  // a combination that cancels
+  if (!rests && !post::moves(state, work)) post::require_motion(plate_, {load}, state, work, warnings_);
   post::EnergyGate(post::EnergyGate::Plate::rests).look({strain, strain, work}, when);
+}
+
+std::vector<std::pair<double, const std::vector<post::Srif>*>> LoadCases::parts_of(
+    const post::LoadCaseSummary& combined) const {
+  std::vector<std::pair<double, const std::vector<post::Srif>*>> parts;
+  for (const auto& [name, factor] : combined.of)
+    parts.emplace_back(factor, &std::ranges::find(found_, name, &post::LoadCaseSummary::name)->srif);
+  return parts;
 }
 
 /// Of warnings that say the same of the same place, those of the first load case; none of tips that it hardly loads.
@@ -153,14 +173,32 @@ void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
   }
   for (const auto& one : problem.combinations) {
     plate::stop_if_asked("combinations");
-    plate::State state = plate::State::Zero(3, Eigen::Index(plate_.points()));
-    plate::Forces load = state;
-    const auto factors = plate::factors_of(one, problem.load_cases);
-    for (std::size_t i = 0; i < factors.size(); ++i) state += factors[i] * states[i], load += factors[i] * loads[i];
-    look({one.name, one.of}, load, state, 0);
+    combine(one, states, loads);
     stopwatch.lap("srif");
   }
   progress.done();
+}
+
+/// `states`, `loads`: of the load cases. A combination whose loads cancel to rounding is the plate at rest.
+void LoadCases::combine(const plate::Combination& combination, const std::vector<plate::State>& states,
+                        const std::vector<plate::Forces>& loads) {
+  constexpr double rounding = 1e-12;
+  const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
+  plate::State state = plate::State::Zero(3, Eigen::Index(plate_.points()));
+  plate::Forces load = state;
+  double largest = 0, residual = 0;  // of the parts: load, and at most what is left of it
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    state += factors[i] * states[i], load += factors[i] * loads[i];
+    const double part = std::abs(factors[i]) * folded_norm(plate_, loads[i]);
+    largest = std::max(largest, part), residual += part * found_[i].residual.value_or(0);
+  }
+  const double size = folded_norm(plate_, load);
+  const bool cancels = size <= rounding * largest;
+  if (cancels) {
+    state.setZero(), load.setZero();
+    warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
+  }
+  look({combination.name, combination.of, {}, cancels ? 0 : residual / size}, load, state, 0);
 }
 
 post::Summary LoadCases::finish(post::Summary summary, plate::Stopwatch& stopwatch) {

@@ -148,6 +148,22 @@ void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits,
   }
 }
 
+void widen_errors(std::vector<Srif>& sum, const std::vector<std::pair<double, const std::vector<Srif>*>>& parts,
+                  double thickness) {
+  for (auto& srif : sum) {
+    Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+    for (const auto& [factor, rows] : parts)
+      for (const auto& part : *rows)
+        if (part.tip == srif.tip && part.method == srif.method)
+          for (Eigen::Index i = 0; i < 3; ++i)
+            squares[i] += std::pow(factor * part.errors[std::size_t(i)].value_or(0), 2);
+    if (squares.isZero(0)) continue;
+    Eigen::Vector3d errors = squares.cwiseSqrt();
+    for (Eigen::Index i = 0; i < 3; ++i) errors[i] = std::max(errors[i], srif.errors[std::size_t(i)].value_or(0));
+    set(srif, errors, thickness);
+  }
+}
+
 void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& largest) {
   const std::vector<double> before = largest;
   for (const auto& srif : srifs) {

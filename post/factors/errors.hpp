@@ -23,6 +23,12 @@ struct ErrorShares {
 void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits, const plate::Section& section,
                      const ErrorShares& shares);
 
+/// Errors of the factors of a sum of states, each times a number. The parts' own errors, as if they had nothing to do
+/// with one another, are the least: where factors cancel, their errors need not. Rows of parts count where they have
+/// the same tip and method.
+void widen_errors(std::vector<Srif>& sum, const std::vector<std::pair<double, const std::vector<Srif>*>>& parts,
+                  double thickness);
+
 /// Marks factors by energy and by the fit whose error is above a tenth of the largest factor that their tip has had as
 /// not resolved. `largest`: of every tip, as |K1|, of the rows before; brought up to date.
 void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& largest);
