@@ -6,7 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/driver/run.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "post/files/hdf5/state_file.hpp"
 #include "post/files/sinks/kept.hpp"
+#include "post/files/stored_factors.hpp"
 #include "post/files/summary.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
@@ -141,6 +146,34 @@ TEST_CASE("load cases: what cancels in a combination leaves its errors, and a pl
     CHECK_THAT(fmt::format("{}", fmt::join(all.summary.warnings, "; ")),
                Catch::Contains("combination nothing: its loads cancel") && !Catch::Contains("no load reaches"));
   }
+}
+
+TEST_CASE("load cases: factors found again in the states have names and the errors of combinations") {
+  const auto file = read(cases_of_three, {"section.density=3", "discretization.spacing=0.1"});
+  const auto all = run(cases_of_three, file.content.discretization.formulation->name, {"discretization.spacing=0.1"});
+  const auto plate = plate::discretise(file.content).plate;
+  const auto& srif = *file.content.srif;
+  post::StoredRun stored{std::vector<Eigen::Vector2d>(plate->cloud().plate_points), {}, {}};
+  for (const auto& frame : all.kept.frames) {
+    plate::State state(3, Eigen::Index(stored.positions.size()));
+    const auto &w = frame.arrays.at("w").values, &theta = frame.arrays.at("theta").values;
+    for (Eigen::Index k = 0; k < state.cols(); ++k)
+      state.col(k) << w[std::size_t(k)], theta[2 * std::size_t(k)], theta[2 * std::size_t(k) + 1];
+    stored.times.push_back(frame.time), stored.states.push_back(state);
+  }
+  const auto again = post::stored_factors(stored, *plate, srif, post::tip_methods(*plate, srif));
+  const auto& first = table_of(all, "srif");
+  REQUIRE(again.columns == first.columns);
+  REQUIRE(again.rows.size() == first.rows.size());
+  const auto error = first.column("estimated_error_K1"), name = first.column("case");
+  for (std::size_t row = 0; row < first.rows.size(); ++row) {
+    CHECK(again.rows[row][name] == first.rows[row][name]);
+    if (const auto* of_run = std::get_if<double>(&first.rows[row][error]))
+      CHECK(number(again.rows[row][error]) == Approx(*of_run).epsilon(1e-9));
+  }
+  stored.times.push_back(9), stored.states.push_back(stored.states[0]);
+  CHECK_THROWS_WITH(post::stored_factors(stored, *plate, srif, post::tip_methods(*plate, srif)),
+                    Catch::Contains("does not belong"));
 }
 
 TEST_CASE("load cases: a load case that fails is named, and those before it are written") {
