@@ -32,7 +32,7 @@ Discretised discretise(const Problem& problem) {
   settled.supports = settled_supports(problem);
   try {
     return settled.discretization.formulation->discretise(settled);
-  } catch (const NotFinite& error) {
+  } catch (const FormulaError& error) {
     std::size_t number = 0;
     while (problem.loads[number].formula.text() != error.formula()) ++number;
     throw Refused({{Subject::load_expression, number, error.what()}});

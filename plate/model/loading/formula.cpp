@@ -18,6 +18,12 @@ struct Formula::Parsed {
 
 namespace {
 
+/// Of long texts what fits into a line.
+std::string begin_of(const std::string& text) {
+  constexpr std::size_t most = 60;
+  return text.size() <= most ? text : text.substr(0, most) + "...";
+}
+
 /// A place to store to makes a formula that means another thing than it says.
 void refuse_assignments(const std::string& text) {
   const std::string comparing = "=<>!";
@@ -67,9 +73,16 @@ double Formula::operator()(const geometry::Point& x) const {
   }
 }
 
-NotFinite::NotFinite(const Formula& formula, const geometry::Point& x)
-    : std::domain_error(fmt::format("\"{}\" is {} at ({:.6g}, {:.6g}), must have a finite value wherever it acts",
-                                    formula.text(), formula(x), x.x(), x.y())),
+FormulaError::FormulaError(const Formula& formula, const geometry::Point& x)
+    : std::domain_error(fmt::format("\"{}\" is {:g} at ({:.6g}, {:.6g}): it needs a finite value wherever it acts",
+                                    begin_of(formula.text()), formula(x), x.x(), x.y())),
+      formula_(formula.text()) {}
+
+FormulaError::FormulaError(const Formula& formula, double share)
+    : std::domain_error(
+          fmt::format("\"{}\" varies so much between points that its sum may be wrong by {:.0f} %: refine, "
+                      "or give what is narrow as loads on parts, lines or points",
+                      begin_of(formula.text()), 100 * share)),
       formula_(formula.text()) {}
 
 }  // namespace plate

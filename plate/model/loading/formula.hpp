@@ -25,10 +25,13 @@ private:
   std::shared_ptr<Parsed> parsed_;
 };
 
-/// A formula without a finite value at a place where it is needed.
-class NotFinite : public std::domain_error {
+/// A formula that gives no load.
+class FormulaError : public std::domain_error {
 public:
-  NotFinite(const Formula& formula, const geometry::Point& x);
+  /// It has no finite value at a place where it is needed.
+  FormulaError(const Formula& formula, const geometry::Point& x);
+  /// It varies so much between points that its integral may be wrong by this share.
+  FormulaError(const Formula& formula, double share);
   const std::string& formula() const { return formula_; }
 
 private:

@@ -6,6 +6,7 @@
 
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/shape/patch.hpp"
+#include "plate/model/loading/cubature.hpp"
 
 namespace plate {
 namespace {
@@ -13,68 +14,82 @@ namespace {
 using geometry::Point;
 using Ring = std::vector<Point>;
 
-/// What a pressure does to a piece of the plate: its force, and the moment of it, int p x dA, about a place.
-struct Thrust {
-  double force = 0;
-  Point moment{0, 0};
-};
-
 /// Throws where a formula has no value: where it is not finite, and where only rounding makes a number of what has no
 /// limit, so that what is next to it, a millionth of `size` away, is smaller by orders.
 void require_value(const Formula& formula, const Point& x, double usual, double size) {
   constexpr double near = 1e-6, orders = 1e-3;
   const double value = std::abs(formula(x));
-  if (!std::isfinite(value)) throw NotFinite(formula, x);
+  if (!std::isfinite(value)) throw FormulaError(formula, x);
   if (!(usual < near * value)) return;
   const auto beside = [&](double dx, double dy) { return std::abs(formula(x + near * size * Point(dx, dy))); };
   const double most = std::max({beside(1, 0.7), beside(-1, 0.7), beside(1, -0.7), beside(-1, -0.7)});
-  if (most < orders * value) throw NotFinite(formula, x);
+  if (most < orders * value) throw FormulaError(formula, x);
 }
 
-/// By the middles of the sides of the triangles that a piece makes with its middle: exact to the second order.
-Thrust thrust_of_formula(const Load& load, const Ring& piece, const Point& about) {
-  Thrust result;
-  Point middle(0, 0);
-  for (const Point& x : piece) middle += x / double(piece.size());
-  const double size = (piece.front() - middle).norm();
-  require_value(load.formula, middle, std::abs(load.formula(piece.front())), size);
-  const double usual = std::abs(load.formula(middle));
-  for (std::size_t i = 0; i < piece.size(); ++i) {
-    const Point &a = piece[i], &b = piece[(i + 1) % piece.size()];
-    const double area = ((a - middle).x() * (b - middle).y() - (a - middle).y() * (b - middle).x()) / 2;
-    for (const Point& x : {Point((a + b) / 2), Point((b + middle) / 2), Point((middle + a) / 2)}) {
-      require_value(load.formula, x, usual, size);
-      const double force = area / 3 * load.pressure(x);
-      result.force += force, result.moment += force * (x - about);
+/// What a pressure does to pieces of the plate: its force, and the moment of it, int p (x - about) dA.
+class Thrust {
+public:
+  explicit Thrust(const Load& load)
+      : load_(load),
+        patch_(load.patch ? std::optional<geometry::Patch>(*load.patch) : std::nullopt),
+        cubature_([&](const Point& x) {
+          const double value = load.formula(x);
+          if (!std::isfinite(value)) throw FormulaError(load.formula, x);
+          return value;
+        }) {}
+
+  Integral operator()(const Ring& cell, const Point& about) {
+    const Ring piece = patch_ ? patch_->common(cell) : cell;
+    if (piece.empty()) return {};
+    if (load_.formula.given()) {
+      const auto found = of_formula(piece, about);
+      all_ += found;
+      return found;
     }
+    const auto [area, first, second] = geometry::moments(piece, about);
+    const double p = load_.pressure(about);
+    return {p * area + load_.gradient.dot(first), p * first + second * load_.gradient};
   }
-  return result;
-}
 
-Thrust thrust(const Load& load, const Ring& piece, const Point& about) {
-  if (piece.empty()) return {};
-  if (load.formula.given()) return thrust_of_formula(load, piece, about);
-  const auto [area, first, second] = geometry::moments(piece, about);
-  const double p = load.pressure(about);
-  return {p * area + load.gradient.dot(first), p * first + second * load.gradient};
-}
+  /// Throws where a formula varies so much within pieces that its forces are not known.
+  void require_known() const {
+    constexpr double known = 0.01;
+    if (all_.error > known * all_.size) throw FormulaError(load_.formula, all_.error / all_.size);
+  }
 
-std::optional<geometry::Patch> patch_of(const Load& load) {
-  return load.patch ? std::optional<geometry::Patch>(*load.patch) : std::nullopt;
-}
+private:
+  Integral of_formula(const Ring& piece, const Point& about) {
+    Point middle(0, 0);
+    for (const Point& x : piece) middle += x / double(piece.size());
+    const double size = (piece.front() - middle).norm();
+    require_value(load_.formula, middle, std::abs(load_.formula(piece.front())), size);
+    const double usual = std::abs(load_.formula(middle));
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Point &a = piece[i], &b = piece[(i + 1) % piece.size()];
+      require_value(load_.formula, (a + b) / 2, usual, size);
+      require_value(load_.formula, (a + middle) / 2, usual, size);
+    }
+    return cubature_(piece, about);
+  }
+
+  const Load& load_;
+  std::optional<geometry::Patch> patch_;
+  Cubature cubature_;
+  Integral all_;
+};
 
 template <std::size_t N>
-void add_cell(const Load& load, const std::optional<geometry::Patch>& patch, const std::array<std::uint32_t, N>& cell,
-              const std::vector<Point>& positions, Forces& forces) {
+void add_cell(Thrust& thrust, const std::array<std::uint32_t, N>& cell, const std::vector<Point>& positions,
+              Forces& forces) {
   Ring ring;
   Point middle(0, 0);
   for (const auto k : cell) ring.push_back(positions[k]), middle += positions[k] / double(N);
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const Point& x : ring) spread += (x - middle) * (x - middle).transpose();
-  const auto [force, moment] = thrust(load, patch ? patch->common(ring) : ring, middle);
-  const Point slope = spread.inverse() * moment;
+  const auto found = thrust(ring, middle);
+  const Point slope = spread.inverse() * found.first;
   for (std::size_t i = 0; i < N; ++i)
-    forces(0, Eigen::Index(cell[i])) += force / double(N) + slope.dot(ring[i] - middle);
+    forces(0, Eigen::Index(cell[i])) += found.value / double(N) + slope.dot(ring[i] - middle);
 }
 
 }  // namespace
@@ -84,21 +99,23 @@ Eigen::Vector3d moved_force(double force, const Point& lever) {
 }
 
 void add_pressure(const Load& load, const geometry::Cloud& cloud, Forces& forces) {
-  const auto patch = patch_of(load);
+  Thrust thrust(load);
   const double side = cloud.units.spacing, half = side / 2;
   for (std::size_t k = 0; k < cloud.plate_points; ++k) {
     const Point& x = cloud.positions[k];
     const Ring cell{x + Point(-half, -half), x + Point(half, -half), x + Point(half, half), x + Point(-half, half)};
-    const auto [force, moment] = thrust(load, patch ? patch->common(cell) : cell, x);
+    const auto found = thrust(cell, x);
     const double share = cloud.areas[k] / (side * side);
-    forces.col(Eigen::Index(k)) += share * Eigen::Vector3d(force, moment.y(), -moment.x());
+    forces.col(Eigen::Index(k)) += share * Eigen::Vector3d(found.value, found.first.y(), -found.first.x());
   }
+  thrust.require_known();
 }
 
 void add_pressure(const Load& load, const geometry::Tessellation& cells, Forces& forces) {
-  const auto patch = patch_of(load);
-  for (const auto& square : cells.squares) add_cell(load, patch, square, cells.positions, forces);
-  for (const auto& triangle : cells.triangles) add_cell(load, patch, triangle, cells.positions, forces);
+  Thrust thrust(load);
+  for (const auto& square : cells.squares) add_cell(thrust, square, cells.positions, forces);
+  for (const auto& triangle : cells.triangles) add_cell(thrust, triangle, cells.positions, forces);
+  thrust.require_known();
 }
 
 std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const Ring& positions, std::size_t count,

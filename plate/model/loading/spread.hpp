@@ -17,7 +17,7 @@ Eigen::Vector3d moved_force(double force, const geometry::Point& lever);
 
 /// Adds a pressure that varies, or that acts on a patch: to every point what acts on its cell, exact for linear
 /// pressures and polygons but for cells that the outline cuts, where it is spread as over the whole cell. Throws
-/// NotFinite.
+/// FormulaError.
 void add_pressure(const Load& load, const geometry::Cloud& cloud, Forces& forces);
 
 /// The same to the corners of cells, by the linear function that corners carry.

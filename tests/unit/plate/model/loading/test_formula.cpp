@@ -38,7 +38,7 @@ TEST_CASE("formula: what has no value somewhere says so where it is asked") {
   CHECK_FALSE(std::isfinite(Formula("sqrt(x)")({-1, 0})));
   CHECK_FALSE(std::isfinite(Formula("ln(x)")({0, 0})));
   CHECK(Formula("1 / x")({2, 0}) == 0.5);
-  CHECK_THAT(plate::NotFinite(Formula("1 / x"), {0, 3}).what(), Catch::Contains("\"1 / x\" is inf at (0, 3)"));
+  CHECK_THAT(plate::FormulaError(Formula("1 / x"), {0, 3}).what(), Catch::Contains("\"1 / x\" is inf at (0, 3)"));
 }
 
 TEST_CASE("formula: text that is none is refused with the place") {

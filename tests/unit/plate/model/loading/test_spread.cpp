@@ -1,6 +1,7 @@
 #include "plate/model/loading/spread.hpp"
 
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/lattice/seeding.hpp"
@@ -110,11 +111,33 @@ TEST_CASE("spread: expressions do what pressures by values do, on parts too, and
   for (const auto& one : all) CHECK(one[0] == Approx((5.832 + 0.008) / 3 * (1.69 - 0.01) / 2).epsilon(1e-3));
   Load infinite;
   infinite.formula = Formula("1 / (x - x)");
-  CHECK_THROWS_AS(resultants(infinite), NotFinite);
+  CHECK_THROWS_AS(resultants(infinite), FormulaError);
   infinite.formula = Formula("1 / (x - 0.3)");  // 0.3 lies on points but for rounding
-  CHECK_THROWS_AS(resultants(infinite), NotFinite);
-  Load narrow, jump;  // neither has too large a value anywhere
+  CHECK_THROWS_AS(resultants(infinite), FormulaError);
+  Load narrow, jump;  // neither has too large a value anywhere, but nobody knows the sum of the first
   narrow.formula = Formula("exp(-1e6 * ((x - 0.3)^2 + (y - 0.4)^2))"), jump.formula = Formula("x > 0.3 ? 1e9 : 0");
-  CHECK_NOTHROW(resultants(narrow));
+  CHECK_THROWS_AS(resultants(narrow), FormulaError);
   CHECK_NOTHROW(resultants(jump));
+}
+
+TEST_CASE("spread: expressions that vary within cells have their resultants all the same, or are refused") {
+  Load wave, peak, jump;
+  wave.formula = Formula("1 + sin(60 * pi * x)");  // three waves per spacing
+  // widths of half and a quarter of the spacing, at no point
+  peak.formula = Formula("exp(-((x - 0.512)^2 + (y - 0.437)^2) / (2 * 0.05^2))");
+  jump.formula = Formula("x + 0.5 * y < 1.03 ? 1 : 0");
+  const double whole = std::numbers::pi * 2 * 0.05 * 0.05, cut = 0.5 * (1.18 + 0.58) * 1.2;
+  for (const auto& found : resultants(wave)) CHECK(found[0] == Approx(2 * 1.2).epsilon(1e-4));
+  for (const auto& found : resultants(peak)) {
+    CHECK(found[0] == Approx(whole).epsilon(2e-4));
+    CHECK(found[1] == Approx(0.512 * whole).epsilon(2e-4));
+  }
+  for (const auto& found : resultants(jump)) CHECK(found[0] == Approx(cut).epsilon(1e-3));
+  peak.formula = Formula("exp(-((x - 0.512)^2 + (y - 0.437)^2) / (2 * 0.0125^2))");
+  for (const auto& found : resultants(peak)) CHECK(found[0] == Approx(whole / 16).epsilon(2e-3));
+  Load wild;  // nothing that triangles of a thousandth of a cell would show
+  wild.formula = Formula("sin(1e9 * x * y) > 0 ? 1 : 0");
+  CHECK_THROWS_AS(resultants(wild), FormulaError);
+  wild.formula = Formula("1 / (x - 0.317)^2");
+  CHECK_THROWS_AS(resultants(wild), FormulaError);
 }
