@@ -3,14 +3,15 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "tests/unit/post/small_run.hpp"
+
 namespace fs = std::filesystem;
 
 namespace {
 
 struct Folder {
-  fs::path path = fs::temp_directory_path() / "pdplate_earlier";
-  Folder() { fs::remove_all(path), fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
+  small_run::TemporaryFolder own;
+  const fs::path& path = own.path();
   void file(const std::string& name) const {
     fs::create_directories((path / name).parent_path());
     std::ofstream(path / name) << "x";
