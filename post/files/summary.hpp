@@ -50,7 +50,7 @@ struct LoadCaseSummary {
   std::string name;
   std::vector<std::pair<std::string, double>> of = {};  // of a combination
   std::optional<std::size_t> iterations = {};           // of a load case
-  std::optional<double> residual = {};  // relative; of a combination at most this
+  std::optional<double> residual = {};                  // relative; of a combination at most this
   std::vector<Srif> srif = {};
   std::vector<FaceFactors> faces = {};  // of every entry of srif
   std::vector<Peak> extremes = {};
