@@ -102,10 +102,10 @@ post::Table srif_again(const std::filesystem::path& folder, const std::vector<st
     throw CaseError({{file.place("growth"), "growth",
                       "the cracks have grown since: srif.csv of the run has their factors "
                       "along the way"}});
+  if (!c.srif) throw CaseError({{file.place("srif"), "srif", "is not there: this run finds no intensity factors"}});
   const auto run = post::read_run(folder / "state.h5");
   const auto own = discretised(file);
   const auto methods_of_tips = tip_methods(file, *own.plate);
-  if (!c.srif) throw std::runtime_error("state.h5 does not belong to case.resolved.toml");
   return post::stored_factors(run, *own.plate, *c.srif, methods_of_tips);
 }
 

@@ -30,7 +30,7 @@ SurfacePlate oblique_plate(const Section& section, LatticeBonds bonds, const geo
   const Sees sees = [&](const Point& from, const Point& to) {
     return !geometry::leaves(outline, from + half, to + half);
   };
-  auto edges = oblique_edges(body, std::move(nodes), sees);
+  auto edges = oblique_edges(body, std::move(nodes), sees, {first, bonds.spacing});
   SurfacePlate result{std::move(body), std::move(bonds), first};
   result.oblique.emplace(LocalEdges{std::move(edges), section});
   return result;

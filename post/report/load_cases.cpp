@@ -124,8 +124,8 @@ std::string printed_load_cases(const Summary& summary, bool si, double thickness
   for (const auto& one : summary.load_cases)
     for (const auto& peak : one.extremes)
       if (peak.quantity == "w" && peak.position)
-        fmt::format_to(std::back_inserter(text), "largest |w|, {}: {:.6g} at ({:.4g}, {:.4g})\n", one.name, peak.value,
-                       peak.position->x(), peak.position->y());
+        fmt::format_to(std::back_inserter(text), "largest |w|, {}: {:.6g} at {}\n", one.name, peak.value,
+                       place_text(*peak.position, thickness));
   return text;
 }
 

@@ -140,15 +140,13 @@ void peaks(Text out, const std::vector<Peak>& all, bool moves, double thickness)
              return other.quantity.starts_with('K') && other.tip == peak.tip && moment(peak) < nothing * moment(other);
            });
   };
-  const auto place = [&](double x) { return std::abs(x) < nothing * thickness ? 0 : x; };
   fmt::format_to(out, "largest{}:\n", moves ? " over time" : "");
   for (const auto& peak : all) {
     if (noise(peak)) continue;
     const auto name = peak.quantity == "w" ? "|w|" : peak.quantity == "von_mises" ? "von Mises" : peak.quantity;
     fmt::format_to(out, "{:>4} {:<11} {:>13.6g}", peak.tip ? fmt::format("{}", *peak.tip) : "", name, peak.value);
     if (moves) fmt::format_to(out, " at t = {:.6g}", peak.time);
-    if (peak.position)
-      fmt::format_to(out, " at ({:.4g}, {:.4g})", place(peak.position->x()), place(peak.position->y()));
+    if (peak.position) fmt::format_to(out, " at {}", place_text(*peak.position, thickness));
     if (peak.outside) fmt::format_to(out, ", no nearer than {:.3g} to tips, pins and point forces", *peak.outside);
     fmt::format_to(out, "\n");
   }
@@ -175,6 +173,11 @@ std::array<std::string, 3> factor_texts(const Srif& srif, double thickness) {
     result[i] = !srif.resolved[i] ? "-" : zero ? "0" : fmt::format("{:.6g}", values[i]);
   }
   return result;
+}
+
+std::string place_text(const geometry::Point& x, double thickness) {
+  const auto text = [&](double at) { return std::abs(at) < nothing * thickness ? 0 : at; };
+  return fmt::format("({:.4g}, {:.4g})", text(x.x()), text(x.y()));
 }
 
 std::string error_text(const Srif& srif, double thickness) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include "geometry/shape/outline.hpp"
 
 namespace post {
 
@@ -17,5 +18,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
 /// K1, K2, K3 as they are printed, and the error of a row; empty where it is not known.
 std::array<std::string, 3> factor_texts(const Srif& srif, double thickness);
 std::string error_text(const Srif& srif, double thickness);
+/// A place; what is nothing beside the thickness is 0.
+std::string place_text(const geometry::Point& x, double thickness);
 
 }  // namespace post

@@ -125,7 +125,7 @@ void read_fields(const Fields<T>& fields, const Value& table, T& object) {
     if (node && only.empty())
       field.read(Value(*node, key, table.reading()), object);
     else if (node)
-      Value(*node, key, table.reading()).complain(fmt::format("{} is used {} only: remove it", key, only));
+      Value(*node, key, table.reading()).complain(fmt::format("is used {} only: remove it", only));
     else if (field.reads_absent)
       field.read(Value(nothing, key, table.reading()), object);
     else if (only.empty() && missed(field, table))

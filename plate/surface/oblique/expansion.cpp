@@ -71,10 +71,10 @@ Eigen::MatrixXd least_squares(const Near& near, double radius, int order) {
   return vectors * values.cwiseInverse().asDiagonal() * vectors.transpose() * weighted;
 }
 
-EdgeFit fit(const LatticeBody& b, const std::vector<EdgeNode>& edges, const Sees& sees, int s, int order) {
+EdgeFit fit(const LatticeBody& b, const ObliqueEdges& edges, const Sees& sees, int s, int order) {
   constexpr double step = 0.25, most = 4;  // spacings
   for (double radius = order == 1 ? 2 : 2.5; radius <= most; radius += step) {
-    Near near = near_nodes(b, edges, sees, s, radius);
+    Near near = near_nodes(b, edges.nodes, sees, s, radius);
     const Eigen::MatrixXd terms = least_squares(near, radius, order);
     if (terms.size() == 0) continue;
     EdgeFit result{std::move(near.nodes), Eigen::MatrixXd(terms.rows(), terms.cols() + 1)};
@@ -82,10 +82,9 @@ EdgeFit fit(const LatticeBody& b, const std::vector<EdgeNode>& edges, const Sees
     result.terms << terms, -terms.rowwise().sum();
     return result;
   }
-  const Point& at = edges[std::size_t(s)].at;
+  const Point at = edges.units.from_lattice(edges.nodes[std::size_t(s)].at);
   throw Refused({{Subject::spacing, 0,
-                  fmt::format("an edge has too few points behind it at ({:.3g}, {:.3g}) of the lattice for surface "
-                              "nodes; refine",
+                  fmt::format("an edge has too few points behind it at ({:.4g}, {:.4g}) for surface nodes; refine",
                               at.x(), at.y())}});
 }
 
@@ -105,12 +104,13 @@ std::vector<int> nearest(const Places& distance, int count) {
 
 }  // namespace
 
-ObliqueEdges oblique_edges(const LatticeBody& b, std::vector<EdgeNode> nodes, const Sees& sees) {
-  ObliqueEdges result{std::move(nodes), {}, {}, {}};
+ObliqueEdges oblique_edges(const LatticeBody& b, std::vector<EdgeNode> nodes, const Sees& sees,
+                           const geometry::LatticeUnits& units) {
+  ObliqueEdges result{std::move(nodes), {}, {}, {}, units};
   const int count = int(result.nodes.size());
   for (int s = 0; s < count; ++s) {
-    result.deflection.push_back(fit(b, result.nodes, sees, s, 2));
-    result.rotation.push_back(fit(b, result.nodes, sees, s, 1));
+    result.deflection.push_back(fit(b, result, sees, s, 2));
+    result.rotation.push_back(fit(b, result, sees, s, 1));
   }
   for (int k = b.real; k < b.count(); ++k)
     result.nearest.push_back(

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <vector>
+#include "geometry/lattice/cloud.hpp"
 #include "plate/boundary/extrapolation.hpp"
 #include "plate/surface/oblique/edge_nodes.hpp"
 
@@ -18,6 +19,7 @@ struct ObliqueEdges {
   std::vector<EdgeNode> nodes;
   std::vector<EdgeFit> deflection, rotation;  // of each edge node, orders 2 and 1
   std::vector<std::vector<int>> nearest;      // of each fictitious node: the nearest edge nodes
+  geometry::LatticeUnits units;               // of node (0, 0), for messages
 };
 
 /// Can what is at one place be seen from the other, without looking across the outside of the plate?
@@ -27,7 +29,8 @@ using Sees = std::function<bool(const geometry::Point& from, const geometry::Poi
 /// fall to exp(-4) there: real nodes, and nodes of edges whose normals differ by less than 37 degrees. Farther, up to
 /// 4 spacings, where these do not determine the terms.
 /// @throws Refused  where that is not enough
-ObliqueEdges oblique_edges(const LatticeBody& body, std::vector<EdgeNode> nodes, const Sees& sees);
+ObliqueEdges oblique_edges(const LatticeBody& body, std::vector<EdgeNode> nodes, const Sees& sees,
+                           const geometry::LatticeUnits& units = {});
 
 /// Values at all nodes from those at real and edge nodes: real nodes keep theirs, fictitious ones take what the nearest
 /// edge node expands to there, of several the mean.

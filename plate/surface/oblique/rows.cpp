@@ -115,12 +115,13 @@ void check_own_weights(const ObliqueEdges& edges, const std::vector<HeldOfNode>&
   for (std::size_t s = 0; s < held.size(); ++s) {
     if (held[s] == HeldOfNode{true, true, true}) continue;
     const auto own = [&](const EdgeFit& fit) { return fit.terms.rightCols<1>().head<2>().dot(edges.nodes[s].normal); };
+    const Point at = edges.units.from_lattice(edges.nodes[s].at);
     if (own(edges.rotation[s]) < least_of_rotation || (!held[s][0] && own(edges.deflection[s]) < least_of_deflection))
       throw Refused({{Subject::geometry, 0,
                       fmt::format("surface nodes on an edge that is not clamped need points of the plate behind them, "
-                                  "and the corner about ({:.3g}, {:.3g}) of the lattice is too sharp or too near to a "
-                                  "point for that: choose boundary = \"images\", or another spacing",
-                                  edges.nodes[s].at.x(), edges.nodes[s].at.y())}});
+                                  "and the corner about ({:.4g}, {:.4g}) is too sharp or too near to a point for "
+                                  "that: choose boundary = \"images\", or another spacing",
+                                  at.x(), at.y())}});
   }
 }
 

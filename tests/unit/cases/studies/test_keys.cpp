@@ -22,8 +22,8 @@ TEST_CASE("what is wrong with an axis of a key is told where it stands") {
                           "[[axis.point]]\nlabel = \"x\"\n"),
          {"study.toml:5 axis[0].values[1]: \"1\" is given twice", "study.toml:9 axis[1].values: 3 given",
           "study.toml:13 axis[2].values: [] given, must be a list of values of the key",
-          "study.toml:14 axis[3].values: is missing", "study.toml:19 axis[4].values: axis[4].values is used with key",
-          "study.toml:24 axis[5].point: axis[5].point is used with no key"});
+          "study.toml:14 axis[3].values: is missing", "study.toml:19 axis[4].values: is used with key",
+          "study.toml:24 axis[5].point: is used with no key"});
 }
 
 TEST_CASE("a reference is a number, the finest run or a curve, and one of them") {
@@ -40,8 +40,8 @@ TEST_CASE("a reference is a number, the finest run or a curve, and one of them")
   expect(problem("finest = false"), {"study.toml:10 reference[0].finest: false given, must be true"});
   expect(problem("finest = 1"), {"study.toml:10 reference[0].finest: 1 given, must be true or false"});
   expect(problem("finest = true"), {"reference[0].finest: no axis changes the spacing"});
-  expect(problem("value = 1\ncolumn = \"w\""), {"study.toml:11 reference[0].column: reference[0].column is used with"});
-  expect(problem("value = 1\nmethod = \"x\""), {"study.toml:11 reference[0].method: reference[0].method is used with"});
+  expect(problem("value = 1\ncolumn = \"w\""), {"study.toml:11 reference[0].column: is used with"});
+  expect(problem("value = 1\nmethod = \"x\""), {"study.toml:11 reference[0].method: is used with"});
   expect(problem("curve = \"curve.csv\""), {"reference[0].column: is missing"});
   expect(problem("curve = \"cuve.csv\"\ncolumn = \"w\""), {"study.toml:10 reference[0].curve: no such file"});
   expect(problem("curve = \"curve.csv\"\ncolumn = \"v\""),

@@ -61,8 +61,8 @@ TEST_CASE("all problems of a study file are told together") {
        "study.toml:11 axis[1].point: is missing", "study.toml:12 axis[1].nam: unknown key 'nam' (did you mean 'name'?)",
        "study.toml:14 reference[0].quantity: \"G1\" given, must be one of \"K1\"",
        "study.toml:15 reference[0].value: 0 given", "study.toml:16 reference[1].tip: is missing",
-       "study.toml:18 reference[1].probe: reference[1].probe is used with quantity = w",
-       "study.toml:19 reference[1].value: nan given", "study.toml:23 reference[2].tip"});
+       "study.toml:18 reference[1].probe: is used with quantity = w", "study.toml:19 reference[1].value: nan given",
+       "study.toml:23 reference[2].tip"});
 }
 
 TEST_CASE("problems of the cases are told with those of the study, each once and where the study file has it") {
