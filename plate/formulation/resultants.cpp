@@ -5,8 +5,12 @@
 namespace plate {
 namespace {
 
+/// Squares of shares: those of the stresses themselves may be beyond double precision.
 double von_mises(const Eigen::Vector3d& stress) {
-  return std::sqrt(stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] + 3 * stress[2] * stress[2]);
+  const double size = stress.lpNorm<Eigen::Infinity>();
+  if (size == 0) return 0;
+  const Eigen::Vector3d s = stress / size;
+  return size * std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3 * s[2] * s[2]);
 }
 
 }  // namespace

@@ -1,33 +1,25 @@
 #include "plate/surface/edges.hpp"
 
 #include <fmt/format.h>
+
+#include "plate/model/faults/held.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {
 
 namespace {
 
-std::array<bool, 3> held_by(SupportKind kind, std::size_t number) {
-  switch (kind) {
-    case SupportKind::free:
-      return {false, false, false};
-    case SupportKind::clamped:
-      return {true, true, true};
-    case SupportKind::simply_supported:
-      return {true, false, false};
-    case SupportKind::simply_supported_hard:
-      return {true, false, true};
-    case SupportKind::symmetry:
-      return {false, true, false};
-    default:
-      throw Refused({{Subject::support, number, "surface nodes hold edges, not layers and not single points"}});
-  }
+std::array<bool, 3> held_on_edge(SupportKind kind, std::size_t number) {
+  if (is_layer(kind) || kind == SupportKind::pinned)
+    throw Refused({{Subject::support, number, "surface nodes hold edges, not layers and not single points"}});
+  const auto held = held_by(kind);
+  return {held.w, held.normal, held.tangential};
 }
 
 }  // namespace
 
 EdgeCondition edge_condition(SupportKind kind, const EdgeAction& a, std::size_t number) {
-  EdgeCondition result{held_by(kind, number), {}};
+  EdgeCondition result{held_on_edge(kind, number), {}};
   const std::optional<double> forces[] = {a.shear, a.moment, a.twisting_moment},
                               values[] = {a.deflection, a.normal_rotation, a.tangential_rotation};
   const char* const names[][2] = {

@@ -7,6 +7,7 @@
 
 #include "geometry/shape/crack_extension.hpp"
 #include "geometry/shape/patch.hpp"
+#include "plate/model/faults/held.hpp"
 #include "plate/model/faults/spring_faults.hpp"
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/problem.hpp"
@@ -134,6 +135,34 @@ void check_along(const geometry::Polyline& along, const Refusal& fault, const ge
   }
 }
 
+/// A load on an edge that holds all it acts on: the support takes it, and points beside the edge a part of it.
+void check_held(const Load& load, std::size_t number, const Problem& problem, std::vector<Refusal>& found) {
+  const bool shear = load.kind == Load::Kind::edge_shear;
+  const bool moment = load.has_tensor || load.value != 0, twist = load.has_tensor || load.twist != 0;
+  for (const auto& edge : load.edges)
+    for (std::size_t i = 0; i < problem.supports.size(); ++i) {
+      const auto& support = problem.supports[i];
+      if (std::ranges::find(support.edges, edge) == support.edges.end()) continue;
+      const auto held = held_by(support.kind);
+      if (shear ? held.w : (moment || twist) && (!moment || held.normal) && (!twist || held.tangential))
+        found.push_back(
+            {Subject::load_edges, number,
+             fmt::format("edge \"{}\" is held by support[{}] against all that this load does there: it would "
+                         "go into the support and not into the plate",
+                         edge, i)});
+    }
+}
+
+/// A force on a crack, where nobody knows on which face it acts.
+void check_force(const Load& load, std::size_t number, const Problem& problem, std::vector<Refusal>& found) {
+  if (load.kind != Load::Kind::point_force) return;
+  for (std::size_t i = 0; i < problem.cracks.size(); ++i)
+    if (geometry::distance(problem.cracks[i], load.position) < 1e3 * geometry::tolerance(problem.outline))
+      found.push_back(
+          {Subject::load_position, number,
+           fmt::format("{} given, lies on crack {}: move it to the face that it loads", text_of(load.position), i)});
+}
+
 void check_place(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
   check_patch(load.patch, {Subject::load_patch, number, "the pressure acts"}, outline, found);
   check_along(load.along, {Subject::load_line, number, ""}, outline, found);
@@ -156,6 +185,8 @@ std::vector<Refusal> faults_of_edges(const Problem& problem) {
       found.push_back({Subject::load_position, i, text_of(load.position) + " given, must lie inside the plate"});
     check_place(load, i, problem.outline, found);
     check_line(load.along, {Subject::load_line, i, ""}, problem, found);
+    check_held(load, i, problem, found);
+    check_force(load, i, problem, found);
   }
   for (std::size_t i = 0; i < problem.foundations.size(); ++i)
     check_patch(problem.foundations[i].patch, {Subject::foundation_patch, i, "the foundation lies"}, problem.outline,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "plate/model/faults/held.hpp"
 #include "plate/model/problem.hpp"
 
 namespace plate {
@@ -28,32 +29,6 @@ void check_keys(const Spring& spring, std::size_t number, std::vector<Refusal>& 
     faults.push_back(
         "rotation is of a spring at a position; edges and lines have rotation_normal and rotation_tangential");
   if (!faults.empty()) found.push_back({Subject::spring, number, fmt::format("{}", fmt::join(faults, "; "))});
-}
-
-/// What a support leaves nothing of for springs.
-struct Held {
-  bool w, normal, tangential;
-};
-
-Held held_by(SupportKind kind) {
-  using enum SupportKind;
-  switch (kind) {
-    case clamped:
-    case clamped_layer:
-      return {true, true, true};
-    case simply_supported:
-    case simply_supported_layer:
-      return {true, false, false};
-    case simply_supported_hard:
-    case simply_supported_hard_layer:
-      return {true, false, true};
-    case symmetry:
-      return {false, true, false};
-    case free:
-    case pinned:
-      break;
-  }
-  return {false, false, false};
 }
 
 void check_edge(const Spring& spring, const std::string& edge, std::size_t number, const Problem& problem,

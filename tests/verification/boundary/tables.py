@@ -1,5 +1,7 @@
-"""Two tables of README.md by the program: python3 tests/verification/boundary/tables.py build/pdplate factors|times"""
+"""Tables of README.md by the program: python3 tests/verification/boundary/tables.py build/pdplate factors|times|faces"""
 import csv
+import json
+import math
 import os
 import subprocess
 import sys
@@ -103,10 +105,72 @@ def times(program):
             print(f"| {kind}, {name} | {' | '.join(cells)} |", flush=True)
 
 
+HALF = """[section]
+young = 1000.0
+poisson = 0.3
+thickness = %r
+[geometry]
+outline = { polygon = [[-1, 0], [%r, 0], [%r, 0], [1, 0], [1, 1], [-1, 1]], edges = ["beside", "face", "beside", "right", "top", "left"] }
+[discretization]
+formulation = "ordinary"
+[[support]]
+kind = "symmetry"
+edges = ["beside"]
+[[support]]
+kind = "simply_supported"
+edges = ["top"]
+[[load]]
+%s
+[analysis]
+kind = "static"
+method = "direct"
+[output]
+fields = []
+"""
+
+
+def energy(folder):
+    with open(folder + "/summary.json") as file:
+        return json.load(file)["energy"]["strain"]
+
+
+def faces(program, spacing):
+    """Errors of K1 from the energies of two lengths, a spacing longer and shorter on either side, in percent: cracks that sever bonds,
+    in the whole plate, and half of it, whose lower edge is the crack's face and a line of symmetry, by images and by surface nodes."""
+    lengths = ["0.1", "0.3", "0.5", "0.7"]
+    wanted = {(r["load"], r["W_2h"], r["two_a_over_W"]): float(r["K1"])
+              for r in rows(f"{ROOT}/cases/references/static_summary.csv") if r["support"] == "soft"}
+    loads = {"pressure": 'kind = "pressure"\nvalue = 1.0', "bending": 'kind = "edge_moment"\nedges = ["top"]\nvalue = 1.0'}
+    print(f"| load, W/2h, face; 2a/W = | {' | '.join(lengths)} |\n|---|{'---|' * len(lengths)}", flush=True)
+    for load in loads:
+        for ratio in ["2", "6", "10"]:
+            h = 1 / float(ratio)
+            for way in ["severed bonds", "images", "surface nodes"]:
+                cells = []
+                for length in lengths:
+                    found = []
+                    for a in (float(length) - spacing, float(length) + spacing):
+                        with tempfile.TemporaryDirectory() as folder:
+                            if way == "severed bonds":
+                                case = f"{ROOT}/cases/static/central_crack_{load}.toml"
+                                settings = [f"section.thickness={h!r}", f"geometry.cracks=[[[{-a!r},0.0],[{a!r},0.0]]]",
+                                            f"srif.half_length={a!r}", "analysis.method=direct", "output.fields=[]"]
+                            else:
+                                case = folder + "/case.toml"
+                                with open(case, "w") as file:
+                                    file.write(HALF % (h, -a, a, loads[load]))
+                                settings = [f"discretization.boundary={way.replace(' ', '_')}"]
+                            run(program, case, settings + [f"discretization.spacing={spacing}"], folder + "/run")
+                            found.append(energy(folder + "/run") / (2 if way == "severed bonds" else 1))
+                    k1 = (max(found[1] - found[0], 0) / (2 * spacing) * 1000 * h**3 / (12 * math.pi)) ** 0.5
+                    cells.append(f"{100 * (k1 / wanted[load, ratio, length] - 1):+.2f}")
+                print(f"| {load}, {ratio}, {way} | {' | '.join(cells)} |", flush=True)
+
+
 if __name__ == "__main__":
-    if len(sys.argv) < 3 or sys.argv[2] not in ("factors", "times"):
+    if len(sys.argv) < 3 or sys.argv[2] not in ("factors", "times", "faces"):
         sys.exit(__doc__)
-    if sys.argv[2] == "factors":
-        factors(sys.argv[1], float(sys.argv[3]) if len(sys.argv) > 3 else 0.02)
+    if sys.argv[2] in ("factors", "faces"):
+        (factors if sys.argv[2] == "factors" else faces)(sys.argv[1], float(sys.argv[3]) if len(sys.argv) > 3 else 0.02)
     else:
         times(sys.argv[1])

@@ -46,6 +46,17 @@ TEST_CASE("thin plate with constant curvatures and twist: exact moments, no shea
   CHECK((r.von_mises.array() - equivalent).abs().maxCoeff() < 1e-11);  // measured: 6e-14
 }
 
+TEST_CASE("von Mises of stresses whose squares are beyond double precision") {
+  auto r = resultants_of(1);
+  Eigen::Matrix2d theta = Eigen::Matrix2d::Zero();
+  for (const double size : {1e-200, 1.0, 1e200}) {
+    theta << 0, -size, size, 0;  // bent alike along x and y: the stress is the same in all directions, and von Mises it
+    set(r, 0, section, theta, Eigen::Vector2d::Zero());
+    const double stress = section.young / (1 - section.poisson) * size * section.thickness / 2;
+    CHECK(r.von_mises[0] == Approx(stress).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("constant shear angles: exact shear forces and no moments") {
   const auto m = perforated();
   // gamma_xz = w,x + theta_y = 0.2 + 0.3, gamma_yz = w,y - theta_x = -0.1 - 0.4

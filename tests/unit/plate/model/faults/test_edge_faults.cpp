@@ -76,3 +76,57 @@ TEST_CASE("faults of edges: layers need straight edges along the axes, whatever 
   problem.discretization.formulation = plate::formulations().front();  // refuses the key itself
   CHECK(found(problem).empty());
 }
+
+TEST_CASE("faults of edges: a load on an edge that holds all it acts on would go into the support") {
+  using enum plate::SupportKind;
+  using Kind = plate::Load::Kind;
+  struct Tried {
+    plate::SupportKind kind;
+    Kind load;
+    double moment, twist;
+    bool refused;
+  };
+  const Tried tried[] = {{clamped, Kind::edge_moment, 1, 0, true},
+                         {clamped, Kind::edge_shear, 1, 0, true},
+                         {clamped, Kind::edge_moment, 0, 1, true},
+                         {simply_supported, Kind::edge_shear, 1, 0, true},
+                         {simply_supported, Kind::edge_moment, 1, 1, false},
+                         {simply_supported_hard, Kind::edge_moment, 0, 1, true},
+                         {simply_supported_hard, Kind::edge_moment, 1, 1, false},
+                         {symmetry, Kind::edge_moment, 1, 0, true},
+                         {symmetry, Kind::edge_moment, 1, 1, false},
+                         {symmetry, Kind::edge_shear, 1, 0, false},
+                         {simply_supported_layer, Kind::edge_moment, 1, 0, false},
+                         {plate::SupportKind::free, Kind::edge_shear, 1, 0, false}};
+  for (const auto& [kind, load_kind, moment, twist, refused] : tried) {
+    auto problem = square();
+    problem.supports = {{kind, {"left"}, {}}};
+    plate::Load load;
+    load.kind = load_kind, load.value = moment, load.twist = twist;
+    load.position = {0.5, 0.5}, load.edges = {"left", "top"};
+    problem.loads = {load};
+    CAPTURE(int(kind), int(load_kind), moment, twist);
+    CHECK(found(problem) == (refused ? Found{{Subject::load_edges, 0}} : Found{}));
+    problem.loads[0].edges = {"top"};
+    CHECK(found(problem).empty());
+  }
+  auto problem = square();
+  plate::Load load;
+  load.kind = Kind::edge_moment, load.has_tensor = true, load.tensor = {1, 0, 0};
+  load.position = {0.5, 0.5}, load.edges = {"left"};
+  problem.loads = {load};
+  CHECK(found(problem) == Found{{Subject::load_edges, 0}});
+}
+
+TEST_CASE("faults of edges: a force on a crack has no face") {
+  auto problem = square();
+  problem.cracks = {{{0.2, 0.2}, {0.6, 0.6}}};
+  plate::Load force;
+  force.kind = plate::Load::Kind::point_force;
+  for (const auto& [x, y, refused] :
+       {std::tuple{0.4, 0.4, true}, {0.6, 0.6, true}, {0.4, 0.41, false}, {0.7, 0.7, false}}) {
+    force.position = {x, y};
+    problem.loads = {force};
+    CHECK(found(problem) == (refused ? Found{{Subject::load_position, 0}} : Found{}));
+  }
+}
