@@ -15,9 +15,34 @@ std::optional<Analysis::Kind> kind_of(const toml::table& root) {
   return std::nullopt;
 }
 
+/// Entries of a list or table; of a list of lists those of the inner ones.
+std::size_t entries(const toml::node* node) {
+  if (const auto* table = node ? node->as_table() : nullptr) return table->size();
+  const auto* list = node ? node->as_array() : nullptr;
+  std::size_t count = 0;
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    const auto* inner = (*list)[i].as_array();
+    const auto* polygon = (*list)[i].is_table() ? (*list)[i].as_table()->get_as<toml::array>("polygon") : nullptr;
+    count += polygon ? polygon->size() : inner && !inner->empty() && (*inner)[0].is_array() ? inner->size() : 1;
+  }
+  return count;
+}
+
+/// What is looked at in pairs, or among all keys, takes seconds for this many.
+std::vector<Problem> too_many(const toml::table& root, const std::string& file) {
+  constexpr std::size_t most = 10000;
+  std::vector<Problem> problems;
+  for (const std::string key : {"geometry.outline.polygon", "geometry.holes", "geometry.cracks", "output.probes",
+                                "support", "load", "case", "combination", "foundation", "spring"})
+    if (const auto count = entries(root.at_path(key).node()); count > most)
+      problems.push_back({file, key, fmt::format("{} points or entries, must be at most {}", count, most)});
+  return problems;
+}
+
 CaseFile case_of(toml::table root, const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   Reading reading(path.string());
   for (const auto& setting : overrides) apply_override(root, setting, reading);
+  if (const auto problems = too_many(root, path.string()); !problems.empty()) throw CaseError(problems);
   reading.kind = kind_of(root);
   reading.finds_spacing = bool(root["srif"]["accuracy"]);
 

@@ -44,6 +44,31 @@ TEST_CASE("places name the line of a key or of its nearest parent") {
   CHECK(file.place("discretization.spacing") == "--set discretization.spacing");
 }
 
+TEST_CASE("more vertices, cracks and probes than are looked at in seconds are refused by their number") {
+  const auto list = [](const std::string& entry, int count) {
+    std::string result = "[";
+    for (int i = 0; i < count; ++i) result += entry + ",";
+    return result + "]";
+  };
+  const File text(plain);
+  const auto said = [&](const std::string& setting) -> std::string {
+    try {
+      cases::read_case(text.path(), {setting});
+    } catch (const cases::CaseError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK_THAT(said("geometry.cracks=" + list("[[0,0],[0.1,0]]", 5001)),
+             Catch::Contains("geometry.cracks: 10002 points or entries, must be at most 10000"));
+  CHECK_THAT(said("geometry.holes=" + list("{circle=[0,0,0.1]}", 10001)),
+             Catch::Contains("geometry.holes: 10001 points"));
+  CHECK_THAT(said("geometry.outline={polygon=" + list("[0,0]", 10001) + "}"),
+             Catch::Contains("geometry.outline.polygon: 10001 points"));
+  CHECK_THAT(said("load=" + list("{kind=\"pressure\",value=1}", 10001)),
+             Catch::Contains("load: 10001 points or entries"));
+}
+
 TEST_CASE("a frequency analysis takes its own method and tolerance") {
   auto text = with_line(with_line(plain, 17, "kind = \"frequencies\""), 4, "thickness = 0.1\ndensity = 7850");
   for (int line = 14; line <= 16; ++line) text = with_line(text, line, "");
