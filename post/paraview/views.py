@@ -101,25 +101,36 @@ def colour_range(values, weights, percentiles, parts_at_zero):
     return (low, high, robust) if high > low else (low, low + 1, False)
 
 
+def fine(vertices, step):
+    """Places along a line, no further apart than `step`, and the normals of the line there."""
+    way, normals = [], []
+    for a, b in zip(vertices, vertices[1:]):
+        count = max(1, int(numpy.ceil(numpy.linalg.norm(b - a) / step)))
+        along = (b - a) / max(numpy.linalg.norm(b - a), 1e-300)
+        first = 0 if not way else 1
+        way += [a + (b - a) * n / count for n in range(first, count + 1)]
+        normals += [numpy.array([-along[1], along[0], 0])] * (count + 1 - first)
+    return way, normals
+
+
 def on_plate(cracks, grid, scale, lift, step):
-    """The lines and tips of cracks, fine enough to follow the plate as it bends."""
-    points, lines, tips = vtkPoints(), vtkCellArray(), vtkCellArray()
+    """Both faces of cracks, fine enough to follow the plate as it bends, and tips."""
+    seen, places, lines, tips = vtkPoints(), [], vtkCellArray(), vtkCellArray()
     for i in range(cracks.GetNumberOfCells()):
         cell = cracks.GetCell(i)
         vertices = [numpy.array(cell.GetPoints().GetPoint(k)) for k in range(cell.GetNumberOfPoints())]
-        way = [vertices[0]]
-        for a, b in zip(vertices, vertices[1:]):
-            count = max(1, int(numpy.ceil(numpy.linalg.norm(b - a) / step)))
-            way += [a + (b - a) * n / count for n in range(1, count + 1)]
-        target = tips if len(vertices) == 1 else lines
-        target.InsertNextCell(len(way))
-        for x in way:
-            target.InsertCellPoint(points.InsertNextPoint(*x))
+        way, normals = fine(vertices, step) if len(vertices) > 1 else (vertices, [numpy.zeros(3)])
+        for side in (1, -1) if len(vertices) > 1 else (1,):
+            target = lines if len(vertices) > 1 else tips
+            target.InsertNextCell(len(way))
+            for x, n in zip(way, normals):
+                target.InsertCellPoint(seen.InsertNextPoint(*(x + side * step / 20 * n)))
+                places.append(x)
     result = vtkPolyData()
-    result.SetPoints(points), result.SetLines(lines), result.SetVerts(tips)
+    result.SetPoints(seen), result.SetLines(lines), result.SetVerts(tips)
     probe = vtkProbeFilter()
     probe.SetInputData(result), probe.SetSourceData(grid), probe.Update()
-    place = vtk_to_numpy(points.GetData()).copy()
+    place = numpy.array(places, dtype=float)
     place[:, 2] = scale * vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("displacement"))[:, 2] + lift
     moved = vtkPoints()
     moved.SetData(numpy_to_vtk(place, deep=1))
