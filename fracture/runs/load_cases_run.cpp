@@ -7,6 +7,8 @@
 
 #include "fracture/runs/results.hpp"
 #include "fracture/runs/run_plan.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
+#include "fracture/runs/shared/own_drawing.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulations.hpp"
@@ -14,6 +16,7 @@
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/reduction.hpp"
 #include "plate/solve/static_solver.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -26,7 +29,9 @@ namespace {
 
 double folded_norm(const plate::Formulation& plate, plate::Forces load) {
   plate.constraints().fold(load);
-  return load.norm();
+  const auto [squared] = plate::ordered_sum<1>(
+      std::size_t(load.size()), [&](std::size_t i) { return std::array<double, 1>{load.data()[i] * load.data()[i]}; });
+  return std::sqrt(squared);
 }
 
 /// Load cases and combinations as they are found.
@@ -39,6 +44,11 @@ public:
         recorder_(std::move(recorder)),
         probes_(probes_of(plan.probes, plate_)) {
     if (!recorder_.draws() && !recorder_.stores()) return;
+    if (shared()) {
+      drawing_ = std::make_unique<OwnDrawing>(plate_);
+      recorder_.open(drawing_->mesh());
+      return;
+    }
     const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
     if (plan_.report) pictures_.open(mesh);
     recorder_.open(mesh);
@@ -59,6 +69,7 @@ private:
   const plate::Formulation& plate_;
   post::Recorder recorder_;
   post::Pictures pictures_;
+  std::unique_ptr<OwnDrawing> drawing_;  // where processes share the plate
   std::vector<post::Probe> probes_;
   std::vector<post::LoadCaseSummary> found_;
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
@@ -71,7 +82,7 @@ void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const
   const auto when = fmt::format("in {}", one.name);
   const auto number = double(found_.size() + 1);
   post::require_finite(state, when);
-  const double work = load.cwiseProduct(state).sum() / 2, strain = plate_.strain_energy(state);
+  const double work = post::slow_work(plate_, load, state), strain = plate_.strain_energy(state);
   one.strain_energy = strain, one.external_work = work;
   const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
   post::Sample row{number, step, state, strain, 0, work, 0};
@@ -85,7 +96,7 @@ void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const
     std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
     one.reactions = reactions.summary();
   }
-  if (plan_.srif) one.srif = post::srifs(plate_, *plan_.srif, ready_.tip_methods, state, true);
+  if (plan_.srif) one.srif = of_all(post::srifs(plate_, *plan_.srif, ready_.tip_methods, state, true));
   if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
@@ -94,13 +105,13 @@ void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const
   extremes.row(now);
   if (recorder_.draws() || recorder_.stores()) {
     auto frame = post::frame_of(plate_, number, step, state, recorder_.draws());
-    if (plan_.report) pictures_.look(frame);
+    if (plan_.report && !drawing_) pictures_.look(frame);
     if (recorder_.draws()) extremes.frame(number, frame.resultants);
-    recorder_.frame(std::move(frame), {}, {});
+    recorder_.frame(drawing_ ? drawing_->frame(std::move(frame)) : std::move(frame), {}, {});
   }
-  one.extremes = extremes.found();
+  one.extremes = of_all(extremes.found());
   found_.push_back(std::move(one));
-  const bool rests = !found_.back().of.empty() && state.isZero(0);  // a combination that cancels
+  const bool rests = !found_.back().of.empty() && post::is_zero(state);  // a combination that cancels
   if (!rests && !post::moves(state, work)) post::require_motion(plate_, {load}, state, work, warnings_);
   post::EnergyGate(post::EnergyGate::Plate::rests).look({strain, strain, work}, when);
 }

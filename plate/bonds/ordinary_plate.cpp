@@ -225,7 +225,7 @@ Discretised discretised(const Problem& problem) {
   layout.cut = cut_share(whole, families, shapes, boundary.cloud.plate_points);
   Forces load = Forces::Zero(3, Eigen::Index(boundary.cloud.size()));
   for (const auto& one : problem.loads) {
-    layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline), one.history});
+    layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline, boundary.own), one.history});
     const double share = 1 + (problem.load_cases.empty() ? 0 : 0.1 * double(layout.loads.size()));
     load += share * layout.loads.back().forces;  // those of load cases do not act together: none takes another away
   }

@@ -46,6 +46,7 @@ public:
     for (std::uint32_t k = 0; k < wanted.size(); ++k)
       if (wanted[k])
         for (const auto& bond : families[k]) seen[bond.neighbour] = 1;
+    see_attached(seen, families);
     for (const auto& [follower, leader] : leaders_)
       if (seen[follower]) seen[leader] = 1;
     std::vector<std::uint32_t> result;
@@ -55,6 +56,20 @@ public:
   }
 
 private:
+  /// Soil ties points that no bond does, across cracks: these too, and what they see.
+  void see_attached(std::vector<char>& seen, const geometry::Families& families) const {
+    std::vector<std::uint32_t> tied;
+    for (const auto& one : boundary_.attached.parts())
+      one->for_each([&](std::uint32_t row, std::uint32_t column, double) {
+        const auto k = row / 3, j = column / 3;
+        if (k != j && seen[k] && families[k].find(j) == families[k].size()) tied.push_back(j);
+      });
+    for (const auto k : tied) {
+      seen[k] = 1;
+      for (const auto& bond : families[k]) seen[bond.neighbour] = 1;
+    }
+  }
+
   const PartOfLattice& part_;
   const Boundary& boundary_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> leaders_;  // follower, leader: points
@@ -105,22 +120,32 @@ void own_fictitious(const PartOfLattice& part, const Seen& seen, Boundary& bound
 
 }  // namespace
 
-std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, const Discretization& discretization) {
-  const Ranks* all = ranks();
-  if (!all) return std::nullopt;
+geometry::Partition partition_of_lattice(const geometry::Outline& outline, const Discretization& discretization,
+                                         int processes) {
   const geometry::LatticeUnits units{geometry::bounding_box(outline).first, discretization.spacing};
-  geometry::Partition partition(geometry::to_lattice(outline, units), all->size());
-  if (partition.blocks() < std::size_t(all->size()))
+  geometry::Partition partition(geometry::to_lattice(outline, units), processes);
+  if (partition.blocks() < std::size_t(processes))
     throw Refused(
         {{Subject::spacing, 0,
           fmt::format("{:g} given makes {} blocks of {} by {} points, too few for {} processes", discretization.spacing,
-                      partition.blocks(), geometry::Partition::block[0], geometry::Partition::block[1], all->size())}});
-  const auto own = partition.box(all->rank());
-  // about what is wanted two horizons for the parameters of what a neighbour sees, the rest for images at oblique edges
-  // and for checks, which look 12 spacings far
+                      partition.blocks(), geometry::Partition::block[0], geometry::Partition::block[1], processes)}});
+  return partition;
+}
+
+/// About what is wanted two horizons for the parameters of what a neighbour sees, the rest for images at oblique edges
+/// and for checks, which look 12 spacings far.
+long margin_of_part(const Discretization& discretization) {
   const double about_tips = reach_about_tips(discretization.horizon_ratio);
-  const long margin = 2 * long(std::ceil(discretization.horizon_ratio)) + 24 + long(std::ceil(about_tips));
-  return PartOfLattice{std::move(partition), own, own.grown(margin), about_tips};
+  return 2 * long(std::ceil(discretization.horizon_ratio)) + 24 + long(std::ceil(about_tips));
+}
+
+std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, const Discretization& discretization) {
+  const Ranks* all = ranks();
+  if (!all) return std::nullopt;
+  auto partition = partition_of_lattice(outline, discretization, all->size());
+  const auto own = partition.box(all->rank());
+  return PartOfLattice{std::move(partition), own, own.grown(margin_of_part(discretization)),
+                       reach_about_tips(discretization.horizon_ratio)};
 }
 
 OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geometry::Families& families,

@@ -13,6 +13,13 @@ struct PartOfLattice {
   double about_tips;  // reach_about_tips()
 };
 
+/// How processes share out the lattice of a plate.
+/// @throws Refused  more processes than blocks of the lattice
+geometry::Partition partition_of_lattice(const geometry::Outline& outline, const Discretization& discretization,
+                                         int processes);
+/// How far beyond its box a process sees [cells].
+long margin_of_part(const Discretization& discretization);
+
 /// Nothing where one process holds the whole plate.
 /// @throws Refused  more processes than blocks of the lattice
 std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, const Discretization& discretization);

@@ -62,7 +62,7 @@ Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const
       if (!load.uniform()) add_pressure(load, cells, forces);
       break;
     case Load::Kind::line_load:
-      add_line_load(load, cells.positions, areas.size(), cells.units.spacing, forces);
+      add_line_load(load, cells, forces);
       break;
     case Load::Kind::point_force: {
       std::size_t nearest = 0;
@@ -81,16 +81,17 @@ Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const
   return forces;
 }
 
-Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline) {
+Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline,
+                    const std::vector<char>& own) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(cloud.size()));
   switch (load.kind) {
     case Load::Kind::pressure:
       for (std::uint32_t k = 0; load.uniform() && k < cloud.plate_points; ++k)
         forces(0, k) = load.value * cloud.areas[k];
-      if (!load.uniform()) add_pressure(load, cloud, forces);
+      if (!load.uniform()) add_pressure(load, cloud, own, forces);
       break;
     case Load::Kind::line_load:
-      add_line_load(load, cloud.positions, cloud.plate_points, cloud.units.spacing, forces);
+      add_line_load(load, cloud, forces);
       break;
     case Load::Kind::point_force: {
       if (!cloud.seeded(load.position)) break;

@@ -17,8 +17,10 @@ struct TimedLoad {
 
 /// Generalised nodal forces (3 x points: work-conjugate to w, theta_x, theta_y) of one load at factor 1.
 /// Edge loads act on the edge line: what a point takes over is moved to it with the couple of its lever.
-/// `outline` is in the cloud's own units. Throws std::invalid_argument for an edge without points beside it.
-Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline);
+/// `outline` is in the cloud's own units; `own`: points that no other process has, empty: all. Throws
+/// std::invalid_argument for an edge without points beside it.
+Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline,
+                    const std::vector<char>& own = {});
 
 /// The same on points that lie on the edges: half of every piece of an edge at either end, with the couples that make a
 /// shear force do the right work on deflections of the third order. `areas` of the points [length^2].

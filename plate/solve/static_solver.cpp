@@ -2,11 +2,23 @@
 
 #include <Eigen/QR>
 
+#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
+
+namespace {
+
+/// Over all processes that share the plate.
+double product(const State& a, const Forces& b) {
+  return ordered_sum<1>(std::size_t(a.size()),
+                        [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
+}
+
+}  // namespace
 
 StaticSolver::StaticSolver(const Formulation& plate, StaticMethod method, Preconditioning wanted)
     : plate_(&plate), method_(method) {
@@ -33,13 +45,16 @@ StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& o
                               : refined(*plate_, constraints, load, options, *inverse_);
     return {solution, "direct", {}, bytes};
   }
-  const auto start = nearest(states_, forces_, load);
+  Forces folded = load;
+  constraints.fold(folded);
+  const auto start = nearest(states_, forces_, folded);
   StaticResult result{
       conjugate_gradients(*plate_, constraints, load, options, inverse_.get(), start ? &*start : nullptr), "cg", name_,
       bytes};
   if (again && states_.size() < most) {
     states_.push_back(result.solution.state);
     plate_->internal_force(states_.back(), forces_.emplace_back());
+    constraints.fold(forces_.back());
   }
   return result;
 }
@@ -51,8 +66,8 @@ std::optional<State> nearest(const std::vector<State>& states, const std::vector
   Eigen::VectorXd work(size);
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto& state = states[std::size_t(i)];
-    work[i] = state.cwiseProduct(load).sum();
-    for (Eigen::Index j = 0; j < size; ++j) energies(i, j) = -state.cwiseProduct(forces[std::size_t(j)]).sum();
+    work[i] = product(state, load);
+    for (Eigen::Index j = 0; j < size; ++j) energies(i, j) = -product(state, forces[std::size_t(j)]);
   }
   const Eigen::MatrixXd symmetric = (energies + energies.transpose()) / 2;
   const Eigen::VectorXd share = symmetric.completeOrthogonalDecomposition().solve(work);

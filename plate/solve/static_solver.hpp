@@ -25,10 +25,11 @@ private:
   std::unique_ptr<Preconditioner> inverse_;
   std::optional<std::string> name_;
   std::vector<State> states_;
-  std::vector<Forces> forces_;  // internal, of every state
+  std::vector<Forces> forces_;  // internal, folded, of every state
 };
 
-/// The sum of states whose energy is least under a load; nothing without states. `forces`: internal, of each.
+/// The sum of states whose energy is least under a load; nothing without states. `forces`: internal, of each. Forces
+/// and load are folded where points follow others.
 std::optional<State> nearest(const std::vector<State>& states, const std::vector<Forces>& forces, const Forces& load);
 
 }  // namespace plate

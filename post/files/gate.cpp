@@ -13,14 +13,9 @@
 #include "plate/solve/reduction.hpp"
 
 namespace post {
-namespace {
-
-/// Of all processes that share the plate.
 bool is_zero(const plate::State& values) {
   return plate::largest_of_all(values.isZero(0) ? 0 : 1) == 0;
 }
-
-}  // namespace
 
 void require_finite(const Named& numbers, const std::string& when) {
   for (const auto& [name, value] : numbers)
@@ -45,15 +40,17 @@ void require_finite(const plate::State& state, const std::string& when) {
 
 double slow_work(const plate::Formulation& plate, const plate::State& state) {
   double work = 0;
-  for (const auto& load : plate.loads()) {
-    const auto of_point = [&](std::size_t k) {
-      const bool counts = plate.boundary().owns(k);
-      return std::array<double, 1>{counts ? load.forces.col(Eigen::Index(k)).dot(state.col(Eigen::Index(k))) : 0};
-    };
-    work += plate::ranks() ? plate::ordered_sum<1>(std::size_t(state.cols()), of_point)[0] / 2
-                           : load.forces.cwiseProduct(state).sum() / 2;
-  }
+  for (const auto& load : plate.loads()) work += slow_work(plate, load.forces, state);
   return work;
+}
+
+double slow_work(const plate::Formulation& plate, const plate::Forces& load, const plate::State& state) {
+  const auto of_point = [&](std::size_t k) {
+    const bool counts = plate.boundary().owns(k);
+    return std::array<double, 1>{counts ? load.col(Eigen::Index(k)).dot(state.col(Eigen::Index(k))) : 0};
+  };
+  return plate::ranks() ? plate::ordered_sum<1>(std::size_t(state.cols()), of_point)[0] / 2
+                        : load.cwiseProduct(state).sum() / 2;
 }
 
 std::vector<plate::Forces> forces_of(const plate::Formulation& plate) {

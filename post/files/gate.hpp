@@ -17,9 +17,13 @@ void require_finite(const plate::State& state, const std::string& when);
 
 /// Work of loads that grow slowly from zero.
 double slow_work(const plate::Formulation& plate, const plate::State& state);
+/// Of one load [3 x points].
+double slow_work(const plate::Formulation& plate, const plate::Forces& load, const plate::State& state);
 /// Of every load at factor 1.
 std::vector<plate::Forces> forces_of(const plate::Formulation& plate);
 
+/// Of all processes that share the plate.
+bool is_zero(const plate::State& values);
 /// Is the state not zero, and the work [energy] of the loads not so small that digits of it are lost?
 bool moves(const plate::State& state, double work);
 

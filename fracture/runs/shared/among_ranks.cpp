@@ -8,7 +8,7 @@
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/model/ranks/ranks.hpp"
+#include "plate/model/ranks/exact_sum.hpp"
 #include "post/files/archive.hpp"
 
 namespace fracture {
@@ -53,7 +53,10 @@ bool speaks() {
 }
 
 std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
-  if (!plate::ranks()) return {};
+  return shared() ? not_for_processes(plan, resumes) : std::vector<Unshared>();
+}
+
+std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes) {
   std::vector<Unshared> result;
   const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
@@ -70,15 +73,6 @@ std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
   for (std::size_t i = 0; i < plan.problem.supports.size(); ++i)
     refuse(plate::is_layer(plan.problem.supports[i].kind), "support[" + std::to_string(i) + "].kind",
            "layers cannot be run");
-  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
-    refuse(plan.problem.loads[i].kind == plate::Load::Kind::line_load, "load[" + std::to_string(i) + "].kind",
-           "loads along lines cannot be run");
-  refuse(!plan.problem.foundations.empty(), "foundation", "foundations cannot be run");
-  refuse(!plan.problem.springs.empty(), "spring", "springs cannot be run");
-  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
-    refuse(plan.problem.loads[i].formula.given(), plate::key_of_load(plan.problem, i) + ".expression",
-           "expressions cannot be run");
-  refuse(!plan.problem.load_cases.empty(), "case", "load cases cannot be run");
   refuse(plan.growth.has_value(), "growth", "cracks cannot grow");
   refuse(plan.srif && plan.srif->richardson, "srif.richardson", "a second spacing cannot be run");
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
@@ -89,7 +83,7 @@ std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
   if (plan.states)
     result.push_back({"output.fields", "\"hdf5\" cannot be written yet by several processes: take [\"vtk\"] or []"});
-  refuse(resumes, "--resume", "checkpoints cannot be kept");
+  refuse(resumes && plan.growth, "--resume", "checkpoints of cracks that grow cannot be kept");
   return result;
 }
 
@@ -115,6 +109,16 @@ std::vector<post::Peak> of_all(std::vector<post::Peak> own) {
   return result;
 }
 
+double attached_energy(const plate::Formulation& plate, const plate::State& state) {
+  const auto& boundary = plate.boundary();
+  if (!plate::ranks()) return boundary.attached.energy(state);
+  plate::Forces force = plate::Forces::Zero(3, state.cols());
+  boundary.attached.add_force(state, force);
+  return plate::exact_sum<1>(*plate::ranks(), std::size_t(state.cols()), [&](std::size_t k, const auto& add) {
+    if (boundary.owns(k)) add(0, -state.col(Eigen::Index(k)).dot(force.col(Eigen::Index(k))) / 2);
+  })[0];
+}
+
 void count_all(post::Summary& summary, const plate::Formulation& plate) {
   const auto* all = plate::ranks();
   if (!all) return;
@@ -126,6 +130,7 @@ void count_all(post::Summary& summary, const plate::Formulation& plate) {
     ++counts[real ? 0 : 2];
     for (const auto& bond : plate.families()[k]) ++counts[real && boundary.is_plate(bond.neighbour) ? 1 : 3];
   }
+  summary.own_points = std::size_t(counts[0]);
   all->sum(counts);
   summary.points = std::size_t(counts[0]), summary.bonds = std::size_t(counts[1]);
   summary.fictitious_points = std::size_t(counts[2]), summary.fictitious_bonds = std::size_t(counts[3]);

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "plate/model/state.hpp"
 #include "post/factors/srif.hpp"
 #include "post/files/summary.hpp"
 
@@ -26,11 +27,15 @@ struct Unshared {
   std::string key, why;
 };
 std::vector<Unshared> unshared(const RunPlan& plan, bool resumes);
+/// The same whatever this process is.
+std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes);
 
 /// The factors that all processes have found, by tips.
 std::vector<post::Srif> of_all(std::vector<post::Srif> own);
 /// Of every quantity the largest value of all processes, and its place.
 std::vector<post::Peak> of_all(std::vector<post::Peak> own);
+/// The part of the strain energy that foundations and springs have.
+double attached_energy(const plate::Formulation& plate, const plate::State& state);
 /// Points and bonds of all processes, each counted by its owner.
 void count_all(post::Summary& summary, const plate::Formulation& plate);
 

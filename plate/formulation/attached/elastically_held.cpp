@@ -51,11 +51,12 @@ void add_piece(const Spring& spring, double length, const Place& at, const Point
   if (spring.rotation_tangential > 0) sum.add(length * spring.rotation_tangential, slope(at, {-n.y(), n.x()}));
 }
 
-void add_line(const Spring& spring, const std::vector<Point>& positions, std::size_t count, double spacing,
-              AttachmentSum& sum) {
-  for (const auto& [k, middle, way] : line_pieces(spring.along, positions, count, spacing)) {
+/// `points`: a cloud, or those of cells.
+template <typename Points>
+void add_line(const Spring& spring, const Points& points, AttachmentSum& sum) {
+  for (const auto& [k, middle, way] : line_pieces(spring.along, points)) {
     const Point n = Point(way.y(), -way.x()) / way.norm();
-    add_piece(spring, way.norm(), {{{std::uint32_t(k), 1}}, middle - positions[k]}, n, sum);
+    add_piece(spring, way.norm(), {{{std::uint32_t(k), 1}}, middle - points.positions[k]}, n, sum);
   }
 }
 
@@ -138,8 +139,8 @@ AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Clo
       problem, cloud.size(), [&](const Foundation& one, AttachmentSum& sum) { add_foundation(one, cloud, sum); },
       [&](const Spring& one, AttachmentSum& sum) {
         add_edges(one, problem, cloud, sum);
-        if (!one.along.empty()) add_line(one, cloud.positions, cloud.plate_points, cloud.units.spacing, sum);
-        if (one.position) add_point(one, cloud.positions, cloud.plate_points, sum);
+        if (!one.along.empty()) add_line(one, cloud, sum);
+        if (one.position && cloud.seeded(*one.position)) add_point(one, cloud.positions, cloud.plate_points, sum);
       });
 }
 
@@ -149,7 +150,7 @@ AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Tes
       problem, points, [&](const Foundation& one, AttachmentSum& sum) { add_foundation(one, cells, sum); },
       [&](const Spring& one, AttachmentSum& sum) {
         add_edges(one, cells, sum);
-        if (!one.along.empty()) add_line(one, cells.positions, points, cells.units.spacing, sum);
+        if (!one.along.empty()) add_line(one, cells, sum);
         if (one.position) add_point(one, cells.positions, points, sum);
       });
 }

@@ -34,6 +34,22 @@ DisjointSets connected(const Boundary& boundary, const geometry::Families& famil
 
 using Grams = std::map<std::int64_t, Eigen::Matrix3d>;  // by the numbers of pieces
 
+void share(const Ranks& all, Grams& grams) {
+  struct Part {
+    std::int64_t number;
+    double entries[9];
+  };
+  std::vector<Part> own;
+  for (const auto& [number, gram] : grams) {
+    own.push_back({number, {}});
+    Eigen::Map<Eigen::Matrix3d>(own.back().entries) = gram;
+  }
+  for (auto& [number, gram] : grams) gram.setZero();
+  for (const auto& part : gathered(all, own))
+    grams.try_emplace(part.number, Eigen::Matrix3d::Zero()).first->second +=
+        Eigen::Map<const Eigen::Matrix3d>(part.entries);
+}
+
 /// What foundations and springs have against the rigid motions of every piece, over the largest entry. A link between
 /// two pieces holds neither: of those, rounding is left.
 template <typename Rows>
@@ -44,6 +60,7 @@ Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_o
   const auto length = [&](std::uint32_t dof) { return dof % 3 == 0 ? spacing : 1; };
   for (const auto& part : boundary.attached.parts())
     part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
+      if (!boundary.owns(row / 3)) return;
       const auto number = piece_of[row / 3];
       const bool within = number == piece_of[column / 3];
       const Eigen::Matrix3d one =
@@ -51,6 +68,7 @@ Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_o
       result.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one;
       sizes.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one.cwiseAbs();
     });
+  if (const Ranks* all = ranks(); all && !boundary.attached.parts().empty()) share(*all, result), share(*all, sizes);
   for (auto& [number, own] : result) {
     const double largest = own.cwiseAbs().maxCoeff();
     if (largest > rounding * sizes.at(number).maxCoeff())
@@ -92,20 +110,6 @@ void share(const Ranks& all, AllFound& found) {
   }
 }
 
-void share(const Ranks& all, Grams& grams) {
-  struct Part {
-    std::int64_t number;
-    double entries[9];
-  };
-  std::vector<Part> own;
-  for (const auto& [number, gram] : grams) {
-    own.push_back({number, {}});
-    Eigen::Map<Eigen::Matrix3d>(own.back().entries) = gram;
-  }
-  for (auto& [number, gram] : grams) gram.setZero();
-  for (const auto& part : gathered(all, own)) grams[part.number] += Eigen::Map<const Eigen::Matrix3d>(part.entries);
-}
-
 AllFound found_in(const Boundary& boundary, const std::vector<std::int64_t>& piece_of) {
   AllFound found;
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) {
@@ -142,9 +146,9 @@ Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piec
       if (counts(follower)) row -= scaled_factor(ties[i]) * at(ties[i].leader);
     if (counts(follower)) add(follower, row);
   }
+  if (const Ranks* all = ranks()) share(*all, gram);
   for (auto& [number, own] : elastic(boundary, piece_of, at))
     if (found.contains(number)) gram[number] += own;
-  if (const Ranks* all = ranks()) share(*all, gram);
   return gram;
 }
 

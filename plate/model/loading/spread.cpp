@@ -7,6 +7,7 @@
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/shape/patch.hpp"
 #include "plate/model/loading/cubature.hpp"
+#include "plate/model/ranks/exact_sum.hpp"
 
 namespace plate {
 namespace {
@@ -38,12 +39,13 @@ public:
           return value;
         }) {}
 
-  Integral operator()(const Ring& cell, const Point& about) {
+  /// `counts`: towards what is known of all.
+  Integral operator()(const Ring& cell, const Point& about, bool counts = true) {
     const Ring piece = patch_ ? patch_->common(cell) : cell;
     if (piece.empty()) return {};
     if (load_.formula.given()) {
       const auto found = of_formula(piece, about);
-      all_ += found;
+      if (counts) all_ += found;
       return found;
     }
     const auto [area, first, second] = geometry::moments(piece, about);
@@ -54,7 +56,12 @@ public:
   /// Throws where a formula varies so much within pieces that its forces are not known.
   void require_known() const {
     constexpr double known = 0.01;
-    if (all_.error > known * all_.size) throw FormulaError(load_.formula, all_.error / all_.size);
+    if (!load_.formula.given()) return;
+    std::array<double, 2> all{all_.error, all_.size};
+    if (const Ranks* others = ranks())
+      all = exact_sum<2>(*others, 1, [&](std::size_t, const auto& add) { add(0, all_.error), add(1, all_.size); });
+    const auto [error, size] = all;
+    if (error > known * size) throw FormulaError(load_.formula, error / size);
   }
 
 private:
@@ -98,13 +105,13 @@ Eigen::Vector3d moved_force(double force, const Point& lever) {
   return {force, force * lever.y(), -force * lever.x()};
 }
 
-void add_pressure(const Load& load, const geometry::Cloud& cloud, Forces& forces) {
+void add_pressure(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own, Forces& forces) {
   Thrust thrust(load);
   const double side = cloud.units.spacing, half = side / 2;
   for (std::size_t k = 0; k < cloud.plate_points; ++k) {
     const Point& x = cloud.positions[k];
     const Ring cell{x + Point(-half, -half), x + Point(half, -half), x + Point(half, half), x + Point(-half, half)};
-    const auto found = thrust(cell, x);
+    const auto found = thrust(cell, x, own.empty() || own[k]);
     const double share = cloud.areas[k] / (side * side);
     forces.col(Eigen::Index(k)) += share * Eigen::Vector3d(found.value, found.first.y(), -found.first.x());
   }
@@ -118,18 +125,23 @@ void add_pressure(const Load& load, const geometry::Tessellation& cells, Forces&
   thrust.require_known();
 }
 
-std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const Ring& positions, std::size_t count,
-                                   double spacing) {
+namespace {
+
+/// `positions`: of `count` points of the plate and maybe of others; `seeded`: are the points about a place there?
+template <typename Seeded>
+std::vector<LinePiece> pieces_of(const geometry::Polyline& line, const Ring& positions, std::size_t count,
+                                 double spacing, const Seeded& seeded) {
   std::vector<LinePiece> result;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Point &from = line[i], &to = line[i + 1];
     std::vector<std::size_t> near;
     for (std::size_t k = 0; k < count; ++k)
       if (geometry::distance(geometry::Polyline{from, to}, positions[k]) < 2 * spacing) near.push_back(k);
-    if (near.empty()) throw std::invalid_argument("a line has no point of the plate within two spacings");
     const int pieces = std::max(1, int(std::ceil(8 * (to - from).norm() / spacing - 1e-6)));
     for (int n = 0; n < pieces; ++n) {
       const Point middle = from + (n + 0.5) / pieces * (to - from);
+      if (!seeded(middle)) continue;
+      if (near.empty()) throw std::invalid_argument("a line has no point of the plate within two spacings");
       const auto away = [&](std::size_t k) { return (positions[k] - middle).squaredNorm(); };
       const auto k = *std::ranges::min_element(near, [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
       result.push_back({k, middle, (to - from) / pieces});
@@ -138,9 +150,29 @@ std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const Ring& p
   return result;
 }
 
-void add_line_load(const Load& load, const Ring& positions, std::size_t count, double spacing, Forces& forces) {
-  for (const auto& [k, middle, way] : line_pieces(load.along, positions, count, spacing))
+void add_pieces(const Load& load, const std::vector<LinePiece>& pieces, const Ring& positions, Forces& forces) {
+  for (const auto& [k, middle, way] : pieces)
     forces.col(Eigen::Index(k)) += moved_force(load.value * way.norm(), middle - positions[k]);
+}
+
+}  // namespace
+
+std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Cloud& cloud) {
+  return pieces_of(line, cloud.positions, cloud.plate_points, cloud.units.spacing,
+                   [&](const Point& x) { return cloud.seeded(x); });
+}
+
+std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Tessellation& cells) {
+  return pieces_of(line, cells.positions, cells.positions.size(), cells.units.spacing,
+                   [](const Point&) { return true; });
+}
+
+void add_line_load(const Load& load, const geometry::Cloud& cloud, Forces& forces) {
+  add_pieces(load, line_pieces(load.along, cloud), cloud.positions, forces);
+}
+
+void add_line_load(const Load& load, const geometry::Tessellation& cells, Forces& forces) {
+  add_pieces(load, line_pieces(load.along, cells), cells.positions, forces);
 }
 
 }  // namespace plate

@@ -17,8 +17,8 @@ Eigen::Vector3d moved_force(double force, const geometry::Point& lever);
 
 /// Adds a pressure that varies, or that acts on a patch: to every point what acts on its cell, exact for linear
 /// pressures and polygons but for cells that the outline cuts, where it is spread as over the whole cell. Throws
-/// FormulaError.
-void add_pressure(const Load& load, const geometry::Cloud& cloud, Forces& forces);
+/// FormulaError. `own`: points that no other process has, empty: all.
+void add_pressure(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own, Forces& forces);
 
 /// The same to the corners of cells, by the linear function that corners carry.
 void add_pressure(const Load& load, const geometry::Tessellation& cells, Forces& forces);
@@ -29,14 +29,14 @@ struct LinePiece {
   geometry::Point middle, way;  // way: from its begin to its end [length]
 };
 
-/// A line in pieces of an eighth of a spacing.
-/// @param positions  of `count` points of the plate and maybe of others [length]
+/// A line in pieces of an eighth of a spacing, as far as it was seeded.
 /// @throws std::invalid_argument  where a piece has no point of the plate within two spacings
-std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const std::vector<geometry::Point>& positions,
-                                   std::size_t count, double spacing);
+std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Cloud& cloud);
+/// The same of points that lie on the edges.
+std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Tessellation& cells);
 
 /// Adds a line load by the pieces of its line.
-void add_line_load(const Load& load, const std::vector<geometry::Point>& positions, std::size_t count, double spacing,
-                   Forces& forces);
+void add_line_load(const Load& load, const geometry::Cloud& cloud, Forces& forces);
+void add_line_load(const Load& load, const geometry::Tessellation& cells, Forces& forces);
 
 }  // namespace plate

@@ -41,6 +41,8 @@ public:
   virtual void apply(std::span<double> values) const = 0;
 };
 
+struct Traffic;
+
 /// The processes that share a plate. What they do together all of them call, in the same order.
 class Ranks {
 public:
@@ -53,6 +55,8 @@ public:
   virtual std::vector<std::string> exchanged(std::vector<std::string> texts) const = 0;
   virtual std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const = 0;
   virtual std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const = 0;
+  /// What has come to this process so far, where that is counted.
+  virtual const Traffic* traffic() const { return nullptr; }
 };
 
 /// Those of the thread in hand; nothing where one process holds the whole plate.

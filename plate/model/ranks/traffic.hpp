@@ -1,0 +1,36 @@
+#pragma once
+#include "plate/model/ranks/ranks.hpp"
+
+namespace plate {
+
+/// What came to a process from others: of the copies of their points, and sums and largest values of all. What
+/// libraries behind SharedInverse exchange is not counted.
+struct Traffic {
+  std::int64_t messages = 0, bytes = 0;  // of copies
+  std::int64_t sums = 0;                 // calls
+  double seconds = 0;                    // in all of these: packed, sent, and above all waited for
+
+  Traffic& operator+=(const Traffic& other);
+  Traffic operator-(const Traffic& before) const;
+};
+
+/// Processes, and what comes to this one: it calls them, which must outlive it, and counts.
+class CountedRanks : public Ranks {
+public:
+  explicit CountedRanks(const Ranks& ranks) : ranks_(ranks) {}
+
+  int rank() const override { return ranks_.rank(); }
+  int size() const override { return ranks_.size(); }
+  void sum(std::span<std::int64_t> values) const override;
+  void largest(std::span<double> values) const override;
+  std::vector<std::string> exchanged(std::vector<std::string> texts) const override;
+  std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const override;
+  std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const override { return ranks_.inverse(rows); }
+  const Traffic* traffic() const override { return &traffic_; }
+
+private:
+  const Ranks& ranks_;
+  mutable Traffic traffic_;
+};
+
+}  // namespace plate
