@@ -7,6 +7,7 @@
 #include "plate/distributed/mpi_ranks.hpp"
 #include "plate/distributed/petsc_inverse.hpp"
 #include "plate/model/process.hpp"
+#include "plate/model/ranks/traffic.hpp"
 
 extern "C" int pdplate_main(int argc, char** argv);
 
@@ -46,7 +47,8 @@ int main(int argc, char** argv) {
   }
   {
     const plate::Petsc petsc;
-    const plate::MpiRanks all(MPI_COMM_WORLD);
+    const plate::MpiRanks processes(MPI_COMM_WORLD);
+    const plate::CountedRanks all(processes);
     const plate::AmongRanks among(all);
     const Listener listener(all.rank() > 0);
     const int code = pdplate_main(argc, argv);

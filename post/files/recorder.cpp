@@ -121,6 +121,10 @@ Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
   summary.seconds.emplace_back("total", stopwatch.total());
   for (auto& part : summary.scene) part.time_share = stopwatch.seconds(part.stage) / stopwatch.total();
   summary.peak_memory_bytes = peak_memory_bytes();
+  const auto& [steps, iterations] = std::tie(summary.analysis.steps, summary.analysis.iterations);
+  summary.processes =
+      of_processes(summary.own_points, summary.seconds, double(summary.peak_memory_bytes), traffic_so_far() - before_,
+                   steps || iterations ? std::optional(double(steps ? *steps : *iterations)) : std::nullopt);
   sink_->summary(to_json(summary));
   return summary;
 }

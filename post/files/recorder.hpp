@@ -82,6 +82,7 @@ private:
   std::unique_ptr<Sink> sink_;
   std::string resolved_, version_;
   Table history_, probes_, frequencies_;
+  plate::Traffic before_ = traffic_so_far();  // of this process
   std::vector<std::pair<std::string, Table>> tables_;
 };
 

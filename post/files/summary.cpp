@@ -182,6 +182,22 @@ Json json_of(const std::vector<Srif>& srifs, const std::vector<FaceFactors>& fac
   return json;
 }
 
+Json json_of(const Spread& one) {
+  return {{"least", one.least}, {"mean", one.mean}, {"largest", one.largest}};
+}
+
+Json json_of(const ProcessesSummary& all) {
+  Json json{{"count", all.count},
+            {"threads", all.threads},
+            {"points", json_of(all.points)},
+            {"peak_memory_bytes", json_of(all.memory)}};
+  for (const auto& [stage, seconds] : all.seconds) json["seconds"][stage] = json_of(seconds);
+  json["waiting"] = json_of(all.waiting);
+  json[all.steps ? "per_step" : "in_all"] = {
+      {"messages", json_of(all.messages)}, {"bytes", json_of(all.bytes)}, {"sums", json_of(all.sums)}};
+  return json;
+}
+
 Json json_of(const AccuracySummary& accuracy) {
   Json json{{"asked", accuracy.asked}};
   add(json, "reached", accuracy.reached);
@@ -250,6 +266,7 @@ std::string to_json(const Summary& summary) {
   json["analysis"] = json_of(summary.analysis);
   json["seconds"] = json_of(summary.seconds);
   json["peak_memory_bytes"] = summary.peak_memory_bytes;
+  if (summary.processes) json["processes"] = json_of(*summary.processes);
   json["srif"] = json_of(summary.srif, summary.faces);
   add(json, "toughness", summary.toughness);
   if (!summary.overlaps.empty()) json["overlaps"] = list_of(summary.overlaps);

@@ -5,6 +5,7 @@
 #include <vector>
 #include "post/factors/accuracy.hpp"
 #include "post/files/balances.hpp"
+#include "post/files/shared/processes.hpp"
 
 namespace plate {
 struct StaticSolution;
@@ -108,6 +109,8 @@ struct Summary {
   } analysis;
   std::vector<std::pair<std::string, double>> seconds;  // geometry, families, parameters, solve, srif, output, total
   std::size_t peak_memory_bytes = 0;
+  std::size_t own_points = 0;                 // of this process, where several share the plate; not written
+  std::optional<ProcessesSummary> processes;  // where several share the plate
   std::vector<Srif> srif;
   std::vector<FaceFactors> faces;                      // of every entry of srif
   std::optional<double> toughness;                     // of the case

@@ -193,6 +193,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
                  summary.formulation_reason, summary.points, summary.bonds,
                  a.iterations ? *a.iterations : a.steps.value_or(0), a.iterations ? "iterations" : "steps",
                  summary.seconds.back().second, a.stop_reason);
+  if (summary.processes) text += printed(*summary.processes);
   if (summary.accuracy) accuracy(out, *summary.accuracy);
   if (!summary.srif.empty() && !summary.peaks.empty()) fmt::format_to(out, "at the end of the duration:\n");
   if (!summary.srif.empty()) factors(out, summary.srif, si, thickness);

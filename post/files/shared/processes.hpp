@@ -1,0 +1,40 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plate/model/ranks/traffic.hpp"
+
+namespace post {
+
+/// Of a number that every process has.
+struct Spread {
+  double least = 0, mean = 0, largest = 0;
+};
+
+/// How processes shared a run.
+struct ProcessesSummary {
+  std::size_t count = 0, threads = 0;                   // threads: of each
+  Spread points;                                        // of the plate
+  Spread memory;                                        // largest resident [bytes]
+  std::vector<std::pair<std::string, Spread>> seconds;  // of the stages
+  Spread waiting;                                       // [s] in exchanges and sums: Traffic::seconds
+  // what comes to a process, over the steps or iterations of the run
+  std::optional<double> steps;
+  Spread messages, bytes, sums;
+};
+
+/// Of all processes that share the plate, from what each has itself; nothing where one has all. All call it at once.
+/// `points`: its own; `seconds`: of its stages; `since`: traffic of the run; `steps`: or iterations.
+std::optional<ProcessesSummary> of_processes(std::size_t points,
+                                             const std::vector<std::pair<std::string, double>>& seconds, double memory,
+                                             const plate::Traffic& since, std::optional<double> steps);
+
+/// The traffic of this process so far; zeros where one process has all.
+plate::Traffic traffic_so_far();
+
+/// For people: three lines.
+std::string printed(const ProcessesSummary& processes);
+
+}  // namespace post
