@@ -32,7 +32,7 @@ struct Arguments {
   std::optional<double> within;  // tolerance of all measures
   post::ParisLaw law;
   double load = 1, ratio = 0;
-  int threads = 0;
+  int threads = 0, processes = 0;
   bool quiet = false, energy = false, schema = false, again = false, merge = false, resume = false;
 };
 
@@ -132,7 +132,7 @@ int execute(const CLI::App& app, Arguments& a) {
     if (!a.quiet)
       fmt::print("{}", post::printed(summary, file.content.units == "SI", file.content.section.thickness, folder));
   } else if (app.got_subcommand("check")) {
-    fmt::print("{}", cases::cost(cases::read_case(a.file, overrides(a))));
+    fmt::print("{}", cases::cost(cases::read_case(a.file, overrides(a)), a.processes));
   } else if (app.got_subcommand("new")) {
     fmt::print("{}", a.key.empty() ? cases::template_menu() : cases::new_case(a.key, a.file));
   } else if (app.got_subcommand("manual") || app.got_subcommand("completion")) {
@@ -152,17 +152,7 @@ int execute(const CLI::App& app, Arguments& a) {
   } else if (app.got_subcommand("compare")) {
     return compare(a);
   } else if (app.got_subcommand("fatigue")) {
-    const std::filesystem::path folder(a.folder);
-    const auto file = cases::read_case(folder / "case.resolved.toml", {});
-    const auto& c = file.content;
-    if (!c.growth || c.analysis.kind != cases::Analysis::Kind::static_ || c.growth->by_bonds())
-      throw cases::CaseError(
-          {{file.place("growth"), "growth",
-            "cycles are counted along tips that grow quasi-statically: a static case with [growth] and criterion = "
-            "\"energy_release\""}});
-    fmt::print("{}",
-               post::csv_text(post::fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"),
-                                            c.section, a.law, a.load, a.ratio)));
+    fmt::print("{}", post::csv_text(cases::fatigue(a.folder, a.law, a.load, a.ratio)));
   } else if (app.got_subcommand("study")) {
     return run_study(a);
   } else if (app.got_subcommand("extremes")) {
@@ -277,7 +267,9 @@ int main(int argc, char** argv) {
   run->add_option("--out", a.folder, "folder of the results (default: results/CASE)");
   run->add_flag("--quiet", a.quiet, "no progress and no table");
   run->add_flag("--resume", a.resume, "go on from the last checkpoint of a run that was ended");
-  add_case(*app.add_subcommand("check", "validate a case and say what it would cost"), a);
+  auto& check = *app.add_subcommand("check", "validate a case and say what it would cost");
+  add_case(check, a);
+  check.add_option("--processes", a.processes, "number of them that share the plate")->check(CLI::Range(1, 1 << 20));
   add_pages(app, a);
   auto* srif = app.add_subcommand("srif", "extract intensity factors again from a finished run");
   srif->add_option("folder", a.folder, "folder of the results")->required();

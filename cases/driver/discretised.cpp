@@ -28,6 +28,12 @@ void require_memory(const CaseFile& file) {
   unless_refused(file, [&] { plate::require_memory(file.content); });
 }
 
+void require_shared(const CaseFile& file, const std::vector<fracture::Unshared>& unshared) {
+  std::vector<Problem> problems;
+  for (const auto& [key, why] : unshared) problems.push_back({file.place(key), key, why});
+  if (!problems.empty()) throw CaseError(problems);
+}
+
 plate::Discretised discretised(const CaseFile& file) {
   const Case& c = file.content;
   auto result = unless_refused(file, [&] { return plate::discretise(c); });

@@ -1,5 +1,6 @@
 #pragma once
 #include "cases/input/case_file.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "post/factors/tip_methods.hpp"
 
@@ -12,6 +13,9 @@ plate::Discretised discretised(const CaseFile& file);
 
 /// Throws CaseError where the machine has not even the memory for the points of a case.
 void require_memory(const CaseFile& file);
+
+/// Throws CaseError where there is anything that processes cannot share.
+void require_shared(const CaseFile& file, const std::vector<fracture::Unshared>& unshared);
 
 /// Cracks that grow by their tips need the energy release rate of each from the start, whatever methods [srif] names.
 /// Tips too near to an edge, a load or another crack for it: CaseError in statics, a warning in motion, where they

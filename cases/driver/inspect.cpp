@@ -5,6 +5,7 @@
 #include "cases/driver/results.hpp"
 #include "cases/driver/second_formulation.hpp"
 #include "cases/input/refused.hpp"
+#include "fracture/runs/shared/foretold_processes.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/free_memory.hpp"
@@ -13,6 +14,7 @@
 #include "post/files/summary.hpp"
 #include "post/report/html/report.hpp"
 #include "post/report/html/study_report.hpp"
+#include "post/studies/fatigue.hpp"
 #include "post/studies/neighbouring_cracks.hpp"
 
 namespace cases {
@@ -20,9 +22,19 @@ namespace {
 
 constexpr double giga = 1e9;
 
+/// What processes that share the plate take.
+std::string of_processes(const CaseFile& file, const fracture::ForetoldRun& run, int count) {
+  const auto plan = plan_of(file.content, {});
+  const auto processes = unless_refused(file, [&] { return fracture::foretold_processes(file.content, count); });
+  return fracture::to_text(run, plan) + fracture::to_text(processes, run, plan) +
+         fmt::format("files         {:.3g} GB\n(by runs of a sample of {} points, just now)\n", run.costs.files / giga,
+                     run.sample_points);
+}
+
 /// The cost of a case whose discretisation is known.
-std::string of_run(const CaseFile& file) {
+std::string of_run(const CaseFile& file, int processes) {
   const auto run = foretell(file);
+  if (processes > 0) return of_processes(file, run, processes);
   std::string text = fracture::to_text(run, plan_of(file.content, {}));
   double bytes = run.bytes, seconds = run.costs.total();
   if (file.content.srif && file.content.srif->second_formulation) {
@@ -56,9 +68,10 @@ std::string of_plate(const CaseFile& file) {
 
 }  // namespace
 
-std::string cost(const CaseFile& file) {
+std::string cost(const CaseFile& file, int processes) {
   constexpr double soon_made = 60000;  // points: 0.2 s
   const Case& c = file.content;
+  if (processes > 0) require_shared(file, fracture::not_for_processes(plan_of(c, {}), false));
   std::string text = fmt::format("{}\nformulation   {} ({})\n", c.title, plate::formulation_of(c.discretization).name,
                                  c.formulation_reason);
   if (c.srif && c.srif->accuracy)
@@ -68,10 +81,10 @@ std::string cost(const CaseFile& file) {
                "memory, {:.3g} GB, at most; the first points of the search have\n",
                c.srif->accuracy_seconds, plate::free_memory() / 2 / giga) +
            of_plate(file);
-  require_memory(file);
+  if (processes == 0) require_memory(file);
   const double spacing = c.discretization.spacing;
   const bool made = geometry::area(c.outline) < soon_made * spacing * spacing;
-  text += of_run(file);
+  text += of_run(file, processes);
   text += made ? of_plate(file) : "tips, supports and loads are checked by the run: with so many points not here\n";
   return text;
 }
@@ -82,6 +95,17 @@ post::Table energy_check(const CaseFile& file) {
     throw CaseError(
         {{file.place("analysis.kind"), "analysis.kind", "the energy check needs a static case, of one load"}});
   return unless_refused(file, [&] { return post::energy_check(c, c.analysis); });
+}
+
+post::Table fatigue(const std::filesystem::path& folder, const post::ParisLaw& law, double load, double ratio) {
+  const CaseFile file = read_case(folder / "case.resolved.toml", {});
+  const Case& c = file.content;
+  if (!c.growth || c.analysis.kind != Analysis::Kind::static_ || c.growth->by_bonds())
+    throw CaseError({{file.place("growth"), "growth",
+                      "cycles are counted along tips that grow quasi-statically: a static case with [growth] and "
+                      "criterion = \"energy_release\""}});
+  return post::fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section, law, load,
+                       ratio);
 }
 
 void report_again(const std::filesystem::path& folder) {

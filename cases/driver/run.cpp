@@ -8,7 +8,6 @@
 #include "fracture/runs/load_cases_run.hpp"
 #include "fracture/runs/quasi_static_run.hpp"
 #include "fracture/runs/run_once.hpp"
-#include "fracture/runs/shared/among_ranks.hpp"
 #include "fracture/runs/trial.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/gate.hpp"
@@ -124,10 +123,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
 
 post::Summary run(const CaseFile& file, const RunOptions& options) {
   const Case& c = file.content;
-  std::vector<Problem> problems;
-  for (const auto& [key, why] : fracture::unshared(plan_of(c, options), options.resume))
-    problems.push_back({file.place(key), key, why});
-  if (!problems.empty()) throw CaseError(problems);
+  require_shared(file, fracture::unshared(plan_of(c, options), options.resume));
   if (options.resume && !(c.growth && c.growth->unstable == fracture::Growth::Unstable::move))
     if (auto done = fracture::done_before(recording_options(c, options), c.output.reports())) return std::move(*done);
   try {

@@ -5,6 +5,7 @@
 
 namespace post {
 struct Kept;
+struct ParisLaw;
 struct Summary;
 struct Table;
 }  // namespace post
@@ -28,7 +29,8 @@ struct RunOptions {
 post::Summary run(const CaseFile& file, const RunOptions& options);
 
 /// What a run would cost, as text: points, bonds, memory, time step, steps. Writes nothing. Throws CaseError.
-std::string cost(const CaseFile& file);
+/// `processes`: that are to share the plate; 0: the run is by this program alone.
+std::string cost(const CaseFile& file, int processes = 0);
 
 /// Extracts the intensity factors again from the frames of a finished run; rows of srif.csv.
 /// Throws CaseError or std::runtime_error.
@@ -37,6 +39,10 @@ post::Table srif_again(const std::filesystem::path& folder, const std::vector<st
 /// K of every tip from the energy of neighbouring crack lengths: post::energy_check. Throws CaseError where the case is
 /// not static.
 post::Table energy_check(const CaseFile& file);
+
+/// Cycles against length of the cracks of a finished growth: post::fatigue. Throws CaseError where it is none of tips
+/// that grow quasi-statically.
+post::Table fatigue(const std::filesystem::path& folder, const post::ParisLaw& law, double load, double ratio);
 
 /// Writes report.html into the folder of a finished run again. Throws CaseError where it is no such folder.
 void report_again(const std::filesystem::path& folder);

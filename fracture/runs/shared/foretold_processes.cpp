@@ -1,0 +1,95 @@
+#include "fracture/runs/shared/foretold_processes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plate/bonds/part_of_lattice.hpp"
+
+namespace fracture {
+namespace {
+
+using geometry::CellBox;
+
+/// Points of the plate in a box, by its cells or by many places in it.
+double points_in(const geometry::Outline& outline, CellBox box, const geometry::Cell& size) {
+  constexpr long most = 64;  // places along a side
+  for (const std::size_t axis : {0, 1})
+    box.low[axis] = std::max(box.low[axis], 0L), box.high[axis] = std::min(box.high[axis], size[axis]);
+  if (box.side(0) <= 0 || box.side(1) <= 0) return 0;
+  const long across = std::min(most, box.side(0)), up = std::min(most, box.side(1));
+  const double dx = double(box.side(0)) / double(across), dy = double(box.side(1)) / double(up);
+  long inside = 0;
+  for (long j = 0; j < up; ++j)
+    for (long i = 0; i < across; ++i)
+      inside += geometry::contains(
+          outline, {double(box.low[0]) + (double(i) + 0.5) * dx, double(box.low[1]) + (double(j) + 0.5) * dy});
+  return double(inside) * dx * dy;
+}
+
+bool meet(const CellBox& a, const CellBox& b) {
+  return a.low[0] < b.high[0] && b.low[0] < a.high[0] && a.low[1] < b.high[1] && b.low[1] < a.high[1];
+}
+
+}  // namespace
+
+ForetoldProcesses foretold_processes(const plate::Problem& problem, int count) {
+  const auto& d = problem.discretization;
+  const auto partition = plate::partition_of_lattice(problem.outline, d, count);
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  const auto outline = geometry::to_lattice(problem.outline, {low, d.spacing});
+  const geometry::Point sides = (high - low) / d.spacing;
+  const geometry::Cell size{long(std::ceil(sides.x() - 1e-9)), long(std::ceil(sides.y() - 1e-9))};
+  const long margin = plate::margin_of_part(d), reach = long(std::floor(d.horizon_ratio));
+  ForetoldProcesses result{count, 0, INFINITY, 0, 0, 0};
+  for (int rank = 0; rank < count; ++rank) {
+    const auto& box = partition.box(rank);
+    const double own = points_in(outline, box, size);
+    double copies = 0, neighbours = 0;
+    for (int other = 0; other < count; ++other) {
+      const auto wide = box.grown(reach), &theirs = partition.box(other);
+      if (other == rank || !meet(wide, theirs)) continue;
+      const CellBox common{{std::max(wide.low[0], theirs.low[0]), std::max(wide.low[1], theirs.low[1])},
+                           {std::min(wide.high[0], theirs.high[0]), std::min(wide.high[1], theirs.high[1])}};
+      const double found = points_in(outline, common, size);
+      copies += found, neighbours += found > 0;
+    }
+    result.points = std::max(result.points, own), result.least_points = std::min(result.least_points, own);
+    result.seen = std::max(result.seen, points_in(outline, box.grown(margin), size));
+    result.copies = std::max(result.copies, copies), result.neighbours = std::max(result.neighbours, neighbours);
+  }
+  return result;
+}
+
+double bytes_of_process(const ForetoldProcesses& processes, const ForetoldRun& run) {
+  constexpr double libraries = 60e6;  // of Open MPI and PETSc, measured
+  return libraries + run.bytes * processes.seen / run.points;
+}
+
+double seconds_of_processes(const ForetoldProcesses& processes, const ForetoldRun& run) {
+  double result = 0;
+  for (const auto& [stage, seconds] : run.costs.seconds)
+    result += seconds * (stage == "setting up" ? processes.seen : processes.points) / run.points;
+  return result;
+}
+
+std::string to_text(const ForetoldProcesses& processes, const ForetoldRun& run, const RunPlan& plan) {
+  const auto& [count, points, least, seen, copies, neighbours] = processes;
+  constexpr double giga = 1e9, kilo = 1e3;
+  const double bytes = bytes_of_process(processes, run);
+  // a product: displacements, then dilatations; with two levels five of them, the rest and the coarse plate's answer
+  const bool levels = !plan.moves() && run.solver.preconditioner == plate::Preconditioning::two_level;
+  const double numbers = levels ? 5 * (3 + 1) + 6 : 3 + 1, messages = (levels ? 12 : 2) * neighbours;
+  std::string text = fmt::format(
+      "processes     {}, of {:.0f} to {:.0f} points, which see up to {:.0f}\n"
+      "memory        {:.3g} GB each at its peak, {:.3g} GB in all\n"
+      "time          {:.2g} s where each has cores of its own, without exchange\n",
+      count, least, points, seen, bytes / giga, bytes * count / giga, seconds_of_processes(processes, run));
+  if (count > 1)
+    text += fmt::format("exchange      up to {:.0f} messages with {:.3g} kB to each {}\n", messages,
+                        copies * numbers * sizeof(double) / kilo, plan.moves() ? "a step" : "an iteration");
+  return text;
+}
+
+}  // namespace fracture

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+
+#include "fracture/runs/foretell.hpp"
+
+namespace fracture {
+
+/// What each of some processes will have of a plate that they share, told from its outline; the numbers are of the one
+/// that has the most.
+struct ForetoldProcesses {
+  int count = 1;
+  double points = 0, least_points = 0;  // of its own
+  double seen = 0;                      // with what it sees of others'
+  double copies = 0, neighbours = 0;    // others' points whose values come to it, and from how many
+};
+
+/// @throws plate::Refused  more processes than blocks of the lattice
+ForetoldProcesses foretold_processes(const plate::Problem& problem, int count);
+
+/// Peak memory of a process [bytes]; `run`: by one process.
+double bytes_of_process(const ForetoldProcesses& processes, const ForetoldRun& run);
+/// Time of a run by these, where each has cores of its own, as many as threads of the samples; without exchange [s].
+double seconds_of_processes(const ForetoldProcesses& processes, const ForetoldRun& run);
+
+/// Points, memory, time and exchange, in words.
+std::string to_text(const ForetoldProcesses& processes, const ForetoldRun& run, const RunPlan& plan);
+
+}  // namespace fracture

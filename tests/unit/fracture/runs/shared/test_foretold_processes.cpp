@@ -1,0 +1,86 @@
+// What is told from the outline against what processes then have.
+#include "fracture/runs/shared/foretold_processes.hpp"
+
+#include <catch2/catch.hpp>
+#include <mutex>
+
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/ranks/traffic.hpp"
+#include "plate/model/refused.hpp"
+#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+
+using namespace fracture;
+
+namespace {
+
+plate::Problem problem_of(geometry::Outline outline) {
+  plate::Problem problem;
+  problem.outline = std::move(outline);
+  problem.section = {1000, 0.3, 0.05, 5.0 / 6, 2};
+  problem.supports = {{plate::SupportKind::simply_supported, {"bottom"}, {}}};
+  problem.loads = {plate::Load{}};
+  problem.discretization.spacing = 0.01;
+  problem.discretization.formulation = &plate::ordinary;
+  return problem;
+}
+
+/// The most of any process.
+ForetoldProcesses found(const plate::Problem& problem, int count) {
+  ForetoldProcesses result{count, 0, INFINITY, 0, 0, 0};
+  std::mutex one_by_one;
+  thread_ranks::run(count, [&](const plate::Ranks& all) {
+    const plate::CountedRanks counted(all);
+    const plate::AmongRanks among(counted);
+    const auto plate = plate::discretise(problem).plate;
+    const auto before = *counted.traffic();
+    plate::State state = plate::State::Zero(3, Eigen::Index(plate->points()));
+    plate->constraints().fetch(state);
+    const auto traffic = *counted.traffic() - before;
+    double own = 0;
+    for (std::uint32_t k = 0; k < plate->cloud().plate_points; ++k) own += plate->boundary().owns(k);
+    const std::lock_guard guard(one_by_one);
+    result.points = std::max(result.points, own), result.least_points = std::min(result.least_points, own);
+    result.seen = std::max(result.seen, double(plate->cloud().plate_points));
+    result.copies = std::max(result.copies, double(traffic.bytes) / 24);
+    result.neighbours = std::max(result.neighbours, double(traffic.messages));
+  });
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("processes foretold: points, what they see, copies and neighbours are those that they have") {
+  geometry::Outline slope;
+  slope.outer.vertices = {{0, 0}, {3.2, 0.03}, {3.1, 0.9}, {0.5, 1.25}};
+  slope.outer.edge_names = {"bottom", "right", "slope", "left"};
+  for (const auto& [outline, off] : {std::pair{geometry::rectangle(0, 0, 3, 0.7), 0.001}, {slope, 0.04}})
+    for (const int count : {1, 2, 5, 7}) {
+      INFO(count << " processes");
+      const auto problem = problem_of(outline);
+      const auto told = foretold_processes(problem, count), is = found(problem, count);
+      CHECK(told.points == Approx(is.points).epsilon(off));
+      CHECK(told.least_points == Approx(is.least_points).epsilon(off));
+      CHECK(told.seen == Approx(is.seen).epsilon(off));
+      // measured: up to 3 % more, as bonds do not reach into corners, and fewer where ties reach farther
+      CHECK(told.copies == Approx(is.copies).epsilon(0.08));
+      CHECK(told.neighbours == is.neighbours);
+    }
+}
+
+TEST_CASE("processes foretold: more than there are blocks are refused as by the run") {
+  CHECK_THROWS_AS(foretold_processes(problem_of(geometry::rectangle(0, 0, 3, 0.7)), 100), plate::Refused);
+}
+
+TEST_CASE("processes foretold: memory and time follow what each has") {
+  ForetoldRun run;
+  run.points = 1000, run.bytes = 2e9;
+  run.costs.seconds = {{"setting up", 10}, {"solution", 100}, {"files", 1}};
+  const ForetoldProcesses half{2, 500, 500, 600, 30, 1};
+  CHECK(bytes_of_process(half, run) > 1.2e9);
+  CHECK(bytes_of_process(half, run) < 1.3e9);
+  CHECK(seconds_of_processes(half, run) == Approx(6 + 50 + 0.5));
+}
