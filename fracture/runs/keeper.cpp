@@ -12,9 +12,20 @@ namespace fracture {
 
 Keeper::Keeper(post::Checkpoints checkpoints, double every) : checkpoints_(std::move(checkpoints)), every_(every) {}
 
+Keeper::Keeper(post::SharedCheckpoints checkpoints, double every)
+    : checkpoints_(std::move(checkpoints)), every_(every) {}
+
 bool Keeper::find(std::vector<std::string>& refused) {
-  if (auto found = checkpoints_.read(refused)) found_ = std::move(*found);
+  if (auto* shared = std::get_if<post::SharedCheckpoints>(&checkpoints_)) {
+    if (auto found = shared->read(refused)) found_ = std::move(found->memory), parts_ = std::move(found->parts);
+  } else if (auto found = std::get<post::Checkpoints>(checkpoints_).read(refused)) {
+    found_ = std::move(*found);
+  }
   return goes_on();
+}
+
+void Keeper::done() const {
+  std::visit([](const auto& checkpoints) { checkpoints.remove(); }, checkpoints_);
 }
 
 bool Keeper::recall(const std::function<void(plate::InArchive&)>& recall) {
@@ -44,9 +55,9 @@ void Keeper::take(const Remember& remember) {
   to_take_ = taken_ - begin;
 }
 
-void Keeper::keep(const Remember& remember) {
+void Keeper::keep(const Remember& remember, const post::CellValues& own) {
   take(remember);
-  write();
+  write(own);
 }
 
 void Keeper::hold(const Remember& remember) {
@@ -54,11 +65,14 @@ void Keeper::hold(const Remember& remember) {
   if (due()) write();
 }
 
-void Keeper::write() {
+void Keeper::write(const post::CellValues& own) {
   if (held_.empty()) return;
   const auto begin = Clock::now();
   try {
-    checkpoints_.write(held_);
+    if (auto* shared = std::get_if<post::SharedCheckpoints>(&checkpoints_))
+      shared->write(held_, own);
+    else
+      std::get<post::Checkpoints>(checkpoints_).write(held_);
   } catch (const std::filesystem::filesystem_error& error) {
     if (!std::exchange(failed_, true)) post::say(fmt::format("no checkpoint: {}\n", error.what()));
   }

@@ -2,10 +2,11 @@
 #include <chrono>
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "plate/solve/archive_types.hpp"
-#include "post/files/sinks/checkpoint.hpp"
+#include "post/files/shared/shared_checkpoints.hpp"
 
 namespace fracture {
 
@@ -17,34 +18,40 @@ public:
 
   /// `every` [s]; from a second on it is stretched so that all that this does takes a hundredth of the run.
   Keeper(post::Checkpoints checkpoints, double every);
+  /// Of one of the processes that share a plate: all call everything at once.
+  Keeper(post::SharedCheckpoints checkpoints, double every);
 
   /// Looks for a checkpoint to go on from: there is none, or its memory waits for recall(). What was wrong with others
   /// goes into `refused`.
   bool find(std::vector<std::string>& refused);
   bool goes_on() const { return !found_.empty(); }
+  /// The points of what was found, where processes share the plate.
+  const std::vector<std::filesystem::path>& parts() const { return parts_; }
   /// What was found; false where nothing was.
   bool recall(const std::function<void(plate::InArchive&)>& recall);
 
   /// Is it time to keep?
   bool due() const;
-  /// Writes a checkpoint now.
-  void keep(const Remember& remember);
+  /// Writes a checkpoint now, where processes share the plate with the points of this one.
+  void keep(const Remember& remember, const post::CellValues& own = {});
   /// Takes the memory, about once a second, and writes it where it is time.
   void hold(const Remember& remember);
   /// Writes what was last taken.
-  void write();
+  void write() { write({}); }
 
   /// The run has ended: nothing goes on from it.
-  void done() const { checkpoints_.remove(); }
+  void done() const;
 
 private:
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
   void take(const Remember& remember);
+  void write(const post::CellValues& own);
   /// The wanted time from one to the next that takes so long.
   Seconds stretched(Seconds wanted, Seconds cost) const;
 
-  post::Checkpoints checkpoints_;
+  std::variant<post::Checkpoints, post::SharedCheckpoints> checkpoints_;
+  std::vector<std::filesystem::path> parts_;
   Seconds every_, to_take_{0}, to_write_{0};  // the last: how long it took
   Clock::time_point written_ = Clock::now(), taken_ = {};
   std::string found_, held_;

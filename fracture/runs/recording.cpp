@@ -35,11 +35,46 @@ bool finds(Keeper* keeper, const RecordingOptions& options) {
   return found;
 }
 
-/// Where processes share the plate: when the first has made the folder ready, all write their pieces into it.
-std::unique_ptr<post::Sink> of_pieces(const RecordingOptions& options, std::unique_ptr<post::Sink> rest) {
+/// What goes on from a checkpoint: the same case by the same build of the program.
+std::string run_of(const RecordingOptions& options) {
+  return fmt::format("case {}, program {} of {}", post::digest(options.resolved), options.version, plate::build());
+}
+
+/// The sink of the run's folder, from which what an earlier one wrote is gone unless this one goes on from it.
+std::unique_ptr<post::Folder> cleared(const RecordingOptions& options, bool goes_on, post::FolderLock lock) {
+  const auto& [folder, resolved, version, vtk, hdf5, velocities, every, resumes, quiet] = options;
+  const bool same = resumes && post::is_of(folder, resolved);  // then runs that belong to it may go on
+  const auto removed = goes_on ? 0 : post::remove_earlier(folder, same ? post::Parts::stay : post::Parts::go);
+  if (removed > 0 && !quiet)
+    post::say(fmt::format("{}: removed {} files of an earlier run\n", folder.string(), removed));
+  return std::make_unique<post::Folder>(post::FolderOptions{folder, resolved, version, vtk, hdf5, velocities, goes_on},
+                                        std::move(lock));
+}
+
+void wait_for_all(const plate::Ranks& all) {
   std::array<std::int64_t, 1> ready{1};
-  plate::ranks()->sum(ready);
-  return std::make_unique<post::Pieces>(*plate::ranks(), options.folder, options.vtk, std::move(rest));
+  all.sum(ready);
+}
+
+/// Where processes share the plate: when the first has made the folder ready, all write their pieces into it.
+Recording shared_recording(const plate::Ranks& all, const RecordingOptions& options) {
+  std::optional<post::FolderLock> lock;
+  if (speaks()) {
+    std::filesystem::create_directories(options.folder);
+    lock.emplace(options.folder);
+    require_lock(*lock);
+  }
+  wait_for_all(all);
+  std::unique_ptr<Keeper> keeper;
+  if (options.checkpoint_every > 0)
+    keeper = std::make_unique<Keeper>(post::SharedCheckpoints(all, options.folder, run_of(options)),
+                                      options.checkpoint_every);
+  const bool goes_on = options.goes_on && finds(keeper.get(), options);
+  auto sink = lock ? cleared(options, goes_on, std::move(*lock)) : nullptr;
+  wait_for_all(all);
+  return {{std::make_unique<post::Pieces>(all, options.folder, options.vtk, std::move(sink)), options.resolved,
+           options.version},
+          std::move(keeper)};
 }
 
 }  // namespace
@@ -67,25 +102,15 @@ std::optional<post::Summary> done_before(const RecordingOptions& options, bool r
 }
 
 Recording recording(const RecordingOptions& options) {
-  if (!speaks()) return {{of_pieces(options, nullptr), options.resolved, options.version}, nullptr};
-  const auto& [folder, resolved, version, vtk, hdf5, velocities, every, resumes, quiet] = options;
-  std::filesystem::create_directories(folder);
-  post::FolderLock lock(folder);
+  if (const auto* all = plate::ranks()) return shared_recording(*all, options);
+  std::filesystem::create_directories(options.folder);
+  post::FolderLock lock(options.folder);
   require_lock(lock);
   std::unique_ptr<Keeper> keeper;
-  if (every > 0 && !plate::ranks()) {
-    const auto of = fmt::format("case {}, program {} of {}", post::digest(resolved), version, plate::build());
-    keeper = std::make_unique<Keeper>(post::Checkpoints(folder, of), every);
-  }
-  const bool goes_on = resumes && finds(keeper.get(), options);
-  const bool same = resumes && post::is_of(folder, resolved);  // then runs that belong to it may go on
-  const auto removed = goes_on ? 0 : post::remove_earlier(folder, same ? post::Parts::stay : post::Parts::go);
-  if (removed > 0 && !quiet)
-    post::say(fmt::format("{}: removed {} files of an earlier run\n", folder.string(), removed));
-  auto sink = std::make_unique<post::Folder>(
-      post::FolderOptions{folder, resolved, version, vtk, hdf5, velocities, goes_on}, std::move(lock));
-  if (shared()) return {{of_pieces(options, std::move(sink)), resolved, version}, nullptr};
-  return {{std::move(sink), resolved, version}, std::move(keeper)};
+  if (options.checkpoint_every > 0)
+    keeper = std::make_unique<Keeper>(post::Checkpoints(options.folder, run_of(options)), options.checkpoint_every);
+  const bool goes_on = options.goes_on && finds(keeper.get(), options);
+  return {{cleared(options, goes_on, std::move(lock)), options.resolved, options.version}, std::move(keeper)};
 }
 
 }  // namespace fracture

@@ -195,7 +195,11 @@ void Results::memory(Archive& archive) {
 
 void Results::remember(plate::OutArchive& archive) {
   recorder_.remember(archive);
+  if (!shared()) return memory(archive);
+  auto own = extremes_;
+  extremes_.so_far(of_all(own.so_far())), extremes_.state().resize(3, 0);
   memory(archive);
+  extremes_ = std::move(own);
 }
 
 void Results::recall(plate::InArchive& archive) {

@@ -63,9 +63,12 @@ public:
 
   double strain_energy() const { return strain_energy_; }
 
-  /// What has been recorded of a motion; all frames so far are written then.
+  /// What has been recorded of a motion; all frames so far are written then. Where processes share the plate without
+  /// state_of_largest(): what all of them know, which all call at once.
   void remember(plate::OutArchive& archive);
   void recall(plate::InArchive& archive);
+  /// Extremes::state().
+  plate::State& state_of_largest() { return extremes_.state(); }
 
 private:
   template <typename Archive>

@@ -7,10 +7,11 @@
 
 #include "fracture/growth/motion/moving_growth.hpp"
 #include "fracture/runs/keeper.hpp"
+#include "fracture/runs/kept_motion.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/numerical_error.hpp"
-#include "plate/solve/archive.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
@@ -27,7 +28,7 @@ using plate::Analysis;
 /// The part of the strain energy that foundations and springs have.
 void book_attached(const plate::Formulation& plate, const plate::State& state, post::Summary& summary) {
   if (const auto& attached = plate.boundary().attached; !attached.parts().empty())
-    summary.energy.emplace_back("attached", attached.energy(state));
+    summary.energy.emplace_back("attached", attached_energy(plate, state));
 }
 
 /// Where forces are no derivative of an energy, that and the work tell how coarse the points are. Measured with surface
@@ -158,29 +159,6 @@ void solve_by_lanczos(const Going& run) {
   summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors());
 }
 
-/// What a motion by steps remembers beside its results.
-struct Motion {
-  plate::MotionMemory memory = {};  // to go on from
-  MovingGrowth* growth;
-
-  void keep_to(Keeper& keeper, Results& results, plate::DynamicOptions& options) {
-    options.due = [&] { return keeper.due(); };
-    options.keep = [&](const plate::MotionMemory& now) {
-      keeper.keep([&](plate::OutArchive& archive) {
-        archive(now);
-        results.remember(archive);
-        if (growth) growth->remember(archive);
-      });
-    };
-    const bool goes_on = keeper.recall([&](plate::InArchive& archive) {
-      archive(memory);
-      results.recall(archive);
-      if (growth) growth->recall(archive);
-    });
-    if (goes_on) options.from = &memory;
-  }
-};
-
 void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   auto& [ready, results, summary, stopwatch] = run;
   const auto& analysis = run.analysis();
@@ -198,8 +176,8 @@ void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   if (analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
   if (growth) options.changes = &growth->changes();
   options.held_forces = true;
-  Motion motion{{}, growth};
-  if (keeper) motion.keep_to(*keeper, results, options);
+  KeptMotion motion(plate, results, growth);
+  if (keeper && !(growth && shared())) motion.keep_to(*keeper, options);
   plate::central_differences(growth ? growth->plate() : plate, constraints, plate.mass(analysis.rotary_inertia),
                              plate.loads(), options, observer(run, grid.steps, progress));
   summary.analysis.stop_reason = "end of the duration";

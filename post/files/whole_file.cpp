@@ -1,5 +1,8 @@
 #include "post/files/whole_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <fstream>
 #include <stdexcept>
@@ -41,6 +44,17 @@ void write_whole(const fs::path& path, const std::function<void(const fs::path&)
 
 void write_whole(const fs::path& path, const std::string& text) {
   write_whole(path, [&](const fs::path& beside) { write_text(beside, text); });
+}
+
+void wait_for_disk(const fs::path& path) {
+  const int opened = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  bool synced = false;
+  do synced = opened >= 0 && fsync(opened) == 0;
+  while (!synced && opened >= 0 && errno == EINTR);
+  const int error = errno;
+  if (opened >= 0) close(opened);
+  // EINVAL: a file system without anything to wait for
+  if (!synced && error != EINVAL) fail(path, error);
 }
 
 std::string read_text(const std::filesystem::path& path, std::size_t most) {

@@ -36,6 +36,12 @@ public:
   /// w, then von_mises; nothing without rows.
   std::vector<Peak> found() const;
 
+  /// The state of the row with the largest strain energy; empty before the first.
+  plate::State& state() { return state_; }
+  /// What has been found so far of the deflection, and of stress in frames; and the same as all processes have.
+  std::vector<Peak> so_far() const;
+  void so_far(const std::vector<Peak>& peaks);
+
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(deflection_, stress_, strain_energy_, time_, state_, seen_);

@@ -62,6 +62,17 @@ void Extremes::frame(double time, const plate::Resultants& resultants) {
   if (!stress_ || here.value > stress_->value) stress_ = std::move(here);
 }
 
+std::vector<Peak> Extremes::so_far() const {
+  std::vector<Peak> result;
+  for (const auto& one : {deflection_, stress_})
+    if (one) result.push_back(*one);
+  return result;
+}
+
+void Extremes::so_far(const std::vector<Peak>& peaks) {
+  for (const auto& one : peaks) (one.quantity == "w" ? deflection_ : stress_) = one;
+}
+
 std::vector<Peak> Extremes::found() const {
   std::vector<Peak> result;
   if (!deflection_) return result;

@@ -212,7 +212,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   for (std::size_t step = from ? from->step : 0;; ++step) {
     const bool row = step % options.observe_every == 0 || step == options.steps;
     const bool stops = stops_at(row);
-    if (options.keep && (stops || options.due())) {
+    if (options.keep && (stops || ((row || !ranks()) && options.due()))) {
       MotionMemory memory{step, state, velocity, {}, {}, {}};
       masses.remember(memory);
       options.keep(memory);

@@ -82,7 +82,7 @@ struct DynamicOptions {
   State start = {};
   /// Goes on from here instead, with the numbers that it would have had.
   const MotionMemory* from = nullptr;
-  /// Asked before every step: is the memory to be kept now? It is, too, before a signal ends the motion.
+  /// Asked before every step, by processes that share the plate at every row: is the memory to be kept now? It is, too, before a signal ends the motion.
   std::function<bool()> due = {};
   std::function<void(const MotionMemory&)> keep = {};
 };

@@ -2,9 +2,7 @@
 
 #define XXH_INLINE_ALL
 #define XXH_VECTOR 0  // scalar: gcc 12 warns of its own AVX-512 header
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -21,24 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array names{"checkpoint", "checkpoint.before"};
+constexpr std::array<const char*, Checkpoints::kept> names{"checkpoint", "checkpoint.before"};
 constexpr const char* magic = "PDPlate checkpoint 1: ";  // the number of its form
 
 [[noreturn]] void fail(const fs::path& path) {
   throw fs::filesystem_error("cannot write", path, std::error_code(errno != 0 ? errno : EIO, std::generic_category()));
-}
-
-/// Waits until a file, or the names in a folder, are on the disk.
-void sync(const fs::path& path) {
-  const int opened = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  bool synced = false;
-  do synced = opened >= 0 && fsync(opened) == 0;
-  while (!synced && opened >= 0 && errno == EINTR);
-  const int error = errno;
-  if (opened >= 0) close(opened);
-  errno = error;
-  // EINVAL: a file system without anything to wait for
-  if (!synced && errno != EINVAL) fail(path);
 }
 
 constexpr std::size_t digits = 16;  // of the checksum, at the end
@@ -78,25 +63,32 @@ void Checkpoints::write(const std::string& memory) const {
     file << line << memory << checksum(line, memory);
     file.close();  // what is still in the buffer meets a full disk only here
     if (!file) fail(beside);
-    sync(beside);
+    wait_for_disk(beside);
     std::error_code none;  // there is none before the second
     fs::rename(newest, folder_ / names[1], none);
   });
-  sync(folder_);
+  wait_for_disk(folder_);
+}
+
+std::optional<std::string> Checkpoints::read(std::size_t which, std::string& fault) const {
+  const auto path = folder_ / names.at(which);
+  if (!fs::exists(path)) return std::nullopt;
+  try {
+    auto text = read_text(path);
+    const auto found = fault_of(text, of_);
+    if (found.empty()) return content_of(std::move(text));
+    fault = fmt::format("{} {}", path.string(), found);
+  } catch (const fs::filesystem_error& error) {
+    fault = error.what();
+  }
+  return std::nullopt;
 }
 
 std::optional<std::string> Checkpoints::read(std::vector<std::string>& refused) const {
-  for (const auto* name : names) {
-    const auto path = folder_ / name;
-    if (!fs::exists(path)) continue;
-    try {
-      auto text = read_text(path);
-      const auto fault = fault_of(text, of_);
-      if (fault.empty()) return content_of(std::move(text));
-      refused.push_back(fmt::format("{} {}", path.string(), fault));
-    } catch (const fs::filesystem_error& error) {
-      refused.push_back(error.what());
-    }
+  for (std::size_t which = 0; which < kept; ++which) {
+    std::string fault;
+    if (auto found = read(which, fault)) return found;
+    if (!fault.empty()) refused.push_back(fault);
   }
   return std::nullopt;
 }

@@ -17,6 +17,9 @@ public:
   /// Throws std::filesystem::filesystem_error; the last one stays then.
   void write(const std::string& memory) const;
 
+  static constexpr std::size_t kept = 2;
+  /// The memory in one of them, 0: the newest, if it is whole and of this run. What is wrong with it goes into `fault`.
+  std::optional<std::string> read(std::size_t which, std::string& fault) const;
   /// The memory in the newest checkpoint that is whole and of this run, if there is one. What is wrong with others goes
   /// into `refused`.
   std::optional<std::string> read(std::vector<std::string>& refused) const;

@@ -10,7 +10,13 @@ void Pieces::open(const Mesh& mesh) {
 }
 
 void Pieces::frame(Frame frame, std::optional<Mesh>, plate::State) {
+  times_.push_back(frame.time);
   if (vtk_) vtk_->write(frame);
+}
+
+void Pieces::go_on(const std::vector<double>& times) {
+  times_ = times;
+  if (vtk_) vtk_->go_on(times);
 }
 
 void Pieces::cracks(const Cracks& cracks) {

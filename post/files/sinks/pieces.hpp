@@ -21,6 +21,8 @@ public:
   void plot(const std::string& name, const std::string& svg) override;
   void tables(const Tables& tables) override;
   void summary(const std::string& json) override;
+  std::vector<double> written() override { return times_; }
+  void go_on(const std::vector<double>& times) override;
 
 private:
   const plate::Ranks& all_;
@@ -28,6 +30,7 @@ private:
   bool draws_;
   std::unique_ptr<Sink> rest_;
   std::optional<VtkPieces> vtk_;
+  std::vector<double> times_;  // of the frames
 };
 
 }  // namespace post

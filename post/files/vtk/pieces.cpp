@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <regex>
 
 #include "plate/model/ranks/ranks.hpp"
 #include "post/files/files.hpp"
@@ -51,6 +52,22 @@ std::string pvtu(std::size_t frame, int pieces) {
 
 VtkPieces::VtkPieces(const plate::Ranks& all, std::filesystem::path folder, Mesh mesh)
     : all_(all), folder_(std::move(folder)), mesh_(std::move(mesh)) {}
+
+void VtkPieces::go_on(std::vector<double> times) {
+  times_ = std::move(times);
+  if (all_.rank() == 0) {
+    static const std::regex name(R"(fields_(\d{4,})(_\d+)?\.p?vtu)");
+    std::vector<std::filesystem::path> later;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      const auto text = entry.path().filename().string();
+      if (std::smatch found; std::regex_match(text, found, name) && std::stoul(found[1]) >= times_.size())
+        later.push_back(entry.path());
+    }
+    for (const auto& path : later) std::filesystem::remove(path);
+  }
+  std::array<std::int64_t, 1> removed{1};
+  all_.sum(removed);  // waits for the first
+}
 
 void VtkPieces::write(const Frame& frame) {
   const auto number = times_.size();

@@ -17,6 +17,9 @@ public:
   VtkPieces(const plate::Ranks& all, std::filesystem::path folder, Mesh mesh);
   /// All processes call it at once.
   void write(const Frame& frame);
+  /// Goes on after frames that a run has written which was ended, by whatever number of processes; what there is of
+  /// later ones goes. All processes call it at once.
+  void go_on(std::vector<double> times);
 
 private:
   const plate::Ranks& all_;

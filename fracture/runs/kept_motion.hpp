@@ -1,0 +1,36 @@
+#pragma once
+#include "fracture/runs/keeper.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+
+namespace plate {
+class Formulation;
+}
+
+namespace fracture {
+
+class MovingGrowth;
+class Results;
+
+/// What a motion by steps remembers, and how it goes on from that. All that is given must outlive it.
+class KeptMotion {
+public:
+  KeptMotion(const plate::Formulation& plate, Results& results, MovingGrowth* growth)
+      : plate_(plate), results_(results), growth_(growth) {}
+
+  /// Makes the motion keep checkpoints, and go on from the one that was found.
+  void keep_to(Keeper& keeper, plate::DynamicOptions& options);
+
+private:
+  void keep(Keeper& keeper, const plate::MotionMemory& now);
+  /// Where processes share the plate: what all know apart from what each has of its points.
+  void keep_part(Keeper& keeper, const plate::MotionMemory& now);
+  bool recall(Keeper& keeper);
+  void recall_part(const Keeper& keeper);
+
+  const plate::Formulation& plate_;
+  Results& results_;
+  MovingGrowth* growth_;
+  plate::MotionMemory memory_;  // to go on from
+};
+
+}  // namespace fracture

@@ -1,0 +1,84 @@
+// A motion that some processes have kept goes on by others, to the same tables. Kills: tests/distributed/kills.
+#include "fracture/runs/kept_motion.hpp"
+
+#include <mutex>
+
+#include "cases/driver/results.hpp"
+#include "fracture/runs/run_once.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "post/files/sinks/kept_sink.hpp"
+#include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+using namespace case_text;
+
+namespace {
+
+struct Moved {
+  post::Kept kept;
+  post::Summary summary;
+  bool went_on = false;
+};
+
+/// So many steps by one of the processes; `folder`: of its checkpoints.
+Moved moved(const plate::Ranks& all, std::size_t steps, const std::filesystem::path& folder) {
+  const auto file =
+      read(plain, {"discretization.spacing=0.02", "discretization.formulation=ordinary", "section.density=1",
+                   "analysis={kind=\"dynamic\",duration=1}", "output.probes={a=[0.5,0.3]}",
+                   "load[0].history={kind=\"sine\",frequency=3}", "foundation[0].modulus=5"});
+  fracture::Ready ready;
+  ready.plate = plate::discretise(file.content).plate;
+  const double limit = plate::stable_time_step(*ready.plate, 1);
+  ready.steps = {limit, {0.9 * limit, steps, 5}};
+  Moved result;
+  fracture::Results results(cases::plan_of(file.content, {{}, true, &result.kept}), *ready.plate, ready.tip_methods,
+                            {std::make_unique<post::KeptSink>(result.kept), "", ""});
+  fracture::Keeper keeper(post::SharedCheckpoints(all, folder, "case"), 1e-9);
+  std::vector<std::string> refused;
+  result.went_on = keeper.find(refused);
+  CHECK(refused.empty());
+  plate::Stopwatch stopwatch;
+  result.summary = fracture::run_once(ready, results, stopwatch, &keeper);
+  return result;
+}
+
+Moved moved_by(int processes, std::size_t steps, const std::filesystem::path& folder) {
+  Moved first;
+  std::mutex one_by_one;
+  thread_ranks::run(processes, [&](const plate::Ranks& all) {
+    auto own = moved(all, steps, folder);
+    const std::lock_guard guard(one_by_one);
+    if (all.rank() == 0) first = std::move(own);
+  });
+  return first;
+}
+
+}  // namespace
+
+TEST_CASE("a motion in parts that was kept goes on by another number of processes, with the same tables") {
+  constexpr std::size_t all = 30;
+  const small_run::TemporaryFolder alone;
+  const auto whole = moved_by(2, all, alone.path());
+  CHECK_FALSE(whole.went_on);
+  for (const auto& [before, after, kept] : {std::array{3, 5, 20}, {4, 1, 15}, {1, 3, 25}}) {
+    INFO(before << " processes, then " << after);
+    const small_run::TemporaryFolder folder;
+    moved_by(before, std::size_t(kept), folder.path());
+    const auto gone_on = moved_by(after, all, folder.path());
+    CHECK(gone_on.went_on);
+    REQUIRE(gone_on.kept.tables.size() == whole.kept.tables.size());
+    CHECK(whole.kept.tables.size() == 3);
+    for (std::size_t i = 0; i < whole.kept.tables.size(); ++i) {
+      CHECK(gone_on.kept.tables[i].first == whole.kept.tables[i].first);
+      CHECK((gone_on.kept.tables[i].second.rows == whole.kept.tables[i].second.rows));
+    }
+    REQUIRE(gone_on.summary.peaks.size() == whole.summary.peaks.size());
+    CHECK(whole.summary.peaks.size() >= 2);
+    for (std::size_t i = 0; i < whole.summary.peaks.size(); ++i) {
+      const auto &one = gone_on.summary.peaks[i], &other = whole.summary.peaks[i];
+      CHECK((one.value == other.value && one.time == other.time && one.position == other.position));
+    }
+  }
+}
