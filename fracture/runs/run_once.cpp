@@ -190,9 +190,7 @@ void solve_frequencies(const Going& run) {
   const auto [low, high] = geometry::bounding_box(run.plan().problem.outline);
   post::Progress progress(run.plan().quiet, "Lanczos iteration");
   const double usual = 4 * double(analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
-  std::unique_ptr<plate::Preconditioner> coarser;
-  if (plate.offers(plate::Feature::levels) && plate.held())
-    coarser = plate.preconditioner(plate::Preconditioning::levels).inverse;
+  const auto coarser = plate::preconditioner_of_frequencies(plate);
   const plate::FrequencyOptions options{analysis.modes,
                                         analysis.tolerance,
                                         analysis.max_iterations,

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "plate/distributed/petsc_inverse.hpp"
+#include "plate/distributed/slepc_pairs.hpp"
 #include "plate/model/ranks/gathered.hpp"
 
 namespace plate {
@@ -136,6 +137,11 @@ std::unique_ptr<Exchange> MpiRanks::exchange(std::size_t points, const std::vect
 
 std::unique_ptr<SharedInverse> MpiRanks::inverse(const SharedRows& rows) const {
   return petsc_inverse(all_, rows);
+}
+
+SharedPairs MpiRanks::largest_pairs(const SharedProduct& product, std::span<const double> start,
+                                    const PairsWanted& wanted) const {
+  return slepc_pairs(all_, product, start, wanted);
 }
 
 }  // namespace plate

@@ -18,6 +18,8 @@ public:
   std::vector<std::string> exchanged(std::vector<std::string> texts) const override;
   std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const override;
   std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const override;
+  SharedPairs largest_pairs(const SharedProduct& product, std::span<const double> start,
+                            const PairsWanted& wanted) const override;
 
 private:
   MPI_Comm all_;

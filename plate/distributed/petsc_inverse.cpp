@@ -1,6 +1,7 @@
 #include "plate/distributed/petsc_inverse.hpp"
 
 #include <petscksp.h>
+#include <slepcsys.h>
 
 #include <algorithm>
 #include <array>
@@ -12,13 +13,6 @@ namespace plate {
 namespace {
 
 constexpr PetscInt most_factorised = 3000000;
-
-void require(PetscErrorCode code) {
-  if (code == 0) return;
-  const char* text = nullptr;
-  PetscErrorMessage(code, &text, nullptr);
-  throw std::runtime_error("PETSc: " + std::string(text ? text : "unknown error"));
-}
 
 class PetscInverse : public SharedInverse {
 public:
@@ -162,13 +156,20 @@ private:
 
 Petsc::Petsc() {
   require(PetscOptionsSetValue(nullptr, "-skip_petscrc", nullptr));
-  require(PetscInitializeNoArguments());
+  require(SlepcInitializeNoArguments());
   require(PetscPopSignalHandler());
   require(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
 }
 
 Petsc::~Petsc() {
-  PetscFinalize();
+  SlepcFinalize();
+}
+
+void require(int code) {
+  if (code == 0) return;
+  const char* text = nullptr;
+  PetscErrorMessage(code, &text, nullptr);
+  throw std::runtime_error("PETSc: " + std::string(text ? text : "unknown error"));
 }
 
 std::unique_ptr<SharedInverse> petsc_inverse(MPI_Comm all, const SharedRows& rows) {

@@ -5,7 +5,7 @@
 
 namespace plate {
 
-/// While it lives, PETSc is ready. After MPI_Init.
+/// While it lives, PETSc and SLEPc are ready. After MPI_Init.
 class Petsc {
 public:
   Petsc();
@@ -13,6 +13,9 @@ public:
   Petsc(const Petsc&) = delete;
   Petsc& operator=(const Petsc&) = delete;
 };
+
+/// @throws std::runtime_error  what PETSc or SLEPc say where the code that they return is not 0
+void require(int code);
 
 /// By MUMPS, a factor of the matrix; of more than `most_factorised` unknowns by smoothed aggregation (GAMG).
 std::unique_ptr<SharedInverse> petsc_inverse(MPI_Comm all, const SharedRows& rows);

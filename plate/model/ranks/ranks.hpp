@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -42,6 +43,22 @@ public:
 };
 
 struct Traffic;
+/// A symmetric matrix by its product with a vector: y = A x, of the unknowns of the process. All call it at once.
+using SharedProduct = std::function<void(std::span<const double> x, std::span<double> y)>;
+
+/// Which eigenpairs of such a matrix are wanted, and how they are found.
+struct PairsWanted {
+  std::size_t count = 1;    // of the largest eigenvalues
+  std::size_t basis = 2;    // vectors kept at once, above `count`
+  double tolerance = 1e-4;  // |A v - lambda v| <= tolerance lambda
+  std::size_t most_restarts = 100;
+};
+
+/// Eigenvalues, largest first, and of every eigenvector, of length 1 over all processes, the unknowns of the process.
+struct SharedPairs {
+  std::vector<double> values;
+  std::vector<std::vector<double>> vectors;
+};
 
 /// The processes that share a plate. What they do together all of them call, in the same order.
 class Ranks {
@@ -57,6 +74,10 @@ public:
   virtual std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const = 0;
   /// What has come to this process so far, where that is counted.
   virtual const Traffic* traffic() const { return nullptr; }
+  /// `start`: a vector to begin with. Fewer pairs than wanted where they are not found in so many restarts. What the
+  /// product throws is thrown.
+  virtual SharedPairs largest_pairs(const SharedProduct& product, std::span<const double> start,
+                                    const PairsWanted& wanted) const = 0;
 };
 
 /// Those of the thread in hand; nothing where one process holds the whole plate.

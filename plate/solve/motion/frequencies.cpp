@@ -8,9 +8,12 @@
 #include <stdexcept>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/formulation/preconditioner.hpp"
 #include "plate/model/algebra/dense.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/section.hpp"
+#include "plate/solve/reduction.hpp"
 #include "plate/solve/statics.hpp"
 
 namespace plate {
@@ -22,6 +25,12 @@ using Eigen::VectorXd;
 
 constexpr double inner_tolerance = 0.1;  // of a solution, relative to that of the eigenpairs
 constexpr Index largest_restarts = 100;
+
+/// Of what every process has of sums, the sums.
+MatrixXd of_all(MatrixXd sums) {
+  for (double& sum : sums.reshaped()) sum = sum_of_all(sum);
+  return sums;
+}
 
 /// M^(1/2) (K + sigma M)^(-1) M^(1/2), with eigenvalues 1 / (omega^2 + sigma) and eigenvectors M^(1/2) q, less the part
 /// that belongs to eigenvectors already found. Vectors have all degrees of freedom, zero at those that are held.
@@ -59,6 +68,10 @@ public:
   /// A random vector at the free degrees of freedom, smoothed: white noise would stay in the residuals of the modes.
   VectorXd start(unsigned seed) const {
     std::mt19937 random(seed);
+    if (const Ranks* all = ranks()) {
+      std::seed_seq own{seed, unsigned(all->rank())};
+      random.seed(own);
+    }
     std::uniform_real_distribution<double> uniform(-1, 1);
     const VectorXd noise =
         VectorXd::NullaryExpr(rows(), [&](Index i) { return root_mass_.data()[i] > 0 ? uniform(random) : 0; });
@@ -74,7 +87,7 @@ public:
   }
 
   /// Dimension of what is left.
-  Index dimension() const { return (root_mass_.array() > 0).count() - found_.cols(); }
+  Index dimension() const { return Index(sum_of_all(double((root_mass_.array() > 0).count()))) - found_.cols(); }
   const MatrixXd& found() const { return found_; }
   std::size_t solutions() const { return solutions_; }
   std::size_t iterations() const { return iterations_; }
@@ -82,7 +95,7 @@ public:
 private:
   VectorXd without_found(const VectorXd& x) const {
     if (found_.cols() == 0) return x;
-    return x - found_ * (found_.transpose() * x);
+    return x - found_ * of_all(found_.transpose() * x);
   }
 
   const Operator& plate_;
@@ -99,15 +112,33 @@ struct Ritz {
   MatrixXd vectors;
 };
 
+NumericalError not_converged() {
+  return NumericalError("frequencies: Lanczos iteration not converged in " + std::to_string(largest_restarts) +
+                        " restarts");
+}
+
+/// Where processes share the plate.
+Ritz largest(const Ranks& all, const Inverse& inverse, const PairsWanted& wanted, const VectorXd& start) {
+  const auto product = [&](std::span<const double> x, std::span<double> y) { inverse.perform_op(x.data(), y.data()); };
+  const auto found = all.largest_pairs(product, {start.data(), std::size_t(start.size())}, wanted);
+  if (found.values.size() < wanted.count) throw not_converged();
+  Ritz result{Eigen::Map<const VectorXd>(found.values.data(), Index(wanted.count)),
+              MatrixXd(start.size(), Index(wanted.count))};
+  for (std::size_t i = 0; i < wanted.count; ++i)
+    result.vectors.col(Index(i)) = Eigen::Map<const VectorXd>(found.vectors[i].data(), start.size());
+  return result;
+}
+
 Ritz largest(Inverse& inverse, Index count, double tolerance, const VectorXd& start) {
   inverse.solve_to(inner_tolerance * tolerance);
   const Index basis = std::min(2 * count + 4, inverse.dimension());
+  if (const Ranks* all = ranks())
+    return largest(*all, inverse, {std::size_t(count), std::size_t(basis), tolerance, std::size_t(largest_restarts)},
+                   start);
   Spectra::SymEigsSolver<Inverse> lanczos(inverse, count, basis);
   lanczos.init(start.data());
   lanczos.compute(Spectra::SortRule::LargestAlge, largest_restarts, tolerance, Spectra::SortRule::LargestAlge);
-  if (lanczos.info() != Spectra::CompInfo::Successful)
-    throw NumericalError("frequencies: Lanczos iteration not converged in " + std::to_string(largest_restarts) +
-                         " restarts");
+  if (lanczos.info() != Spectra::CompInfo::Successful) throw not_converged();
   return {lanczos.eigenvalues(), lanczos.eigenvectors()};
 }
 
@@ -132,6 +163,11 @@ void find(Inverse& inverse, Index count, double tolerance) {
 
 /// The state with the largest |w| of 1, or as it is where nothing but rotations moves.
 State normalized(State state) {
+  if (ranks()) {
+    const double high = largest_of_all(state.row(0).maxCoeff()), low = largest_of_all(-state.row(0).minCoeff());
+    if (std::max(high, low) > 0) state /= high >= low ? high : -low;
+    return state;
+  }
   Index at = 0;
   const double w = state.row(0).cwiseAbs().maxCoeff(&at);
   if (w > 0) state /= state(0, at);
@@ -167,7 +203,7 @@ public:
 
   Mode mode(double square, const State& u) const {
     const Forces inertia = mass_.cwiseProduct(u), rest = stiffness_times(u) - square * inertia;
-    const auto norm = [&](const Forces& f) { return std::sqrt(f.cwiseAbs2().cwiseProduct(weight_).sum()); };
+    const auto norm = [&](const Forces& f) { return std::sqrt(sum_of_all(f.cwiseAbs2().cwiseProduct(weight_).sum())); };
     const double residual = norm(rest) / ((square + shift_) * norm(inertia));
     return {std::sqrt(std::max(square, 0.0)) / (2 * std::numbers::pi), residual, normalized(u)};
   }
@@ -184,6 +220,12 @@ private:
 
 double shift_of(const Section& section, double length) {
   return section.bending_stiffness() / (section.density * section.thickness) * std::pow(std::numbers::pi / length, 4);
+}
+
+std::unique_ptr<Preconditioner> preconditioner_of_frequencies(const Formulation& plate) {
+  if (!plate.held()) return nullptr;
+  if (plate.offers(Feature::levels)) return plate.preconditioner(Preconditioning::levels).inverse;
+  return ranks() ? plate.preconditioner(Preconditioning::automatic).inverse : nullptr;  // as at rest
 }
 
 FrequencySolution frequencies(const Operator& plate, const Constraints& constraints, const Forces& mass,
@@ -204,7 +246,8 @@ FrequencySolution frequencies(const Operator& plate, const Constraints& constrai
     const Forces force = pairs.stiffness_times(pairs.state(found.col(i)));
     for (Index j = 0; j < found.cols(); ++j) stiffness(j, i) = force.cwiseProduct(pairs.state(found.col(j))).sum();
   }
-  const Eigenpairs eigen = eigenpairs((stiffness + stiffness.transpose()) / 2, found.transpose() * found);
+  stiffness = of_all(std::move(stiffness));
+  const Eigenpairs eigen = eigenpairs((stiffness + stiffness.transpose()) / 2, of_all(found.transpose() * found));
   FrequencySolution result{{}, inverse.solutions(), inverse.iterations()};
   for (Index i = 0; i < count; ++i)
     result.modes.push_back(pairs.mode(eigen.values[i], pairs.state(found * eigen.vectors.col(i))));

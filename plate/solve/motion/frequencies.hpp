@@ -1,10 +1,12 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include "plate/formulation/operator.hpp"
 
 namespace plate {
 
 class Constraints;
+class Formulation;
 class Preconditioner;
 struct Section;
 
@@ -33,11 +35,14 @@ struct FrequencySolution {
 /// lowest frequency, whatever the units.
 double shift_of(const Section& section, double length);
 
+/// What is worth its making; nothing: the diagonal.
+std::unique_ptr<Preconditioner> preconditioner_of_frequencies(const Formulation& plate);
+
 /// The lowest eigenpairs of K q = omega^2 M q on the free degrees of freedom (u = P q): Lanczos iteration with the
 /// inverse of K + sigma M. A plate that is not held has its rigid motions among them, with frequencies near zero.
-/// `mass` as from mass(). Multiple frequencies appear as often as they are.
-/// Throws NumericalError where an iteration does not converge or a number is not finite, std::invalid_argument where
-/// the plate has too few degrees of freedom or the shift is not positive.
+/// `mass` as from mass(). Where processes share the plate, all of them find the same. Multiple frequencies appear as
+/// often as they are. Throws NumericalError where an iteration does not converge or a number is not finite,
+/// std::invalid_argument where the plate has too few degrees of freedom or the shift is not positive.
 FrequencySolution frequencies(const Operator& plate, const Constraints& constraints, const Forces& mass,
                               const FrequencyOptions& options);
 

@@ -1,5 +1,6 @@
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <barrier>
@@ -104,6 +105,67 @@ private:
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
 };
 
+/// Every thread goes through the same Krylov space, whole, orthogonal and without a restart.
+class ThreadPairs {
+public:
+  ThreadPairs(const plate::Ranks& all, const plate::SharedProduct& product, std::size_t own)
+      : all_(all), product_(product), own_(own) {
+    const auto counts = plate::gathered(all, std::vector<std::int64_t>{std::int64_t(own)});
+    begin_ = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
+  }
+
+  plate::SharedPairs find(std::span<const double> start, const plate::PairsWanted& wanted) const {
+    constexpr Eigen::Index most = 200;
+    Eigen::VectorXd next = whole(start);
+    Eigen::MatrixXd basis(next.size(), 0), projected = Eigen::MatrixXd::Zero(most, most);
+    for (Eigen::Index n = 0; n < most; ++n) {
+      for (int twice = 0; twice < 2; ++twice) next -= basis * (basis.transpose() * next).eval();
+      basis.conservativeResize(Eigen::NoChange, n + 1);
+      basis.col(n) = next.normalized();
+      std::vector<double> image(own_);
+      product_({basis.col(n).data() + begin_, own_}, image);
+      next = whole(image);
+      projected.row(n).head(n + 1) = next.transpose() * basis;
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(projected.topLeftCorner(n + 1, n + 1),
+                                                                Eigen::ComputeEigenvectors);
+      const double left = (next - basis * (basis.transpose() * next)).norm();
+      if (found(ritz, left, wanted)) return pairs(basis, ritz, wanted);
+    }
+    return {};
+  }
+
+private:
+  using Ritz = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
+
+  Eigen::VectorXd whole(std::span<const double> own) const {
+    const auto all = plate::gathered(all_, std::vector<double>(own.begin(), own.end()));
+    return Eigen::Map<const Eigen::VectorXd>(all.data(), Eigen::Index(all.size()));
+  }
+
+  static bool found(const Ritz& ritz, double left, const plate::PairsWanted& wanted) {
+    const auto size = ritz.eigenvalues().size(), count = Eigen::Index(wanted.count);
+    if (size < count) return false;
+    const double residual = left * ritz.eigenvectors().bottomRightCorner(1, count).cwiseAbs().maxCoeff();
+    return residual <= wanted.tolerance * ritz.eigenvalues()[size - count];
+  }
+
+  plate::SharedPairs pairs(const Eigen::MatrixXd& basis, const Ritz& ritz, const plate::PairsWanted& wanted) const {
+    plate::SharedPairs result;
+    for (std::size_t i = 1; i <= wanted.count; ++i) {
+      const auto column = ritz.eigenvalues().size() - Eigen::Index(i);
+      result.values.push_back(ritz.eigenvalues()[column]);
+      const Eigen::VectorXd own = basis.middleRows(begin_, Eigen::Index(own_)) * ritz.eigenvectors().col(column);
+      result.vectors.emplace_back(own.begin(), own.end());
+    }
+    return result;
+  }
+
+  const plate::Ranks& all_;
+  const plate::SharedProduct& product_;
+  std::size_t own_;
+  std::int64_t begin_ = 0;
+};
+
 class ThreadRanks : public plate::Ranks {
 public:
   ThreadRanks(Common& common, int rank) : common_(common), rank_(rank) {}
@@ -129,6 +191,10 @@ public:
   }
   std::unique_ptr<plate::SharedInverse> inverse(const plate::SharedRows& rows) const override {
     return std::make_unique<ThreadInverse>(*this, rows);
+  }
+  plate::SharedPairs largest_pairs(const plate::SharedProduct& product, std::span<const double> start,
+                                   const plate::PairsWanted& wanted) const override {
+    return ThreadPairs(*this, product, start.size()).find(start, wanted);
   }
 
 private:
