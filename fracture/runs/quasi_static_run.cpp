@@ -4,11 +4,11 @@
 
 #include "fracture/growth/quasi_static/bonds.hpp"
 #include "fracture/growth/quasi_static/growing_plate.hpp"
+#include "fracture/runs/shared/own_drawing.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/gate.hpp"
-#include "post/report/curves.hpp"
 #include "post/report/progress.hpp"
 
 namespace fracture {
@@ -102,25 +102,11 @@ void QuasiStaticRun::frame() {
   if (!recorder_->draws()) return;
   auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
   auto mesh = model_->draw(frame, state_);
-  if (plan_.report) pictures_.open(mesh), pictures_.look(frame);
   post::set_factors(*frame.cracks, latest_);
+  if (const auto own = own_drawing(model_->plate(), mesh))
+    return recorder_->frame(own->frame(std::move(frame)), own->mesh(), {});
+  if (plan_.report) pictures_.open(mesh), pictures_.look(frame);
   recorder_->frame(std::move(frame), std::move(mesh), {});
-}
-
-void QuasiStaticRun::record() {
-  const bool solved = state_.cols() > 0;
-  if (solved && !framed_) frame();
-  if (solved && recorder_->stores())
-    recorder_->final_state(post::points_of(model_->plate()),
-                           post::frame_of(model_->plate(), double(advance_), advance_, state_, false));
-  if (tips_ || plan_.srif) recorder_->table("srif", srifs_);
-  if (!reactions_.empty()) recorder_->table("reactions", reactions_.table());
-  const auto& record = model_->record();
-  recorder_->table("growth", record.growth);
-  recorder_->table("tips", record.tips);
-  recorder_->table("cracks", record.crack_table());
-  recorder_->cracks(record.cracks, latest_);
-  if (recorder_->plots()) recorder_->picture("curves", post::picture_of_growth(plan_.title, record.growth, plan_.si()));
 }
 
 }  // namespace fracture

@@ -5,9 +5,26 @@
 #include "fracture/growth/words.hpp"
 #include "fracture/runs/quasi_static_run.hpp"
 #include "plate/model/formulation_kind.hpp"
+#include "post/report/curves.hpp"
 #include "post/report/overlaps.hpp"
 
 namespace fracture {
+
+void QuasiStaticRun::record() {
+  const bool solved = state_.cols() > 0;
+  if (solved && !framed_) frame();
+  if (solved && recorder_->stores())
+    recorder_->final_state(post::points_of(model_->plate()),
+                           post::frame_of(model_->plate(), double(advance_), advance_, state_, false));
+  if (tips_ || plan_.srif) recorder_->table("srif", srifs_);
+  if (!reactions_.empty()) recorder_->table("reactions", reactions_.table());
+  const auto& record = model_->record();
+  recorder_->table("growth", record.growth);
+  recorder_->table("tips", record.tips);
+  recorder_->table("cracks", record.crack_table());
+  recorder_->cracks(record.cracks, latest_);
+  if (recorder_->plots()) recorder_->picture("curves", post::picture_of_growth(plan_.title, record.growth, plan_.si()));
+}
 
 post::GrowthSummary QuasiStaticRun::growth_summary() const {
   post::GrowthSummary growth;

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <string>
 
+#include "plate/solve/reduction.hpp"
+
 namespace plate {
 namespace {
 
@@ -59,7 +61,7 @@ bool stop_is_asked() noexcept {
 }
 
 void stop_if_asked(const char* where) {
-  if (asked) throw Interrupted(std::string("asked to stop in ") + where);
+  if (largest_of_all(stop_is_asked()) > 0) throw Interrupted(std::string("asked to stop in ") + where);
 }
 
 }  // namespace plate

@@ -21,7 +21,8 @@ public:
 /// Has a signal asked for the end?
 bool stop_is_asked() noexcept;
 
-/// Throws Interrupted where a signal has asked for the end. `where` goes into the message.
+/// Throws Interrupted where a signal has asked for the end, of any process that shares the plate: all call it at once.
+/// `where` goes into the message.
 void stop_if_asked(const char* where);
 
 }  // namespace plate

@@ -35,9 +35,7 @@ double weighted_norm(const Forces& forces, const Forces& weight) {
 /// Before an iteration. Throws where its residual is not finite, or a signal asks for the end.
 void may_go_on(double residual, const char* method, std::size_t iteration) {
   constexpr std::size_t seldom = 20;  // processes that share the plate stop together, and ask each other
-  if (!ranks()) stop_if_asked(method);
-  if (ranks() && iteration % seldom == 0 && largest_of_all(stop_is_asked()) > 0)
-    throw Interrupted(std::string("asked to stop in ") + method);
+  if (!ranks() || iteration % seldom == 0) stop_if_asked(method);
   if (!std::isfinite(residual))
     throw NumericalError(std::string(method) + ": the residual is not finite at iteration " +
                          std::to_string(iteration));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "fracture/runs/shared/among_ranks.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/parts/held.hpp"
 #include "plate/formulation/stopwatch.hpp"
@@ -63,6 +64,7 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
   const plate::Formulation& plate = *found.plate;
   std::vector<std::string> split;
   for (const auto& one : plate::loose(plate)) split.push_back(one.what);
+  if (shared() && plate.held() && !split.empty()) throw plate::NumericalError(split.front());
   if (!split.empty()) return {fmt::format("{}", fmt::join(split, "; ")), 0, {}};
   LoadedPlate result;
   for (const auto& tip : plate.tips())
@@ -73,7 +75,7 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
   solve(std::move(found), methods);
   const auto& [solved, state, srifs] = *latest_;
   const auto load = solved.plate->total_load();
-  result.displacement = load.cwiseProduct(state).sum();
+  result.displacement = 2 * post::slow_work(*solved.plate, state);
   post::require_finite({{"work", result.displacement}}, "under the whole load");
   if (!post::moves(state, result.displacement))
     post::require_motion(*solved.plate, {load}, state, result.displacement, warnings_);
@@ -97,7 +99,7 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", solved.method,
                                             solution.stop_reason, solution.residual, solver_.options.tolerance));
   post::require_finite(solution.state, "in equilibrium");
-  auto factors = post::srifs(plate, options_of_factors_, methods, solution.state);
+  auto factors = of_all(post::srifs(plate, options_of_factors_, methods, solution.state));
   post::require_finite(factors, "under the whole load");
   stopwatch_.lap("srif");
   latest_ = Solved{std::move(found), std::move(solution.state), std::move(factors)};

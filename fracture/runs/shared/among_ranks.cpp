@@ -63,8 +63,8 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes) {
   };
   const auto& d = plan.problem.discretization;
   using enum plate::Analysis::Method;
-  refuse(plan.analysis.kind == plate::Analysis::Kind::frequencies, "analysis.kind", "frequencies cannot be found");
-  refuse(plan.analysis.method == lanczos, "analysis.method", "\"lanczos\" cannot be run");
+  const bool moves = plan.analysis.kind == plate::Analysis::Kind::dynamic;
+  refuse(moves && plan.analysis.method == lanczos, "analysis.method", "\"lanczos\" cannot be run");
   refuse(plan.analysis.method == direct, "analysis.method", "\"direct\" cannot be run");
   refuse(plan.analysis.preconditioner == plate::Preconditioning::local, "analysis.preconditioner",
          "\"local\" cannot be made");
@@ -73,7 +73,9 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes) {
   for (std::size_t i = 0; i < plan.problem.supports.size(); ++i)
     refuse(plate::is_layer(plan.problem.supports[i].kind), "support[" + std::to_string(i) + "].kind",
            "layers cannot be run");
-  refuse(plan.growth.has_value(), "growth", "cracks cannot grow");
+  refuse(plan.growth && moves, "growth", "cracks cannot grow in motion");
+  refuse(plan.growth && plan.growth->by_bonds(), "growth.criterion", "bonds cannot break");
+  refuse(plan.growth && plan.growth->unstable == Growth::Unstable::move, "growth.unstable", "\"move\" cannot be run");
   refuse(plan.srif && plan.srif->richardson, "srif.richardson", "a second spacing cannot be run");
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
   const double seen = plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon();

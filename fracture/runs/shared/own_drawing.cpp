@@ -4,6 +4,7 @@
 
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/model/ranks/ranks.hpp"
 
 namespace fracture {
 namespace {
@@ -76,8 +77,9 @@ void fetch(const plate::Formulation& plate, Rows&& values) {
 
 }  // namespace
 
-OwnDrawing::OwnDrawing(const plate::Formulation& plate) : plate_(plate) {
-  const auto whole = plate.mesh();
+OwnDrawing::OwnDrawing(const plate::Formulation& plate) : OwnDrawing(plate, plate.mesh()) {}
+
+OwnDrawing::OwnDrawing(const plate::Formulation& plate, const plate::Mesh& whole) : plate_(plate) {
   Part part(whole);
   const auto& lattice = plate.boundary().lattice;
   const auto own = [&](const auto& cell) {  // whose the lowest of its points is, of these the one to the left
@@ -96,12 +98,16 @@ OwnDrawing::OwnDrawing(const plate::Formulation& plate) : plate_(plate) {
   mesh_ = std::move(part.mesh), points_ = std::move(part.points);
 }
 
+std::optional<OwnDrawing> own_drawing(const plate::Formulation& plate, const plate::Mesh& whole) {
+  return plate::ranks() ? std::optional<OwnDrawing>(std::in_place, plate, whole) : std::nullopt;
+}
+
 post::Frame OwnDrawing::frame(post::Frame seen) const {
   auto& resultants = seen.resultants;
   fetch(plate_, resultants.moments);
   fetch(plate_, resultants.shear);
   fetch(plate_, resultants.von_mises.transpose());
-  post::Frame result{seen.time, seen.step, {}, {}, {}};
+  post::Frame result{seen.time, seen.step, {}, {}, {}, std::move(seen.cracks)};
   const auto count = Eigen::Index(points_.size());
   result.state.resize(3, count);
   result.resultants = plate::resultants_of(count);

@@ -13,6 +13,8 @@ class OwnDrawing {
 public:
   /// `plate` must outlive this.
   explicit OwnDrawing(const plate::Formulation& plate);
+  /// `whole`: the cells of all points that the process sees.
+  OwnDrawing(const plate::Formulation& plate, const plate::Mesh& whole);
 
   const plate::Mesh& mesh() const { return mesh_; }
   /// Of a frame with all points that the process sees. All processes call it at once.
@@ -23,5 +25,8 @@ private:
   plate::Mesh mesh_;
   std::vector<std::uint32_t> points_;  // of the plate, in the order of the mesh
 };
+
+/// Nothing where one process holds the whole plate.
+std::optional<OwnDrawing> own_drawing(const plate::Formulation& plate, const plate::Mesh& whole);
 
 }  // namespace fracture

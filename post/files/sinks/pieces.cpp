@@ -9,9 +9,12 @@ void Pieces::open(const Mesh& mesh) {
   if (draws_) vtk_.emplace(all_, folder_, mesh);
 }
 
-void Pieces::frame(Frame frame, std::optional<Mesh>, plate::State) {
+void Pieces::frame(Frame frame, std::optional<Mesh> mesh, plate::State) {
   times_.push_back(frame.time);
-  if (vtk_) vtk_->write(frame);
+  if (!draws_) return;
+  if (!vtk_) vtk_.emplace(all_, folder_, Mesh{});
+  if (mesh) vtk_->remesh(std::move(*mesh));
+  vtk_->write(frame);
 }
 
 void Pieces::go_on(const std::vector<double>& times) {

@@ -17,6 +17,10 @@ std::string frame_name(std::size_t frame) {
   return fmt::format("fields_{:04}.pvtu", frame);
 }
 
+std::string cracks_name(std::size_t frame) {
+  return fmt::format("cracks_{:04}.vtp", frame);
+}
+
 std::string piece_name(std::size_t frame, int rank) {
   return fmt::format("fields_{:04}_{}.vtu", frame, rank);
 }
@@ -78,6 +82,9 @@ void VtkPieces::write(const Frame& frame) {
   if (all_.rank() > 0) return;
   write_whole(folder_ / frame_name(number), pvtu(number, all_.size()));
   write_whole(folder_ / "fields.pvd", pvd(times_, frame_name));
+  if (!frame.cracks) return;
+  write_cracks(folder_ / cracks_name(number), *frame.cracks);
+  write_whole(folder_ / "cracks.pvd", pvd(times_, cracks_name));
 }
 
 }  // namespace post
