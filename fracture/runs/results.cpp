@@ -101,7 +101,7 @@ void Results::sample(const plate::Instant& now, bool last) {
   if (!growth_) extremes_.row(now);
   times_.push_back(now.time);
   const auto factors = [&]() -> std::vector<post::Srif> {
-    if (growth_) return growth_->factors(now.state);
+    if (growth_) return of_all(growth_->factors(now.state));
     if (!plan_.srif || factors_.known()) return {};
     return of_all(post::srifs(plate_, *plan_.srif, tip_methods_, now.state, last));
   };
@@ -112,13 +112,14 @@ void Results::frame(const plate::Instant& now) {
   next_frame_ = plan_.frames_every ? next_frame_ + *plan_.frames_every : INFINITY;
   if (!recorder_.draws() && !recorder_.stores()) return;
   auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_);
-  if (drawing_) {
-    extremes_.frame(now.time, frame.resultants);
-    recorder_.frame(drawing_->frame(std::move(frame)), {}, {});
-    return;
-  }
   std::optional<plate::Mesh> mesh;
   if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state, factors_.last());
+  if (drawing_) {
+    if (mesh) drawing_ = std::make_unique<OwnDrawing>(plate_, *mesh), mesh = drawing_->mesh();
+    if (!growth_) extremes_.frame(now.time, frame.resultants);
+    recorder_.frame(drawing_->frame(std::move(frame)), std::move(mesh), {});
+    return;
+  }
   if (plan_.report) {
     if (mesh) pictures_.open(*mesh);
     pictures_.look(frame);

@@ -164,7 +164,7 @@ void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   const auto& analysis = run.analysis();
   const plate::Formulation& plate = *ready.plate;
   const auto& [limit, grid] = *ready.steps;
-  const auto& constraints = plate.constraints();
+  const auto& constraints = growth ? growth->constraints() : plate.constraints();
   summary.analysis.method = "central_difference";
   summary.analysis.time_step = grid.time_step;
   summary.analysis.time_step_limit = limit;

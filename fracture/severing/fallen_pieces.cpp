@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plate/formulation/parts/pieces.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace fracture {
 
@@ -22,6 +23,7 @@ void FallenPieces::look(const plate::Step& now) {
     return result;
   };
   fresh_.state = of(now.state), fresh_.velocity = of(now.velocity);
+  falls_ = plate::largest_of_all(!fresh_.points.empty()) > 0;
 }
 
 /// From the step before on; the energy that central differences count there is of the velocities before and after it.
@@ -29,13 +31,15 @@ void FallenPieces::freeze(const plate::Step& now) {
   std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> all;
   for (std::size_t i = 0; i < frozen_.points.size(); ++i)
     all.emplace_back(frozen_.points[i], frozen_.state.col(Eigen::Index(i)));
-  for (std::size_t i = 0; i < fresh_.points.size(); ++i) {
+  for (std::size_t i = 0; i < fresh_.points.size(); ++i)
+    all.emplace_back(fresh_.points[i], fresh_.state.col(Eigen::Index(i)));
+  energy_ += plate::ordered_sum<1>(fresh_.points.size(), [&](std::size_t i) {  // copies have no mass
     const auto k = fresh_.points[i];
-    energy_ += mass_.col(k).cwiseProduct(fresh_.velocity.col(Eigen::Index(i))).dot(now.velocity.col(k)) / 2;
-    all.emplace_back(k, fresh_.state.col(Eigen::Index(i)));
-  }
+    return std::array<double, 1>{
+        mass_.col(k).cwiseProduct(fresh_.velocity.col(Eigen::Index(i))).dot(now.velocity.col(k)) / 2};
+  })[0];
   std::ranges::sort(all, {}, [](const auto& one) { return one.first; });
-  fresh_ = {}, frozen_ = {};
+  fresh_ = {}, frozen_ = {}, falls_ = false, fallen_ = true;
   frozen_.state.resize(3, Eigen::Index(all.size()));
   for (const auto& [k, state] : all) {
     frozen_.state.col(Eigen::Index(frozen_.points.size())) = state;
@@ -44,12 +48,13 @@ void FallenPieces::freeze(const plate::Step& now) {
 }
 
 void FallenPieces::before_force(const plate::Step& now) {
-  if (!fresh_.points.empty()) freeze(now);
+  if (falls_) freeze(now);
   for (std::size_t i = 0; i < frozen_.points.size(); ++i) {
     now.state.col(frozen_.points[i]) = frozen_.state.col(Eigen::Index(i));
     now.velocity.col(frozen_.points[i]).setZero();
   }
-  if (now.step % look_every == 0 && plate_.broken().count() > broken_) look(now);
+  if (fallen_) plate_.constraints().fetch(now.state);  // as their owners have them
+  if (now.step % look_every == 0 && plate::largest_of_all(plate_.broken().count() > broken_) > 0) look(now);
   growth_.before_force(now);
 }
 

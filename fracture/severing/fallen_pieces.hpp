@@ -19,7 +19,7 @@ public:
 
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(broken_, fresh_, frozen_, energy_);
+    archive(broken_, falls_, fallen_, fresh_, frozen_, energy_);
   }
 
 private:
@@ -41,6 +41,8 @@ private:
   const plate::Boundary& boundary_;
   plate::Forces mass_;
   std::size_t broken_ = 0;  // bonds when it was last looked
+  bool falls_ = false;      // of fresh_ some process has points
+  bool fallen_ = false;     // and of frozen_
   Kept fresh_;              // seen in the step before: frozen from there on
   Kept frozen_;             // points ascending
   double energy_ = 0;

@@ -6,26 +6,14 @@
 #include <span>
 
 #include "plate/bonds/tip_view.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace fracture {
 namespace {
 
-// Families beside clean cracks at 0 to 45 degrees to the lattice: measured 1.17 of the stiffness of a full family,
-// single bonds 2.26, second moments 0.6 (0.5 where a crack leaves an edge).
-constexpr double stiffest = 1.2, stiffest_bond = 2.4, gives_way = 0.4;
-
-/// What a family's bonds do against rotations and deflections of its point alone, over its area.
-double bending_stiffness(double a, std::span<const plate::BondWeights> bonds) {
-  double sum = 0, square = 0;
-  for (const auto& bond : bonds) sum += bond.B, square += bond.D * bond.D;
-  return sum + std::abs(a) * square;
-}
-
-double shear_stiffness(std::span<const plate::BondWeights> bonds) {
-  double sum = 0;
-  for (const auto& bond : bonds) sum += bond.S;
-  return sum;
-}
+// Second moments of families beside clean cracks at 0 to 45 degrees to the lattice: measured 0.6 of a full one's (0.5
+// where a crack leaves an edge).
+constexpr double gives_way = 0.4;
 
 double second_moment(const std::vector<plate::FamilyBond>& bonds) {
   double sum = 0;
@@ -48,37 +36,28 @@ double energy_of_step(const plate::OwnFamily& family, const Motion& motion) {
 }  // namespace
 
 SeveredPlate::SeveredPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary,
-                           const plate::FamilyRule& rule)
+                           const plate::FamilyRule& rule, std::optional<plate::Surroundings> seen)
     : base_(base),
       boundary_(boundary),
       rule_(rule),
       families_(base.families()),
+      stiffest_(stiffest(base, boundary)),
       broken_(base.points(), longest_family(families_)) {
+  if (seen) known_ = std::move(seen->known), wider_ = boundary.constraints.fetching(std::move(seen->exchange));
   for (const auto& shape : base.shapes()) reach_ = std::max(reach_, shape.length / boundary.cloud.units.spacing);
-  const auto& weights = base.weights();
-  std::size_t full = 0;
-  for (std::size_t k = 0; k < base.points(); ++k)
-    if (boundary.active[k] && families_[k].size() > families_[full].size()) full = k;
-  const std::span bonds(&weights.of(full, 0), families_[full].size());
-  bending_ = stiffest * bending_stiffness(weights.a[weights.kind[full]], bonds);
-  shear_ = stiffest * shear_stiffness(bonds);
-  stiffest_bonds_.assign(base.shapes().size(), plate::BondWeights{INFINITY, INFINITY, INFINITY});
-  for (std::size_t i = 0; i < bonds.size(); ++i)
-    stiffest_bonds_[families_[full][i].vector_id] =
-        plate::BondWeights{0, stiffest_bond * bonds[i].B, stiffest_bond * bonds[i].S};
 }
 
 /// `left`: share of the family's second moment that is left; `ids`: of its bond vectors.
 void SeveredPlate::soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     auto& bond = family.bonds[i];
-    const auto& most = stiffest_bonds_[ids[i]];
+    const auto& most = stiffest_.bonds[ids[i]];
     if (bond.B > most.B) bond.D *= most.B / bond.B, bond.B = most.B;
     bond.S = std::min(bond.S, most.S);
   }
   const double share = std::min(1.0, left / gives_way);
-  const double bending = std::min(share, bending_ / bending_stiffness(family.a, family.bonds));
-  const double shear = std::min(share, shear_ / shear_stiffness(family.bonds));
+  const double bending = std::min(share, stiffest_.bending / bending_stiffness(family.a, family.bonds));
+  const double shear = std::min(share, stiffest_.shear / shear_stiffness(family.bonds));
   if (bending == 1 && shear == 1) return;
   family.a *= bending;
   for (auto& bond : family.bonds) bond.B *= bending, bond.S *= shear;
@@ -175,8 +154,9 @@ std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, 
   Severing result{severings_, {}};
   // a horizon beside the piece, or beside its image behind an edge that is within one
   const Eigen::AlignedBox2d near(begin.cwiseMin(end).array() - 3 * reach_, begin.cwiseMax(end).array() + 3 * reach_);
-  for (std::uint32_t k = 0; k < points(); ++k) {
-    if (!near.contains(boundary_.lattice[k])) continue;
+  bool waits = false;
+  for (std::uint32_t k = 0; k < points() && !waits; ++k) {
+    if (!near.contains(boundary_.lattice[k]) || !known(k)) continue;
     const auto family = base_.families()[k];
     const auto known = bonds.size();
     for (std::size_t i = 0; i < family.size(); ++i) {
@@ -184,10 +164,11 @@ std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, 
       if (!broken_.broken(k, i) && boundary_.any_image(std::min(k, j), std::max(k, j), cut)) bonds.emplace_back(k, i);
     }
     if (bonds.size() == known) continue;
-    if (const auto number = broken_.number(k); number >= 0 && changed_[std::size_t(number)].severed)
-      return std::nullopt;
+    const auto number = broken_.number(k);
+    waits = number >= 0 && changed_[std::size_t(number)].severed;
     result.points.push_back(k);
   }
+  if (plate::largest_of_all(waits) > 0) return std::nullopt;
   ++severings_;
   for (const auto& [k, i] : bonds) broken_.set(k, i), change(k).severed = true;
   for (const auto k : result.points) retarget(k);
@@ -198,19 +179,27 @@ std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, 
 double SeveredPlate::carry_on(std::size_t number, double share, const Motion& motion) {
   const auto found = std::ranges::find(going_, number, &Severing::number);
   const double fraction = share >= 1 ? 1 : (share - found->share) / (1 - found->share);
-  double spent = 0;
-  for (const auto k : found->points) spent += approach(k, fraction, motion);
+  std::vector<double> spent;
+  for (const auto k : found->points) spent.push_back(approach(k, fraction, motion));
+  const double all = sum_of_all(found->points, spent);
   found->share = share;
-  if (share < 1) return spent;
+  if (share < 1) return all;
   for (const auto k : found->points) changed_[std::size_t(broken_.number(k))].severed = false;
   going_.erase(found);
-  return spent;
+  return all;
+}
+
+double SeveredPlate::sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const {
+  return plate::ordered_sum<1>(points.size(), [&](std::size_t i) {
+    return std::array<double, 1>{boundary_.owns(points[i]) ? values[i] : 0};
+  })[0];
 }
 
 void SeveredPlate::sever(const std::vector<PointPair>& bonds, unsigned steps) {
   std::vector<std::uint32_t> touched;
   for (const auto& [k, j] : bonds)
     for (const auto& [from, to] : {std::pair{k, j}, {j, k}}) {
+      if (!known(from)) continue;
       broken_.set(from, base_.families()[from].find(to));
       auto& one = change(from);
       if (one.left == 0) easing_.push_back(from);
@@ -220,9 +209,12 @@ void SeveredPlate::sever(const std::vector<PointPair>& bonds, unsigned steps) {
   std::ranges::sort(touched);
   touched.erase(std::ranges::unique(touched).begin(), touched.end());
   for (const auto k : touched) retarget(k);
+  easing_left_ = std::max(easing_left_, steps);
 }
 
 double SeveredPlate::carry_on_all(const Motion& motion) {
+  if (easing_left_ == 0) return 0;
+  --easing_left_;
   std::vector<double> spent(easing_.size());
 #pragma omp parallel for schedule(static) if (easing_.size() > 32)
   for (std::size_t n = 0; n < easing_.size(); ++n) {
@@ -230,9 +222,8 @@ double SeveredPlate::carry_on_all(const Motion& motion) {
     spent[n] = approach(easing_[n], 1.0 / left, motion);
     --left;
   }
+  const double sum = sum_of_all(easing_, spent);
   std::erase_if(easing_, [&](std::uint32_t k) { return changed_[std::size_t(broken_.number(k))].left == 0; });
-  double sum = 0;
-  for (const double one : spent) sum += one;
   return sum;
 }
 

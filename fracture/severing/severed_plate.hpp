@@ -4,10 +4,12 @@
 #include <optional>
 
 #include "fracture/severing/broken_bonds.hpp"
+#include "fracture/severing/stiffest.hpp"
 #include "geometry/shape/crack_path.hpp"
 #include "plate/bonds/family_operator.hpp"
 #include "plate/bonds/parameters/family_rule.hpp"
 #include "plate/bonds/parameters/own_family.hpp"
+#include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/tip_view.hpp"
 #include "post/files/frame.hpp"
@@ -34,14 +36,21 @@ struct Motion {
 /// beside a clean crack, and what has less than two fifths of its bonds gives way in proportion. One call at a time.
 class SeveredPlate : public plate::Operator {
 public:
-  /// All but the rule must outlive this.
-  SeveredPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary, const plate::FamilyRule& rule);
+  /// All but the rule must outlive this. `seen`: where processes share the plate, what this one knows beside its own
+  /// points: a horizon about all that these see, and about tips what their factors need.
+  SeveredPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary, const plate::FamilyRule& rule,
+               std::optional<plate::Surroundings> seen = {});
 
   std::size_t points() const override { return base_.points(); }
   void internal_force(const plate::State& state, plate::Forces& forces) const override;
   /// Of the plate as it was: time steps are found before anything is severed (and kept at 0.9 of the limit).
   void absolute_product(const plate::State& state, plate::Forces& forces) const override;
   plate::Forces diagonal() const override;
+
+  /// Those of the boundary; where processes share the plate, all that this one knows is fetched.
+  const plate::Constraints& constraints() const { return wider_ ? *wider_ : boundary_.constraints; }
+  /// Is the place this process's?
+  bool here(const geometry::Point& x) const { return boundary_.here(x); }
 
   /// Begins to sever the bonds that cross the crack's last piece, which is `piece` long at the end `at_back`. Returns a
   /// number; none, and nothing is done, where a severing that goes on has families of the same points.
@@ -89,6 +98,7 @@ public:
       for (auto& bond : one.now.bonds) archive(bond.weights.D, bond.weights.B, bond.weights.S);
       retarget(k);
       differ(number);
+      easing_left_ = std::max(easing_left_, one.left);
     }
   }
 
@@ -121,6 +131,9 @@ private:
   Change& change(std::uint32_t k);
   /// The families without their broken bonds, and where they go.
   void retarget(std::uint32_t k);
+  bool known(std::size_t k) const { return known_.empty() || known_[k]; }
+  /// Of values of these points, those of the process's own of all processes.
+  double sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const;
   void soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const;
   double approach(std::uint32_t k, double fraction, const Motion& motion);
   /// Sets the differences of a change, by its number, to what its weights are now.
@@ -129,10 +142,11 @@ private:
   const plate::FamilyOperator& base_;
   const plate::Boundary& boundary_;
   plate::FamilyRule rule_;
+  std::vector<char> known_;                  // points whose families are followed; empty: all
+  std::optional<plate::Constraints> wider_;  // where processes share the plate
   geometry::Families families_;
-  double reach_ = 0;                                // of the longest bond [spacings]
-  double bending_ = 0, shear_ = 0;                  // stiffness that no family with broken bonds exceeds
-  std::vector<plate::BondWeights> stiffest_bonds_;  // and none of its bonds, by bond vector
+  double reach_ = 0;  // of the longest bond [spacings]
+  Stiffest stiffest_;
   BrokenBonds broken_;
   std::vector<Change> changed_;          // by number
   std::vector<Difference> differences_;  // of every change, as many as its base has bonds
@@ -142,6 +156,7 @@ private:
   mutable std::vector<std::array<double, 2>> given_;
   std::vector<Severing> going_;
   std::vector<std::uint32_t> easing_;  // points that lose single bonds
+  unsigned easing_left_ = 0;           // steps until no process has any
   std::size_t severings_ = 0;          // so far
 };
 

@@ -55,6 +55,16 @@ public:
     return result;
   }
 
+  /// What is within `cells` of one's own box, and what that follows.
+  std::vector<char> near(long cells) const {
+    const auto box = part_.own.grown(cells);
+    std::vector<char> result(boundary_.cloud.size(), 0);
+    for (std::uint32_t k = 0; k < result.size(); ++k) result[k] = box.contains(cell(k));
+    for (const auto& [follower, leader] : leaders_)
+      if (box.contains(cell(follower))) result[leader] = 1;
+    return result;
+  }
+
 private:
   /// Soil ties points that no bond does, across cracks: these too, and what they see.
   void see_attached(std::vector<char>& seen, const geometry::Families& families) const {
@@ -146,6 +156,19 @@ std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, c
   const auto own = partition.box(all->rank());
   return PartOfLattice{std::move(partition), own, own.grown(margin_of_part(discretization)),
                        reach_about_tips(discretization.horizon_ratio)};
+}
+
+std::optional<Surroundings> surroundings(const geometry::Outline& outline, const Discretization& discretization,
+                                         const Boundary& boundary, double reach) {
+  const auto part = part_of_lattice(outline, discretization);
+  if (!part) return std::nullopt;
+  const Seen seen(*part, boundary);
+  Surroundings result{seen.near(long(std::ceil(reach))), nullptr};
+  std::vector<std::uint32_t> copies;
+  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k)
+    if (result.known[k] && !seen.own(k)) copies.push_back(k);
+  result.exchange = ranks()->exchange(boundary.cloud.size(), numbered(*ranks(), *part, seen, boundary, copies));
+  return result;
 }
 
 OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geometry::Families& families,

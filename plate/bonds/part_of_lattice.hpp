@@ -34,4 +34,15 @@ constexpr double reach_about_tips(double horizon_ratio) {
 OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geometry::Families& families,
                       const std::vector<geometry::Tip>& tips);
 
+/// What a process knows beside its own points where more is asked for than their forces need.
+struct Surroundings {
+  std::vector<char> known;                   // points whose states are known
+  std::shared_ptr<const Exchange> exchange;  // of those that others own
+};
+
+/// All that is within `reach` of the box of a process [spacings], at most reach_about_tips(). Nothing where one process
+/// holds the whole plate.
+std::optional<Surroundings> surroundings(const geometry::Outline& outline, const Discretization& discretization,
+                                         const Boundary& boundary, double reach);
+
 }  // namespace plate

@@ -72,6 +72,10 @@ struct Boundary {
   std::vector<char> own = {};       // of all points: not another process's; empty where one process holds the plate
 
   bool owns(std::size_t k) const { return own.empty() || own[k]; }
+  /// Is the point of the plate nearest to a place owned?
+  bool here(const geometry::Point& x) const {
+    return own.empty() || (cloud.seeded(x) && own[geometry::nearest_plate_point(cloud, x)]);
+  }
   bool is_plate(std::uint32_t k) const { return k < cloud.plate_points; }
 
   /// True if `test` is for the straight bond k - j or for one of its mirror images: what lies beyond a mirror

@@ -107,6 +107,12 @@ void Constraints::copy(std::vector<std::uint32_t> points, std::shared_ptr<const 
   copies_ = std::move(points), exchange_ = std::move(exchange);
 }
 
+Constraints Constraints::fetching(std::shared_ptr<const Exchange> exchange) const {
+  Constraints result = *this;
+  result.exchange_ = std::move(exchange);
+  return result;
+}
+
 template <typename Real>
 void Constraints::fetch(Values<Real>& values) const {
   if (exchange_) exchange_->fetch(std::span(values.data(), std::size_t(values.size())));

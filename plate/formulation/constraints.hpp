@@ -34,6 +34,9 @@ public:
   /// forces on them. After resolve().
   void copy(std::vector<std::uint32_t> points, std::shared_ptr<const Exchange> exchange);
 
+  /// The same, but copies are fetched by this exchange, of more of them.
+  Constraints fetching(std::shared_ptr<const Exchange> exchange) const;
+
   const std::vector<Tie>& ties() const { return ties_; }  // ascending by follower
   const std::vector<std::uint32_t>& fixed() const { return fixed_; }
   bool held(std::uint32_t dof) const;

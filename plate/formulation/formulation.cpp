@@ -53,7 +53,7 @@ const geometry::Cloud& Formulation::cloud() const {
 }
 
 bool Formulation::here(const geometry::Point& x) const {
-  return boundary().own.empty() || boundary().owns(geometry::nearest_plate_point(cloud(), x));
+  return boundary().here(x);
 }
 
 const Constraints& Formulation::constraints() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plate/model/ranks/gathered.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace fracture {
@@ -44,6 +45,22 @@ std::shared_ptr<const post::TipMethods> MovingCracks::gauge(const geometry::Tip&
   const double near = 7.6 * spacing_;  // rings of 7 spacings: a quarter of the work of the usual 16
   auto found = post::tip_methods(plate_.tip_view(), problem_, paths_, tip, options, near);
   return found ? std::make_shared<const post::TipMethods>(std::move(*found)) : nullptr;
+}
+
+/// What it sees, told to all processes by the one that has the tip.
+MovingCracks::Seen MovingCracks::look(MovingTip& tip, const plate::State& state, const plate::Forces& force) const {
+  const auto* all = plate::ranks();
+  std::vector<Seen> seen;
+  if (plate_.here(tip.tip.position)) {
+    if (!tip.gauge) tip.gauge = gauge(tip.tip);
+    if (tip.gauge) {
+      const auto srif = (*tip.gauge)(state, force, false).front();
+      seen.push_back({true, *srif.G, srif.K1, srif.K2, srif.K3});
+    } else {
+      seen.emplace_back();
+    }
+  }
+  return all ? plate::gathered(*all, seen).at(0) : seen.front();
 }
 
 std::vector<std::pair<std::size_t, geometry::Tip>> MovingCracks::tips() const {
@@ -104,6 +121,8 @@ void MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
 }
 
 void MovingCracks::before_force(const plate::Step& now) {
+  if (std::ranges::any_of(tips_, [](const auto& tip) { return tip.running.has_value(); }))
+    plate_.constraints().fetch(now.velocity);
   for (auto& tip : tips_) {
     if (!tip.running) continue;
     auto& running = *tip.running;
@@ -116,19 +135,21 @@ void MovingCracks::before_force(const plate::Step& now) {
 
 void MovingCracks::after_force(const plate::Step& now, const plate::Forces& force) {
   const auto& attached = plate_.base().attached();
-  plate::Forces own;  // where something is attached: without that
+  plate::Forces
+      own;  // where something is attached, without that; where processes share the plate, with those of others
   for (auto& tip : tips_) {
     if (tip.running || tip.ended || now.step < tip.next_look) continue;
-    if (!tip.gauge) tip.gauge = gauge(tip.tip);
-    if (!tip.gauge) {
-      tip.ended = true;
-      continue;
+    if ((plate::ranks() || !attached.parts().empty()) && own.size() == 0) {
+      own = force;
+      attached.take_force(now.state, own);
+      plate_.constraints().fetch(own);
     }
-    if (!attached.parts().empty() && own.size() == 0) own = force, attached.take_force(now.state, own);
-    const auto srif = (*tip.gauge)(now.state, own.size() > 0 ? own : force, false).front();
+    const Seen seen = look(tip, now.state, own.size() > 0 ? own : force);
+    tip.ended = !seen.fits;
+    if (tip.ended) continue;
     tip.next_look = now.step + look_every;
     tip.since_look = 0;
-    if (!stays(tip, *srif.G, srif.K1)) start(tip, {srif.K1, srif.K2, srif.K3}, now.time);
+    if (!stays(tip, seen.G, seen.K1)) start(tip, {seen.K1, seen.K2, seen.K3}, now.time);
   }
 }
 

@@ -79,6 +79,12 @@ private:
     }
   };
 
+  /// Energy release rate and factors of a tip; `fits`: a ring does.
+  struct Seen {
+    bool fits = false;
+    double G = 0, K1 = 0, K2 = 0, K3 = 0;
+  };
+  Seen look(MovingTip& tip, const plate::State& state, const plate::Forces& force) const;
   std::shared_ptr<const post::TipMethods> gauge(const geometry::Tip& tip) const;
   bool stays(const MovingTip& tip, double G, double K1) const;
   void start(MovingTip& tip, const Factors& factors, double time);

@@ -6,15 +6,28 @@
 #include "fracture/growth/motion/moving_tips.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/parts/pieces.hpp"
+#include "plate/model/problem.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace fracture {
+namespace {
+
+/// How far a process sees beyond its box: about tips, where their factors or what lets them run are wanted, or to what
+/// bonds of its neighbours' neighbours have [spacings].
+double reach(const Growth& growth, const plate::Formulation& start, bool factors) {
+  const double horizon = start.discretization().horizon_ratio;
+  return factors || !growth.by_bonds() ? plate::reach_about_tips(horizon) : 3 * horizon + 2;
+}
+
+}  // namespace
 
 MovingGrowth::MovingGrowth(const Growth& growth, const plate::Formulation& start,
                            std::optional<post::SrifOptions> factors, double rotary_inertia)
     : growth_(growth),
       start_(start),
-      plate_(*start.breaking(), start.boundary(), {start.section(), start.discretization()}),
+      plate_(*start.breaking(), start.boundary(), {start.section(), start.discretization()},
+             plate::surroundings(start.problem().outline, start.discretization(), start.boundary(),
+                                 reach(growth, start, factors.has_value()))),
       options_(std::move(factors)),
       rotary_inertia_(rotary_inertia) {
   record_.in_motion = true;
@@ -36,9 +49,11 @@ std::vector<post::Srif> MovingGrowth::factors(const plate::State& state) const {
   plate::Forces force;
   plate_.internal_force(state, force);
   start_.boundary().attached.take_force(state, force);
+  plate_.constraints().fetch(force);
   const auto now = paths();
   const auto view = plate_.tip_view();
   for (const auto& [number, tip] : tips()) {
+    if (!plate_.here(tip.position)) continue;
     const auto methods = post::tip_methods(view, start_.problem(), now, tip, *options_);
     if (!methods) continue;  // an edge or another crack is too near
     for (auto& srif : (*methods)(state, force, false)) {

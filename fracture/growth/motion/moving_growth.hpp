@@ -19,6 +19,7 @@ public:
   virtual ~MovingGrowth() = default;
 
   const plate::Operator& plate() const { return plate_; }
+  const plate::Constraints& constraints() const { return plate_.constraints(); }
   plate::Changes& changes();
   virtual double fracture_energy() const = 0;
   /// Kinetic energy of pieces that were frozen.
@@ -26,8 +27,8 @@ public:
 
   /// Looks at the cracks at a row of the history.
   virtual void look(double time) = 0;
-  /// Factors of the tips where they are now, by the methods that are wanted; none of tips beside edges and other
-  /// cracks.
+  /// Factors of the tips where they are now, of those that this process has, by the methods that are wanted; none of
+  /// tips beside edges and other cracks.
   std::vector<post::Srif> factors(const plate::State& state) const;
   /// The cells, cut along the cracks; sets the frame's resultants, damage and cracks. `factors`: of the tips.
   plate::Mesh draw(post::Frame& frame, const plate::State& state, const std::vector<post::Srif>& factors) {

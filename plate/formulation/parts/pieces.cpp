@@ -26,8 +26,8 @@ Eigen::Vector3d rigid(std::uint32_t dof, const geometry::Point& x) {
 DisjointSets connected(const Boundary& boundary, const geometry::Families& families) {
   DisjointSets sets(families.points());
   for (std::uint32_t k = 0; k < families.points(); ++k)
-    for (const auto& bond : families[k])
-      if (bond.neighbour < k) sets.join(k, bond.neighbour);
+    for (const auto& bond : families[k])  // far from its own points a process does not know what has broken
+      if (bond.neighbour < k && (boundary.owns(k) || boundary.owns(bond.neighbour))) sets.join(k, bond.neighbour);
   for (const auto& tie : boundary.constraints.ties()) sets.join(tie.follower / 3, tie.leader / 3);
   return sets;
 }
@@ -154,27 +154,14 @@ Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piec
 
 }  // namespace
 
-std::vector<std::uint32_t> fallen(const Boundary& boundary, const geometry::Families& families) {
-  const auto all = pieces(boundary, families);
-  auto sets = connected(boundary, families);
-  std::vector<std::uint32_t> off;  // roots
-  const bool held = std::ranges::any_of(all, [](const Piece& piece) { return piece.free_modes < 3; });
-  for (std::size_t i = held ? 0 : 1; i < all.size(); ++i)
-    if (all[i].free_modes == 3) off.push_back(sets.root(all[i].first_point));
-  std::ranges::sort(off);
-  std::vector<std::uint32_t> result;
-  if (off.empty()) return result;
-  for (std::uint32_t k = 0; k < families.points(); ++k)
-    if (std::ranges::binary_search(off, sets.root(k))) result.push_back(k);
-  return result;
-}
+namespace {
 
-std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families) {
-  auto sets = connected(boundary, families);
-  const auto piece_of = set_numbers(sets, boundary);
+/// The pieces and their numbers, the largest first.
+std::vector<std::pair<std::int64_t, Piece>> numbered(const Boundary& boundary,
+                                                     const std::vector<std::int64_t>& piece_of) {
   auto found = found_in(boundary, piece_of);
   const auto grams = conditions(boundary, piece_of, found);
-  std::vector<Piece> result;
+  std::vector<std::pair<std::int64_t, Piece>> result;
   for (auto& [number, one] : found) {
     // a rigid motion survives where it meets every condition of the piece: rows of conditions, their Gram matrix,
     // scaled to a unit diagonal, because rows in lattice units grow with the size of the plate
@@ -182,9 +169,34 @@ std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& fa
     const Eigen::Vector3d scale = g.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0; });
     const Eigenpairs eigen = eigenpairs(scale.asDiagonal() * g * scale.asDiagonal());
     one.piece.free_modes = static_cast<int>((eigen.values.array() < 1e-9).count());
-    result.push_back(one.piece);
+    result.emplace_back(number, one.piece);
   }
-  std::stable_sort(result.begin(), result.end(), [](const Piece& a, const Piece& b) { return a.points > b.points; });
+  std::ranges::stable_sort(result, std::greater<>(), [](const auto& one) { return one.second.points; });
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> fallen(const Boundary& boundary, const geometry::Families& families) {
+  auto sets = connected(boundary, families);
+  const auto piece_of = set_numbers(sets, boundary);
+  const auto all = numbered(boundary, piece_of);
+  std::vector<std::int64_t> off;
+  const bool held = std::ranges::any_of(all, [](const auto& one) { return one.second.free_modes < 3; });
+  for (std::size_t i = held ? 0 : 1; i < all.size(); ++i)
+    if (all[i].second.free_modes == 3) off.push_back(all[i].first);
+  std::ranges::sort(off);
+  std::vector<std::uint32_t> result;
+  if (off.empty()) return result;
+  for (std::uint32_t k = 0; k < families.points(); ++k)
+    if (std::ranges::binary_search(off, piece_of[k])) result.push_back(k);
+  return result;
+}
+
+std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families) {
+  auto sets = connected(boundary, families);
+  std::vector<Piece> result;
+  for (const auto& [number, piece] : numbered(boundary, set_numbers(sets, boundary))) result.push_back(piece);
   return result;
 }
 

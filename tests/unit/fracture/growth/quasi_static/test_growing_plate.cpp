@@ -14,6 +14,7 @@
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "tests/unit/fracture/shared_run.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 namespace {
@@ -95,4 +96,21 @@ TEST_CASE("growth run: after a failure the last state is that of the last row, n
   REQUIRE(expected.states.size() == 1);
   CHECK(failed.positions == expected.positions);
   CHECK(failed.states.front() == expected.states.front());
+}
+
+TEST_CASE("a plate in parts: a crack that grows at rest and turns") {
+  auto file = shared_run::tall_plate();
+  auto& c = file.content;
+  c.outline = geometry::rectangle(0, 0, 1, 1.2);
+  c.cracks = {{{0.45, 0.4}, {0.55, 0.63}}};  // across a border of blocks at 0.64
+  c.analysis.tolerance = 1e-10, c.analysis.preconditioner = plate::Preconditioning::diagonal;
+  c.growth->control = fracture::Growth::Control::equilibrium;
+  c.growth->max_advances = 2;
+  const auto one = shared_run::texts(file, 1);
+  REQUIRE(one.contains("tips"));
+  CHECK((shared_run::texts(file, 3) == one));
+  for (const auto& [name, table] : shared_run::whole(file)) {
+    CAPTURE(name);
+    CHECK(shared_run::apart(table, one.at(name)) < 1e-6);
+  }
 }
