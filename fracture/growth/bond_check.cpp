@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plate/model/ranks/gathered.hpp"
+#include "plate/solve/reduction.hpp"
+
 namespace fracture {
 namespace {
 
@@ -13,6 +16,21 @@ plate::Kinematics<> kinematics(const plate::State& state, std::uint32_t k) {
   return {state(0, k), state(1, k), state(2, k)};
 }
 
+/// Points of the plate, and those of it that they have bonds to.
+std::vector<std::uint32_t> with_neighbours(const std::vector<std::uint32_t>& points, const geometry::Families& families,
+                                           std::size_t plate_points) {
+  std::vector<char> found(plate_points, 0);
+  for (const auto k : points) {
+    found[k] = 1;
+    for (const auto& bond : families[k])
+      if (bond.neighbour < plate_points) found[bond.neighbour] = 1;
+  }
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t k = 0; k < plate_points; ++k)
+    if (found[k]) result.push_back(k);
+  return result;
+}
+
 }  // namespace
 
 BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const SeveredPlate& plate,
@@ -21,11 +39,18 @@ BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const Sever
       limits_(limits),
       plate_(plate),
       boundary_(boundary),
+      numbers_(boundary),
       dilatation_(plate.points()),
       marked_(plate.points(), 0) {
-  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) all_.push_back(k);
   const auto& families = plate.base().families();
-  for (const auto k : all_) {
+  const auto plate_points = boundary.cloud.plate_points;
+  for (std::uint32_t k = 0; k < plate_points; ++k)
+    if (boundary.owns(k)) all_.push_back(k);
+  if (plate::ranks()) {
+    all_ = with_neighbours(all_, families, plate_points);
+    around_ = with_neighbours(all_, families, plate_points);
+  }
+  for (const auto k : around()) {
     const auto pattern = families.pattern(k);
     if (pattern >= nearest_.size()) nearest_.resize(pattern + 1);
     if (!nearest_[pattern].empty()) continue;
@@ -97,7 +122,7 @@ std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& st
       const auto family = base.families()[k];
       for (std::uint32_t i = 0; i < family.size(); ++i) {
         const auto [j, id] = family[i];
-        if (j < k && marked_[j]) continue;
+        if ((j < k && marked_[j]) || !boundary_.owns(std::min(k, j))) continue;
         const auto& shape = base.shapes()[id];
         const auto other = kinematics(state, j);
         const double s = curvature_difference(shape, own, other), g = shear_difference(shape, own, other);
@@ -119,8 +144,10 @@ std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& st
   std::vector<LoadedBond> result;
   for (const auto& [k, i] : bonds) {
     const auto j = base.families()[k][i].neighbour;
-    if (const double now = demand(k, i, state); now >= least) result.push_back({{std::min(k, j), std::max(k, j)}, now});
+    if (const double now = demand(k, i, state); now >= least)
+      result.push_back({{numbers_.of(std::min(k, j)), numbers_.of(std::max(k, j))}, now});
   }
+  if (const auto* all = plate::ranks()) result = plate::gathered(*all, result);
   std::ranges::sort(result, [](const auto& p, const auto& q) {
     return p.demand != q.demand ? p.demand > q.demand : p.bond < q.bond;
   });
@@ -133,22 +160,24 @@ double BondCheck::largest(const plate::State& state) {
 #pragma omp parallel for schedule(static) reduction(max : result)
   for (std::size_t n = 0; n < all_.size(); ++n) {
     const auto k = all_[n];
+    if (!boundary_.owns(k)) continue;
     const auto family = plate_.base().families()[k];
     for (std::size_t i = 0; i < family.size(); ++i)
       if (const auto j = family[i].neighbour; j > k && may_break(k, i, j))
         result = std::max(result, demand(k, i, state));
   }
-  return result;
+  return plate::largest_of_all(result);
 }
 
 std::vector<std::uint32_t> BondCheck::suspects(const plate::State& state) const {
   const auto& base = plate_.base();
   const double bend = suspect * limits_.curvature() * limits_.curvature(),
                shear = suspect * limits_.shear() * limits_.shear();
-  std::vector<char> hot(all_.size(), 0);
+  std::vector<char> hot(boundary_.cloud.plate_points, 0);
 #pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < hot.size(); ++k) {
-    const auto own = kinematics(state, std::uint32_t(k));
+  for (std::size_t n = 0; n < around().size(); ++n) {
+    const auto k = around()[n];
+    const auto own = kinematics(state, k);
     const auto family = base.families()[k];
     const auto look = [&](std::size_t i) {
       const auto [j, id] = family[i];
@@ -177,6 +206,15 @@ std::vector<std::uint32_t> BondCheck::suspects(const plate::State& state) const 
   std::vector<std::uint32_t> result;
   for (const auto k : all_)
     if (near[k]) result.push_back(k);
+  return result;
+}
+
+std::vector<PointPair> BondCheck::here(const std::vector<LoadedBond>& bonds) const {
+  std::vector<PointPair> result;
+  for (const auto& [bond, demand] : bonds) {
+    const auto k = numbers_.point(bond[0]), j = numbers_.point(bond[1]);
+    if (k && j) result.push_back({*k, *j});
+  }
   return result;
 }
 

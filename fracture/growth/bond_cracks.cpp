@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "geometry/shape/crack_extension.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/model/ranks/gathered.hpp"
 
 namespace fracture {
 namespace {
@@ -17,36 +20,67 @@ bool neighbours(const geometry::Point& p, const geometry::Point& q) {
   return std::abs((p - q).norm() - 1) < 0.01;
 }
 
+using Corner = geometry::CrackGraph::Corner;
+
+/// Asks how many points of the plate stand about a corner.
+std::function<bool(const Corner&)> by_points(const plate::Formulation& plate) {
+  const auto points = std::span(plate.boundary().lattice).first(plate.cloud().plate_points);
+  geometry::Point low = points.front(), high = low;
+  for (const auto& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  const auto [first, below] = geometry::cell_of(low);
+  const auto columns = long(std::ceil(high.x())) - first + 1, rows = long(std::ceil(high.y())) - below + 1;
+  std::vector<char> cells(std::size_t(columns * rows), 0);
+  for (const auto& u : points) {
+    const auto [x, y] = geometry::cell_of(u);
+    for (const long corner : {0L, 1L, columns, columns + 1})
+      ++cells[std::size_t((y - below) * columns + x - first + corner)];
+  }
+  return [cells = std::move(cells), columns, first = first, below = below](const Corner& corner) {
+    return cells[std::size_t((corner[1] - below) * columns + corner[0] - first)] == 4;
+  };
+}
+
+/// Asks the outline, as points are seeded by it.
+std::function<bool(const Corner&)> by_outline(const plate::Formulation& plate) {
+  return [outline = geometry::to_lattice(plate.problem().outline, plate.cloud().units)](const Corner& corner) {
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5})
+        if (!geometry::contains(outline, {corner[0] + x, corner[1] + y})) return false;
+    return true;
+  };
+}
+
+/// Neighbours that the given cracks part, of all processes.
+std::vector<std::array<geometry::Point, 2>> parted(const plate::Formulation& plate) {
+  const auto& boundary = plate.boundary();
+  const auto plate_points = std::uint32_t(plate.cloud().plate_points);
+  const geometry::CellIndex at({boundary.lattice.begin(), boundary.lattice.begin() + plate_points});
+  const auto paths = geometry::to_lattice(plate.paths(), plate.cloud().units);
+  std::vector<std::array<double, 4>> own;
+  for (std::uint32_t k = 0; k < plate_points && !paths.empty(); ++k) {
+    if (!boundary.owns(k)) continue;
+    const geometry::Point& u = boundary.lattice[k];
+    for (const geometry::Point& next : {geometry::Point(u.x() + 1, u.y()), geometry::Point(u.x(), u.y() + 1)})
+      if (const auto j = at.at(next))
+        for (const auto& path : paths)
+          if (const auto& v = boundary.lattice[*j]; geometry::severs(path, u, v))
+            own.push_back({u.x(), u.y(), v.x(), v.y()});
+  }
+  std::vector<std::array<geometry::Point, 2>> result;
+  for (const auto& [x, y, z, t] : plate::ranks() ? plate::gathered(*plate::ranks(), own) : own)
+    result.push_back({geometry::Point(x, y), geometry::Point(z, t)});
+  return result;
+}
+
 }  // namespace
 
 BondCracks::BondCracks(const plate::Formulation& plate, std::optional<double> fastest)
     : units_(plate.cloud().units),
       given_(plate.paths()),
       fastest_(fastest),
-      lattice_(plate.boundary().lattice.begin(),
-               plate.boundary().lattice.begin() + std::ptrdiff_t(plate.cloud().plate_points)) {
-  geometry::Point low = lattice_.front(), high = low;
-  for (const auto& x : lattice_) low = low.cwiseMin(x), high = high.cwiseMax(x);
-  low_ = {int(std::floor(low.x())), int(std::floor(low.y()))};
-  columns_ = int(std::ceil(high.x())) - low_[0] + 1, rows_ = int(std::ceil(high.y())) - low_[1] + 1;
-  cells_.assign(std::size_t(columns_ * rows_), 0);
-  std::map<geometry::CrackGraph::Corner, std::uint32_t> at;
-  for (std::uint32_t k = 0; k < lattice_.size(); ++k) {
-    const int x = int(std::floor(lattice_[k].x())) - low_[0], y = int(std::floor(lattice_[k].y())) - low_[1];
-    at[{x, y}] = k;
-    for (const int corner :
-         {y * columns_ + x, y * columns_ + x + 1, (y + 1) * columns_ + x, (y + 1) * columns_ + x + 1})
-      ++cells_[std::size_t(corner)];
-  }
-  const auto paths = geometry::to_lattice(plate.paths(), units_);
-  for (const auto& [cell, k] : at)
-    for (const auto& next : {geometry::CrackGraph::Corner{cell[0] + 1, cell[1]}, {cell[0], cell[1] + 1}}) {
-      const auto found = at.find(next);
-      if (found == at.end()) continue;
-      for (const auto& path : paths)
-        if (geometry::severs(path, lattice_[k], lattice_[found->second]))
-          graph_.part(lattice_[k], lattice_[found->second], 0);
-    }
+      numbers_(plate.boundary()),
+      inside_(plate::ranks() ? by_outline(plate) : by_points(plate)) {
+  for (const auto& [p, q] : parted(plate)) graph_.part(p, q, 0);
   first_sides_ = graph_.sides();
   find_lines();
   first_length_ = length();
@@ -60,9 +94,7 @@ void BondCracks::find_lines() {
                         geometry::length(path.vertices)});
     return;
   }
-  lines_ = graph_.lines([this](const geometry::CrackGraph::Corner& corner) {
-    return cells_[std::size_t((corner[1] - low_[1]) * columns_ + corner[0] - low_[0])] == 4;
-  });
+  lines_ = graph_.lines(inside_);
   for (auto& line : lines_) {
     for (auto& x : line.vertices) x = units_.from_lattice(x);
     line.length *= units_.spacing;
@@ -72,7 +104,7 @@ void BondCracks::find_lines() {
 bool BondCracks::broke(const std::vector<LoadedBond>& bonds, double time) {
   const auto before = graph_.sides();
   for (const auto& [bond, demand] : bonds)
-    if (const auto& p = lattice_[bond[0]], &q = lattice_[bond[1]]; neighbours(p, q))
+    if (const auto p = numbers_.place(bond[0]), q = numbers_.place(bond[1]); neighbours(p, q))
       if (graph_.part(p, q, time)) grown_.part(p, q, time);
   broken_ += bonds.size();
   return graph_.sides() > before;

@@ -61,11 +61,9 @@ private:
   const geometry::LatticeUnits& units_;
   std::vector<geometry::CrackPath> given_;
   std::optional<double> fastest_;
-  std::vector<geometry::Point> lattice_;  // of the plate's points
-  std::vector<int> cells_;                // per corner of the box about the plate: cells of the plate about it
-  geometry::CrackGraph::Corner low_{0, 0};
-  int columns_ = 0, rows_ = 0;
-  geometry::CrackGraph graph_, grown_;  // all; without those of the given cracks
+  PointNumbers numbers_;
+  std::function<bool(const geometry::CrackGraph::Corner&)> inside_;  // are all four cells about a corner of the plate?
+  geometry::CrackGraph graph_, grown_;                               // all; without those of the given cracks
   std::vector<geometry::GraphLine> lines_;
   std::vector<BondTip> tips_;
   std::size_t first_sides_ = 0, seen_ = 0, broken_ = 0;

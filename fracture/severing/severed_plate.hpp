@@ -61,6 +61,8 @@ public:
 
   /// Breaks bonds; the families of their ends need `steps` calls of carry_on_all to go over.
   void sever(const std::vector<PointPair>& bonds, unsigned steps);
+  /// Do families lose single bonds, of any process?
+  bool easing() const { return easing_left_ > 0; }
   /// Carries the families that lose single bonds on by a step; returns the energy that this takes.
   double carry_on_all(const Motion& motion);
 

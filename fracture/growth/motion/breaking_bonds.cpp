@@ -2,6 +2,8 @@
 
 #include <unordered_map>
 
+#include "plate/solve/reduction.hpp"
+
 namespace fracture {
 namespace {
 
@@ -30,6 +32,7 @@ BreakingBonds::BreakingBonds(SeveredPlate& plate, BondCheck& check, Observe obse
     : plate_(plate), check_(check), observe_(std::move(observe)) {}
 
 void BreakingBonds::before_force(const plate::Step& now) {
+  if (plate_.easing()) plate_.constraints().fetch(now.velocity);
   spent_ += plate_.carry_on_all({now.state, now.velocity, now.time_step});
 }
 
@@ -37,14 +40,13 @@ void BreakingBonds::after_force(const plate::Step& now, const plate::Forces&) {
   if (ended_) return;
   if (now.step >= next_search_) {
     suspects_ = check_.suspects(now.state);
+    suspected_ = plate::largest_of_all(!suspects_.empty()) > 0;
     next_search_ = now.step + search_every;
   }
-  if (suspects_.empty()) return;
+  if (!suspected_) return;
   const auto broken = first_to_break(check_.at_least(1, now.state, suspects_));
   if (broken.empty()) return;
-  std::vector<PointPair> bonds;
-  for (const auto& one : broken) bonds.push_back(one.bond);
-  plate_.sever(bonds, steps_to_break);
+  plate_.sever(check_.here(broken), steps_to_break);
   ended_ = !observe_(broken, now.time);
 }
 

@@ -21,7 +21,7 @@ public:
 
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(suspects_, next_search_, ended_, spent_);
+    archive(suspects_, suspected_, next_search_, ended_, spent_);
   }
 
 private:
@@ -29,6 +29,7 @@ private:
   BondCheck& check_;
   Observe observe_;
   std::vector<std::uint32_t> suspects_;
+  bool suspected_ = false;       // by any process
   std::size_t next_search_ = 0;  // step
   bool ended_ = false;
   double spent_ = 0;

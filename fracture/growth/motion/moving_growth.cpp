@@ -4,30 +4,19 @@
 
 #include "fracture/growth/motion/moving_bonds.hpp"
 #include "fracture/growth/motion/moving_tips.hpp"
+#include "fracture/severing/shared_points.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/parts/pieces.hpp"
-#include "plate/model/problem.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace fracture {
-namespace {
-
-/// How far a process sees beyond its box: about tips, where their factors or what lets them run are wanted, or to what
-/// bonds of its neighbours' neighbours have [spacings].
-double reach(const Growth& growth, const plate::Formulation& start, bool factors) {
-  const double horizon = start.discretization().horizon_ratio;
-  return factors || !growth.by_bonds() ? plate::reach_about_tips(horizon) : 3 * horizon + 2;
-}
-
-}  // namespace
 
 MovingGrowth::MovingGrowth(const Growth& growth, const plate::Formulation& start,
                            std::optional<post::SrifOptions> factors, double rotary_inertia)
     : growth_(growth),
       start_(start),
       plate_(*start.breaking(), start.boundary(), {start.section(), start.discretization()},
-             plate::surroundings(start.problem().outline, start.discretization(), start.boundary(),
-                                 reach(growth, start, factors.has_value()))),
+             seen_by_growth(start, factors || !growth.by_bonds())),
       options_(std::move(factors)),
       rotary_inertia_(rotary_inertia) {
   record_.in_motion = true;

@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "fracture/growth/archive.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
+#include "fracture/severing/shared_points.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/assembled_plate.hpp"
+#include "plate/solve/reduction.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
 
@@ -25,7 +28,8 @@ QuasiStaticBonds::QuasiStaticBonds(const Growth& growth, const plate::Formulatio
       start_(start),
       options_of_factors_(std::move(factors)),
       options_(options),
-      plate_(*start.breaking(), start.boundary(), {start.section(), start.discretization()}),
+      plate_(*start.breaking(), start.boundary(), {start.section(), start.discretization()},
+             seen_by_growth(start, options_of_factors_.has_value())),
       limits_(growth, start.section(), start.discretization()),
       check_(growth, limits_, plate_, start.boundary()),
       cracks_(start),
@@ -41,7 +45,7 @@ QuasiStaticBonds::QuasiStaticBonds(const Growth& growth, const plate::Formulatio
 QuasiStaticBonds::~QuasiStaticBonds() = default;
 
 Loaded QuasiStaticBonds::solve() {
-  const bool broken = plate_.broken().points() > 0;
+  const bool broken = cracks_.broken() > 0;
   if (auto free = broken ? free_pieces() : ""; !free.empty()) return {std::move(free), 0, 0, {}};
   try {
     find_state();
@@ -49,7 +53,7 @@ Loaded QuasiStaticBonds::solve() {
     if (!broken) throw;
     return {"a part hangs by its last bonds and can turn about them", 0, 0, {}};
   }
-  Loaded result{"", load_.cwiseProduct(state_).sum(), INFINITY, {}};
+  Loaded result{"", 2 * post::slow_work(start_, state_), INFINITY, {}};
   most_ = check_.largest(state_);
   if (most_ > 0)
     result.critical = 1 / std::sqrt(most_);
@@ -76,7 +80,7 @@ void QuasiStaticBonds::find_state() {
   const double left = norm(rest) / norm_;
   const double tolerance = std::min(options_.tolerance, 1e-6);
   if (left <= tolerance) return;
-  const auto change = plate::conjugate_gradients(plate_, start_.constraints(), rest,
+  const auto change = plate::conjugate_gradients(plate_, plate_.constraints(), rest,
                                                  {tolerance / left, options_.max_iterations, {}}, factor_.get());
   solution_ = {
       {}, solution_.iterations + change.iterations, change.residual * left, change.converged, change.stop_reason};
@@ -89,9 +93,10 @@ void QuasiStaticBonds::find_state() {
 /// As StaticOptions counts residuals.
 double QuasiStaticBonds::norm(plate::Forces force) const {
   start_.constraints().fold(force);
-  double sum = 0;
-  for (Eigen::Index i = 0; i < force.size(); ++i)
-    if (diagonal_.data()[i] > 0) sum += force.data()[i] * force.data()[i] / diagonal_.data()[i];
+  const auto [sum] = plate::ordered_sum<1>(std::size_t(force.size()), [&](std::size_t i) {
+    const double f = force.data()[i], d = diagonal_.data()[i];
+    return std::array<double, 1>{d > 0 ? f * f / d : 0};
+  });
   return std::sqrt(sum);
 }
 
@@ -112,10 +117,8 @@ void QuasiStaticBonds::choose(const Equilibrium& state) {
 }
 
 void QuasiStaticBonds::advance(double factor) {
-  std::vector<PointPair> bonds;
-  for (const auto& one : breaks_) bonds.push_back(one.bond);
   const bool new_lines = cracks_.broke(breaks_, double(advances_));
-  plate_.sever(bonds, 1);
+  plate_.sever(check_.here(breaks_), 1);
   const plate::State none;
   spent_ += factor * factor * plate_.carry_on_all({state_, none, 0});
   ++advances_;
@@ -132,10 +135,12 @@ std::optional<std::vector<post::Srif>> QuasiStaticBonds::factors(double factor) 
   plate::Forces force;
   plate_.internal_force(state_, force);
   start_.boundary().attached.take_force(state_, force);
+  plate_.constraints().fetch(force);
   const auto paths = cracks_.paths();
   const auto view = plate_.tip_view();
   std::vector<post::Srif> result;
   for (const auto& [number, tip] : cracks_.tips_of_cracks()) {
+    if (!plate_.here(tip.position)) continue;
     const auto methods = post::tip_methods(view, start_.problem(), paths, tip, *options_of_factors_);
     if (!methods) continue;
     for (auto& srif : (*methods)(factor * state_, factor * force, true)) {
@@ -144,7 +149,7 @@ std::optional<std::vector<post::Srif>> QuasiStaticBonds::factors(double factor) 
       result.push_back(std::move(srif));
     }
   }
-  return result;
+  return of_all(std::move(result));
 }
 
 plate::Mesh QuasiStaticBonds::draw(post::Frame& frame, const plate::State& state) const {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/unit/fracture/growth/motion/moving_plate.hpp"
+#include "tests/unit/fracture/shared_run.hpp"
 
 using namespace fracture;
 namespace mp = moving_plate;
@@ -62,4 +63,22 @@ TEST_CASE("moving bonds: one that goes on from memory grows as if it had never s
   CHECK(*later.moved().broken == *whole.moved().broken);
   CHECK(later.fracture_energy() == whole.fracture_energy());
   CHECK(later.record().growth.rows == whole.record().growth.rows);
+}
+
+TEST_CASE("a plate in parts: bonds that break across borders, and a piece that they cut off") {
+  auto file = shared_run::moving(shared_run::tall_plate(), 0.12);
+  auto& c = file.content;
+  c.cracks = {{{0.47, 0.5}, {0.5, 0.9}}};
+  c.growth->criterion = Growth::Criterion::bond_energy;
+  c.growth->fallen = Growth::Fallen::freeze;
+  c.growth->apparent_toughness = 1;
+  auto& srif = c.srif.emplace();
+  srif.methods = {"virtual_crack_extension"};
+  const auto one = shared_run::texts(file, 1);
+  REQUIRE(one.contains("growth"));
+  CHECK(std::ranges::count(one.at("tips"), '\n') > 10);
+  for (const int processes : {2, 3, 4}) {
+    INFO(processes << " processes");
+    CHECK((shared_run::texts(file, processes) == one));
+  }
 }

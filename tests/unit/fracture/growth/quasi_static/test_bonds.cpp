@@ -5,6 +5,7 @@
 
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/solve/archive.hpp"
+#include "tests/unit/fracture/shared_run.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace fracture;
@@ -104,4 +105,23 @@ TEST_CASE("quasi-static bonds: one that recalls goes on to the same numbers") {
   CHECK(first.fracture_energy() == second.fracture_energy());
   CHECK(*first.broken_bonds() == *second.broken_bonds());
   CHECK(first.record().growth.rows == second.record().growth.rows);
+}
+
+TEST_CASE("a plate in parts: bonds that break at rest, across a border") {
+  auto file = shared_run::tall_plate();
+  auto& c = file.content;
+  c.outline = geometry::rectangle(0, 0, 1, 1.2);
+  c.cracks = {{{0.47, 0.3}, {0.5, 0.62}}};
+  c.analysis.tolerance = 1e-10;
+  c.growth->criterion = Growth::Criterion::bond_energy;
+  c.growth->control = Growth::Control::equilibrium;
+  c.growth->max_advances = 8;
+  const auto whole = shared_run::whole(file);
+  for (const int processes : {1, 3}) {
+    const auto shared = shared_run::texts(file, processes);
+    for (const auto& [name, table] : whole) {
+      CAPTURE(processes, name);
+      CHECK(shared_run::apart(table, shared.at(name)) < 1e-6);
+    }
+  }
 }
