@@ -8,6 +8,7 @@
 #include "geometry/shape/snapping.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/faults/edge_faults.hpp"
+#include "plate/model/faults/heat_faults.hpp"
 #include "plate/solve/suitability.hpp"
 
 namespace cases {
@@ -79,6 +80,7 @@ void check_analysis(const Case& content, Reading& reading) {
   if (growth && reading.sound("geometry"))
     complain(fracture::faults_of_growth(content, analysis, *growth, srif, given));
   complain(fracture::faults_of_accuracy(content, analysis, growth.has_value(), srif, content.formulation_reason));
+  complain(plate::faults_of_heat(content));
   complain(fracture::faults_of_motion(content, analysis, growth.has_value(), given));
 }
 

@@ -11,6 +11,7 @@
 #include "fracture/runs/shared/own_drawing.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/heated/heat.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
@@ -58,7 +59,8 @@ public:
   post::Summary finish(post::Summary summary, plate::Stopwatch& stopwatch);
 
 private:
-  void look(post::LoadCaseSummary one, const plate::Forces& load, const plate::State& state, std::size_t step);
+  void look(post::LoadCaseSummary one, const plate::Forces& load, const plate::State& state, std::size_t step,
+            const plate::Heat& heat);
   void combine(const plate::Combination& combination, const std::vector<plate::State>& states,
                const std::vector<plate::Forces>& loads);
   std::vector<std::pair<double, const std::vector<post::Srif>*>> parts_of(const post::LoadCaseSummary& combined) const;
@@ -77,15 +79,16 @@ private:
 };
 
 /// What is to be known of a state in equilibrium under a load.
-void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const plate::State& state,
-                     std::size_t step) {
+void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const plate::State& state, std::size_t step,
+                     const plate::Heat& heat) {
   const auto when = fmt::format("in {}", one.name);
   const auto number = double(found_.size() + 1);
   post::require_finite(state, when);
   const double work = post::slow_work(plate_, load, state), strain = plate_.strain_energy(state);
-  one.strain_energy = strain, one.external_work = work;
+  const double heated = plate::stored(heat, state);
+  one.strain_energy = strain + heated, one.external_work = work + heated;
   const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
-  post::Sample row{number, step, state, strain, 0, work, 0};
+  post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain - 2 * work;
   recorder_.row(row, probes_, plate_.cloud().plate_points);
   post::ReactionRows reactions;
@@ -96,7 +99,7 @@ void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const
     std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
     one.reactions = reactions.summary();
   }
-  if (plan_.srif) one.srif = of_all(post::srifs(plate_, *plan_.srif, ready_.tip_methods, state, true));
+  if (plan_.srif) one.srif = of_all(post::srifs(plate_, *plan_.srif, ready_.tip_methods, state, true, &heat));
   if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
@@ -104,12 +107,12 @@ void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const
   post::Extremes extremes(plate_);
   extremes.row(now);
   if (recorder_.draws() || recorder_.stores()) {
-    auto frame = post::frame_of(plate_, number, step, state, recorder_.draws());
+    auto frame = post::frame_of(plate_, number, step, state, recorder_.draws(), &heat);
     if (plan_.report && !drawing_) pictures_.look(frame);
     if (recorder_.draws()) extremes.frame(number, frame.resultants);
     recorder_.frame(drawing_ ? drawing_->frame(std::move(frame)) : std::move(frame), {}, {});
   }
-  one.extremes = of_all(extremes.found());
+  one.extremes = of_all(extremes.found(&heat));
   found_.push_back(std::move(one));
   const bool rests = !found_.back().of.empty() && post::is_zero(state);  // a combination that cancels
   if (!rests && !post::moves(state, work)) post::require_motion(plate_, {load}, state, work, warnings_);
@@ -163,7 +166,8 @@ void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
   for (std::size_t i = 0; i < problem.load_cases.size(); ++i) {
     const auto& name = problem.load_cases[i].name;
     plate::Forces load = plate::Forces::Zero(3, Eigen::Index(plate_.points()));
-    for (const auto k : plate::loads_of(problem, i)) load += plate_.loads()[k].forces;
+    std::vector<double> shares(plate_.loads().size(), 0);
+    for (const auto k : plate::loads_of(problem, i)) load += plate_.loads()[k].forces, shares[k] = 1;
     const auto result =
         solver(load, {analysis.tolerance, analysis.max_iterations, {}}, i + 1 < problem.load_cases.size());
     const auto& solution = result.solution;
@@ -177,7 +181,8 @@ void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
     if (!solution.converged)
       throw plate::NumericalError(fmt::format("{}, {}: {}, residual {:.2e} above tolerance {:.1e}", name, result.method,
                                               solution.stop_reason, solution.residual, analysis.tolerance));
-    look({name, {}, solution.iterations, solution.residual}, load, solution.state, solution.iterations);
+    look({name, {}, solution.iterations, solution.residual}, load, solution.state, solution.iterations,
+         plate::heat_of(plate_, shares));
     stopwatch.lap("srif");
     progress.update(double(i + 1) / double(problem.load_cases.size()), name);
     if (combined) states.push_back(solution.state), loads.push_back(std::move(load));
@@ -209,7 +214,11 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
     state.setZero(), load.setZero();
     warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
   }
-  look({combination.name, combination.of, {}, cancels ? 0 : residual / size}, load, state, 0);
+  std::vector<double> shares(plate_.loads().size(), 0);
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    for (const auto k : plate::loads_of(plate_.problem(), i)) shares[k] += factors[i];
+  look({combination.name, combination.of, {}, cancels ? 0 : residual / size}, load, state, 0,
+       cancels ? plate::Heat{} : plate::heat_of(plate_, shares));
 }
 
 post::Summary LoadCases::finish(post::Summary summary, plate::Stopwatch& stopwatch) {

@@ -10,52 +10,16 @@
 #include "fracture/runs/shared/among_ranks.hpp"
 #include "fracture/runs/shared/own_drawing.hpp"
 #include "geometry/lattice/cloud.hpp"
-#include "plate/model/numerical_error.hpp"
+#include "plate/formulation/heated/heat.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/figures/curve_plot.hpp"
 #include "post/files/archive.hpp"
 #include "post/report/curves.hpp"
-#include "post/report/html/report.hpp"
 #include "post/report/overlaps.hpp"
-#include "post/report/scene.hpp"
 
 namespace fracture {
-
-std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>& places,
-                                   const plate::Formulation& plate) {
-  std::vector<post::Probe> result;
-  for (const auto& [name, x] : places)
-    result.push_back({name, x, plate.here(x) ? plate.interpolation(x) : std::vector<plate::Share>{}});
-  return result;
-}
-
-post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings) {
-  auto summary = post::about(plate, plan.analysis, {plan.srif.has_value(), plan.fields});
-  summary.title = plan.title;
-  summary.units = plan.units;
-  summary.formulation_reason = plan.formulation_reason;
-  summary.warnings = std::move(warnings);
-  count_all(summary, plate);
-  return summary;
-}
-
-plate::NumericalError placed(const plate::NumericalError& error, const plate::Formulation& plate,
-                             const post::Summary& summary) {
-  std::string said = error.what();
-  if (const auto& places = plate.cloud().positions; error.point && *error.point < places.size())
-    said += fmt::format("; the point is at ({:g}, {:g})", places[*error.point].x(), places[*error.point].y());
-  if (const auto& analysis = summary.analysis; analysis.time_step && analysis.time_step_limit)
-    said += fmt::format("; the time step {:g} is {:.3g} of the stable one", *analysis.time_step,
-                        *analysis.time_step / *analysis.time_step_limit);
-  return plate::NumericalError(said);
-}
-
-void write_report(const RunPlan& plan, const post::Pictures& pictures) {
-  if (plan.report && speaks())
-    post::write_report(*plan.report, {plan.problem, plan.title, plan.source, plan.units, plan.probes}, pictures);
-}
 
 Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
                  post::Recorder recorder)
@@ -82,8 +46,10 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
 Results::~Results() = default;
 
 void Results::sample(const plate::Instant& now, bool last) {
-  strain_energy_ = now.strain_energy;
-  post::Sample row{now.time, now.step, now.state, now.strain_energy, now.kinetic_energy, now.external_work, 0};
+  const auto heat = plate::heat_at(plate_, now.time);
+  const double heated = plate::stored(heat, now.state);
+  strain_energy_ = now.strain_energy + heated, external_work_ = now.external_work + heated;
+  post::Sample row{now.time, now.step, now.state, strain_energy_, now.kinetic_energy, external_work_, 0};
   post::EnergyGate::Books books{now.strain_energy + now.kinetic_energy, now.strain_energy + now.discrete_kinetic_energy,
                                 now.external_work};
   row.discrete_energy = books.kept + now.potential;
@@ -103,7 +69,7 @@ void Results::sample(const plate::Instant& now, bool last) {
   const auto factors = [&]() -> std::vector<post::Srif> {
     if (growth_) return of_all(growth_->factors(now.state));
     if (!plan_.srif || factors_.known()) return {};
-    return of_all(post::srifs(plate_, *plan_.srif, tip_methods_, now.state, last));
+    return of_all(post::srifs(plate_, *plan_.srif, tip_methods_, now.state, last, &heat));
   };
   factors_.add(factors(), fmt::format("at step {}, time {:g}", now.step, now.time));
 }
@@ -111,7 +77,9 @@ void Results::sample(const plate::Instant& now, bool last) {
 void Results::frame(const plate::Instant& now) {
   next_frame_ = plan_.frames_every ? next_frame_ + *plan_.frames_every : INFINITY;
   if (!recorder_.draws() && !recorder_.stores()) return;
-  auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_);
+  const bool of_mode = plan_.analysis.kind == plate::Analysis::Kind::frequencies;
+  const auto heat = of_mode ? plate::Heat{} : plate::heat_at(plate_, now.time);
+  auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_, &heat);
   std::optional<plate::Mesh> mesh;
   if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state, factors_.last());
   if (drawing_) {
@@ -191,7 +159,8 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
 
 template <typename Archive>
 void Results::memory(Archive& archive) {
-  archive(factors_, reactions_, extremes_, pictures_, times_, residual_, energy_gate_, strain_energy_, next_frame_);
+  archive(factors_, reactions_, extremes_, pictures_, times_, residual_, energy_gate_, strain_energy_, external_work_,
+          next_frame_);
 }
 
 void Results::remember(plate::OutArchive& archive) {

@@ -61,7 +61,9 @@ public:
   /// Writes the tables and, last, the summary; returns it complete.
   post::Summary finish(post::Summary summary, plate::Stopwatch& stopwatch);
 
+  /// Of the last row: where temperatures act, of kappa - kappa_0, and the work with what they put in.
   double strain_energy() const { return strain_energy_; }
+  double external_work() const { return external_work_; }
 
   /// What has been recorded of a motion; all frames so far are written then. Where processes share the plate without
   /// state_of_largest(): what all of them know, which all call at once.
@@ -90,7 +92,7 @@ private:
   std::vector<post::Frequency> frequencies_;
   std::optional<post::AccuracySummary> accuracy_;
   std::optional<double> residual_;  // of the energies of a growth
-  double strain_energy_ = 0, next_frame_ = 0;
+  double strain_energy_ = 0, external_work_ = 0, next_frame_ = 0;
   MovingGrowth* growth_ = nullptr;
 };
 

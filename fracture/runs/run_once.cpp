@@ -98,7 +98,7 @@ void solve_static(const Going& run) {
   stopwatch.lap("srif");
   results.frame(end);
   summary.multipliers = plate.multipliers(solution.state);
-  summary.energy = {{"strain", results.strain_energy()}, {"external_work", end.external_work}};
+  summary.energy = {{"strain", results.strain_energy()}, {"external_work", results.external_work()}};
   book_attached(plate, solution.state, summary);
   if (!post::moves(solution.state, work))
     post::require_motion(plate, {plate.total_load()}, solution.state, work, summary.warnings);
@@ -125,8 +125,9 @@ std::function<void(const plate::Instant&)> observer(const Going& run, std::size_
     if (is_last || now.interrupted || now.time >= results.next_frame() - between / 2) results.frame(now);
     stopwatch.lap("output");
     summary.analysis.steps = now.step;
-    summary.energy = {
-        {"strain", results.strain_energy()}, {"kinetic", now.kinetic_energy}, {"external_work", now.external_work}};
+    summary.energy = {{"strain", results.strain_energy()},
+                      {"kinetic", now.kinetic_energy},
+                      {"external_work", results.external_work()}};
     book_attached(*ready.plate, now.state, summary);
     if (is_last && !post::moves(now.state, now.external_work))
       post::require_motion(*ready.plate, post::forces_of(*ready.plate), now.state, now.external_work, summary.warnings);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "plate/formulation/heated/heat.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -24,7 +25,8 @@ post::AccuracyTrial in_motion(Ready& ready, const plate::Analysis& analysis, con
   post::AccuracyTrial result{&plate, {}, ready.motion->truncated(), 0, ready.motion->vectors()};
   ready.motion->observe(ready.steps->grid.steps, [&](const plate::Instant& now) {
     ready.stopwatch.lap("solve");
-    result.rows.push_back(post::srifs(plate, options, ready.tip_methods, now.state, false));
+    const auto heat = plate::heat_at(plate, now.time);
+    result.rows.push_back(post::srifs(plate, options, ready.tip_methods, now.state, false, &heat));
     result.strain_energy = std::max(result.strain_energy, now.strain_energy);
     ready.stopwatch.lap("srif");
   });
@@ -40,7 +42,8 @@ FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector
   const auto& solution = result.solution;
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e}", when, solution.stop_reason, solution.residual));
-  auto factors = post::srifs(plate, options, methods, solution.state);
+  const auto heat = plate::heat_of(plate, 1);
+  auto factors = post::srifs(plate, options, methods, solution.state, true, &heat);
   return {std::move(result), std::move(factors)};
 }
 

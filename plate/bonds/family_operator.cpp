@@ -175,4 +175,29 @@ Eigen::VectorXd FamilyOperator::energies(const State& state) const {
   return result;
 }
 
+Forces force_of_curvature(const geometry::Families& families, const std::vector<BondShape>& shapes,
+                          const std::vector<double>& areas, const HorizonWeights& weights,
+                          const Eigen::VectorXd& curvature) {
+  constexpr double rounding = 1e-12;  // of bonds whose couples cancel
+  Forces result = Forces::Zero(3, Eigen::Index(areas.size()));
+  double largest = 0;
+  for (Eigen::Index k = 0; k < curvature.size(); ++k) {
+    const auto family = families[std::size_t(k)];
+    double dilatation = 0;  // of unit curvature
+    for (std::size_t i = 0; i < family.size(); ++i)
+      dilatation += weights.of(std::size_t(k), i).D * shapes[family[i].vector_id].length;
+    const double a = weights.a[weights.kind[std::size_t(k)]];
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      const BondShape& bond = shapes[family[i].vector_id];
+      const BondWeights& own = weights.of(std::size_t(k), i);
+      const double couple = -2 * areas[std::size_t(k)] * curvature[k] * (a * dilatation * own.D + own.B * bond.length);
+      const Eigen::Vector2d theta(couple * bond.mx, couple * bond.my);
+      result.col(Eigen::Index(family[i].neighbour)).tail<2>() += theta;
+      result.col(k).tail<2>() -= theta;
+      largest = std::max(largest, std::abs(couple));
+    }
+  }
+  return (result.array().abs() > rounding * largest).select(result, 0);
+}
+
 }  // namespace plate

@@ -78,4 +78,10 @@ private:
   OperatedPart part_;
 };
 
+/// What a curvature kappa_0 by points of the plate, which heat would give them freely, loads the points with: minus the
+/// derivative of what the energies of their bonds have of s xi kappa_0 xi, theory (79) [3 x points].
+Forces force_of_curvature(const geometry::Families& families, const std::vector<BondShape>& shapes,
+                          const std::vector<double>& areas, const HorizonWeights& weights,
+                          const Eigen::VectorXd& curvature);
+
 }  // namespace plate

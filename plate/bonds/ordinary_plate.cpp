@@ -26,6 +26,7 @@
 #include "plate/formulation/parts/mechanisms.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/model/free_memory.hpp"
+#include "plate/model/loading/temperature.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/refused.hpp"
 #include "plate/solve/reduction.hpp"
@@ -223,14 +224,18 @@ Discretised discretised(const Problem& problem) {
   auto shapes = bond_shapes(families.vectors(), problem.section, d);
   check_weights(shapes, d.horizon_ratio);
   layout.cut = cut_share(whole, families, shapes, boundary.cloud.plate_points);
+  auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
   Forces load = Forces::Zero(3, Eigen::Index(boundary.cloud.size()));
   for (const auto& one : problem.loads) {
-    layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline, boundary.own), one.history});
+    layout.loads.push_back(
+        {nodal_forces(one, boundary.cloud, problem.outline, boundary.own), one.history,
+         free_curvature(one, problem.section, boundary.cloud.positions, boundary.cloud.plate_points)});
+    if (auto& last = layout.loads.back(); last.curvature.size() > 0)
+      last.forces = force_of_curvature(families, shapes, boundary.cloud.areas, weights, last.curvature);
     const double share = 1 + (problem.load_cases.empty() ? 0 : 0.1 * double(layout.loads.size()));
     load += share * layout.loads.back().forces;  // those of load cases do not act together: none takes another away
   }
   layout.mechanisms = mechanisms(boundary, families, layout.pieces, load);
-  auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
   LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights),
                                     std::move(operated_part)));
   op.attach(boundary.attached);

@@ -18,6 +18,9 @@ struct Gradients {
   Eigen::Vector2d shear = Eigen::Vector2d::Zero();  // gamma_xz, gamma_yz
 };
 
+/// Of moments Mxx, Myy, Mxy, at z = +h/2 [force/length^2].
+double von_mises(const Eigen::Vector3d& moments, const Section& section);
+
 /// Resultants of these points, not yet set.
 Resultants resultants_of(Eigen::Index points);
 

@@ -18,6 +18,7 @@
 #include "plate/galerkin/resultants.hpp"
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/galerkin/tip_view.hpp"
+#include "plate/model/loading/temperature.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
@@ -223,6 +224,14 @@ std::string GalerkinPlate::remedy() const {
                      std::min(section().layer() / 3, discretization().spacing_at_tips() / 2));
 }
 
+TimedLoad timed(const Load& load, const geometry::Tessellation& cells, const GalerkinFamilies& families,
+                const Section& section) {
+  TimedLoad result{nodal_forces(load, cells, families.areas), load.history,
+                   free_curvature(load, section, cells.positions, families.areas.size())};
+  if (result.curvature.size() > 0) result.forces = force_of_curvature(families, section, result.curvature);
+  return result;
+}
+
 Discretised discretised(const Problem& problem) {
   Discretised result;
   auto& stopwatch = result.stopwatch;
@@ -246,8 +255,7 @@ Discretised discretised(const Problem& problem) {
   layout.boundary.attached = attached_stiffness(problem, cells);
   layout.pieces = pieces(layout.boundary, families.families);
   layout.cut = cut_share(cells, families.areas);
-  for (const auto& load : problem.loads)
-    layout.loads.push_back({nodal_forces(load, cells, families.areas), load.history});
+  for (const auto& load : problem.loads) layout.loads.push_back(timed(load, cells, families, problem.section));
   layout.paths = std::move(paths);
   stopwatch.lap("families");
   result.plate = std::make_unique<GalerkinPlate>(std::move(layout), std::move(cells), std::move(families));

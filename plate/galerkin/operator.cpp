@@ -96,4 +96,24 @@ std::size_t GalerkinOperator::bytes() const {
          families_.first.size() * sizeof(std::size_t) + families_.kind.size() * sizeof(std::uint32_t);
 }
 
+/// Of points about which the families' normals cancel (theory (63)) rounding would be left: none is.
+Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature) {
+  constexpr double rounding = 1e-12;
+  const double each = section.bending_stiffness() * (1 + section.poisson);
+  Forces result = Forces::Zero(3, curvature.size());
+  double largest = 0;
+  for (std::uint32_t k = 0; k < curvature.size(); ++k) {
+    const auto family = families.families[k];
+    const double moment = families.areas[k] * each * curvature[k];
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      const geometry::Point psi = moment * families.of(k)[i].gradient;
+      const Eigen::Vector2d theta(-psi.y(), psi.x());  // psi = (-theta_y, theta_x)
+      result.col(Eigen::Index(family[i].neighbour)).tail<2>() += theta;
+      result.col(k).tail<2>() -= theta;
+      largest = std::max(largest, psi.norm());
+    }
+  }
+  return (result.array().abs() > rounding * largest).select(result, 0);
+}
+
 }  // namespace plate

@@ -40,4 +40,8 @@ private:
   std::optional<std::uint32_t> lattice_;  // a point of kind 0
 };
 
+/// What a curvature kappa_0 by points, which heat would give them freely, loads the plate with: minus the derivative of
+/// -sum of V D (1 + nu) kappa_0 times the curvatures, theory (79) [3 x points].
+Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature);
+
 }  // namespace plate

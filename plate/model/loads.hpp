@@ -10,14 +10,16 @@
 
 namespace plate {
 
-/// One load. Pressure and shear forces act along +w; a positive moment is tension on the z > 0 face.
+/// One load. Pressure and shear forces act along +w; a positive moment is tension on the z > 0 face, which a positive
+/// temperature makes the warmer one.
 struct Load {
-  enum class Kind { pressure, edge_moment, edge_shear, point_force, line_load };
+  enum class Kind { pressure, edge_moment, edge_shear, point_force, line_load, temperature };
   Kind kind = Kind::pressure;
-  double value = 0;                     // pressure [force/length^2], moment, shear and line load per length, force
+  double value = 0;                     // pressure [force/length^2], moment, shear and line load per length, force,
+                                        // temperature of the face z > 0 less that of the other
   geometry::Point gradient{0, 0};       // of the pressure [force/length^3], which has its value at `from`
   geometry::Point from{0, 0};           // [length]
-  Formula formula;                      // the pressure, instead of the three [force/length^2]
+  Formula formula;                      // the pressure or temperature, instead of the three
   std::optional<double> gravity;        // along w: the value is density thickness gravity [length/time^2]
   std::optional<geometry::Hole> patch;  // the pressure acts on this part of the plate alone
   geometry::Polyline along;             // line_load

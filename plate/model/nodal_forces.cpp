@@ -77,6 +77,8 @@ Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const
     case Load::Kind::edge_shear:
       add_edge_load(load, cells, forces);
       break;
+    case Load::Kind::temperature:
+      break;
   }
   return forces;
 }
@@ -102,6 +104,8 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
     case Load::Kind::edge_moment:
     case Load::Kind::edge_shear:
       add_edge_load(load, cloud, outline, forces);
+      break;
+    case Load::Kind::temperature:
       break;
   }
   return forces;

@@ -13,9 +13,12 @@ namespace plate {
 struct TimedLoad {
   Forces forces;
   History history;
+  /// kappa_0 of a temperature at every point of the plate [1 / length]; of other loads empty.
+  Eigen::VectorXd curvature = {};
 };
 
 /// Generalised nodal forces (3 x points: work-conjugate to w, theta_x, theta_y) of one load at factor 1.
+/// A temperature, whose forces are of the formulation, gives none.
 /// Edge loads act on the edge line: what a point takes over is moved to it with the couple of its lever.
 /// `outline` is in the cloud's own units; `own`: points that no other process has, empty: all. Throws
 /// std::invalid_argument for an edge without points beside it.

@@ -10,6 +10,7 @@ struct Section {
   double thickness = 0;               // h [length]
   double shear_correction = 5.0 / 6;  // k_s
   double density = 0;                 // rho [mass/length^3], dynamics only
+  double thermal_expansion = 0;       // alpha [1/temperature], loads by temperature only
 
   /// D = E h^3 / (12 (1 - nu^2)) [force length]
   double bending_stiffness() const;

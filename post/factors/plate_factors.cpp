@@ -10,6 +10,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/heated/heat.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/ranks/ranks.hpp"
@@ -123,17 +124,48 @@ std::optional<TipMethods> tip_methods(std::shared_ptr<const TipView> view, const
   return result.works() ? std::optional(std::move(result)) : std::nullopt;
 }
 
+namespace {
+
+/// kappa_0 about a tip, the mean of the points next to it.
+double curvature_at(const geometry::Point& tip, const plate::Formulation& plate, const plate::Heat& heat) {
+  const auto& cloud = plate.cloud();
+  const double near = 2 * plate.discretization().spacing_at_tips();
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < cloud.plate_points; ++k)
+    if ((cloud.positions[k] - tip).norm() < near) sum += heat.curvature[Eigen::Index(k)], ++count;
+  return count > 0 ? sum / count : 0;
+}
+
+/// Of a heated plate, from which the free curvature about the tip is taken first: what is left has the moments that
+/// there are, and no method needs to know of a heat that is the same everywhere.
+std::vector<Srif> of_heated(const plate::Formulation& plate, const TipMethods& methods, const geometry::Tip& tip,
+                            const plate::State& state, const plate::Forces& force, const plate::Heat& heat,
+                            bool all_rings) {
+  const bool uniform = heat.curvature.minCoeff() == heat.curvature.maxCoeff();
+  const double there = uniform ? heat.curvature[0] : curvature_at(tip.position, plate, heat);
+  const auto cold = plate::cold(state, plate.cloud().positions, tip.position, there);
+  const Eigen::VectorXd varying = heat.curvature.array() - there;
+  return methods(cold, force, all_rings, uniform ? nullptr : &varying);
+}
+
+}  // namespace
+
 std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& options,
-                        const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings) {
+                        const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings,
+                        const plate::Heat* heat) {
   plate::Forces force;
   const bool together = plate::ranks();  // no process can find forces alone
   if (together || std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
-    plate.internal_force(state, force), plate.boundary().attached.take_force(state, force),
-        plate.constraints().fetch(force);
+    plate.internal_force(state, force), plate.boundary().attached.take_force(state, force);
+  const bool heated = heat && !heat->none();
+  if (heated && force.size() > 0) force += heat->forces;
+  if (force.size() > 0) plate.constraints().fetch(force);
   std::vector<std::vector<Srif>> by_tip(methods.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
-    if (methods[tip].here()) by_tip[tip] = methods[tip](state, force, all_rings);
+    if (methods[tip].here())
+      by_tip[tip] = !heated ? methods[tip](state, force, all_rings)
+                            : of_heated(plate, methods[tip], plate.tips()[tip], state, force, *heat, all_rings);
   std::vector<Srif> result;
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
     for (auto& srif : by_tip[tip]) {

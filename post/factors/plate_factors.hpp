@@ -6,6 +6,7 @@
 
 namespace plate {
 class Formulation;
+struct Heat;
 struct Problem;
 }  // namespace plate
 
@@ -36,9 +37,11 @@ std::optional<TipMethods> tip_methods(std::shared_ptr<const TipView> view, const
                                       const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip,
                                       const SrifOptions& options, double reach = INFINITY);
 
-/// The intensity factors of all tips, normalised, the recommended one of each tip first.
+/// The intensity factors of all tips, normalised, the recommended one of each tip first. `heat`: what temperatures do
+/// to the plate in this state.
 std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& options,
-                        const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings = true);
+                        const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings = true,
+                        const plate::Heat* heat = nullptr);
 
 /// Which methods are missing at which tips, and why.
 std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const std::vector<TipMethods>& methods);

@@ -14,6 +14,31 @@ Eigen::Vector3d unit_release(const plate::Section& s) {
   return {bending, bending, shear};
 }
 
+/// The strain energy has W = D (1 + nu) kappa_0 (tr grad psi + kappa_0) of it; the field is carried along with the tip,
+/// while kappa_0 stays where it is.
+double release_of_heat(const TipView& plate, const TipFrame& frame, const Ring& ring, const plate::State& field,
+                       const Eigen::VectorXd& curvature) {
+  double sum = 0;
+  for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
+    const double r = (plate.positions[k] - frame.origin).norm();
+    if (r > 2 * ring.outer) continue;
+    const Point slope = plate.extension_slope(k, frame, ring);
+    if (ring.extension(r) == 0 && slope == Point(0, 0)) continue;
+    const auto theta = plate.gradients(k, field).theta;
+    Eigen::Matrix2d psi;  // psi = (-theta_y, theta_x)
+    psi << -theta.row(1), theta.row(0);
+    Point slope_of_curvature(0, 0);
+    const auto shares = plate.gradient_shares(k);
+    for (std::size_t i = 0; i < shares.bonds.size(); ++i)
+      if (const auto j = shares.bonds[i].neighbour; j < plate.plate_points)
+        slope_of_curvature += shares.share.col(Eigen::Index(i)) * (curvature[j] - curvature[k]);
+    const double own = curvature[k], trace = psi.trace();
+    const double carried = own * (psi * frame.ahead).dot(slope) - own * (trace + own) * slope.dot(frame.ahead);
+    sum += plate.areas[k] * (carried - ring.extension(r) * (trace + 2 * own) * slope_of_curvature.dot(frame.ahead));
+  }
+  return plate.section.bending_stiffness() * (1 + plate.section.poisson) * sum;
+}
+
 TipSurroundings::TipSurroundings(const TipView& plate, const geometry::Tip& tip, double radius)
     : plate_(&plate), frame_(tip) {
   for (std::uint32_t k = 0; k < plate.plate_points; ++k) {

@@ -10,6 +10,11 @@ using plate::EnergyRelease, plate::NearField, plate::Ring, plate::TipFrame, plat
 /// By the domain integral of moments, shear forces and gradients at the points of the ring (J-integral; theory (48)).
 std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFrame& frame, const Ring& ring);
 
+/// What a curvature kappa_0 of heat that varies about a tip adds to -dU/da of a ring (theory (80)) [force]. `field`:
+/// less the free curvature at the tip, `curvature`: of all points of the plate, less that at the tip [1 / length].
+double release_of_heat(const TipView& plate, const TipFrame& frame, const Ring& ring, const plate::State& field,
+                       const Eigen::VectorXd& curvature);
+
 /// What all integrals about a tip share: the points that their extensions may move, and the work of the forces there.
 class TipSurroundings {
 public:
@@ -20,6 +25,7 @@ public:
   const std::vector<std::uint32_t>& centre() const { return centre_; }  // within two spacings of the tip
   /// q of a ring at every point.
   Eigen::VectorXd extensions(const Ring& ring) const;
+  const TipFrame& frame() const { return frame_; }
   /// f . du/dx' at every point within `radius`, 0 beyond [force]. `force`: internal force of the state, minus external
   /// forces plus inertia (Operator::internal_force).
   Eigen::VectorXd forward_work(const plate::State& state, const plate::Forces& force, double radius) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "post/factors/displacement_extrapolation.hpp"
@@ -58,7 +59,8 @@ class TipMethods::AtTip {
 public:
   AtTip(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options);
 
-  std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings) const;
+  std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings,
+                               const Eigen::VectorXd* curvature) const;
   const std::vector<std::string>& left_out() const { return left_out_; }
   bool works() const { return left_out_.size() < methods_.size(); }
   Eigen::MatrixXd functionals() const;
@@ -72,8 +74,9 @@ private:
   };
 
   Integral integral_of(const std::string& method, const geometry::Tip& tip, double clear, bool first_ring_only) const;
+  /// `heat`: what heat that varies adds to G of a ring.
   Srif of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix, const NearField& field,
-          const Eigen::VectorXd& forward_work) const;
+          const Eigen::VectorXd& forward_work, const std::function<double(const Ring&)>& heat) const;
   std::size_t rings_of(const Integral& integral, bool all) const;
   Srif by_fit(const std::vector<FitSrif>& fits) const;
   void fit(const geometry::Tip& tip, double clear, bool first_only);
@@ -193,13 +196,14 @@ std::size_t TipMethods::AtTip::rings_of(const Integral& integral, bool all) cons
 }
 
 Srif TipMethods::AtTip::of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix,
-                           const NearField& field, const Eigen::VectorXd& forward_work) const {
+                           const NearField& field, const Eigen::VectorXd& forward_work,
+                           const std::function<double(const Ring&)>& heat) const {
   Srif result;
   result.position = tip_.position;
   result.method = integral.method;
   result.samples = rings;
   for (std::size_t i = 0; i < rings; ++i) {
-    const double G = integral.integrals[i](field, forward_work);
+    const double G = integral.integrals[i](field, forward_work) + (heat ? heat(integral.rings[i]) : 0);
     const auto K = factors(G, mix, view_->section);
     result.rings.push_back({integral.rings[i].inner, integral.rings[i].outer, G, K[0], K[1], K[2]});
   }
@@ -218,8 +222,8 @@ Srif TipMethods::AtTip::by_fit(const std::vector<FitSrif>& fits) const {
   return result;
 }
 
-std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const plate::Forces& force,
-                                                bool all_rings) const {
+std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const plate::Forces& force, bool all_rings,
+                                                const Eigen::VectorXd* curvature) const {
   const NearField field(state, view_->positions, surroundings_.centre());
   const std::vector<FitSrif> fits = fitted(field);
   const Eigen::Vector3d mix = split(fits, state);
@@ -228,10 +232,14 @@ std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const
     for (std::size_t i = 0; i < rings_of(integral, all_rings); ++i) radius = std::max(radius, integral.rings[i].outer);
   const Eigen::VectorXd work =
       integrals_.empty() ? Eigen::VectorXd() : surroundings_.forward_work(state, force, radius);
+  std::function<double(const Ring&)> heat;
+  if (curvature)
+    heat = [&](const Ring& ring) { return release_of_heat(*view_, surroundings_.frame(), ring, state, *curvature); };
   std::vector<Srif> found;
   for (const auto& method : methods_) {
     for (const auto& integral : integrals_)
-      if (integral.method == method) found.push_back(of(integral, rings_of(integral, all_rings), mix, field, work));
+      if (integral.method == method)
+        found.push_back(of(integral, rings_of(integral, all_rings), mix, field, work, heat));
     if (method == "series_fit" && !fits.empty()) found.push_back(by_fit(fits));
     for (const auto& opening : openings_)
       if (auto srif = opening(state); srif.method == method) {
@@ -266,8 +274,9 @@ TipMethods::TipMethods(TipMethods&&) noexcept = default;
 TipMethods& TipMethods::operator=(TipMethods&&) noexcept = default;
 TipMethods::~TipMethods() = default;
 
-std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate::Forces& force, bool all_rings) const {
-  return (*at_tip_)(state, force, all_rings);
+std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate::Forces& force, bool all_rings,
+                                         const Eigen::VectorXd* curvature) const {
+  return (*at_tip_)(state, force, all_rings, curvature);
 }
 
 const std::vector<std::string>& TipMethods::left_out() const {

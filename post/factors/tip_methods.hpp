@@ -36,8 +36,9 @@ public:
   ~TipMethods();
 
   /// `force`: internal force of the state (Operator::internal_force). `all_rings` = false: only those that the result
-  /// needs, for curves in time.
-  std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings = true) const;
+  /// needs, for curves in time. `curvature`: of heat that varies, less that at the tip, of which the state is cold().
+  std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings = true,
+                               const Eigen::VectorXd* curvature = nullptr) const;
 
   /// Why methods were left out.
   const std::vector<std::string>& left_out() const;

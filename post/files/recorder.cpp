@@ -4,6 +4,7 @@
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/heated/heat.hpp"
 #include "plate/model/section.hpp"
 #include "plate/solve/reduction.hpp"
 #include "post/files/archive.hpp"
@@ -20,11 +21,12 @@ Cell cell(const std::optional<double>& value) {
 }  // namespace
 
 Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, const plate::State& state,
-               bool resultants) {
+               bool resultants, const plate::Heat* heat) {
   const auto plate_points = plate.cloud().plate_points;
   Frame frame{time, step, state.leftCols(Eigen::Index(plate_points)), {}, {}};
   if (!resultants) return frame;
   frame.resultants = plate.resultants(state);
+  if (heat) plate::relieve(frame.resultants, plate.section(), *heat);
   frame.damage.assign(plate_points, 0);
   return frame;
 }

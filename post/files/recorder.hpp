@@ -9,7 +9,8 @@
 
 namespace plate {
 class Formulation;
-}
+struct Heat;
+}  // namespace plate
 
 namespace post {
 
@@ -23,9 +24,10 @@ struct Sample {
   std::optional<double> released_energy = {}, load_factor = {}, displacement = {};  // of a quasi-static growth
 };
 
-/// The points of the plate at an instant, with resultants and damage (zero) where they are wanted.
+/// The points of the plate at an instant, with resultants and damage (zero) where they are wanted; `heat`: what
+/// temperatures do to it then.
 Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, const plate::State& state,
-               bool resultants);
+               bool resultants, const plate::Heat* heat = nullptr);
 
 /// The points of the plate without cells: what state.h5 holds of them.
 Mesh points_of(const plate::Formulation& plate);

@@ -7,6 +7,8 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/heated/heat.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -37,6 +39,21 @@ void widen_errors_of_frame(std::size_t frame, const plate::Formulation& plate,
   widen_errors(of_frames[frame], parts, plate.section().thickness);
 }
 
+/// Of a load case or combination, or at the time of the frame.
+plate::Heat heat_of_frame(std::size_t frame, double time, const plate::Formulation& plate) {
+  const auto& problem = plate.problem();
+  const auto cases = problem.load_cases.size();
+  if (cases == 0) return plate::heat_at(plate, time);
+  std::vector<double> factors(cases, 0), shares(plate.loads().size(), 0);
+  if (frame < cases)
+    factors[frame] = 1;
+  else
+    factors = plate::factors_of(problem.combinations[frame - cases], problem.load_cases);
+  for (std::size_t i = 0; i < cases; ++i)
+    for (const auto k : plate::loads_of(problem, i)) shares[k] += factors[i];
+  return plate::heat_of(plate, shares);
+}
+
 }  // namespace
 
 Table stored_factors(const StoredRun& run, const plate::Formulation& plate, const SrifOptions& options,
@@ -54,7 +71,8 @@ Table stored_factors(const StoredRun& run, const plate::Formulation& plate, cons
   for (std::size_t frame = 0; frame < run.times.size(); ++frame) {
     state.leftCols(Eigen::Index(cloud.plate_points)) = run.states[frame];
     plate.constraints().impose(state);
-    auto found = srifs(plate, options, methods, state);
+    const auto heat = heat_of_frame(frame, run.times[frame], plate);
+    auto found = srifs(plate, options, methods, state, true, &heat);
     require_finite(found, fmt::format("at time {:g}", run.times[frame]));
     if (names.empty()) {
       append(table, run.times[frame], found);

@@ -8,6 +8,7 @@
 
 namespace plate {
 class Formulation;
+struct Heat;
 struct Instant;
 struct Resultants;
 }  // namespace plate
@@ -33,8 +34,8 @@ public:
   void row(const plate::Instant& now);
   void frame(double time, const plate::Resultants& resultants);
 
-  /// w, then von_mises; nothing without rows.
-  std::vector<Peak> found() const;
+  /// w, then von_mises; nothing without rows. `heat`: of the only row, where it is not that of its time.
+  std::vector<Peak> found(const plate::Heat* heat = nullptr) const;
 
   /// The state of the row with the largest strain energy; empty before the first.
   plate::State& state() { return state_; }

@@ -5,6 +5,7 @@
 
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/heated/heat.hpp"
 #include "plate/formulation/resultants.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -73,13 +74,15 @@ void Extremes::so_far(const std::vector<Peak>& peaks) {
   for (const auto& one : peaks) (one.quantity == "w" ? deflection_ : stress_) = one;
 }
 
-std::vector<Peak> Extremes::found() const {
+std::vector<Peak> Extremes::found(const plate::Heat* heat) const {
   std::vector<Peak> result;
   if (!deflection_) return result;
   result.push_back(*deflection_);
   auto stress = stress_;
   if (!stress || seen_ != time_) {
-    auto there = largest_stress(time_, plate_->resultants(state_));
+    auto resultants = plate_->resultants(state_);
+    plate::relieve(resultants, plate_->section(), heat ? *heat : plate::heat_at(*plate_, time_));
+    auto there = largest_stress(time_, resultants);
     if (!stress || there.value > stress->value) stress = std::move(there);
   }
   if (stress->position) result.push_back(std::move(*stress));

@@ -26,6 +26,8 @@ Fields<plate::Section> section_fields() {
       number<Section>("thickness", "length", &Section::thickness, positive, "thickness of the plate").required(),
       number<Section>("shear_correction", "-", &Section::shear_correction, {0, 1, true},
                       "factor of the transverse shear stiffness"),
+      number<Section>("thermal_expansion", "1/temperature", &Section::thermal_expansion, positive,
+                      "strain per temperature, of loads of kind = temperature"),
       number<Section>("density", "mass/length^3", &Section::density, positive,
                       "mass density; in statics of own weight alone")
           .required({Analysis::Kind::dynamic, Analysis::Kind::frequencies}),

@@ -42,7 +42,8 @@ const Words<Load::Kind> load_kinds{{{"pressure", Load::Kind::pressure},
                                     {"edge_moment", Load::Kind::edge_moment},
                                     {"edge_shear", Load::Kind::edge_shear},
                                     {"point_force", Load::Kind::point_force},
-                                    {"line_load", Load::Kind::line_load}}};
+                                    {"line_load", Load::Kind::line_load},
+                                    {"temperature", Load::Kind::temperature}}};
 
 const Words<History::Kind> history_words{
     {{"step", History::Kind::step}, {"ramp", History::Kind::ramp}, {"sine", History::Kind::sine}}};
@@ -122,8 +123,8 @@ Field<T> points(const std::string& name, std::vector<geometry::Point> T::*member
 
 Field<Load> expression() {
   return value<Load>(
-      {"expression", "force/length^2", "an expression in x, y and pi", "",
-       "the pressure, as \"100 * sin(pi * x / 2)\""},
+      {"expression", "force/length^2, temperature", "an expression in x, y and pi", "",
+       "the pressure or temperature, as \"100 * sin(pi * x / 2)\""},
       [](const Value& given, Load& load) {
         const auto text = given.text();
         if (text) try {
@@ -174,13 +175,14 @@ Fields<Load> load_fields() {
                                  }};
   return {
       choice<Load, Load::Kind>("kind", &Load::kind, load_kinds, "what acts; see \"Loads\" and \"Signs\"").required(),
-      expression().with(kind_is({pressure})),
+      expression().with(kind_is({pressure, temperature})),
       number<Load>("gravity", "length/time^2", &Load::gravity, finite,
                    "own weight: the pressure is density thickness gravity, along w")
           .with({"kind", "kind = pressure without expression",
                  [](const Load& load) { return load.kind == pressure && !load.formula.given(); }}),
-      amount("value", "force/length^2, force, force/length, force, force/length", &Load::value,
-             "pressure, edge moment per length, edge shear per length, point force, force per length of a line")
+      amount("value", "force/length^2, force, force/length, force, force/length, temperature", &Load::value,
+             "pressure, edge moment per length, edge shear per length, point force, force per length of a line, "
+             "temperature of the face z > 0 less that of the other")
           .with({"kind", "neither expression nor gravity",
                  [](const Load& load) { return !load.formula.given() && !load.gravity; }})
           .standard("required without tensor, expression and gravity"),

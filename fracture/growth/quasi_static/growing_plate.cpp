@@ -5,6 +5,7 @@
 
 #include "fracture/runs/shared/among_ranks.hpp"
 #include "plate/formulation/discretised.hpp"
+#include "plate/formulation/heated/heat.hpp"
 #include "plate/formulation/parts/held.hpp"
 #include "plate/formulation/stopwatch.hpp"
 #include "plate/model/numerical_error.hpp"
@@ -99,7 +100,8 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", solved.method,
                                             solution.stop_reason, solution.residual, solver_.options.tolerance));
   post::require_finite(solution.state, "in equilibrium");
-  auto factors = of_all(post::srifs(plate, options_of_factors_, methods, solution.state));
+  const auto heat = plate::heat_of(plate, 1);
+  auto factors = of_all(post::srifs(plate, options_of_factors_, methods, solution.state, true, &heat));
   post::require_finite(factors, "under the whole load");
   stopwatch_.lap("srif");
   latest_ = Solved{std::move(found), std::move(solution.state), std::move(factors)};
@@ -109,7 +111,7 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
 }
 
 void GrowingPlate::choose(const Equilibrium& state) {
-  seen_ = *std::exchange(latest_, {});
+  seen_ = *std::exchange(latest_, {}), seen_factor_ = state.factor;
   QuasiStaticTips::choose(state);
 }
 
@@ -117,6 +119,11 @@ void GrowingPlate::recall(plate::InArchive& archive) {
   first_.reset();  // its cracks are those at the start
   QuasiStaticTips::recall(archive);
   seen_ = *std::exchange(latest_, {});
+}
+
+double GrowingPlate::heated(double factor) const {
+  const Solved& last = latest_ ? *latest_ : seen_;
+  return factor * factor * plate::stored(plate::heat_of(*last.found.plate, 1), last.state);
 }
 
 std::optional<std::vector<post::Srif>> GrowingPlate::factors(double factor) {
@@ -130,6 +137,7 @@ plate::Mesh GrowingPlate::draw(post::Frame& frame, const plate::State& state) co
   auto mesh = plate.mesh();
   const auto first = plate.cut_at(start_);
   frame.resultants = plate.resultants(state);
+  plate::relieve(frame.resultants, plate.section(), plate::heat_of(plate, seen_factor_));
   frame.damage.assign(first.size(), 0);
   for (std::size_t k = 0; k < first.size(); ++k)
     frame.damage[k] = first[k] < 1 ? 1 - (1 - plate.cut()[k]) / (1 - first[k]) : 0;

@@ -30,6 +30,7 @@ public:
   const plate::State& state() const override { return seen_.state; }
   const plate::StaticSolution& solution() const override { return solution_; }
   const std::string& method() const { return method_; }
+  double heated(double factor) const override;
   std::optional<std::vector<post::Srif>> factors(double factor) override;
   plate::Mesh draw(post::Frame& frame, const plate::State& state) const override;
 
@@ -52,6 +53,7 @@ private:
   plate::StartOfCracks start_;
   std::optional<Solved> latest_;  // last; it may be a trial, or be followed by a failure
   Solved seen_;                   // at the last equilibrium
+  double seen_factor_ = 1;        // of the load there
   plate::StaticSolution solution_;
   std::string method_;
 };

@@ -21,7 +21,10 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
                             const std::function<void(const Equilibrium&)>& observe, const Continuation& continuation) {
   Grown result;
   QuasiStaticLoad load(growth.control);
-  const auto books = [&] { return Ledger{load.ledger.external_work, load.ledger.strain, model.fracture_energy()}; };
+  const auto books = [&] {
+    const double heated = model.heated(load.factor());
+    return Ledger{load.ledger.external_work + heated, load.ledger.strain + heated, model.fracture_energy()};
+  };
   if (continuation.from) {
     load = *continuation.from;
     result.ledger = books();

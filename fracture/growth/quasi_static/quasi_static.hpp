@@ -50,6 +50,9 @@ public:
   virtual const plate::State& state() const = 0;                     // of it, under the whole load
   virtual const plate::Operator& forces() const { return plate(); }  // as it is now
   virtual const plate::StaticSolution& solution() const = 0;         // how it was found, without its state
+  /// What strain energy and work are more than those without temperatures (plate::stored()), of the last solution times
+  /// a load factor [energy].
+  virtual double heated(double) const { return 0; }
   /// Intensity factors under a share of the load; none where they have not been found anew.
   virtual std::optional<std::vector<post::Srif>> factors(double factor) = 0;
   /// The cells between points that are whole, and what the frame shows beside the state.

@@ -6,6 +6,7 @@
 
 #include "fracture/growth/criteria.hpp"
 #include "geometry/shape/crack_extension.hpp"
+#include "plate/model/loading/temperature.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/wording.hpp"
 #include "plate/solve/analysis.hpp"
@@ -94,6 +95,18 @@ void check_factors(const Growth& growth, const std::optional<post::SrifOptions>&
     complain("srif.richardson", "is not available with [growth]: run the case with twice the spacing");
 }
 
+/// Bonds over a horizon are judged by the energy of their curvature, in which heat has no part.
+void check_heat(const plate::Problem& problem, const Analysis& analysis, const Growth& growth,
+                const Complain& complain) {
+  if (!plate::heated(problem)) return;
+  if (growth.by_bonds())
+    complain("growth.criterion", "bonds that break one by one know no temperature: choose \"energy_release\"");
+  else if (analysis.kind == Analysis::Kind::dynamic || growth.unstable == Growth::Unstable::move)
+    complain("growth",
+             "cracks that grow in motion know no temperature: let them grow at rest, with unstable = \"stop\" "
+             "or \"jump\"");
+}
+
 }  // namespace
 
 std::vector<KeyFault> faults_of_growth(const plate::Problem& problem, const plate::Analysis& analysis,
@@ -106,6 +119,7 @@ std::vector<KeyFault> faults_of_growth(const plate::Problem& problem, const plat
   if (analysis.kind == Analysis::Kind::static_) check_switch(growth, given, complain);
   check_cracks(problem, growth, complain);
   check_factors(growth, srif, complain);
+  check_heat(problem, analysis, growth, complain);
   return result;
 }
 

@@ -73,6 +73,9 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes) {
   for (std::size_t i = 0; i < plan.problem.supports.size(); ++i)
     refuse(plate::is_layer(plan.problem.supports[i].kind), "support[" + std::to_string(i) + "].kind",
            "layers cannot be run");
+  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
+    refuse(plan.problem.loads[i].kind == plate::Load::Kind::temperature, plate::key_of_load(plan.problem, i) + ".kind",
+           "temperatures cannot be run");
   refuse(plan.srif && plan.srif->richardson, "srif.richardson", "a second spacing cannot be run");
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
   const double seen = plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon();

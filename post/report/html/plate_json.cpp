@@ -78,7 +78,7 @@ std::string words(const plate::History& history) {
 }
 
 std::string text_of(const plate::Load& load) {
-  static constexpr std::array kinds{"pressure", "edge_moment", "edge_shear", "point_force", "line_load"};
+  static constexpr std::array kinds{"pressure", "edge_moment", "edge_shear", "point_force", "line_load", "temperature"};
   Members members{{"kind", json_text(kinds.at(std::size_t(load.kind)))},
                   {"value", json_number(load.value)},
                   {"twist", json_number(load.twist)},

@@ -1,0 +1,65 @@
+#include "plate/formulation/heated/heat.hpp"
+
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/formulation/resultants.hpp"
+#include "plate/model/history.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/model/section.hpp"
+
+namespace plate {
+
+Heat heat_of(const Formulation& plate, const std::vector<double>& shares) {
+  Heat result;
+  for (std::size_t i = 0; i < plate.loads().size(); ++i) {
+    const auto& load = plate.loads()[i];
+    if (load.curvature.size() == 0 || shares[i] == 0) continue;
+    if (result.none()) {
+      result.curvature = Eigen::VectorXd::Zero(load.curvature.size());
+      result.forces = Forces::Zero(3, load.forces.cols());
+    }
+    result.curvature += shares[i] * load.curvature, result.forces += shares[i] * load.forces;
+  }
+  if (result.none()) return result;
+  const auto& section = plate.section();
+  const auto& areas = plate.cloud().areas;
+  for (Eigen::Index k = 0; k < result.curvature.size(); ++k)
+    result.energy += areas[std::size_t(k)] * result.curvature[k] * result.curvature[k];
+  result.energy *= section.bending_stiffness() * (1 + section.poisson);
+  return result;
+}
+
+Heat heat_at(const Formulation& plate, double time) {
+  std::vector<double> shares;
+  for (const auto& load : plate.loads()) shares.push_back(factor(load.history, time));
+  return heat_of(plate, shares);
+}
+
+Heat heat_of(const Formulation& plate, double share) {
+  return heat_of(plate, std::vector<double>(plate.loads().size(), share));
+}
+
+double stored(const Heat& heat, const State& state) {
+  return heat.none() ? 0 : heat.energy - heat.forces.cwiseProduct(state).sum();
+}
+
+void relieve(Resultants& resultants, const Section& section, const Heat& heat) {
+  if (heat.none() || resultants.moments.cols() == 0) return;
+  const double each = section.bending_stiffness() * (1 + section.poisson);
+  for (Eigen::Index k = 0; k < heat.curvature.size(); ++k) {
+    resultants.moments.col(k).head<2>().array() -= each * heat.curvature[k];
+    resultants.von_mises[k] = von_mises(resultants.moments.col(k), section);
+  }
+}
+
+State cold(const State& state, const std::vector<geometry::Point>& positions, const geometry::Point& place,
+           double curvature) {
+  State result = state;
+  for (Eigen::Index k = 0; k < result.cols(); ++k) {
+    const geometry::Point x = positions[std::size_t(k)] - place;
+    result.col(k) += curvature * Eigen::Vector3d(x.squaredNorm() / 2, x.y(), -x.x());
+  }
+  return result;
+}
+
+}  // namespace plate

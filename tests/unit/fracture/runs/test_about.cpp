@@ -1,0 +1,26 @@
+#include <catch2/catch.hpp>
+
+#include "fracture/runs/results.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+TEST_CASE("a numerical error is given the place of its point and the share of the stable step") {
+  const auto plate = verified_plate::assembled(verified_plate::square(0.25));
+  post::Summary summary;
+  plate::NumericalError error("not finite");
+  CHECK(std::string(fracture::placed(error, *plate, summary).what()) == "not finite");
+  error.point = 0;
+  CHECK_THAT(fracture::placed(error, *plate, summary).what(), Catch::Contains("the point is at (-0.875, -0.875)"));
+  summary.analysis.time_step = 0.5, summary.analysis.time_step_limit = 1;
+  CHECK_THAT(fracture::placed(error, *plate, summary).what(),
+             Catch::Contains("the time step 0.5 is 0.5 of the stable"));
+}
+
+TEST_CASE("probes are read off the points about their places") {
+  const auto plate = verified_plate::assembled(verified_plate::square(0.25));
+  const auto probes = fracture::probes_of({{"a", {0.1, 0.2}}}, *plate);
+  REQUIRE(probes.size() == 1);
+  double sum = 0;
+  for (const auto& share : probes[0].shares) sum += share.weight;
+  CHECK(sum == Approx(1));
+}
