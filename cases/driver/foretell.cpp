@@ -18,7 +18,7 @@ CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const
   Case& c = result.content;
   c.discretization = fracture::widened(c.discretization, less.wider);
   if (const auto edges = c.discretization.boundary; edges != EdgeMethod::images && edges != EdgeMethod::layer)
-    c.section.thickness *= less.wider;  // they ask for points that are close for it
+    c.section.thicken(less.wider);  // they ask for points that are close for it
   c.analysis = fracture::sampled(c.analysis, solver, less, c.growth.has_value());
   for (auto& load : c.loads) load.history = {};  // some start from nothing, and nothing would move
   c.output.history_every = c.analysis.duration / std::clamp(less.steps / 8, 1.0, 8.0);

@@ -4,6 +4,7 @@
 #include "cases/input/refused.hpp"
 #include "fracture/runs/faults/analysis_faults.hpp"
 #include "fracture/runs/faults/growth_faults.hpp"
+#include "fracture/runs/faults/section_faults.hpp"
 #include "fracture/runs/load_cases_run.hpp"
 #include "geometry/shape/snapping.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -81,6 +82,8 @@ void check_analysis(const Case& content, Reading& reading) {
     complain(fracture::faults_of_growth(content, analysis, *growth, srif, given));
   complain(fracture::faults_of_accuracy(content, analysis, growth.has_value(), srif, content.formulation_reason));
   complain(plate::faults_of_heat(content));
+  if (reading.sound("section") && reading.sound("geometry"))
+    complain(fracture::faults_of_section(content, growth.has_value(), srif));
   complain(fracture::faults_of_motion(content, analysis, growth.has_value(), given));
 }
 

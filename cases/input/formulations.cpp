@@ -64,6 +64,20 @@ void add_growth(const Case& content, std::vector<Asked>& found) {
     add("unstable = \"move\"", Feature::running_tips);
 }
 
+void add_section(const plate::Problem& problem, std::vector<Asked>& found) {
+  const auto& section = problem.section;
+  const std::string remedy = "choose formulation = \"galerkin\", or remove it";
+  const auto add = [&](bool asked, const std::string& words, const std::string& key) {
+    if (asked) found.push_back({words, key, Feature::sections, true, remedy});
+  };
+  if (!problem.stiffeners.empty()) found.push_back({"stiffeners", "stiffener", Feature::stiffeners, true, remedy});
+  add(section.orthotropic.has_value(), "an orthotropic section", "section.orthotropic");
+  add(!section.plies.empty(), "a section of plies", "section.plies");
+  add(!section.regions.empty(), "a section that varies", "section.regions");
+  add(section.thickness_factor.given(), "a section that varies", "section.thickness_factor");
+  add(section.young_factor.given(), "a section that varies", "section.young_factor");
+}
+
 bool of_horizon(Feature feature) {
   return feature <= Feature::twist_match;
 }
@@ -76,6 +90,7 @@ std::vector<Asked> asked(const Case& content, const Reading& reading) {
   add_layers(content.supports, found);
   add_analysis(content.analysis, found);
   add_growth(content, found);
+  add_section(content, found);
   return found;
 }
 

@@ -29,6 +29,7 @@ struct Case;
 struct Output;
 
 Fields<plate::Section> section_fields();
+void check_section(const Value& section, plate::Section& content);
 Fields<plate::Problem> geometry_fields();
 /// A circle or a polygon; what each is for.
 Fields<geometry::Hole> hole_fields(const std::string& round, const std::string& polygonal);
@@ -40,6 +41,7 @@ Fields<plate::LoadCase> load_case_fields();
 Fields<plate::Combination> combination_fields();
 Fields<plate::Foundation> foundation_fields();
 Fields<plate::Spring> spring_fields();
+Fields<plate::Stiffener> stiffener_fields();
 Fields<Analysis> analysis_fields();
 Fields<fracture::Growth> growth_fields();
 Fields<post::SrifOptions> srif_fields();
@@ -58,6 +60,9 @@ const std::vector<Key>& keys();
 
 /// Puts ends of cracks that all but touch an edge, a hole or another crack onto it, and notes that.
 void snap_cracks(Case& content, Reading& reading);
+
+/// An expression in x and y.
+std::optional<plate::Formula> formula_of(const Value& value);
 
 /// Checks between tables: shape and cracks, edge names, points, what loads and holds the plate.
 void check_case(const Case& content, Reading& reading);

@@ -8,6 +8,11 @@ namespace cases {
 std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem) {
   using enum plate::Subject;
   static const std::map<plate::Subject, const char*> keys{{geometry, "geometry"},
+                                                          {section, "section"},
+                                                          {thickness_factor, "section.thickness_factor"},
+                                                          {young_factor, "section.young_factor"},
+                                                          {region, "section.regions[{}]"},
+                                                          {region_shape, "section.regions[{}].on"},
                                                           {cracks, "geometry.cracks"},
                                                           {spacing, "discretization.spacing"},
                                                           {volume_correction, "discretization.volume_correction"},
@@ -27,6 +32,9 @@ std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem)
                                                           {spring_edges, "spring[{}].edges"},
                                                           {spring_line, "spring[{}].along"},
                                                           {spring_position, "spring[{}].position"},
+                                                          {stiffener, "stiffener[{}]"},
+                                                          {stiffener_edges, "stiffener[{}].edges"},
+                                                          {stiffener_line, "stiffener[{}].along"},
                                                           {preconditioner, "analysis.preconditioner"},
                                                           {precision, "analysis.precision"},
                                                           {modes, "analysis.modes"},

@@ -260,7 +260,9 @@ const FormulationKind ordinary{
     {{Feature::levels, "\"levels\" is of formulation = \"galerkin\""},
      {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
      {Feature::any_direction, "this kind of support needs because it mirrors or extends the lattice there"},
-     {Feature::lanczos, "\"lanczos\" is of formulation = \"galerkin\", whose points all have mass"}},
+     {Feature::lanczos, "\"lanczos\" is of formulation = \"galerkin\", whose points all have mass"},
+     {Feature::sections, "bonds share their weights by pattern, as one isotropic section makes them"},
+     {Feature::stiffeners, "beams need points on their line, and bonds have theirs beside it"}},
     discretised};
 
 }  // namespace plate

@@ -35,10 +35,12 @@ Resultants resultants(const State& state, const geometry::Families& families, co
                       const std::vector<double>& areas, std::size_t plate_points, const Section& section) {
   const auto count = static_cast<Eigen::Index>(plate_points);
   Resultants result = resultants_of(count);
+  const LocalSection local(section);
+  const double S = section.shear_stiffness();
 #pragma omp parallel for schedule(static)
   for (Eigen::Index k = 0; k < count; ++k) {
     const Gradients g = gradients(static_cast<std::size_t>(k), state, families, shapes, areas);
-    set(result, k, section, g.theta, section.shear_stiffness() * g.shear);
+    set(result, k, local, g.theta, S * g.shear);
   }
   return result;
 }

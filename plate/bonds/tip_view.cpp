@@ -135,8 +135,8 @@ Point BondView::extension_slope(std::uint32_t k, const TipFrame& frame, const Ri
   return x.norm() > 0 ? Point(ring.slope(x.norm()) / x.norm() * x) : Point(0, 0);
 }
 
-double BondView::shear_stiffness(std::uint32_t) const {
-  return section.shear_stiffness();
+Eigen::Matrix2d BondView::shear_stiffness(std::uint32_t) const {
+  return section.shear_stiffness() * Eigen::Matrix2d::Identity();
 }
 
 std::unique_ptr<EnergyRelease> BondView::virtual_extension(const TipFrame& frame, const Ring& ring) const {

@@ -16,7 +16,7 @@ public:
   Gradients gradients(std::uint32_t k, const State& state) const override;
   GradientShares gradient_shares(std::uint32_t k) const override;
   geometry::Point extension_slope(std::uint32_t k, const TipFrame& frame, const Ring& ring) const override;
-  double shear_stiffness(std::uint32_t k) const override;
+  Eigen::Matrix2d shear_stiffness(std::uint32_t k) const override;
   std::unique_ptr<EnergyRelease> virtual_extension(const TipFrame& frame, const Ring& ring) const override;
 };
 

@@ -16,7 +16,10 @@
 #include "plate/model/refused.hpp"
 
 namespace plate {
-Formulation::Formulation(Layout layout) : layout_(std::make_unique<Layout>(std::move(layout))) {}
+Formulation::Formulation(Layout layout) {
+  if (!layout.sections) layout.sections.emplace(layout.problem.section);
+  layout_ = std::make_unique<Layout>(std::move(layout));
+}
 
 Formulation::~Formulation() = default;
 
@@ -30,6 +33,10 @@ const Problem& Formulation::problem() const {
 
 const Section& Formulation::section() const {
   return problem().section;
+}
+
+const PointSections& Formulation::sections() const {
+  return *layout_->sections;
 }
 
 const Discretization& Formulation::discretization() const {
@@ -106,7 +113,7 @@ Forces Formulation::first_load() const {
 }
 
 Forces Formulation::mass(double rotary) const {
-  return plate::mass(section(), cloud().areas, boundary().active, constraints(), rotary);
+  return plate::mass(sections(), cloud().areas, boundary().active, constraints(), rotary);
 }
 
 Inertia Formulation::inertia(double rotary) const {

@@ -15,10 +15,10 @@ struct Cloud;
 }  // namespace geometry
 
 namespace plate {
-
 class Constraints;
 class Inertia;
 class LatticeOperator;
+class PointSections;
 class Preconditioner;
 class TipView;
 struct Boundary;
@@ -58,8 +58,7 @@ struct StartOfCracks {
 /// Internal force in single precision.
 using SingleForce = std::function<void(const Values<float>& state, Values<float>& force)>;
 
-/// A plate that is ready to solve: all that solvers, outputs and intensity factors ask of it. Nothing above asks which
-/// it is; what it cannot do, its kind says.
+/// A plate that is ready to solve: all that is asked of it. Nothing above asks which it is; its kind says what it lacks.
 class Formulation : public Operator {
 public:
   ~Formulation() override;
@@ -69,6 +68,7 @@ public:
 
   const Problem& problem() const;
   const Section& section() const;
+  const PointSections& sections() const;
   const Discretization& discretization() const;
   const std::vector<geometry::CrackPath>& paths() const;
   const std::vector<geometry::Tip>& tips() const;

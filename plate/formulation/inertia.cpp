@@ -14,17 +14,24 @@ double area_of(const geometry::Tessellation& cells, std::uint32_t a, std::uint32
   return (x.x() * y.y() - x.y() * y.x()) / 2;
 }
 
-/// Integrals of products of the linear functions of triangles and the bilinear ones of squares.
-Triplets products(const geometry::Tessellation& cells) {
+/// Integrals of products of the linear functions of triangles and the bilinear ones of squares, in every cell times the
+/// mean of the weights of its points.
+template <typename Weight>
+Triplets products(const geometry::Tessellation& cells, const Weight& weight) {
   Triplets entries;
+  const auto mean = [&](const auto& cell) {
+    double sum = 0;
+    for (const auto k : cell) sum += weight(k);
+    return sum / double(cell.size());
+  };
   for (const auto& cell : cells.triangles) {
-    const double part = area_of(cells, cell[0], cell[1], cell[2]) / 12;
+    const double part = mean(cell) * area_of(cells, cell[0], cell[1], cell[2]) / 12;
     for (const auto i : cell)
       for (const auto j : cell) entries.emplace_back(int(i), int(j), i == j ? 2 * part : part);
   }
   constexpr std::array<double, 3> apart{4, 2, 1};  // the same corner, along an edge, across
   for (const auto& cell : cells.squares) {
-    const double part = 2 * area_of(cells, cell[0], cell[1], cell[2]) / 36;
+    const double part = mean(cell) * 2 * area_of(cells, cell[0], cell[1], cell[2]) / 36;
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < 4; ++j) {
         const std::size_t steps = (j + 4 - i) % 4;
@@ -36,27 +43,34 @@ Triplets products(const geometry::Tessellation& cells) {
 
 }  // namespace
 
-Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
+Forces mass(const PointSections& sections, const std::vector<double>& areas, const std::vector<char>& active,
             const Constraints& constraints, double rotary) {
   Forces result = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
-  const double translation = section.density * section.thickness;
-  const double rotation = rotary * translation * section.thickness * section.thickness / 12;
-  for (std::size_t k = 0; k < areas.size(); ++k)
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    const double translation = sections[k].mass, rotation = rotary * sections[k].rotary;
     if (active[k])
       result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
+  }
   constraints.fold_diagonal(result);
   return result;
 }
 
-Inertia::Inertia(const Section& section, const geometry::Tessellation& cells, const Constraints& constraints,
+Inertia::Inertia(const PointSections& sections, const geometry::Tessellation& cells, const Constraints& constraints,
                  double rotary)
-    : translation_(section.density * section.thickness),
-      rotation_(rotary * translation_ * section.thickness * section.thickness / 12),
-      constraints_(&constraints) {
-  const auto points = Eigen::Index(cells.positions.size());
-  const auto entries = products(cells);
-  areas_.resize(points, points);
-  areas_.setFromTriplets(entries.begin(), entries.end());
+    : translation_(1), rotation_(rotary), constraints_(&constraints) {
+  const auto fill = [&](Products& matrix, const auto& weight) {
+    const auto points = Eigen::Index(cells.positions.size());
+    const auto entries = products(cells, weight);
+    matrix.resize(points, points);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+  };
+  if (sections.uniform()) {
+    translation_ = sections[0].mass, rotation_ = rotary * sections[0].rotary;
+    fill(areas_, [](std::uint32_t) { return 1.0; });
+  } else {
+    fill(areas_, [&](std::uint32_t k) { return sections[k].mass; });
+    fill(rotary_areas_, [&](std::uint32_t k) { return sections[k].rotary; });
+  }
 }
 
 Forces Inertia::operator()(const State& state) const {
@@ -68,8 +82,10 @@ Forces Inertia::operator()(const State& state) const {
 
 Forces Inertia::whole(const State& state) const {
   Forces result(3, state.cols());
-  for (Eigen::Index i = 0; i < 3; ++i)
-    result.row(i) = (i == 0 ? translation_ : rotation_) * (areas_ * state.row(i).transpose()).transpose();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const auto& areas = i == 0 || rotary_areas_.size() == 0 ? areas_ : rotary_areas_;
+    result.row(i) = (i == 0 ? translation_ : rotation_) * (areas * state.row(i).transpose()).transpose();
+  }
   return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/SparseCore>
 #include "plate/formulation/constraints.hpp"
-#include "plate/model/section.hpp"
+#include "plate/formulation/sections/point_sections.hpp"
 
 namespace geometry {
 struct Tessellation;
@@ -9,10 +9,10 @@ struct Tessellation;
 
 namespace plate {
 
-/// Mass per degree of freedom, diag(rho h, rho h^3 / 12, rho h^3 / 12) times the area (Dai 9), carried over to the
-/// free ones; zero at held degrees of freedom and at points that are not active (images that store no energy).
-/// `rotary`: factor of the rotary inertia; above 1 thin plates take longer steps (theory.md, "Dynamics").
-Forces mass(const Section& section, const std::vector<double>& areas, const std::vector<char>& active,
+/// Mass per degree of freedom, diag(rho h, rho h^3 / 12, rho h^3 / 12) of every point times the area (Dai 9), carried
+/// over to the free ones; zero at held degrees of freedom and at points that are not active (images that store no
+/// energy). `rotary`: factor of the rotary inertia; above 1 thin plates take longer steps (theory.md, "Dynamics").
+Forces mass(const PointSections& sections, const std::vector<double>& areas, const std::vector<char>& active,
             const Constraints& constraints, double rotary = 1);
 
 /// The mass matrix of a plate on its free degrees of freedom.
@@ -23,7 +23,8 @@ public:
 
   /// The consistent mass of the cells of a Galerkin plate, in which deflection and rotations are linear, in squares
   /// bilinear (theory.md, "Dynamics"). `rotary`: factor of the rotary inertia. `constraints` must outlive this.
-  Inertia(const Section& section, const geometry::Tessellation& cells, const Constraints& constraints, double rotary);
+  Inertia(const PointSections& sections, const geometry::Tessellation& cells, const Constraints& constraints,
+          double rotary);
 
   /// P^T M u of u = P q [3 x points].
   Forces operator()(const State& state) const;
@@ -31,8 +32,10 @@ public:
   Forces whole(const State& state) const;
 
 private:
-  Forces diagonal_;                    // or, of cells:
-  Eigen::SparseMatrix<double> areas_;  // integrals of products [length^2], symmetric
+  Forces diagonal_;  // or, of cells:
+  using Products = Eigen::SparseMatrix<double>;
+  Products areas_;         // integrals of products, where the section varies times rho h [length^2], symmetric
+  Products rotary_areas_;  // where the section varies, times its rotary inertia
   double translation_ = 0, rotation_ = 0;
   const Constraints* constraints_ = nullptr;
 };

@@ -1,10 +1,12 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/parts/mechanisms.hpp"
 #include "plate/formulation/parts/pieces.hpp"
+#include "plate/formulation/sections/point_sections.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 
@@ -20,6 +22,7 @@ struct Layout {
   std::vector<TimedLoad> loads;
   std::vector<Piece> pieces = {};
   Mechanisms mechanisms = {};
+  std::optional<PointSections> sections = {};  // where not given: of the problem's section, the same everywhere
 };
 
 }  // namespace plate

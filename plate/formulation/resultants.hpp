@@ -25,7 +25,7 @@ double von_mises(const Eigen::Vector3d& moments, const Section& section);
 Resultants resultants_of(Eigen::Index points);
 
 /// Sets those of point k. `theta`: as in Gradients. `shear`: shear force [force/length].
-void set(Resultants& result, Eigen::Index k, const Section& section, const Eigen::Matrix2d& theta,
+void set(Resultants& result, Eigen::Index k, const LocalSection& section, const Eigen::Matrix2d& theta,
          const Eigen::Vector2d& shear);
 
 }  // namespace plate

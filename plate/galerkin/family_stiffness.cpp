@@ -21,10 +21,10 @@ std::array<double, 3> of_owner(double x, double y) {
 void FamilyStiffness::find(std::size_t k) {
   members_ = families_.families[k].size() + 1;
   if (members_ > most_members) throw std::invalid_argument("a point has more than 32 neighbours");
-  const GalerkinStiffness stiffness(section_, families_.square(k));
+  const GalerkinStiffness stiffness(sections_[k], families_.square(k));
   take_bonds(k, stiffness);
   for (std::size_t i = 0; i < members_; ++i) find_rows(i);
-  add_bonds(stiffness);
+  add_bonds();
 }
 
 /// With half the stiffness T of the mean curvatures and the residuals' products with them, X: Y = T H / 2 - X, and the
@@ -32,22 +32,26 @@ void FamilyStiffness::find(std::size_t k) {
 void FamilyStiffness::take_bonds(std::size_t k, const GalerkinStiffness& s) {
   const auto family = families_.families[k];
   const auto* bonds = families_.of(k);
-  const double V = families_.areas[k], less = (1 - s.nu) / 2, more = (1 + s.nu) / 2;
-  Eigen::Matrix4d T = Eigen::Matrix4d::Zero();  // xx, xy, yx, yy
-  T(0, 0) = T(3, 3) = V * s.D, T(0, 3) = T(3, 0) = V * s.D * s.nu;
-  T(1, 1) = T(2, 2) = T(1, 2) = T(2, 1) = V * s.D * less;
-  Eigen::Matrix2d M = V * s.shear * Eigen::Matrix2d::Identity();
+  const double V = families_.areas[k];
+  Eigen::Matrix<double, 3, 4> strain;  // kappa xx, yy, 2 xy by H xx, xy, yx, yy
+  strain << 1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1, 0;
+  Eigen::Matrix4d T = V * strain.transpose() * s.bending * strain;
+  Eigen::Matrix2d M = V * s.shear;
+  std::array<Eigen::Matrix2d, most_members> B;  // t_b B of every bond
   for (std::size_t i = 1; i < members_; ++i) {
     const auto& bond = bonds[i - 1];
     const Point& x = families_.families.vectors()[family[i - 1].vector_id];
     x_[i] = x.x(), y_[i] = x.y(), inverse_[i] = 1 / x.norm(), share_[i] = bond.share;
     G_[0][i] = bond.gradient.x(), G_[1][i] = bond.gradient.y();
     const Point n = x * inverse_[i];
-    const Eigen::Matrix2d nn = n * n.transpose(), B = less * Eigen::Matrix2d::Identity() + more * nn;
+    const Eigen::Matrix2d nn = n * n.transpose();
+    const double shear = n.dot(s.shear_residual * n), weight = bond.share * inverse_[i] * inverse_[i];
+    B[i] = s.bending_residual * along(s.bending, n);
     for (Eigen::Index a = 0; a < 2; ++a)
-      for (Eigen::Index c = 0; c < 2; ++c)
-        T.block<2, 2>(2 * a, 2 * c) += bond.share * s.bending_residual * B(a, c) * nn;
-    M += bond.share * s.shear_residual * nn;
+      for (Eigen::Index c = 0; c < 2; ++c) T.block<2, 2>(2 * a, 2 * c) += bond.share * B[i](a, c) * nn;
+    M += bond.share * shear * nn;
+    residual_[0][i] = weight * B[i](0, 0), residual_[1][i] = weight * B[i](0, 1), residual_[2][i] = weight * B[i](1, 1);
+    residual_[3][i] = weight * shear;
   }
   for (auto* numbers : {&G_[0], &G_[1]}) (*numbers)[0] = 0;
   for (auto& numbers : moments_) numbers[0] = 0;
@@ -55,22 +59,20 @@ void FamilyStiffness::take_bonds(std::size_t k, const GalerkinStiffness& s) {
   for (auto& numbers : forces_) numbers[0] = 0;
   for (std::size_t i = 1; i < members_; ++i) {
     const Point G(G_[0][i], G_[1][i]), n = Point(x_[i], y_[i]) * inverse_[i];
-    const double residual = share_[i] * inverse_[i];
     for (std::size_t c = 0; c < 2; ++c) {
       const auto C = Eigen::Index(c);
       G_[c][0] -= G_[c][i];
       for (std::size_t a = 0; a < 2; ++a) {
-        const double B = (a == c ? less : 0) + more * n[Eigen::Index(a)] * n[C];
-        const Point Y = T.block<2, 2>(2 * Eigen::Index(a), 2 * C) * G / 2;
-        const Point X = residual * s.bending_residual * B * n;
+        const auto A = Eigen::Index(a);
+        const Point Y = T.block<2, 2>(2 * A, 2 * C) * G / 2 - share_[i] * inverse_[i] * B[i](A, C) * n;
         for (std::size_t b = 0; b < 2; ++b) {
           const auto at = 4 * a + 2 * b + c;
-          moments_[at][i] = Y[Eigen::Index(b)] - X[Eigen::Index(b)];
+          moments_[at][i] = Y[Eigen::Index(b)];
           moments_[at][0] -= moments_[at][i];
         }
       }
     }
-    const Point y = M * G / 2 - residual * s.shear_residual * n;
+    const Point y = M * G / 2 - residual_[3][i] / inverse_[i] * n;
     const auto alpha = of_member(x_[i], y_[i]), beta = of_owner(x_[i], y_[i]);
     for (std::size_t a = 0; a < 2; ++a)
       for (std::size_t d = 0; d < 3; ++d) {
@@ -106,20 +108,16 @@ void FamilyStiffness::find_rows(std::size_t i) {
     }
 }
 
-void FamilyStiffness::add_bonds(const GalerkinStiffness& s) {
-  const double less = (1 - s.nu) / 2, more = (1 + s.nu) / 2;
+void FamilyStiffness::add_bonds() {
   const auto add = [&](std::size_t i, std::size_t j, const Eigen::Matrix3d& K) {
     for (std::size_t c = 0; c < 9; ++c) blocks_[(i * 9 + c) * stride + j] += K.data()[c];
   };
   for (std::size_t i = 1; i < members_; ++i) {
-    const double weight = share_[i] * inverse_[i] * inverse_[i];
-    const Point n = Point(x_[i], y_[i]) * inverse_[i], t(n.y(), -n.x());  // n . psi = t . (theta_x, theta_y)
     const auto alpha = of_member(x_[i], y_[i]), beta = of_owner(x_[i], y_[i]);
     const Eigen::Vector3d a(alpha.data()), b(beta.data());
-    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
-    bend.bottomRightCorner<2, 2>() =
-        weight * s.bending_residual * (less * Eigen::Matrix2d::Identity() + more * t * t.transpose());
-    const double shear = weight * s.shear_residual;
+    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();  // psi = (-theta_y, theta_x)
+    bend(1, 1) = residual_[2][i], bend(2, 2) = residual_[0][i], bend(1, 2) = bend(2, 1) = -residual_[1][i];
+    const double shear = residual_[3][i];
     add(i, i, shear * a * a.transpose() + bend);
     add(i, 0, shear * a * b.transpose() - bend);
     add(0, i, shear * b * a.transpose() - bend);
@@ -127,8 +125,8 @@ void FamilyStiffness::add_bonds(const GalerkinStiffness& s) {
   }
 }
 
-Eigen::MatrixXd family_stiffness(const GalerkinFamilies& families, const Section& section, std::size_t k) {
-  FamilyStiffness family(families, section);
+Eigen::MatrixXd family_stiffness(const GalerkinFamilies& families, const PointSections& sections, std::size_t k) {
+  FamilyStiffness family(families, sections);
   family.find(k);
   const auto members = Eigen::Index(family.members());
   Eigen::MatrixXd result(3 * members, 3 * members);

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "plate/formulation/sections/point_sections.hpp"
 #include "plate/galerkin/law.hpp"
 
 namespace plate {
@@ -12,7 +13,10 @@ class FamilyStiffness {
 public:
   static constexpr std::size_t most_members = 33;  // with the owner
 
-  FamilyStiffness(const GalerkinFamilies& families, const Section& section) : families_(families), section_(section) {}
+  /// Both must outlive this.
+  FamilyStiffness(const GalerkinFamilies& families, const PointSections& sections)
+      : families_(families), sections_(sections) {}
+  FamilyStiffness(const GalerkinFamilies& families, PointSections&& sections) = delete;
 
   /// Throws std::invalid_argument where k has more than 32 neighbours.
   void find(std::size_t k);
@@ -32,23 +36,24 @@ private:
   using Numbers = std::array<double, stride>;
 
   void take_bonds(std::size_t k, const GalerkinStiffness& stiffness);
-  void add_bonds(const GalerkinStiffness& stiffness);
+  void add_bonds();
   void find_rows(std::size_t i);
 
   const GalerkinFamilies& families_;
-  Section section_;
+  const PointSections& sections_;
   std::size_t members_ = 0;
   // of every bond: x_i - x_k, 1 / length, share; by members, the owner's unused
   Numbers x_, y_, inverse_, share_;
   // Of every member, per degree of freedom: mean strains, and half of the forces that belong to them. H_ab = sum psi_a
   // G_b.
   std::array<Numbers, 2> G_;
+  std::array<Numbers, 4> residual_;                       // share / length^2 of t_b B xx, xy, yy and of t_s e n S n
   std::array<Numbers, 8> moments_;                        // half the derivative by H_ab, of psi_c: 4 a + 2 b + c
   std::array<Numbers, 6> gamma_, forces_;                 // 3 a + degree of freedom
   std::array<double, stride * 9 * most_members> blocks_;  // by member i, component 3 d + c of K_ij(c, d), member j
 };
 
 /// K of one family as a dense matrix, three rows for the owner and for every member, in the order of the family.
-Eigen::MatrixXd family_stiffness(const GalerkinFamilies& families, const Section& section, std::size_t k);
+Eigen::MatrixXd family_stiffness(const GalerkinFamilies& families, const PointSections& sections, std::size_t k);
 
 }  // namespace plate

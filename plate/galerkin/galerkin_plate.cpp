@@ -8,6 +8,7 @@
 
 #include "geometry/cells/locator.hpp"
 #include "plate/formulation/attached/elastically_held.hpp"
+#include "plate/formulation/attached/stiffeners.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/interpolation.hpp"
@@ -99,8 +100,9 @@ std::vector<GalerkinLevel> coarser_plates(const Formulation& plate) {
       if (pieces(boundary, families.families).size() != plate.pieces().size()) break;
       auto seen = geometry::seen_positions(cells);
       auto attached = attached_stiffness(c, cells);
+      PointSections sections(c.section, cells);
       result.push_back({std::move(cells), std::move(seen), std::move(boundary),
-                        GalerkinOperator(std::move(families), c.section, std::move(attached))});
+                        GalerkinOperator(std::move(families), std::move(sections), std::move(attached))});
     } catch (const std::invalid_argument&) {
       break;  // cracks and edges are too close to each other for such points
     }
@@ -114,7 +116,7 @@ public:
       : Formulation(std::move(layout)),
         cells_(std::move(cells)),
         shapes_(shapes_of(families.families.vectors())),
-        op_(std::move(families), section(), boundary().attached),
+        op_(std::move(families), sections(), boundary().attached),
         seen_(geometry::seen_positions(cells_)) {}
 
   std::size_t points() const override { return op_.points(); }
@@ -125,7 +127,7 @@ public:
   const geometry::Families& families() const override { return op_.families().families; }
   Eigen::VectorXd energies(const State& state) const override { return op_.energies(state); }
   Resultants resultants(const State& state) const override {
-    return plate::resultants(state, op_.families(), section());
+    return plate::resultants(state, op_.families(), sections());
   }
   std::vector<Share> interpolation(const Point& at) const override {
     return plate::interpolation(geometry::CellLocator(cells_), cells_.units.spacing, at);
@@ -136,10 +138,10 @@ public:
   }
   std::vector<double> cut_at(const StartOfCracks& start) const override;
   std::unique_ptr<TipView> tip_view() const override {
-    return std::make_unique<GalerkinView>(cells_, op_.families(), seen_, shapes_, section(), discretization());
+    return std::make_unique<GalerkinView>(cells_, op_.families(), seen_, shapes_, problem(), sections());
   }
   /// The consistent mass of its cells.
-  Inertia inertia(double rotary) const override { return {section(), cells_, constraints(), rotary}; }
+  Inertia inertia(double rotary) const override { return {sections(), cells_, constraints(), rotary}; }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> factor() const override {
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
@@ -253,9 +255,16 @@ Discretised discretised(const Problem& problem) {
   Layout layout{problem, {}, geometry::tips(paths), galerkin_boundary(cells, families.areas, outline, problem.supports),
                 {},      {}};
   layout.boundary.attached = attached_stiffness(problem, cells);
+  layout.sections.emplace(problem.section, cells);
+  layout.sections->add_masses(stiffener_masses(problem, cells), families.areas);
   layout.pieces = pieces(layout.boundary, families.families);
   layout.cut = cut_share(cells, families.areas);
-  for (const auto& load : problem.loads) layout.loads.push_back(timed(load, cells, families, problem.section));
+  for (const auto& load : problem.loads) {
+    layout.loads.push_back(timed(load, cells, families, problem.section));
+    if (load.gravity && !layout.sections->uniform())  // the load has its value where the section has its own mass
+      for (Eigen::Index k = 0; k < layout.loads.back().forces.cols(); ++k)
+        layout.loads.back().forces.col(k) *= (*layout.sections)[std::size_t(k)].mass / problem.section.mass();
+  }
   layout.paths = std::move(paths);
   stopwatch.lap("families");
   result.plate = std::make_unique<GalerkinPlate>(std::move(layout), std::move(cells), std::move(families));

@@ -6,11 +6,12 @@ namespace plate {
 
 using geometry::Point;
 
-GalerkinStiffness::GalerkinStiffness(const Section& section, double spacing_square, const GalerkinWeights& weights)
-    : D(section.bending_stiffness()), nu(section.poisson), bending_residual(weights.bending_residual * D) {
-  const double square = section.thickness * section.thickness, S = section.shear_stiffness();
-  shear = S * square / (square + weights.shear_scaling * spacing_square);
-  shear_residual = weights.shear_residual * S * square / (square + weights.residual_scaling * spacing_square);
+GalerkinStiffness::GalerkinStiffness(const LocalSection& section, double spacing_square, const GalerkinWeights& weights)
+    : bending(section.bending), bending_residual(weights.bending_residual) {
+  const double square = section.thickness * section.thickness;
+  shear = square / (square + weights.shear_scaling * spacing_square) * section.shear;
+  shear_residual =
+      weights.shear_residual * square / (square + weights.residual_scaling * spacing_square) * section.shear;
 }
 
 FamilyStrains family_strains(const GalerkinFamilies& families, std::size_t k, const State& state) {
@@ -26,14 +27,12 @@ FamilyStrains family_strains(const GalerkinFamilies& families, std::size_t k, co
   return result;
 }
 
-double family_energy(const GalerkinFamilies& families, const Section& section, std::size_t k, const State& state) {
+double family_energy(const GalerkinFamilies& families, const LocalSection& section, std::size_t k, const State& state) {
   const GalerkinStiffness stiffness(section, families.square(k));
   const FamilyStrains strains = family_strains(families, k, state);
-  const Eigen::Matrix2d kappa = (strains.psi + strains.psi.transpose()) / 2;
-  const double nu = stiffness.nu;
+  const Eigen::Vector3d kappa(strains.psi(0, 0), strains.psi(1, 1), strains.psi(0, 1) + strains.psi(1, 0));
   double energy = families.areas[k] / 2 *
-                  (stiffness.D * ((1 - nu) * kappa.squaredNorm() + nu * kappa.trace() * kappa.trace()) +
-                   stiffness.shear * strains.gamma.squaredNorm());
+                  (kappa.dot(stiffness.bending * kappa) + strains.gamma.dot(stiffness.shear * strains.gamma));
   const auto family = families.families[k];
   const auto* bonds = families.of(k);
   for (std::size_t i = 0; i < family.size(); ++i) {
@@ -41,10 +40,10 @@ double family_energy(const GalerkinFamilies& families, const Section& section, s
     const Point& x = families.families.vectors()[vector];
     const double length = x.norm();
     const Point n = x / length, r = (psi_of(state, j) - psi_of(state, k)) / length - strains.psi * n;
-    const double along = r.dot(n), rho = bond_shear(state, k, j, x) / length - n.dot(strains.gamma);
+    const double rho = bond_shear(state, k, j, x) / length - n.dot(strains.gamma);
     energy += bonds[i].share / 2 *
-              (stiffness.bending_residual * ((1 - nu) / 2 * r.squaredNorm() + (1 + nu) / 2 * along * along) +
-               stiffness.shear_residual * rho * rho);
+              (stiffness.bending_residual * r.dot(along(stiffness.bending, n) * r) +
+               n.dot(stiffness.shear_residual * n) * rho * rho);
   }
   return energy;
 }

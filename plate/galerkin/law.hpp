@@ -17,10 +17,19 @@ struct GalerkinWeights {
 
 /// Stiffnesses of one family, by the square of the spacing about it.
 struct GalerkinStiffness {
-  double D, nu, shear, shear_residual, bending_residual;  // D, nu, f S, t_s e S, t_b D
+  Eigen::Matrix3d bending;                // of kappa xx, yy, 2 xy
+  Eigen::Matrix2d shear, shear_residual;  // f S, t_s e S
+  double bending_residual;                // t_b, of `bending`
 
-  GalerkinStiffness(const Section& section, double spacing_square, const GalerkinWeights& weights = {});
+  GalerkinStiffness(const LocalSection& section, double spacing_square, const GalerkinWeights& weights = {});
 };
+
+/// D by a bond along n: the energy of psi_a = r_a (n . x) is r . B r / 2.
+inline Eigen::Matrix2d along(const Eigen::Matrix3d& bending, const geometry::Point& n) {
+  Eigen::Matrix<double, 3, 2> strain;
+  strain << n.x(), 0, 0, n.y(), n.y(), n.x();
+  return strain.transpose() * bending * strain;
+}
 
 /// Gradient of the rotations H, psi_a,b in row a, column b [1 / length], and shear angles gamma of one point.
 struct FamilyStrains {
@@ -40,6 +49,6 @@ inline double bond_shear(const State& state, std::size_t k, std::size_t i, const
 FamilyStrains family_strains(const GalerkinFamilies& families, std::size_t k, const State& state);
 
 /// Energy of one family [force length].
-double family_energy(const GalerkinFamilies& families, const Section& section, std::size_t k, const State& state);
+double family_energy(const GalerkinFamilies& families, const LocalSection& section, std::size_t k, const State& state);
 
 }  // namespace plate

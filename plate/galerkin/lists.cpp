@@ -99,9 +99,9 @@ struct Resultants {
 
 }  // namespace
 
-GalerkinLists::GalerkinLists(const GalerkinFamilies& families, const Section& section,
+GalerkinLists::GalerkinLists(const GalerkinFamilies& families, const PointSections& sections,
                              const std::vector<std::uint32_t>& points)
-    : points_(points), poisson_(section.poisson) {
+    : points_(points), poisson_(sections[0].bending(0, 1) / sections[0].bending(0, 0)) {
   std::vector<char> acts(families.areas.size(), 0);
   for (const auto i : points) {
     acts[i] = 1;
@@ -115,13 +115,13 @@ GalerkinLists::GalerkinLists(const GalerkinFamilies& families, const Section& se
     std::stable_sort(kept_.begin() + std::ptrdiff_t(begin),
                      kept_.begin() + std::ptrdiff_t(std::min(kept_.size(), begin + piece)),
                      [&](auto a, auto b) { return families.families[a].size() < families.families[b].size(); });
-  for (std::size_t first = 0; first < kept_.size(); first += lanes) add_block(families, section, first);
+  for (std::size_t first = 0; first < kept_.size(); first += lanes) add_block(families, sections, first);
   find_slots(families, points);
   given_.assign(3 * lanes * (members_.size() / lanes + blocks_.size()), 0);
 }
 
 /// Families kept_[first] and those after it; lanes that are left over repeat the last one.
-void GalerkinLists::add_block(const GalerkinFamilies& families, const Section& section, std::size_t first) {
+void GalerkinLists::add_block(const GalerkinFamilies& families, const PointSections& sections, std::size_t first) {
   const auto of_lane = [&](std::size_t lane) { return kept_[std::min(first + lane, kept_.size() - 1)]; };
   std::size_t most = 0;
   for (std::size_t lane = 0; lane < lanes; ++lane) most = std::max(most, families.families[of_lane(lane)].size());
@@ -135,9 +135,9 @@ void GalerkinLists::add_block(const GalerkinFamilies& families, const Section& s
     const auto k = of_lane(lane);
     kept_lanes_.push_back(k);
     const auto family = families.families[k];
-    const GalerkinStiffness s(section, families.square(k));
-    std::array<double, family_numbers> sums{families.areas[k] * s.D, families.areas[k] * s.shear, s.bending_residual,
-                                            s.shear_residual};
+    const GalerkinStiffness s(sections[k], families.square(k));
+    const double D = s.bending(0, 0), V = families.areas[k];
+    std::array<double, family_numbers> sums{V * D, V * s.shear(0, 0), s.bending_residual * D, s.shear_residual(0, 0)};
     for (std::size_t b = 0; b < most; ++b) {
       const auto at = blocks_.back().first_bond + b;
       members_[at * lanes + lane] = b < family.size() ? family[b].neighbour : k;

@@ -1,14 +1,16 @@
 #pragma once
+#include "plate/formulation/sections/point_sections.hpp"
 #include "plate/galerkin/law.hpp"
 
 namespace plate {
 
 /// The points of a Galerkin plate that are in no row of lattice points, with the families that act on them: as many
-/// families at once as a machine vector has lanes.
+/// families at once as a machine vector has lanes. Of simple sections.
 class GalerkinLists {
 public:
   /// `points`: those in no row.
-  GalerkinLists(const GalerkinFamilies& families, const Section& section, const std::vector<std::uint32_t>& points);
+  GalerkinLists(const GalerkinFamilies& families, const PointSections& sections,
+                const std::vector<std::uint32_t>& points);
 
   /// Sets the forces on those points. One call at a time.
   void internal_force(const State& state, Forces& forces) const;
@@ -23,7 +25,7 @@ private:
     std::size_t first_bond;  // in bonds_, lanes at a time
     std::uint32_t bonds;
   };
-  void add_block(const GalerkinFamilies& families, const Section& section, std::size_t first);
+  void add_block(const GalerkinFamilies& families, const PointSections& sections, std::size_t first);
   void find_slots(const GalerkinFamilies& families, const std::vector<std::uint32_t>& points);
   void act(std::size_t block, const State& state) const;
 

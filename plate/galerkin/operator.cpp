@@ -3,23 +3,30 @@
 #include <algorithm>
 
 #include "plate/galerkin/family_stiffness.hpp"
+#include "plate/galerkin/stiffness.hpp"
 
 namespace plate {
 
-GalerkinOperator::GalerkinOperator(GalerkinFamilies families, const Section& section, AttachedStiffness attached)
-    : families_(std::move(families)),
-      section_(section),
-      rows_(families_, section),
-      lists_(families_, section, rows_.others()),
-      attached_(std::move(attached)) {
+GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached)
+    : families_(std::move(families)), sections_(std::move(sections)), attached_(std::move(attached)) {
+  if (sections_.simple()) {
+    rows_.emplace(families_, sections_);
+    lists_.emplace(families_, sections_, rows_->others());
+  } else {
+    whole_.emplace(stiffness_matrix(families_, sections_));
+  }
   const auto regular = std::ranges::find(families_.kind, 0u);
   if (regular != families_.kind.end()) lattice_ = std::uint32_t(regular - families_.kind.begin());
 }
 
 void GalerkinOperator::internal_force(const State& state, Forces& forces) const {
   forces.resize(3, state.cols());
-  rows_.internal_force(state, forces);
-  lists_.internal_force(state, forces);
+  if (whole_) {
+    whole_->internal_force(state, forces);
+  } else {
+    rows_->internal_force(state, forces);
+    lists_->internal_force(state, forces);
+  }
   attached_.add_force(state, forces);
 }
 
@@ -28,7 +35,7 @@ void GalerkinOperator::internal_force(const State& state, Forces& forces) const 
 template <typename Own>
 void GalerkinOperator::gather(const Own& own, Forces& result) const {
   const auto& f = families_.families;
-  const auto& kept = lists_.kept();
+  const auto& kept = lists_->kept();
   std::vector<std::size_t> first{0};
   std::vector<std::uint32_t> place(points());
   for (std::uint32_t n = 0; n < kept.size(); ++n) {
@@ -38,7 +45,7 @@ void GalerkinOperator::gather(const Own& own, Forces& result) const {
   std::vector<Eigen::Vector3d> found(first.back());
 #pragma omp parallel
   {
-    FamilyStiffness single(families_, section_), shared(families_, section_);
+    FamilyStiffness single(families_, sections_), shared(families_, sections_);
     if (lattice_) shared.find(*lattice_);
 #pragma omp for schedule(dynamic, 64)
     for (std::size_t n = 0; n < kept.size(); ++n) {
@@ -47,8 +54,8 @@ void GalerkinOperator::gather(const Own& own, Forces& result) const {
       own(regular ? shared : single, kept[n], found.data() + first[n]);
     }
 #pragma omp for schedule(static)
-    for (std::size_t i = 0; i < rows_.others().size(); ++i) {
-      const auto k = rows_.others()[i];
+    for (std::size_t i = 0; i < rows_->others().size(); ++i) {
+      const auto k = rows_->others()[i];
       Eigen::Vector3d sum = found[first[place[k]]];
       for (const auto& bond : f[k]) sum += found[first[place[bond.neighbour]] + f[bond.neighbour].find(k) + 1];
       result.col(k) += sum;
@@ -58,7 +65,11 @@ void GalerkinOperator::gather(const Own& own, Forces& result) const {
 
 void GalerkinOperator::absolute_product(const State& state, Forces& forces) const {
   forces.setZero(3, state.cols());
-  rows_.absolute_product(state, forces);
+  if (whole_) {
+    whole_->absolute_product(state, forces);
+    return attached_.add_absolute_product(state, forces);
+  }
+  rows_->absolute_product(state, forces);
   const auto own = [&](const FamilyStiffness& K, std::uint32_t k, Eigen::Vector3d* found) {
     const auto family = families_.families[k];
     for (std::size_t i = 0; i < K.members(); ++i) {
@@ -73,11 +84,15 @@ void GalerkinOperator::absolute_product(const State& state, Forces& forces) cons
 
 Forces GalerkinOperator::diagonal() const {
   Forces result = Forces::Zero(3, Eigen::Index(points()));
-  rows_.diagonal(result);
-  const auto own = [](const FamilyStiffness& K, std::uint32_t, Eigen::Vector3d* found) {
-    for (std::size_t i = 0; i < K.members(); ++i) found[i] = K.block(i, i).diagonal();
-  };
-  gather(own, result);
+  if (whole_) {
+    result = whole_->diagonal();
+  } else {
+    rows_->diagonal(result);
+    const auto own = [](const FamilyStiffness& K, std::uint32_t, Eigen::Vector3d* found) {
+      for (std::size_t i = 0; i < K.members(); ++i) found[i] = K.block(i, i).diagonal();
+    };
+    gather(own, result);
+  }
   attached_.add_diagonal(result);
   return result;
 }
@@ -86,14 +101,19 @@ Eigen::VectorXd GalerkinOperator::energies(const State& state) const {
   Eigen::VectorXd result(state.cols());
 #pragma omp parallel for schedule(static)
   for (Eigen::Index k = 0; k < result.size(); ++k)
-    result[k] = family_energy(families_, section_, std::size_t(k), state);
+    result[k] = family_energy(families_, sections_[std::size_t(k)], std::size_t(k), state);
   attached_.add_energies(state, result);
   return result;
 }
 
 std::size_t GalerkinOperator::bytes() const {
-  return rows_.bytes() + lists_.bytes() + families_.bonds.size() * sizeof(GalerkinBond) +
-         families_.first.size() * sizeof(std::size_t) + families_.kind.size() * sizeof(std::uint32_t);
+  const auto kernels = whole_ ? whole_->bytes() + sections_.bytes() : rows_->bytes() + lists_->bytes();
+  return kernels + families_.bonds.size() * sizeof(GalerkinBond) + families_.first.size() * sizeof(std::size_t) +
+         families_.kind.size() * sizeof(std::uint32_t);
+}
+
+PointMatrix GalerkinOperator::own_matrix() const {
+  return whole_ ? whole_->matrix() : stiffness_matrix(families_, sections_);
 }
 
 /// Of points about which the families' normals cancel (theory (63)) rounding would be left: none is.

@@ -5,15 +5,17 @@
 #include "plate/formulation/operator.hpp"
 #include "plate/galerkin/lists.hpp"
 #include "plate/galerkin/rows.hpp"
+#include "plate/galerkin/whole/point_rows.hpp"
 
 namespace plate {
 
 /// The Galerkin plate: nodal mean strains of the cells about every point, and residuals of its bonds (theory.md, "The
-/// Galerkin plate"). Points inside the lattice by rows, all others by lists of their bonds.
+/// Galerkin plate"). Points inside the lattice by rows, all others by lists of their bonds; sections that vary or have
+/// directions by the assembled stiffness.
 /// Forces are gathered: any number of threads gives the same bits. One call at a time.
 class GalerkinOperator : public Operator {
 public:
-  GalerkinOperator(GalerkinFamilies families, const Section& section, AttachedStiffness attached = {});
+  GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached = {});
 
   std::size_t points() const override { return families_.areas.size(); }
   void internal_force(const State& state, Forces& forces) const override;
@@ -24,7 +26,9 @@ public:
   Eigen::VectorXd energies(const State& state) const;
 
   const GalerkinFamilies& families() const { return families_; }
-  const Section& section() const { return section_; }
+  const PointSections& sections() const { return sections_; }
+  /// The stiffness without what is attached.
+  PointMatrix own_matrix() const;
   const AttachedStiffness& attached() const { return attached_; }
   std::size_t bytes() const;
 
@@ -33,9 +37,10 @@ private:
   void gather(const Own& own, Forces& result) const;
 
   GalerkinFamilies families_;
-  Section section_;
-  GalerkinRows rows_;
-  GalerkinLists lists_;
+  PointSections sections_;
+  std::optional<GalerkinRows> rows_;  // of simple sections, and lists
+  std::optional<GalerkinLists> lists_;
+  std::optional<PointRows> whole_;  // of others
   AttachedStiffness attached_;
   std::optional<std::uint32_t> lattice_;  // a point of kind 0
 };

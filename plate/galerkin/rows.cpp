@@ -45,7 +45,7 @@ std::optional<std::array<std::int32_t, 5>> steps_about(const GalerkinFamilies& f
 
 }  // namespace
 
-GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const Section& section) {
+GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const PointSections& sections) {
   const auto points = std::uint32_t(families.areas.size());
   std::optional<std::uint32_t> example;
   double spacing = 0;
@@ -69,7 +69,7 @@ GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const Section& sect
   if (!example) return;
 
   // the force on a member of a family by all its members, at their places relative to it
-  const Eigen::MatrixXd K = family_stiffness(families, section, *example);
+  const Eigen::MatrixXd K = family_stiffness(families, sections, *example);
   std::vector<geometry::Point> place{{0, 0}};
   for (const auto& bond : families.families[*example])
     place.push_back(families.families.vectors()[bond.vector_id] / spacing);

@@ -1,14 +1,15 @@
 #pragma once
 #include <array>
+#include "plate/formulation/sections/point_sections.hpp"
 #include "plate/galerkin/law.hpp"
 
 namespace plate {
 
 /// Rows of lattice points whose forces come from the 25 points about each with the same factors: the families of a
-/// point and of its neighbours, summed once for all.
+/// point and of its neighbours, summed once for all. Of simple sections.
 class GalerkinRows {
 public:
-  GalerkinRows(const GalerkinFamilies& families, const Section& section);
+  GalerkinRows(const GalerkinFamilies& families, const PointSections& sections);
 
   /// Points that are in no row.
   const std::vector<std::uint32_t>& others() const { return others_; }

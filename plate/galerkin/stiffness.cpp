@@ -42,9 +42,8 @@ void add_family(const FamilyStiffness& family, const Members& members, std::uint
 
 }  // namespace
 
-PointMatrix stiffness_matrix(const GalerkinOperator& plate) {
-  const auto& all = plate.families();
-  const auto points = plate.points();
+PointMatrix stiffness_matrix(const GalerkinFamilies& all, const PointSections& sections) {
+  const auto points = all.areas.size();
   auto result = zeros(points, [&](Column& column, std::uint32_t k) {
     for (const auto& bond : all.families[k]) {
       column.couple(bond.neighbour);
@@ -53,21 +52,26 @@ PointMatrix stiffness_matrix(const GalerkinOperator& plate) {
   });
   // every thread has columns of its own, and adds the families to them in their order; of the lattice there is one,
   // whichever thread this is: areas of its points differ in the last bit
+  const auto shares = [&](std::uint32_t k) { return sections.uniform() && all.kind[k] == 0; };
   const auto lattice = std::uint32_t(std::ranges::find(all.kind, 0u) - all.kind.begin());
 #pragma omp parallel
   {
     const auto threads = std::size_t(omp_get_num_threads()), thread = std::size_t(omp_get_thread_num());
     const auto begin = std::uint32_t(points * thread / threads), end = std::uint32_t(points * (thread + 1) / threads);
-    FamilyStiffness own(all, plate.section()), shared(all, plate.section());
-    if (lattice < points) shared.find(lattice);
+    FamilyStiffness own(all, sections), shared(all, sections);
+    if (lattice < points && sections.uniform()) shared.find(lattice);
     for (std::uint32_t k = 0; k < points && begin < end; ++k) {
       const Members members(all.families, k);
       if (members.point[members.count - 1] < begin || members.point[0] >= end) continue;
-      if (all.kind[k] != 0) own.find(k);
-      add_family(all.kind[k] == 0 ? shared : own, members, begin, end, result);
+      if (!shares(k)) own.find(k);
+      add_family(shares(k) ? shared : own, members, begin, end, result);
     }
   }
-  return with(std::move(result), plate.attached());
+  return result;
+}
+
+PointMatrix stiffness_matrix(const GalerkinOperator& plate) {
+  return with(plate.own_matrix(), plate.attached());
 }
 
 }  // namespace plate

@@ -12,7 +12,7 @@ using geometry::Point;
 class MovedPoints : public EnergyRelease {
 public:
   MovedPoints(const TipView& plate, const geometry::Tessellation& cells, const TipFrame& frame, const Ring& ring)
-      : section_(plate.section), step_(1e-4 * plate.spacing) {
+      : section_(plate.section.at(frame.origin)), step_(1e-4 * plate.spacing) {
     geometry::Tessellation about{cells.units, cells.graded, {}, {}, {}, {}, {}, {}};
     std::unordered_map<std::uint32_t, std::uint32_t> index;
     const auto near = [&](const auto& cell) {
@@ -69,7 +69,7 @@ private:
     }
   }
 
-  Section section_;
+  LocalSection section_;  // the same all over the ring
   double step_;
   std::vector<std::uint32_t> points_;  // of the plate, by the numbers of the moved families
   GalerkinFamilies moved_[2];          // one step ahead, one step back
@@ -80,13 +80,14 @@ private:
 
 GalerkinView::GalerkinView(const geometry::Tessellation& cells, const GalerkinFamilies& galerkin,
                            const std::vector<geometry::Point>& seen, const std::vector<BondShape>& their_shapes,
-                           const Section& its_section, const Discretization& discretization)
-    : TipView(seen, galerkin.areas, galerkin.families, their_shapes, seen.size(), its_section),
+                           const Problem& problem, const PointSections& sections)
+    : TipView(seen, galerkin.areas, galerkin.families, their_shapes, seen.size(), problem.section),
       cells_(cells),
-      galerkin_(galerkin) {
+      galerkin_(galerkin),
+      sections_(sections) {
   constexpr double doubtful_of_faces =
       0.05;  // spacings: rounding would tell the side, and these are the least accurate
-  spacing = discretization.spacing_at_tips(), horizon = discretization.horizon();
+  spacing = problem.discretization.spacing_at_tips(), horizon = problem.discretization.horizon();
   graded = cells.graded, points_on_faces = true;
   doubtful = doubtful_of_faces * spacing;
   trust = {0.3, 0, 1, 1, 0.04, 0.04, spacing, 0.05, true};
@@ -119,8 +120,8 @@ Point GalerkinView::extension_slope(std::uint32_t k, const TipFrame& frame, cons
   return slope;
 }
 
-double GalerkinView::shear_stiffness(std::uint32_t k) const {
-  return GalerkinStiffness(section, galerkin_.square(k)).shear;
+Eigen::Matrix2d GalerkinView::shear_stiffness(std::uint32_t k) const {
+  return GalerkinStiffness(sections_[k], galerkin_.square(k)).shear;
 }
 
 std::unique_ptr<EnergyRelease> GalerkinView::virtual_extension(const TipFrame& frame, const Ring& ring) const {

@@ -1,7 +1,8 @@
 #pragma once
+#include "plate/formulation/sections/point_sections.hpp"
 #include "plate/formulation/tip_view.hpp"
 #include "plate/galerkin/law.hpp"
-#include "plate/model/discretization.hpp"
+#include "plate/model/problem.hpp"
 
 namespace plate {
 
@@ -10,18 +11,19 @@ class GalerkinView : public TipView {
 public:
   /// `seen`: geometry::seen_positions() of the cells.
   GalerkinView(const geometry::Tessellation& cells, const GalerkinFamilies& galerkin,
-               const std::vector<geometry::Point>& seen, const std::vector<BondShape>& shapes, const Section& section,
-               const Discretization& discretization);
+               const std::vector<geometry::Point>& seen, const std::vector<BondShape>& shapes, const Problem& problem,
+               const PointSections& sections);
 
   Gradients gradients(std::uint32_t k, const State& state) const override;
   GradientShares gradient_shares(std::uint32_t k) const override;
   geometry::Point extension_slope(std::uint32_t k, const TipFrame& frame, const Ring& ring) const override;
-  double shear_stiffness(std::uint32_t k) const override;
+  Eigen::Matrix2d shear_stiffness(std::uint32_t k) const override;
   std::unique_ptr<EnergyRelease> virtual_extension(const TipFrame& frame, const Ring& ring) const override;
 
 private:
   const geometry::Tessellation& cells_;
   const GalerkinFamilies& galerkin_;
+  const PointSections& sections_;
 };
 
 }  // namespace plate

@@ -26,7 +26,9 @@ enum class Feature {
   lanczos,         // motion by Lanczos vectors
   symmetry,        // of the stiffness: iterations, motion and frequencies
   breaking_bonds,  // bonds that break one by one
-  running_tips     // tips that run while the plate moves
+  running_tips,    // tips that run while the plate moves
+  sections,        // that vary or have directions
+  stiffeners       // beams on the plate
 };
 
 /// A formulation of the plate, before anything is discretised: what it is called, what it cannot do, and how it turns a

@@ -21,6 +21,7 @@ struct Problem {
   std::vector<Load> loads;
   std::vector<Foundation> foundations = {};
   std::vector<Spring> springs = {};
+  std::vector<Stiffener> stiffeners = {};
   std::vector<LoadCase> load_cases = {};  // in statics; their loads stand behind the others in `loads` (join_loads)
   std::vector<Combination> combinations = {};
 

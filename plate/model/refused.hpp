@@ -8,6 +8,11 @@ namespace plate {
 /// What of a problem or of its analysis a discretisation cannot carry.
 enum class Subject {
   geometry,
+  section,
+  thickness_factor,
+  young_factor,
+  region,        // of the section
+  region_shape,  // where it lies
   cracks,
   spacing,
   volume_correction,
@@ -27,6 +32,9 @@ enum class Subject {
   spring_edges,
   spring_line,
   spring_position,
+  stiffener,
+  stiffener_edges,
+  stiffener_line,
   // of its analysis
   preconditioner,
   precision,

@@ -1,23 +1,138 @@
 #include "plate/model/section.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
+#include "geometry/shape/crack_path.hpp"
+#include "plate/model/material/orthotropy.hpp"
+
 namespace plate {
+namespace {
+
+using geometry::Point;
+
+bool contains(const geometry::Hole& shape, const Point& x) {
+  if (const auto* circle = std::get_if<geometry::Circle>(&shape))
+    return (x - circle->centre).squaredNorm() <= circle->radius * circle->radius;
+  const auto& v = std::get<geometry::Polygon>(shape).vertices;
+  bool inside = false;
+  for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++)
+    if ((v[i].y() > x.y()) != (v[j].y() > x.y()) &&
+        x.x() < v[j].x() + (x.y() - v[j].y()) / (v[i].y() - v[j].y()) * (v[i].x() - v[j].x()))
+      inside = !inside;
+  return inside;
+}
+
+double distance_to_boundary(const geometry::Hole& shape, const Point& x) {
+  if (const auto* circle = std::get_if<geometry::Circle>(&shape))
+    return std::abs((x - circle->centre).norm() - circle->radius);
+  auto ring = std::get<geometry::Polygon>(shape).vertices;
+  ring.push_back(ring.front());
+  return geometry::distance(ring, x);
+}
+
+void set_isotropic(LocalSection& l, const Section& s) {
+  const double h = s.thickness, D = s.bending_stiffness(), nu = s.poisson;
+  l.bending << D, D * nu, 0, D * nu, D, 0, 0, 0, D * (1 - nu) / 2;
+  l.shear = s.shear_stiffness() * Eigen::Matrix2d::Identity();
+  l.top = 6 / (h * h) * l.bending;
+}
+
+void set_orthotropic(LocalSection& l, const Section& s) {
+  const double h = s.thickness;
+  l.bending = std::pow(h, 3) / 12 * plane_stress(*s.orthotropic);
+  l.shear = s.shear_correction * h * transverse_shear(*s.orthotropic);
+  l.top = 6 / (h * h) * l.bending;
+}
+
+/// Integrals over the plies, whose middle plane is that of the plate.
+void set_plies(LocalSection& l, const Section& s) {
+  l.mass = l.rotary = 0;
+  double z = -s.thickness / 2;
+  for (const auto& ply : s.plies) {
+    const double end = z + ply.thickness, third = (std::pow(end, 3) - std::pow(z, 3)) / 3;
+    const double density = ply.density.value_or(s.density);
+    l.bending += third * plane_stress(ply);
+    l.shear += s.shear_correction * ply.thickness * transverse_shear(ply);
+    l.mass += density * ply.thickness, l.rotary += density * third;
+    z = end;
+  }
+  l.top = s.thickness / 2 * plane_stress(s.plies.back());
+}
+
+}  // namespace
+
+LocalSection::LocalSection(const Section& s) : thickness(s.thickness) {
+  const double h = s.thickness;
+  mass = s.density * h, rotary = s.density * h * h * h / 12;
+  if (s.isotropic())
+    set_isotropic(*this, s);
+  else if (!s.plies.empty())
+    set_plies(*this, s);
+  else
+    set_orthotropic(*this, s);
+}
+
+void LocalSection::add(const LocalSection& other, double weight) {
+  bending += weight * other.bending, shear += weight * other.shear, top += weight * other.top;
+  thickness += weight * other.thickness, mass += weight * other.mass, rotary += weight * other.rotary;
+}
+
+Section Section::at(const Point& x) const {
+  Section s{young, poisson, thickness, shear_correction, density, thermal_expansion, orthotropic, plies};
+  const auto region =
+      std::find_if(regions.rbegin(), regions.rend(), [&](const auto& r) { return contains(r.shape, x); });
+  if (region != regions.rend()) {
+    s.thickness = region->thickness.value_or(thickness), s.young = region->young.value_or(young);
+    s.poisson = region->poisson.value_or(poisson), s.density = region->density.value_or(density);
+    return s;
+  }
+  if (thickness_factor.given()) s.thickness *= thickness_factor(x);
+  if (young_factor.given()) s.young *= young_factor(x);
+  return s;
+}
+
+double Section::uniform_within(const Point& x) const {
+  if (thickness_factor.given() || young_factor.given()) return 0;
+  double result = INFINITY;
+  for (const auto& region : regions) result = std::min(result, distance_to_boundary(region.shape, x));
+  return result;
+}
+
+void Section::thicken(double factor) {
+  thickness *= factor;
+  for (auto& ply : plies) ply.thickness *= factor;
+  for (auto& region : regions)
+    if (region.thickness) *region.thickness *= factor;
+}
 
 double Section::bending_stiffness() const {
-  return young * std::pow(thickness, 3) / (12 * (1 - poisson * poisson));
+  if (isotropic()) return young * std::pow(thickness, 3) / (12 * (1 - poisson * poisson));
+  const LocalSection l(*this);
+  return std::sqrt(l.bending(0, 0) * l.bending(1, 1));
 }
 
 double Section::shear_stiffness() const {
-  return shear_correction * young / (2 * (1 + poisson)) * thickness;
+  if (isotropic()) return shear_correction * young / (2 * (1 + poisson)) * thickness;
+  return std::sqrt(LocalSection(*this).shear.determinant());
+}
+
+double Section::mass() const {
+  return plies.empty() ? density * thickness : LocalSection(*this).mass;
 }
 
 double Section::shear_wave_speed() const {
-  return std::sqrt(shear_stiffness() / (density * thickness));
+  return std::sqrt(shear_stiffness() / mass());
 }
 
 double Section::layer() const {
-  return thickness / std::sqrt(12 * shear_correction);
+  if (isotropic()) return thickness / std::sqrt(12 * shear_correction);
+  const LocalSection l(*this);
+  const auto& D = l.bending;  // twist along the axes, and at 45 degrees to them
+  const double twist = std::min(D(2, 2), (D(0, 0) + D(1, 1) - 2 * D(0, 1)) / 4);
+  return std::sqrt(twist / l.shear.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
 }
 
 }  // namespace plate

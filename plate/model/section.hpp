@@ -1,26 +1,90 @@
 #pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "geometry/shape/outline.hpp"
+#include "plate/model/loading/formula.hpp"
 
 /// A Mindlin plate on a cloud of points. Knows no cracks and no files.
 namespace plate {
 
+/// A material with three planes of symmetry, its axes 1 and 2 in the plane of the plate.
+struct Orthotropy {
+  double E1 = 0, E2 = 0;             // moduli along the axes [force/length^2]
+  double nu12 = 0;                   // strain along 2 over that along 1, less the sign, under stress along 1
+  double G12 = 0, G13 = 0, G23 = 0;  // in the plane, and across it [force/length^2]
+  double angle = 0;                  // of axis 1 from x, counter-clockwise [degrees]
+
+  /// Does every strain in the plane cost energy? nu12^2 < E1 / E2.
+  bool stable() const { return nu12 * nu12 * E2 < E1; }
+};
+
+/// One layer of a plate of several.
+struct Ply : Orthotropy {
+  double thickness = 0;           // [length]
+  std::optional<double> density;  // without it that of the section [mass/length^3]
+};
+
+/// A part of a plate with numbers of its own; what it does not give is that of the section.
+struct SectionRegion {
+  geometry::Hole shape;
+  std::optional<double> thickness, young, poisson, density;
+};
+
 /// Material and thickness of the plate.
 struct Section {
-  double young = 0;                   // E [force/length^2]
-  double poisson = 0;                 // nu
-  double thickness = 0;               // h [length]
-  double shear_correction = 5.0 / 6;  // k_s
-  double density = 0;                 // rho [mass/length^3], dynamics only
-  double thermal_expansion = 0;       // alpha [1/temperature], loads by temperature only
+  double young = 0;                            // E [force/length^2]
+  double poisson = 0;                          // nu
+  double thickness = 0;                        // h [length]
+  double shear_correction = 5.0 / 6;           // k_s
+  double density = 0;                          // rho [mass/length^3], dynamics and own weight
+  double thermal_expansion = 0;                // alpha [1/temperature], loads by temperature only
+  std::optional<Orthotropy> orthotropic = {};  // instead of young and poisson
+  std::vector<Ply> plies = {};                 // instead of these and thickness, from z = -h/2 upwards
+  Formula thickness_factor = {};               // h(x, y) / h
+  Formula young_factor = {};                   // E(x, y) / E
+  std::vector<SectionRegion> regions = {};     // where several overlap the last counts; factors act outside of them
 
-  /// D = E h^3 / (12 (1 - nu^2)) [force length]
+  /// The same everywhere?
+  bool uniform() const { return regions.empty() && !thickness_factor.given() && !young_factor.given(); }
+  /// Of a material without directions?
+  bool isotropic() const { return !orthotropic && plies.empty(); }
+  bool simple() const { return uniform() && isotropic(); }
+
+  /// The section at a place, the same everywhere.
+  Section at(const geometry::Point& x) const;
+  /// How far the section is the same as at a place as far as regions tell; 0 where it has factors [length].
+  double uniform_within(const geometry::Point& x) const;
+  /// Makes the plate some times as thick.
+  void thicken(double factor);
+
+  /// D = E h^3 / (12 (1 - nu^2)); with directions sqrt(D11 D22) [force length]
   double bending_stiffness() const;
-  /// k_s G h with G = E / (2 (1 + nu)) [force/length]
+  /// k_s G h with G = E / (2 (1 + nu)); with directions sqrt(S11 S22 - S12^2) [force/length]
   double shear_stiffness() const;
-  /// h / sqrt(12 k_s): width of the layer beside free edges and faces of cracks in which twist and shear change
-  /// [length]
+  /// rho h [mass/length^2]
+  double mass() const;
+  /// h / sqrt(12 k_s): width of the layer beside free edges and faces of cracks in which twist and shear change; with
+  /// directions the least of sqrt(D66 / S) [length]
   double layer() const;
   /// sqrt(k_s G / rho): no crack runs faster [length/time]
   double shear_wave_speed() const;
+};
+
+/// Stiffness and mass of a plate at one place.
+struct LocalSection {
+  Eigen::Matrix3d bending = Eigen::Matrix3d::Zero();  // Mxx, Myy, Mxy by kappa xx, yy, 2 xy [force length]
+  Eigen::Matrix2d shear = Eigen::Matrix2d::Zero();    // Qx, Qy by the shear angles [force/length]
+  Eigen::Matrix3d top = Eigen::Matrix3d::Zero();      // stresses at z = h/2 by the same curvatures [force/length]
+  double thickness = 0;                               // [length]
+  double mass = 0, rotary = 0;                        // integrals of rho and rho z^2 [mass/length^2, mass]
+
+  LocalSection() = default;
+  /// Of a section that is the same everywhere.
+  LocalSection(const Section& section);
+
+  void add(const LocalSection& other, double weight);
 };
 
 }  // namespace plate

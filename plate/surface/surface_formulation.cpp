@@ -243,6 +243,8 @@ std::map<Feature, std::string> lacks(const std::string& nodes) {
           {Feature::lanczos, asymmetric + "motion on it would grow"},
           {Feature::symmetry, asymmetric + "it is solved directly, at rest"},
           {Feature::breaking_bonds, asymmetric + "cracks grow with boundary = \"images\""},
+          {Feature::sections, "bonds share their weights by pattern, as one isotropic section makes them"},
+          {Feature::stiffeners, "beams need points on their line, and bonds have theirs beside it"},
           {Feature::running_tips, asymmetric + "cracks grow with boundary = \"images\""}};
 }
 

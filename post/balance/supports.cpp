@@ -120,7 +120,7 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
     });
     result.supports[h] = {force, moment_x, moment_y};
   }
-  for (const auto& part : boundary_->attached.parts()) result.supports.push_back(applied(part->force(state)).sum);
+  for (const auto& part : boundary_->attached.holding()) result.supports.push_back(applied(part->force(state)).sum);
   Wrench left = result.sum();
   left += loads.sum;
   double largest = loads.size;
@@ -137,7 +137,7 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
 Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
   constexpr std::size_t most = 16;
   const auto& held = boundary_->constraints.held();
-  const auto& attached = boundary_->attached.parts();
+  const auto attached = boundary_->attached.holding();
   const auto points = Eigen::Index(plate.points());
   const auto holders = boundary_->holders.size(), all = holders + attached.size();
   const bool each = all <= most;

@@ -3,7 +3,9 @@
 #include "plate/formulation/tip_frame.hpp"
 #include "plate/model/algebra/dense.hpp"
 #include "plate/model/state.hpp"
+#include "post/factors/near_field/tip_section.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -113,7 +115,10 @@ OpeningFit narrow_fit(const PlateScale& scale) {
 DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& positions,
                                                      const geometry::CrackPath& path, const geometry::Tip& tip,
                                                      const PlateScale& scale, const OpeningFit& how)
-    : tip_(tip), scale_(scale), how_(how) {
+    : tip_(tip),
+      scale_(scale),
+      how_(how),
+      stiffness_(TipSection(scale.section.at(tip.position), tip.direction).compliance.inverse() / std::sqrt(8.0)) {
   const auto& v = path.vertices;
   const double straight = tip.at_back ? (v.back() - v[v.size() - 2]).norm() : (v.front() - v[1]).norm();
   const double window = std::min(how.window, straight);
@@ -152,9 +157,6 @@ DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& p
 }
 
 Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
-  const plate::Section& s = scale_.section;
-  const double bending = s.young * std::pow(s.thickness, 3) / (48 * std::sqrt(2.0));                         // Dai 41
-  const double shear = s.shear_correction * s.young * s.thickness * std::sqrt(2.0) / (8 * (1 + s.poisson));  // Dai 41
   const Point ahead = tip_.direction, left(-ahead.y(), ahead.x());
 
   Eigen::MatrixX3d K(static_cast<Eigen::Index>(samples_.size()), 3);
@@ -167,7 +169,7 @@ Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
     for (const plate::Share& share : sample.lever)
       deflection -= share.weight * (state(1, share.point) * ahead.x() + state(2, share.point) * ahead.y());
     K.row(static_cast<Eigen::Index>(r.size())) =
-        Eigen::RowVector3d(-bending * rotation.dot(ahead), bending * rotation.dot(left), shear * deflection) /
+        (stiffness_ * Eigen::Vector3d(-rotation.dot(ahead), rotation.dot(left), deflection)).transpose() /
         std::sqrt(sample.r);
     r.push_back(sample.r);
   }
@@ -186,7 +188,7 @@ Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
         samples_.size() > 2 ? std::abs(fit(r, K.col(mode), how_.degree == 1 ? 2 : 1).at_zero - line.at_zero) : 0;
   }
   // K3 counts against moments by the thickness
-  const double h = s.thickness, largest = largest_factor(result, h);
+  const double h = scale_.section.thickness, largest = largest_factor(result, h);
   if (largest > 0) {
     result.fit_residual = std::max({misfit[0], misfit[1], misfit[2] * h}) / largest;
     for (std::size_t mode = 0; mode < 3 && samples_.size() > 2; ++mode) result.errors[mode] = spread[mode];

@@ -52,6 +52,7 @@ private:
   geometry::Tip tip_;
   PlateScale scale_;
   OpeningFit how_;
+  Eigen::Matrix3d stiffness_;  // K by the jumps of -psi and w over the root of the distance (Dai 41)
   std::vector<Sample> samples_;
 };
 

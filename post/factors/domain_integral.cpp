@@ -16,13 +16,13 @@ struct PointStrains {
 class DomainIntegral : public EnergyRelease {
 public:
   DomainIntegral(const TipView& plate, const TipFrame& frame, const Ring& ring)
-      : shapes_(plate.shapes), section_(plate.section), ahead_(frame.ahead) {
+      : shapes_(plate.shapes), section_(plate.section.at(frame.origin)), ahead_(frame.ahead) {
     for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
       const Point x = plate.positions[k] - frame.origin;
       if (x.norm() > 2 * ring.outer) continue;
       const Point slope = plate.extension_slope(k, frame, ring);
-      const double S = plate.shear_stiffness(k);
-      if (slope != Point(0, 0)) points_.push_back({k, plate.areas[k] * slope, S, plate.gradient_shares(k)});
+      if (slope != Point(0, 0))
+        points_.push_back({k, plate.areas[k] * slope, plate.shear_stiffness(k), plate.gradient_shares(k)});
     }
   }
 
@@ -35,8 +35,8 @@ public:
 private:
   struct RingPoint {
     std::uint32_t k;
-    Point slope;             // area times grad q
-    double shear_stiffness;  // [force / length]
+    Point slope;                      // area times grad q
+    Eigen::Matrix2d shear_stiffness;  // [force / length]
     plate::GradientShares shares;
   };
 
@@ -56,16 +56,16 @@ private:
 
   /// A (M_ab psi_a,x' + Q_b w,x' - W delta_bx') q,b.
   double release(const RingPoint& point, const PointStrains& u) const {
-    const double D = section_.bending_stiffness(), nu = section_.poisson;
-    const Eigen::Matrix2d kappa = (u.psi + u.psi.transpose()) / 2;
-    const Eigen::Matrix2d moments = D * ((1 - nu) * kappa + nu * kappa.trace() * Eigen::Matrix2d::Identity());
+    const Eigen::Vector3d M = section_.bending * Eigen::Vector3d(u.psi(0, 0), u.psi(1, 1), u.psi(0, 1) + u.psi(1, 0));
+    Eigen::Matrix2d moments;
+    moments << M[0], M[2], M[2], M[1];
     const Point shear = point.shear_stiffness * u.gamma;
     const double energy = (moments.cwiseProduct(u.psi).sum() + shear.dot(u.gamma)) / 2;
     return point.slope.dot(moments * (u.psi * ahead_) + shear * u.w_slope - energy * ahead_);
   }
 
   const std::vector<plate::BondShape>& shapes_;
-  plate::Section section_;
+  plate::LocalSection section_;  // the same all over the ring
   Point ahead_;
   std::vector<RingPoint> points_;
 };

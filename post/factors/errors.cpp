@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "post/factors/tip_integrals.hpp"
-
 namespace post {
 namespace {
 
@@ -37,18 +35,18 @@ void set(Srif& srif, const Eigen::Vector3d& errors, double thickness) {
 
 class Estimate {
 public:
-  Estimate(const std::vector<FitSrif>& fits, const plate::Section& section, const ErrorShares& shares)
-      : fits_(fits), section_(section), shares_(shares), scale_(1, 1, section.thickness) {}
+  Estimate(const std::vector<FitSrif>& fits, const TipSection& at, const ErrorShares& shares)
+      : fits_(fits), at_(at), shares_(shares), scale_(1, 1, at.section.thickness) {}
 
   /// `energies`: relative difference in sqrt(G) of the integrals among themselves.
   Eigen::Vector3d by_energy(const Srif& srif, double energies) const {
     const Eigen::Vector3d K = vector_of(srif);
-    const double largest = largest_factor(srif, section_.thickness);
+    const double largest = largest_factor(srif, at_.section.thickness);
     Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least * largest).cwiseQuotient(scale_);
-    result[2] += layer() * largest / section_.thickness;
+    result[2] += layer() * largest / at_.section.thickness;
     if (fits_.empty()) {
       // the split is that of the first samples of the opening: nothing vouches for it
-      const Eigen::Vector3d energy = unit_release(section_).cwiseProduct(K.cwiseAbs2());
+      const Eigen::Vector3d energy = at_.unit_release().cwiseProduct(K.cwiseAbs2());
       const double other_modes = energy.sum() > 0 ? 1 - energy[0] / energy.sum() : 0;
       return result +
              Eigen::Vector3d((2 * energies + other_modes / 2) * std::abs(K[0]), largest, largest).cwiseQuotient(scale_);
@@ -58,9 +56,9 @@ public:
                  size = shares_.energy * apart + far;
     const double bending = std::hypot(K[0], K[1]);
     result[2] += shares_.fits_shear * spread(largest)[2] + size * std::abs(K[2]) +
-                 shares_.shear * apart * largest / section_.thickness;
+                 shares_.shear * apart * largest / at_.section.thickness;
     // what K3 takes wrongly of G is missing in K1 and K2, in proportion
-    const Eigen::Vector3d unit = unit_release(section_);
+    const Eigen::Vector3d unit = at_.unit_release();
     const double square =
         2 * ((2 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2]) / unit[0];  // error of K1^2 + K2^2
     if (bending > 0) result.head<2>() += (std::sqrt(bending * bending + square) / bending - 1) * K.head<2>().cwiseAbs();
@@ -72,9 +70,9 @@ public:
 
   Eigen::Vector3d by_fit(const Srif& srif, const std::optional<double>& G) const {
     const Eigen::Vector3d K = vector_of(srif);
-    const double largest = largest_factor(srif, section_.thickness);
+    const double largest = largest_factor(srif, at_.section.thickness);
     Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least * largest).cwiseQuotient(scale_);
-    result[2] += layer() * largest / section_.thickness;
+    result[2] += layer() * largest / at_.section.thickness;
     return result + shares_.fits * spread(largest) + (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs();
   }
 
@@ -106,28 +104,28 @@ private:
   }
 
   double disagreement(double G) const {
-    const double fitted = unit_release(section_).dot(vector_of(fits_.front()).cwiseAbs2());
+    const double fitted = at_.release(vector_of(fits_.front()));
     return std::abs(1 - std::sqrt(fitted / G));
   }
 
   const std::vector<FitSrif>& fits_;
-  const plate::Section& section_;
+  const TipSection& at_;
   const ErrorShares& shares_;
   Eigen::Vector3d scale_;
 };
 
 }  // namespace
 
-void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits, const plate::Section& section,
+void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits, const TipSection& at,
                      const ErrorShares& shares) {
-  const Estimate estimate(fits, section, shares);
-  const double h = section.thickness;
+  const Estimate estimate(fits, at, shares);
+  const double h = at.section.thickness;
   const Srif* best = nullptr;
   for (auto& srif : found) {
     if (!srif.G) continue;
     if (*srif.G <= 0) {
       // no factors; how large they may be, the sum of energies says
-      srif.errors.fill(std::sqrt(-*srif.G / unit_release(section)[0]));
+      srif.errors.fill(std::sqrt(-*srif.G / at.unit_release()[0]));
       *srif.errors[2] /= h;
       srif.resolved.fill(*srif.G == 0);
       continue;

@@ -1,4 +1,5 @@
 #pragma once
+#include "post/factors/near_field/tip_section.hpp"
 #include "post/factors/srif.hpp"
 
 namespace post {
@@ -20,7 +21,7 @@ struct ErrorShares {
 /// Estimates the errors of what all methods found at one tip; methods whose energy release rate is not positive are
 /// marked as not resolved. `fits`: from several ranges about the tip, the one that gave the mode mix first; empty where
 /// the mix comes from the opening.
-void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits, const plate::Section& section,
+void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits, const TipSection& at,
                      const ErrorShares& shares);
 
 /// Errors of the factors of a sum of states, each times a number. The parts' own errors, as if they had nothing to do

@@ -25,7 +25,9 @@ const char* name_of(Overlap overlap) {
   return overlap == Overlap::below ? "z<0" : overlap == Overlap::above ? "z>0" : "";
 }
 
-FaceFactors at_faces(const Srif& srif, const plate::Section& section, std::optional<double> toughness) {
+FaceFactors at_faces(const Srif& srif, const plate::Section& everywhere, std::optional<double> toughness) {
+  if (!everywhere.plies.empty()) return {};
+  const plate::Section section = everywhere.at(srif.position);
   const double h = section.thickness, root = std::sqrt(std::numbers::pi);
   const double bending = root * 6 / (h * h), shear = root * 3 / (2 * h);
   const std::array factor{bending, bending, shear}, own{srif.K1, srif.K2, srif.K3};
@@ -38,7 +40,7 @@ FaceFactors at_faces(const Srif& srif, const plate::Section& section, std::optio
     any = true, known = known && srif.errors[i];
     errors[i] = factor[i] * srif.errors[i].value_or(0);
   }
-  if (!any) return result;
+  if (!any || !section.isotropic()) return result;
   if (srif.resolved[0]) result.overlap = 24 * std::abs(srif.K1) * std::sqrt(2 * h) / (section.young * h * h);
   result.equivalent = equivalent(K, section.poisson);
   if (known) result.error = equivalent(errors, section.poisson);

@@ -45,9 +45,12 @@ double clear_distance(const plate::Problem& c, const std::vector<geometry::Crack
     if (spring.position) clear = std::min(clear, (*spring.position - tip.position).norm());
     if (!spring.along.empty()) clear = std::min(clear, geometry::distance(spring.along, tip.position));
   }
+  for (const auto& stiffener : c.stiffeners)
+    if (!stiffener.along.empty()) clear = std::min(clear, geometry::distance(stiffener.along, tip.position));
   for (const auto& support : c.supports)
     for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
-  return clear;
+  // families next to where the section changes have some of both
+  return std::min(clear, std::max(0.0, c.section.uniform_within(tip.position) - spacing));
 }
 
 double least_clear_distance(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths,

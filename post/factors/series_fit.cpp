@@ -50,7 +50,8 @@ std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& ti
                                    const std::vector<double>& shares) {
   const TipFrame frame(tip);
   const auto points = points_within(plate, frame, range);
-  const TipSeries series(plate.section, range.outer, range.order);
+  const plate::Section section = plate.section.at(tip.position);
+  const TipSeries series(section, range.outer, range.order);
   std::vector<Polar> places;
   for (const auto k : points) places.push_back(polar(frame, plate.positions[k], plate.spacing));
   const Eigen::MatrixXd fields = series(places);
@@ -62,7 +63,7 @@ std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& ti
   std::vector<SeriesFit> result;
   for (const double share : shares) {
     FitRange narrower{range.inner, share * range.outer,
-                      share == 1 ? range.order : fit_order(plate.section, share * range.outer)};
+                      share == 1 ? range.order : fit_order(section, share * range.outer)};
     std::vector<Eigen::Index> within, columns;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (places[i].r <= narrower.outer * (1 + rounding)) within.push_back(Eigen::Index(i));

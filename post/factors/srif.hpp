@@ -108,7 +108,8 @@ const char* name_of(Overlap overlap);
 void normalize(Srif& srif, const SrifOptions& options, double thickness);
 
 /// Stress intensity factors lim sqrt(2 pi r) times stress of one tip, those that are resolved [force length^(-3/2)]:
-/// K_I and K_II at the face z > 0, with the other sign at z < 0, and K_III in the middle plane (theory (69)).
+/// K_I and K_II at the face z > 0, with the other sign at z < 0, and K_III in the middle plane (theory (69)). Of
+/// sections of plies none; of a section with directions without equivalent, utilisation and overlap.
 struct FaceFactors {
   std::array<std::optional<double>, 3> K;
   /// Of the mode 1 that takes the same energy at the height where that is most: a face or the middle plane (theory

@@ -1,17 +1,15 @@
 #include "post/factors/tip_integrals.hpp"
+#include "post/factors/near_field/tip_section.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace post {
 
 using geometry::Point;
 
-Eigen::Vector3d unit_release(const plate::Section& s) {
-  const double bending = 12 * std::numbers::pi / (s.young * std::pow(s.thickness, 3));
-  const double shear = std::numbers::pi * (1 + s.poisson) / (s.shear_correction * s.young * s.thickness);
-  return {bending, bending, shear};
+Eigen::Vector3d unit_release(const plate::Section& section) {
+  return TipSection(section).unit_release();
 }
 
 /// The strain energy has W = D (1 + nu) kappa_0 (tr grad psi + kappa_0) of it; the field is carried along with the tip,

@@ -52,7 +52,7 @@ private:
   std::unique_ptr<EnergyRelease> release_;
 };
 
-/// G of unit intensity factors: G = g1 (K1^2 + K2^2) + g3 K3^2 (theory (50)).
+/// G of unit intensity factors: of isotropic sections G = g1 (K1^2 + K2^2) + g3 K3^2 (theory (50)).
 Eigen::Vector3d unit_release(const plate::Section& section);
 
 }  // namespace post

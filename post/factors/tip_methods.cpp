@@ -9,6 +9,7 @@
 
 #include "post/factors/displacement_extrapolation.hpp"
 #include "post/factors/errors.hpp"
+#include "post/factors/near_field/interaction.hpp"
 #include "post/factors/series_fit.hpp"
 #include "post/factors/tip_rings.hpp"
 
@@ -19,16 +20,15 @@ namespace {
 constexpr double mixed_mode = 0.02;
 
 /// Factors with the energy release rate G and the mode mix of `split`: K3 as it is, K1 and K2 take the rest.
-Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const plate::Section& section) {
-  const Eigen::Vector3d unit = unit_release(section), share = unit.cwiseProduct(split.cwiseAbs2());
-  const double bending = share[0] + share[1], rest = G - share[2];
-  if (G <= 0 || share.sum() <= 0) return {0, 0, 0};
-  if (bending <= 0 || rest <= 0.05 * G) return split * std::sqrt(G / share.sum());
+Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const TipSection& at) {
+  const double bending = at.release({split[0], split[1], 0}), shear = at.release({0, 0, split[2]}), rest = G - shear;
+  if (G <= 0 || bending + shear <= 0) return {0, 0, 0};
+  if (bending <= 0 || rest <= 0.05 * G) return split * std::sqrt(G / (bending + shear));
   const double scale = std::sqrt(rest / bending);
   return {scale * split[0], scale * split[1], split[2]};
 }
 
-ErrorShares shares_of(const TipView& plate, const TipPlace& place) {
+ErrorShares shares_of(const TipView& plate, const TipPlace& place, const plate::Section& section) {
   const auto& trust = plate.trust;
   // an error of the first order, the larger the fewer points lie between a tip and what is next to it; of other tips
   // half as much
@@ -41,7 +41,7 @@ ErrorShares shares_of(const TipView& plate, const TipPlace& place) {
           trust.fits_shear,
           std::max(1e-3, trust.near * near) + place.known_error,
           trust.layer,
-          trust.width / plate.section.layer(),
+          trust.width / section.layer(),
           trust.doubt};
 }
 
@@ -85,12 +85,15 @@ private:
 
   std::shared_ptr<const TipView> view_;
   geometry::Tip tip_;
+  TipSection at_;
   ErrorShares shares_;
   std::vector<std::string> methods_, left_out_;
   TipSurroundings surroundings_;
   std::vector<Integral> integrals_;
-  std::vector<SeriesFit> fits_;  // the widest first; none where the field within a thickness is not resolved
-  std::string no_fit_;           // why
+  // the widest first; none where the field within a thickness is not resolved; of sections with directions interaction
+  // integrals, the first ring first
+  std::vector<SeriesFit> fits_;
+  std::string no_fit_;  // why
   std::vector<DisplacementExtrapolation> openings_;
   std::vector<DisplacementExtrapolation> mix_;  // one, where it is not: proportions from the opening
 };
@@ -98,12 +101,13 @@ private:
 TipMethods::AtTip::AtTip(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options)
     : view_(std::move(view)),
       tip_(place.tip),
-      shares_(shares_of(*view_, place)),
+      at_(view_->section.at(place.tip.position), place.tip.direction),
+      shares_(shares_of(*view_, place, at_.section)),
       methods_(options.methods),
       surroundings_(*view_, centred(place.tip, *view_), largest_radius(place.clear, view_->spacing, view_->graded)) {
   const TipView& plate = *view_;
   const geometry::Tip tip = centred(place.tip, plate);
-  const PlateScale scale{plate.section, plate.spacing, plate.horizon, plate.points_on_faces};
+  const PlateScale scale{at_.section, plate.spacing, plate.horizon, plate.points_on_faces};
   if (!std::ranges::all_of(methods_, of_opening)) fit(tip, place.clear, options.first_ring_only);
   const std::vector<geometry::Point> positions(plate.positions.begin(),
                                                plate.positions.begin() + std::ptrdiff_t(plate.plate_points));
@@ -113,7 +117,7 @@ TipMethods::AtTip::AtTip(std::shared_ptr<const TipView> view, const TipPlace& pl
         const auto how = method == "opening_series" ? series_fit(scale) : paper_fit(scale, options);
         openings_.emplace_back(positions, place.path, place.tip, scale, how);
       } else if (method == "series_fit") {
-        if (fits_.empty()) throw std::invalid_argument(no_fit_);
+        if (!no_fit_.empty()) throw std::invalid_argument(no_fit_);
       } else {
         integrals_.push_back(integral_of(method, tip, place.clear, options.first_ring_only));
       }
@@ -151,7 +155,14 @@ TipMethods::AtTip::Integral TipMethods::AtTip::integral_of(const std::string& me
 /// Fits over the widest range that serves, and over parts of it for the estimate of the error.
 void TipMethods::AtTip::fit(const geometry::Tip& tip, double clear, bool first_only) {
   const TipView& plate = *view_;
-  const auto range = fit_range(plate.section, clear, plate.spacing, plate.graded);
+  if (!at_.section.isotropic()) {
+    no_fit_ = "series_fit: all fields about a tip are known for isotropic sections alone";
+    auto around = rings(clear, plate.spacing, plate.graded);
+    if (first_only && !around.empty()) around.resize(1);
+    fits_ = interaction_integrals(plate, tip, at_, around);
+    return;
+  }
+  const auto range = fit_range(at_.section, clear, plate.spacing, plate.graded);
   if (!range) {
     no_fit_ =
         "series_fit: no range of 4 spacings within 2 thicknesses and 0.9 of the way to the next edge, crack, bend or "
@@ -177,7 +188,7 @@ Eigen::MatrixXd TipMethods::AtTip::functionals() const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 3 * Eigen::Index(view_->positions.size()));
   for (std::size_t i = 0; i < fit.points.size(); ++i)
     result.middleCols(3 * Eigen::Index(fit.points[i]), 3) = fit.row.middleCols(3 * Eigen::Index(i), 3);
-  result.row(2) *= view_->section.thickness;
+  result.row(2) *= at_.section.thickness;
   return result;
 }
 
@@ -204,7 +215,7 @@ Srif TipMethods::AtTip::of(const Integral& integral, std::size_t rings, const Ei
   result.samples = rings;
   for (std::size_t i = 0; i < rings; ++i) {
     const double G = integral.integrals[i](field, forward_work) + (heat ? heat(integral.rings[i]) : 0);
-    const auto K = factors(G, mix, view_->section);
+    const auto K = factors(G, mix, at_);
     result.rings.push_back({integral.rings[i].inner, integral.rings[i].outer, G, K[0], K[1], K[2]});
   }
   const RingSrif& first = result.rings.front();
@@ -240,21 +251,21 @@ std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const
     for (const auto& integral : integrals_)
       if (integral.method == method)
         found.push_back(of(integral, rings_of(integral, all_rings), mix, field, work, heat));
-    if (method == "series_fit" && !fits.empty()) found.push_back(by_fit(fits));
+    if (method == "series_fit" && no_fit_.empty()) found.push_back(by_fit(fits));
     for (const auto& opening : openings_)
       if (auto srif = opening(state); srif.method == method) {
         found.push_back(std::move(srif));
         break;
       }
   }
-  estimate_errors(found, fits, view_->section, shares_);
+  estimate_errors(found, fits, at_, shares_);
   // openings were asked for beside methods that vouch for them, and these have no room: errors of 20 % were found where
   // 7 % were estimated
   if (integrals_.empty() && fits_.empty() && !std::ranges::all_of(methods_, of_opening))
     for (auto& srif : found) srif.resolved.fill(false);
   // the faces are loaded in the second and third mode: there the domain integral is better, where the field within a
   // thickness is resolved
-  const Eigen::Vector3d energy = unit_release(view_->section).cwiseProduct(mix.cwiseAbs2());
+  const Eigen::Vector3d energy = at_.unit_release().cwiseProduct(mix.cwiseAbs2());
   const bool sheared = energy[1] + energy[2] > mixed_mode * energy.sum();
   const std::string first =
       (sheared && !fits_.empty()) || view_->trust.domain_integral ? "domain_integral" : "virtual_crack_extension";

@@ -41,8 +41,11 @@ std::string of_tip(const FaceOverlaps& tip, const plate::Section& section,
   Srif least;
   least.K1 = *tip.least;
   const auto place = fmt::format("tip {} at ({:.4g}, {:.4g})", tip.tip, tip.position.x(), tip.position.y());
-  const auto depth = fmt::format("by {:.2g} thicknesses one thickness behind it",
-                                 *at_faces(least, section, {}).overlap / section.thickness);
+  least.position = tip.position;
+  const auto overlap = at_faces(least, section, {}).overlap;
+  const auto depth = overlap ? fmt::format("by {:.2g} thicknesses one thickness behind it",
+                                           *overlap / section.at(tip.position).thickness)
+                             : std::string("how far is not known for such a section");
   if (!row) return fmt::format("K1 = {:.4g} at {}, {}", *tip.least, place, depth);
   return fmt::format("at {} in {} of {} rows, first at {}, where K1 is least ({:.4g}) {}", place, tip.above, tip.rows,
                      row(*tip.first_above), *tip.least, depth);

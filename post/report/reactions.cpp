@@ -22,7 +22,7 @@ Eigen::VectorXd on_held(const plate::Formulation& plate, const plate::Operator& 
 std::vector<ReactionSummary::Support> supports_of(const plate::Formulation& plate) {
   std::vector<ReactionSummary::Support> result;
   for (const auto& [name, kind, position] : plate.boundary().holders) result.push_back({name, position});
-  for (const auto& part : plate.boundary().attached.parts()) result.push_back({part->name, part->position});
+  for (const auto& part : plate.boundary().attached.holding()) result.push_back({part->name, part->position});
   return result;
 }
 
@@ -33,7 +33,7 @@ std::function<plate::Forces(const plate::State&)> inertial_force(const plate::Fo
     return [inertia = std::make_shared<plate::Inertia>(plate.inertia(rotary))](const plate::State& acceleration) {
       return inertia->whole(acceleration);
     };
-  return [mass = plate::mass(plate.section(), plate.cloud().areas, plate.boundary().active, {}, rotary)](
+  return [mass = plate::mass(plate.sections(), plate.cloud().areas, plate.boundary().active, {}, rotary)](
              const plate::State& acceleration) -> plate::Forces { return mass.cwiseProduct(acceleration); };
 }
 

@@ -10,7 +10,7 @@
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/solution.hpp"
 #include "plate/solve/suitability.hpp"
-#include "post/factors/tip_integrals.hpp"
+#include "post/factors/near_field/tip_section.hpp"
 #include "post/files/table.hpp"
 
 namespace post {
@@ -54,8 +54,9 @@ Table energy_check(const plate::Problem& problem, const plate::Analysis& analysi
     const double G =
         (strain_energy(moved(problem, tip, step), analysis) - strain_energy(moved(problem, tip, -step), analysis)) /
         (2 * step);
-    table.rows.push_back({double(i), tip.position.x(), tip.position.y(), step, G,
-                          std::sqrt(std::max(G, 0.0) / unit_release(problem.section)[0])});
+    const TipSection at(problem.section.at(tip.position), tip.direction);
+    table.rows.push_back(
+        {double(i), tip.position.x(), tip.position.y(), step, G, std::sqrt(std::max(G, 0.0) / at.unit_release()[0])});
   }
   return table;
 }

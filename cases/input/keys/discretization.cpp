@@ -2,7 +2,6 @@
 #include "cases/input/keys.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/formulation_kind.hpp"
-#include "plate/model/section.hpp"
 
 namespace cases {
 namespace {
@@ -17,22 +16,6 @@ Words<const plate::FormulationKind*> formulation_words() {
 }
 
 }  // namespace
-
-Fields<plate::Section> section_fields() {
-  using plate::Section;
-  return {
-      number<Section>("young", "force/length^2", &Section::young, positive, "Young's modulus").required(),
-      number<Section>("poisson", "-", &Section::poisson, {-1, 0.5, true, true}, "Poisson's ratio").required(),
-      number<Section>("thickness", "length", &Section::thickness, positive, "thickness of the plate").required(),
-      number<Section>("shear_correction", "-", &Section::shear_correction, {0, 1, true},
-                      "factor of the transverse shear stiffness"),
-      number<Section>("thermal_expansion", "1/temperature", &Section::thermal_expansion, positive,
-                      "strain per temperature, of loads of kind = temperature"),
-      number<Section>("density", "mass/length^3", &Section::density, positive,
-                      "mass density; in statics of own weight alone")
-          .required({Analysis::Kind::dynamic, Analysis::Kind::frequencies}),
-  };
-}
 
 Fields<plate::Discretization> discretization_fields() {
   using namespace plate;

@@ -121,17 +121,25 @@ Field<T> points(const std::string& name, std::vector<geometry::Point> T::*member
   return value<T>({name, "length", "[[x, y], ...]", "", help}, read, text);
 }
 
+}  // namespace
+
+std::optional<plate::Formula> formula_of(const Value& given) {
+  if (const auto text = given.text()) try {
+      return plate::Formula(*text);
+    } catch (const std::invalid_argument& error) {
+      given.complain(error.what());
+    }
+  return std::nullopt;
+}
+
+namespace {
+
 Field<Load> expression() {
   return value<Load>(
       {"expression", "force/length^2, temperature", "an expression in x, y and pi", "",
        "the pressure or temperature, as \"100 * sin(pi * x / 2)\""},
       [](const Value& given, Load& load) {
-        const auto text = given.text();
-        if (text) try {
-            load.formula = plate::Formula(*text);
-          } catch (const std::invalid_argument& error) {
-            given.complain(error.what());
-          }
+        if (const auto formula = formula_of(given)) load.formula = *formula;
       },
       [](const Load& load) { return load.formula.given() ? quoted(load.formula.text()) : ""; });
 }
@@ -233,6 +241,18 @@ Fields<plate::Spring> spring_fields() {
       number<S>("rotation_tangential", "force", &S::rotation_tangential, {0},
                 "edges, along: against the rotation along the edge or line, with which the plate twists"),
       number<S>("rotation", "force length", &S::rotation, {0}, "position: against both rotations"),
+  };
+}
+
+Fields<plate::Stiffener> stiffener_fields() {
+  using S = plate::Stiffener;
+  return {
+      edges<S>("the edges that the beam runs along: these or along"),
+      points("along", &S::along, 2, "the line in the plate that the beam runs along"),
+      number<S>("bending", "force length^2", &S::bending, {0}, "EI, against the curvature along the beam"),
+      number<S>("torsion", "force length^2", &S::torsion, {0}, "GJ, against the twist along the beam"),
+      number<S>("shear", "force", &S::shear, positive, "k G A; without it the beam does not shear"),
+      number<S>("mass", "mass/length", &S::mass, {0}, "of the beam: in motion, frequencies and own weight"),
   };
 }
 

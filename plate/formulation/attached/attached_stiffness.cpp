@@ -57,6 +57,13 @@ void AttachedStiffness::take_force(const State& state, Forces& forces) const {
   for (const auto& part : parts_) add_product(*part, 1, state, forces);
 }
 
+std::vector<std::shared_ptr<const Attachment>> AttachedStiffness::holding() const {
+  std::vector<std::shared_ptr<const Attachment>> result;
+  for (const auto& part : parts_)
+    if (part->holds) result.push_back(part);
+  return result;
+}
+
 void AttachedStiffness::add_absolute_product(const State& state, Forces& forces) const {
   double* const f = forces.data();
   for (const auto& part : parts_)
@@ -108,8 +115,8 @@ void AttachmentSum::add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref
         entries_.push_back({flat(dofs[std::size_t(i)]) << 32 | flat(dofs[std::size_t(j)]), matrix(i, j)});
 }
 
-Attachment AttachmentSum::taken(std::string name, const std::optional<geometry::Point>& position) && {
-  Attachment result{std::move(name), position, points_, {}, {}, {}, {}};
+Attachment AttachmentSum::taken(std::string name, const std::optional<geometry::Point>& position, bool holds) && {
+  Attachment result{std::move(name), position, holds, points_, {}, {}, {}, {}};
   std::ranges::stable_sort(entries_, {}, &Entry::place);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const auto [place, value] = entries_[i];

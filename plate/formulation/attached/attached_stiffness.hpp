@@ -10,11 +10,12 @@
 
 namespace plate {
 
-/// The stiffness of one foundation or spring, symmetric and without negative eigenvalues, by rows. Degrees of freedom
-/// are counted as State::data(): component * points + point.
+/// The stiffness of one foundation, spring or stiffener, symmetric and without negative eigenvalues, by rows. Degrees
+/// of freedom are counted as State::data(): component * points + point.
 struct Attachment {
-  std::string name;                         // foundation0, ..., spring0, ... in the order of the case
+  std::string name;                         // foundation0, ..., spring0, ..., stiffener0, ... in the order of the case
   std::optional<geometry::Point> position;  // of a spring at a point [length]
+  bool holds = true;                        // against rigid motions: not a stiffener
   std::size_t points = 0;                   // of the plate and beside it
   std::vector<std::uint32_t> row;           // ascending; those that are not zero
   std::vector<std::size_t> first;           // where the entries of a row begin [rows + 1]
@@ -42,6 +43,8 @@ public:
   explicit AttachedStiffness(std::vector<Attachment> parts);
 
   const std::vector<std::shared_ptr<const Attachment>>& parts() const { return parts_; }
+  /// Those that hold the plate against rigid motions.
+  std::vector<std::shared_ptr<const Attachment>> holding() const;
 
   void add_force(const State& state, Forces& forces) const;  // forces += -K state
   void add_force(const Values<float>& state, Values<float>& forces) const;
@@ -72,7 +75,7 @@ public:
   void add(double stiffness, const std::vector<FormTerm>& form);
   /// A symmetric matrix of some degrees of freedom 3 * point + component.
   void add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
-  Attachment taken(std::string name, const std::optional<geometry::Point>& position) &&;
+  Attachment taken(std::string name, const std::optional<geometry::Point>& position, bool holds = true) &&;
 
 private:
   struct Entry {

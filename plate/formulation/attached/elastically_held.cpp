@@ -8,6 +8,7 @@
 
 #include "geometry/cells/tessellation.hpp"
 #include "plate/formulation/attached/foundations.hpp"
+#include "plate/formulation/attached/stiffeners.hpp"
 #include "plate/model/loading/edge_pieces.hpp"
 #include "plate/model/loading/spread.hpp"
 #include "plate/model/problem.hpp"
@@ -115,9 +116,10 @@ void add_edges(const Spring& spring, const geometry::Tessellation& cells, Attach
   }
 }
 
-/// `found(foundation, sum)`, `hold(spring, sum)`: what they add.
-template <typename Found, typename Hold>
-AttachedStiffness all(const Problem& problem, std::size_t points, const Found& found, const Hold& hold) {
+/// `found(foundation, sum)`, `hold(spring, sum)`, `stiffen(stiffener, sum)`: what they add.
+template <typename Found, typename Hold, typename Stiffen>
+AttachedStiffness all(const Problem& problem, std::size_t points, const Found& found, const Hold& hold,
+                      const Stiffen& stiffen) {
   std::vector<Attachment> parts;
   for (std::size_t i = 0; i < problem.foundations.size(); ++i) {
     AttachmentSum sum(points);
@@ -128,6 +130,11 @@ AttachedStiffness all(const Problem& problem, std::size_t points, const Found& f
     AttachmentSum sum(points);
     hold(problem.springs[i], sum);
     parts.push_back(std::move(sum).taken(fmt::format("spring{}", i), problem.springs[i].position));
+  }
+  for (std::size_t i = 0; i < problem.stiffeners.size(); ++i) {
+    AttachmentSum sum(points);
+    stiffen(problem.stiffeners[i], sum);
+    parts.push_back(std::move(sum).taken(fmt::format("stiffener{}", i), std::nullopt, false));
   }
   return AttachedStiffness(std::move(parts));
 }
@@ -141,7 +148,8 @@ AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Clo
         add_edges(one, problem, cloud, sum);
         if (!one.along.empty()) add_line(one, cloud, sum);
         if (one.position && cloud.seeded(*one.position)) add_point(one, cloud.positions, cloud.plate_points, sum);
-      });
+      },
+      [](const Stiffener&, AttachmentSum&) {});  // refused before
 }
 
 AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Tessellation& cells) {
@@ -152,7 +160,8 @@ AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Tes
         add_edges(one, cells, sum);
         if (!one.along.empty()) add_line(one, cells, sum);
         if (one.position) add_point(one, cells.positions, points, sum);
-      });
+      },
+      [&](const Stiffener& one, AttachmentSum& sum) { add_stiffener(one, cells, sum); });
 }
 
 }  // namespace plate

@@ -36,7 +36,7 @@ public:
     for (std::uint32_t k = 0; k < boundary.lattice.size(); ++k)
       if (const Point& n = parts.line(k); parts.has(k) && parts.on_line(k))
         add({{parts.part(k), parts.slope(parts.part(k), {-n.y(), n.x()})}});
-    for (const auto& part : boundary.attached.parts()) add_elastic(*part);
+    for (const auto& part : boundary.attached.holding()) add_elastic(*part);
   }
   const Eigen::MatrixXd& gram() const { return gram_; }
 

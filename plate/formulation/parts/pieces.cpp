@@ -58,7 +58,7 @@ Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_o
   Grams result, sizes;
   const double spacing = boundary.cloud.units.spacing;
   const auto length = [&](std::uint32_t dof) { return dof % 3 == 0 ? spacing : 1; };
-  for (const auto& part : boundary.attached.parts())
+  for (const auto& part : boundary.attached.holding())
     part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
       if (!boundary.owns(row / 3)) return;
       const auto number = piece_of[row / 3];

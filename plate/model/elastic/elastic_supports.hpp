@@ -27,4 +27,15 @@ struct Spring {
   std::optional<geometry::Point> position;
 };
 
+/// A beam in the middle plane along edges or a line, tied to the plate's deflection and rotations: it bends and twists
+/// with the plate, and takes no force along itself.
+struct Stiffener {
+  double bending = 0;           // EI [force length^2]
+  double torsion = 0;           // GJ [force length^2]
+  std::optional<double> shear;  // k G A [force]; without it the beam's slope is the plate's (Bernoulli)
+  double mass = 0;              // rho A [mass/length]
+  std::vector<std::string> edges;
+  geometry::Polyline along;
+};
+
 }  // namespace plate

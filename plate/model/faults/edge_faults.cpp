@@ -191,6 +191,15 @@ std::vector<Refusal> faults_of_edges(const Problem& problem) {
   for (std::size_t i = 0; i < problem.foundations.size(); ++i)
     check_patch(problem.foundations[i].patch, {Subject::foundation_patch, i, "the foundation lies"}, problem.outline,
                 found);
+  for (std::size_t i = 0; i < problem.section.regions.size(); ++i)
+    check_patch(problem.section.regions[i].shape, {Subject::region_shape, i, "the region lies"}, problem.outline,
+                found);
+  for (std::size_t i = 0; i < problem.stiffeners.size(); ++i) {
+    const auto& beam = problem.stiffeners[i];
+    check_names(beam.edges, geometry::edge_names(problem.outline), Subject::stiffener_edges, i, found);
+    check_along(beam.along, {Subject::stiffener_line, i, ""}, problem.outline, found);
+    check_line(beam.along, {Subject::stiffener_line, i, ""}, problem, found);
+  }
   for (std::size_t i = 0; i < problem.springs.size(); ++i) {
     const auto& spring = problem.springs[i];
     check_names(spring.edges, geometry::edge_names(problem.outline), Subject::spring_edges, i, found);

@@ -14,6 +14,8 @@ std::vector<KeyFault> faults_of_heat(const Problem& problem) {
   const auto say = [&](const std::string& key, const std::string& what) { found.push_back({key, what}); };
   if (problem.section.thermal_expansion == 0)
     say("section.thermal_expansion", "is missing, must be a number > 0: temperatures bend the plate by it");
+  if (!problem.section.simple())
+    say("section", "temperatures are of plates of one isotropic material and one thickness");
   const auto& d = problem.discretization;
   const bool of_bonds = d.formulation && d.formulation->offers(Feature::horizon);
   if (of_bonds && d.boundary != EdgeMethod::images)

@@ -48,10 +48,29 @@ void check_edge(const Spring& spring, const std::string& edge, std::size_t numbe
   }
 }
 
+void check_stiffener(const Problem& problem, std::size_t number, std::vector<Refusal>& found) {
+  const auto& beam = problem.stiffeners[number];
+  std::vector<std::string> faults;
+  const int places = !beam.edges.empty() + !beam.along.empty();
+  if (places != 1)
+    faults.push_back(fmt::format("{} given, must be one of edges and along", places == 0 ? "none" : "both"));
+  if (beam.bending + beam.torsion <= 0) faults.push_back("stiffens nothing: give bending or torsion > 0");
+  if (beam.shear && beam.bending <= 0) faults.push_back("shear is of a beam with bending > 0: remove it");
+  if (!faults.empty()) found.push_back({Subject::stiffener, number, fmt::format("{}", fmt::join(faults, "; "))});
+  for (std::size_t i = 0; i < problem.supports.size(); ++i)
+    for (const auto& edge : beam.edges)
+      if (const auto& s = problem.supports[i];
+          held_by(s.kind).w && held_by(s.kind).normal && std::ranges::find(s.edges, edge) != s.edges.end())
+        found.push_back(
+            {Subject::stiffener_edges, number,
+             fmt::format("edge \"{}\" is clamped by support[{}], which leaves nothing for a beam to do", edge, i)});
+}
+
 }  // namespace
 
 std::vector<Refusal> faults_of_springs(const Problem& problem) {
   std::vector<Refusal> found;
+  for (std::size_t i = 0; i < problem.stiffeners.size(); ++i) check_stiffener(problem, i, found);
   for (std::size_t i = 0; i < problem.springs.size(); ++i) {
     check_keys(problem.springs[i], i, found);
     for (const auto& edge : problem.springs[i].edges) check_edge(problem.springs[i], edge, i, problem, found);

@@ -71,7 +71,7 @@ void join_loads(Problem& problem) {
 void scale(Load& load, double factor) {
   load.value *= factor, load.twist *= factor, load.gradient *= factor;
   for (auto& component : load.tensor) component *= factor;
-  load.gravity.reset();
+  if (load.gravity) *load.gravity *= factor;
   if (load.formula.given()) load.formula = Formula(fmt::format("{:.17g} * ({})", factor, load.formula.text()));
 }
 
@@ -81,7 +81,7 @@ std::optional<std::size_t> settle_weights(Problem& problem) {
     auto& load = problem.loads[i];
     if (!load.gravity) continue;
     if (!(section.density > 0)) return i;
-    load.value = section.density * section.thickness * *load.gravity;
+    load.value = section.mass() * *load.gravity;
   }
   return std::nullopt;
 }

@@ -219,7 +219,7 @@ private:
 }  // namespace
 
 double shift_of(const Section& section, double length) {
-  return section.bending_stiffness() / (section.density * section.thickness) * std::pow(std::numbers::pi / length, 4);
+  return section.bending_stiffness() / section.mass() * std::pow(std::numbers::pi / length, 4);
 }
 
 std::unique_ptr<Preconditioner> preconditioner_of_frequencies(const Formulation& plate) {

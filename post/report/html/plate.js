@@ -86,12 +86,15 @@ function support_marks(support, map) {
   return [base, triangles, hard];
 }
 
-/** Where the plate lies on soil, and what springs hold. */
+/** Where the section has numbers of its own, the plate lies on soil, beams stiffen it and springs hold it. */
 function elastic_marks({ map }) {
+  const edges_of = one => one.along ? one.along.slice(1).map((to, i) => ({ from: one.along[i], to })) : all_edges().filter(edge => one.edges.includes(edge.name));
+  const regions = (plate.section.regions ?? []).map(shape => drawn("path", { d: path_of(hole_vertices(shape), map, true), class: "patch" }));
+  const beams = plate.stiffeners.map(one => edges_of(one).map(({ from, to }) => line(map(from), map(to), "mirror")));
   const soil = plate.foundations.map(one => drawn("path", { d: path_of(one.patch ? hole_vertices(one.patch) : plate.outline, map, true), class: "patch" }));
   const coil = (at, t, out) => drawn("path", { d: path_of([0, 1, 2, 3, 4].map(n => shifted(shifted(at, out, 2 + 3 * n), t, n % 2 ? 3 : -3)), p => p), class: "hatch" });
-  return [soil, plate.springs.map(one => {
-    const edges = one.along ? one.along.slice(1).map((to, i) => ({ from: one.along[i], to })) : all_edges().filter(edge => one.edges.includes(edge.name));
+  return [regions, soil, beams, plate.springs.map(one => {
+    const edges = edges_of(one);
     return [along(edges, map, 24).map(({ at, out, t }) => coil(at, t, out)), one.position ? [coil(map(one.position), [1, 0], [0, 1])] : []];
   })].flat(4);
 }
@@ -202,10 +205,11 @@ function plate_words() {
   };
   const of = (x, quantity) => `${shown(x)}${unit(quantity) ? ` ${unit(quantity)}` : ""}`;
   return facts([
-    ["Material", `E ${of(s.young, "stress")}, ν ${shown(s.poisson)}${s.density > 0 ? `, ρ ${of(s.density, "density")}` : ""}`],
+    ["Material", s.material ?? `E ${of(s.young, "stress")}, ν ${shown(s.poisson)}${s.density > 0 ? `, ρ ${of(s.density, "density")}` : ""}`],
     ["Thickness", of(s.thickness, "length")],
     ["Supports", plate.supports.length ? plate.supports.map(one => `${one.kind}${one.points.length ? ` at ${one.points.length} points` : on(one.edges)}`).join("; ") : "none"],
     ...plate.foundations.map(one => ["Foundation", `modulus ${shown(one.modulus)}${one.shear ? `, shear ${shown(one.shear)}` : ""}${one.patch ? " beneath a part" : ""}`]),
+    ...plate.stiffeners.map(one => ["Stiffener", `${["bending", "torsion", "mass"].filter(key => one[key]).map(key => `${key} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.along ? " along a line" : ""}`]),
     ...plate.springs.map(one => ["Springs", `${["deflection", "rotation_normal", "rotation_tangential", "rotation"].filter(key => one[key]).map(key => `${spaced(key)} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.position ? ` at (${one.position.map(x => shown(x)).join(", ")})` : ""}${one.along ? " along a line" : ""}`]),
     ["Loads", plate.loads.length ? plate.loads.map(load).join("; ") : "none"],
     ["Cracks", plate.cracks.length ? `${plate.cracks.length}${grows ? ` at the start (bold), ${cracks_at_end().length} at the end` : ""}` : "none"],

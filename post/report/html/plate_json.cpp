@@ -115,6 +115,42 @@ std::string text_of(const plate::Spring& spring) {
   return json_object(members);
 }
 
+std::string text_of(const plate::Stiffener& beam) {
+  Members members{{"bending", json_number(beam.bending)},
+                  {"torsion", json_number(beam.torsion)},
+                  {"mass", json_number(beam.mass)},
+                  {"edges", text_of(beam.edges)}};
+  if (!beam.along.empty()) members.emplace_back("along", text_of(beam.along));
+  return json_object(members);
+}
+
+std::string material_of(const plate::Section& s) {
+  if (!s.plies.empty()) return fmt::format("{} plies", s.plies.size());
+  if (const auto& m = s.orthotropic)
+    return fmt::format("E1 {:g}, E2 {:g}, ν12 {:g}, G12 {:g}, G13 {:g}, G23 {:g}, axis 1 at {:g}°", m->E1, m->E2,
+                       m->nu12, m->G12, m->G13, m->G23, m->angle);
+  return fmt::format("E {:g}, ν {:g}", s.young, s.poisson);
+}
+
+/// `material`, in words, of sections that vary or have directions alone.
+std::string text_of(const plate::Section& s) {
+  Members members{{"young", json_number(s.young)},
+                  {"poisson", json_number(s.poisson)},
+                  {"thickness", json_number(s.thickness)},
+                  {"density", json_number(s.density)}};
+  if (s.simple()) return json_object(members);
+  auto words = material_of(s);
+  if (s.thickness_factor.given()) words += fmt::format(", thickness times {}", s.thickness_factor.text());
+  if (s.young_factor.given()) words += fmt::format(", E times {}", s.young_factor.text());
+  if (!s.regions.empty())
+    words += fmt::format(", {} region{} of its own", s.regions.size(), s.regions.size() > 1 ? "s" : "");
+  members.emplace_back("material", json_text(words));
+  std::vector<std::string> regions;
+  for (const auto& region : s.regions) regions.push_back(text_of(region.shape));
+  if (!regions.empty()) members.emplace_back("regions", json_list(regions));
+  return json_object(members);
+}
+
 template <typename Element, typename Text>
 std::string list_of(const std::vector<Element>& elements, const Text& text) {
   std::vector<std::string> texts;
@@ -132,7 +168,6 @@ std::string plate_json(const plate::Problem& problem) {
     return json_object(
         {{"kind", json_text(words(s.kind))}, {"edges", text_of(s.edges)}, {"points", text_of(s.points)}});
   };
-  const auto& s = problem.section;
   return json_object({{"outline", text_of(problem.outline.outer.vertices)},
                       {"edges", list_of(geometry::straight_edges(problem.outline), edge)},
                       {"holes", list_of(problem.outline.holes, [](const auto& hole) { return text_of(hole); })},
@@ -140,11 +175,9 @@ std::string plate_json(const plate::Problem& problem) {
                       {"supports", list_of(problem.supports, support)},
                       {"foundations", list_of(problem.foundations, [](const auto& one) { return text_of(one); })},
                       {"springs", list_of(problem.springs, [](const auto& one) { return text_of(one); })},
+                      {"stiffeners", list_of(problem.stiffeners, [](const auto& one) { return text_of(one); })},
                       {"loads", list_of(problem.loads, [](const auto& load) { return text_of(load); })},
-                      {"section", json_object({{"young", json_number(s.young)},
-                                               {"poisson", json_number(s.poisson)},
-                                               {"thickness", json_number(s.thickness)},
-                                               {"density", json_number(s.density)}})}});
+                      {"section", text_of(problem.section)}});
 }
 
 }  // namespace post

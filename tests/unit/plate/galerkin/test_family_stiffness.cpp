@@ -38,6 +38,7 @@ TEST_CASE("family stiffness: more neighbours than it has room for are refused") 
   std::vector<geometry::Families::Step> steps;
   for (std::int32_t i = 1; i <= 33; ++i) steps.push_back({i, 0});
   families.families.set(std::uint32_t(most), steps);
-  FamilyStiffness stiffness(families, gp::section);
+  const PointSections sections(gp::section);
+  FamilyStiffness stiffness(families, sections);
   CHECK_THROWS_AS(stiffness.find(most), std::invalid_argument);
 }

@@ -64,3 +64,20 @@ TEST_CASE("all problems of foundations and springs come together, and what is re
   CHECK(again.springs[0].rotation == 5);
   CHECK(cases::resolved_toml(again) == cases::resolved_toml(file.content));
 }
+
+TEST_CASE("stiffeners are checked against the plate, its supports and themselves") {
+  const auto stiffener = [](const std::string& lines) { return plain + "[[stiffener]]\n" + lines + "\n"; };
+  CHECK(problems(stiffener("edges = [\"top\"]\nbending = 1\ntorsion = 2\nshear = 3\nmass = 4")).empty());
+  expect(stiffener("bending = 1"), ":18", "stiffener[0]", "none given, must be one of edges and along");
+  expect(stiffener("edges = [\"top\"]"), ":18", "stiffener[0]", "stiffens nothing");
+  expect(stiffener("edges = [\"top\"]\ntorsion = 1\nshear = 2"), ":18", "stiffener[0]", "shear is of a beam");
+  expect(stiffener("edges = [\"left\"]\nbending = 1"), ":19", "stiffener[0].edges", "clamped by support[0]");
+  expect(stiffener("edges = [\"tob\"]\nbending = 1"), ":19", "stiffener[0].edges", "did you mean 'top'?");
+  expect(stiffener("along = [[0, 0], [0, 3]]\nbending = 1"), ":19", "stiffener[0].along", "must lie in the plate");
+  expect(stiffener("along = [[-0.2, 0], [0.2, 0]]\nbending = 1"), ":19", "stiffener[0].along", "lies along crack 0");
+  expect(stiffener("edges = [\"top\"]\nbending = -1"), ":20", "stiffener[0].bending", "-1 given");
+  expect(stiffener("edges = [\"top\"]\nbending = 1"), "--set discretization.formulation", "stiffener",
+         "bonds have theirs beside it", {"discretization.formulation=ordinary"});
+  const auto file = read(stiffener("along = [[0, 0.2], [0, 0.8]]\nbending = 2\nmass = 3"));
+  CHECK(read(cases::resolved_toml(file.content)).content.stiffeners[0].mass == 3);
+}

@@ -25,3 +25,18 @@ TEST_CASE("springs have one place, a stiffness, and something that supports leav
   problem.discretization.boundary = EdgeMethod::surface_nodes;
   CHECK(faults_of_springs(problem).size() == 1);
 }
+
+TEST_CASE("stiffeners have one line, a stiffness, and no clamp") {
+  Problem problem;
+  problem.outline = geometry::rectangle(0, 0, 1, 1);
+  problem.supports = {{SupportKind::clamped, {"left"}, {}}, {SupportKind::simply_supported, {"top"}, {}}};
+  const auto faults = [&](double bending, double torsion, std::optional<double> shear, std::vector<std::string> edges) {
+    problem.stiffeners = {{bending, torsion, shear, 0, std::move(edges), {}}};
+    return faults_of_springs(problem).size();
+  };
+  CHECK(faults(1, 0, 2, {"top"}) == 0);
+  CHECK(faults(0, 1, {}, {"right"}) == 0);
+  CHECK(faults(0, 1, 2, {"right"}) == 1);
+  CHECK(faults(0, 0, {}, {}) == 1);
+  CHECK(faults(1, 0, {}, {"left"}) == 1);
+}

@@ -1,0 +1,175 @@
+// Beams along edges and lines of a Galerkin plate: Levy's solution of a plate with edge beams, a plate on a beam in the
+// middle, the beam alone, mass, reactions and energies.
+#include <Eigen/LU>
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/solve/motion/frequencies.hpp"
+#include "plate/solve/solution.hpp"
+#include "post/balance/supports.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+using namespace plate;
+namespace vp = verified_plate;
+using geometry::Point;
+constexpr double pi = std::numbers::pi;
+
+namespace {
+
+constexpr double thickness = 0.01;
+
+/// 1 x 1 about (0.5, 0), hard supports left and right, free below and above.
+cases::Case strip(double spacing, std::vector<Stiffener> stiffeners) {
+  auto c = vp::free_plate(geometry::rectangle(0, -0.5, 1, 0.5), spacing);
+  c.discretization.formulation = &galerkin;
+  c.section = {1000, 0.3, thickness, 5.0 / 6, 2};
+  c.supports = {vp::held(SupportKind::simply_supported_hard, {"left", "right"})};
+  c.stiffeners = std::move(stiffeners);
+  Load pressure;
+  pressure.value = 1e-3;
+  c.loads = {pressure};
+  return c;
+}
+
+Stiffener beam(double bending, double torsion, std::vector<std::string> edges, geometry::Polyline along = {}) {
+  Stiffener result;
+  result.bending = bending, result.torsion = torsion, result.edges = std::move(edges), result.along = std::move(along);
+  return result;
+}
+
+State at_rest(const Formulation& plate) {
+  const auto found =
+      solve_static(plate, plate.total_load(), StaticMethod::cg, Preconditioning::automatic, {1e-10, 20000, {}});
+  REQUIRE(found.solution.converged);
+  return found.solution.state;
+}
+
+double at(const Formulation& plate, const State& u, const Point& x) {
+  double sum = 0;
+  for (const auto& share : plate.interpolation(x)) sum += share.weight * u(0, share.point);
+  return sum;
+}
+
+/// Levy's solution of the thin plate, even in y: w = sum (p / D / a^5 ... ) of sines in x; deflection at (0.5, y). Edge
+/// beams at y = +-0.5: V_y = EI w,xxxx and M_yy = GJ w,xxy balance what the plate leaves there.
+double levy(double y, double bending, double torsion, double pressure = 1e-3) {
+  const Section s{1000, 0.3, thickness, 5.0 / 6, 2};
+  const double D = s.bending_stiffness(), nu = s.poisson, b = 0.5;
+  double sum = 0;
+  for (int m = 1; m < 60; m += 2) {
+    const double a = m * pi, q = 4 * pressure / (m * pi), particular = q / (D * std::pow(a, 4));
+    // w_m = particular + A cosh(a y) + B a y sinh(a y), and its derivatives at y = b
+    const double c = std::cosh(a * b), h = std::sinh(a * b), t = a * b;
+    const double w[2] = {c, t * h};
+    const double d1[2] = {a * h, a * (h + t * c)}, d2[2] = {a * a * c, a * a * (2 * c + t * h)};
+    const double d3[2] = {a * a * a * h, a * a * a * (3 * h + t * c)};
+    Eigen::Matrix2d system;
+    Eigen::Vector2d right;
+    for (int i = 0; i < 2; ++i) {
+      // the plate's moment at the edge and the beam's twist: D (w,yy - nu a^2 w) + GJ a^2 w,y = 0
+      system(0, i) = D * (d2[i] - nu * a * a * w[i]) + torsion * a * a * d1[i];
+      // its Kirchhoff force and the beam's bending: D (w,yyy - (2 - nu) a^2 w,y) - EI a^4 w = 0
+      system(1, i) = D * (d3[i] - (2 - nu) * a * a * d1[i]) - bending * std::pow(a, 4) * w[i];
+    }
+    right << D * nu * a * a * particular, bending * std::pow(a, 4) * particular;
+    const Eigen::Vector2d k = system.inverse() * right;
+    sum += (particular + k[0] * std::cosh(a * y) + k[1] * a * y * std::sinh(a * y)) * (m % 4 == 1 ? 1 : -1);
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("edge beams: Levy's solution of the thin plate, three stiffnesses, bending and torsion") {
+  const double D = Section{1000, 0.3, thickness, 5.0 / 6, 2}.bending_stiffness();
+  for (const auto& [bending, torsion] : {std::pair{0.0, 0.0}, {0.5 * D, 0.0}, {2 * D, 0.3 * D}, {50 * D, 5 * D}}) {
+    for (const double spacing : {1.0 / 20, 1.0 / 40}) {
+      std::vector<Stiffener> beams;
+      if (bending > 0) beams = {beam(bending, torsion, {"bottom", "top"})};
+      const auto plate = vp::assembled(strip(spacing, beams));
+      const auto u = at_rest(*plate);
+      const double middle = at(*plate, u, {0.5, 0}) / levy(0, bending, torsion) - 1;
+      const double edge = at(*plate, u, {0.5, 0.5}) / levy(0.5, bending, torsion) - 1;
+      WARN("EI / D " << bending / D << " GJ / D " << torsion / D << " spacing " << spacing << " middle " << middle
+                     << " edge " << edge);
+      CHECK(std::abs(middle) < 0.01);
+      CHECK(std::abs(edge) < 0.03);
+    }
+  }
+}
+
+TEST_CASE("a beam much stiffer than the plate is the beam alone; its shear adds") {
+  const double L = 1, EI = 1e3, p = 1e-3;
+  for (const bool shears : {false, true})
+    for (const auto& line : {geometry::Polyline{{0, 0}, {1, 0}}, geometry::Polyline{{0, 0.013}, {1, 0.013}}}) {
+      auto one = beam(EI, 0, {}, line);
+      if (shears) one.shear = 12 * EI;
+      auto c = strip(0.05, {one});
+      Load line_load;
+      line_load.kind = Load::Kind::line_load, line_load.value = p, line_load.along = line;
+      c.loads = {line_load};
+      const auto plate = vp::assembled(c);
+      const double exact = 5 * p * std::pow(L, 4) / (384 * EI) + (shears ? p * L * L / (8 * 12 * EI) : 0);
+      const double error = at(*plate, at_rest(*plate), {0.5, line[0].y()}) / exact - 1;
+      WARN("beam alone at " << line[0].y() << ", shears " << shears << ": " << error);
+      CHECK(std::abs(error) < 0.01);
+    }
+}
+
+TEST_CASE("stiffeners: rigid motions cost nothing, forces balance, the work is twice the energy") {
+  auto c = strip(0.05, {beam(3, 1, {"top"}), beam(2, 0.5, {}, {{0.1, -0.4}, {0.43, 0.21}, {0.9, 0.3}})});
+  c.cracks = {{{0.3, 0}, {0.6, 0}}};
+  const auto plate = vp::assembled(c);
+  const auto& attached = plate->boundary().attached;
+  REQUIRE(attached.parts().size() == 2);
+  CHECK(attached.holding().empty());
+  for (const auto& rigid : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0.3, 2, -1)}) {
+    const State u = vp::field(*plate, [&](const Point& x) {
+      return Eigen::Vector3d(rigid[0] - rigid[2] * x.x() + rigid[1] * x.y(), rigid[1], rigid[2]);
+    });
+    const State bent = vp::field(*plate, [&](const Point& x) { return Eigen::Vector3d(x.x() * x.x() / 2, 0, -x.x()); });
+    CHECK(attached.energy(u) < 1e-12 * attached.energy(bent));
+  }
+  // a straight line of length l in w = x^2 / 2, psi = grad w: EI l (t_x^2)^2 / 2 and GJ l (t_x n_x)^2 / 2, no shear
+  const State bent = vp::field(*plate, [&](const Point& x) { return Eigen::Vector3d(x.x() * x.x() / 2, 0, -x.x()); });
+  const auto length = [](double bending, double torsion, double x, double y) {
+    const double l = std::hypot(x, y), t = x / l, n = y / l;
+    return l * t * t * (bending * t * t + torsion * n * n) / 2;
+  };
+  CHECK(attached.energy(bent) ==
+        Approx(length(3, 1, 1, 0) + length(2, 0.5, 0.33, 0.61) + length(2, 0.5, 0.47, 0.09)).epsilon(1e-9));
+  const auto u = at_rest(*plate);
+  CHECK(plate->strain_energy(u) == Approx(plate->total_load().cwiseProduct(u).sum() / 2).epsilon(1e-9));
+  const post::Supports supports(plate->boundary());
+  Forces internal;
+  plate->internal_force(u, internal);
+  const auto balance =
+      supports.balance(supports.applied(internal).held, supports.applied(plate->total_load()), nullptr, u);
+  CHECK(balance.residual < 1e-8);
+  CHECK(balance.supports.size() == plate->boundary().holders.size());
+}
+
+TEST_CASE("stiffeners: frequencies and own weight of a narrow plate between two heavy beams") {
+  const double EI = 10, mass = 5, width = 0.1;
+  auto both = beam(EI, 0, {"bottom", "top"});
+  both.mass = mass;
+  auto c = strip(0.025, {both});
+  c.outline = geometry::rectangle(0, 0, 1, width);
+  Load own;
+  own.gravity = -2;
+  c.loads = {own};
+  settle_weights(c);
+  const auto plate = vp::assembled(c);
+  const double all = 2 * mass + 2 * thickness * width;
+  CHECK(plate->total_load().row(0).sum() == Approx(-2 * all).epsilon(1e-12));
+  State up = State::Zero(3, Eigen::Index(plate->points()));
+  up.row(0).setOnes();
+  CHECK(plate->inertia(1).whole(up).row(0).sum() == Approx(all).epsilon(1e-12));
+  FrequencyOptions options;
+  options.modes = 1, options.tolerance = 1e-8, options.shift = shift_of(plate->section(), 1);
+  const auto found = frequencies(*plate, plate->constraints(), plate->mass(), options);
+  const double exact = pi / 2 * std::sqrt((2 * EI + 1000 * std::pow(thickness, 3) * width / 12) / all);
+  WARN("frequency " << found.modes[0].frequency / exact - 1);
+  CHECK(found.modes[0].frequency == Approx(exact).epsilon(0.002));
+}
