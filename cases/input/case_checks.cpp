@@ -85,6 +85,8 @@ void check_analysis(const Case& content, Reading& reading) {
   if (reading.sound("section") && reading.sound("geometry"))
     complain(fracture::faults_of_section(content, growth.has_value(), srif));
   complain(fracture::faults_of_motion(content, analysis, growth.has_value(), given));
+  complain(fracture::faults_beside_settlements(content, analysis, growth.has_value()));
+  complain(fracture::faults_beside_contact(content, analysis, growth.has_value()));
 }
 
 }  // namespace

@@ -13,7 +13,11 @@ namespace cases {
 /// What the reading of one file collects: places of keys, problems.
 class Reading {
 public:
-  explicit Reading(std::string file) { found_.places.emplace_back("", std::move(file)); }
+  explicit Reading(std::string file) : folder(std::filesystem::path(file).parent_path()) {
+    found_.places.emplace_back("", std::move(file));
+  }
+
+  std::filesystem::path folder;  // of the file: what it names is sought there
 
   std::optional<plate::Analysis::Kind> kind;  // analysis.kind, where it is known
   bool finds_spacing = false;                 // srif.accuracy is given

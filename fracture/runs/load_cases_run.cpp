@@ -12,12 +12,12 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/heated/heat.hpp"
-#include "plate/formulations.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/reduction.hpp"
+#include "plate/solve/settled.hpp"
 #include "plate/solve/static_solver.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -28,10 +28,18 @@
 namespace fracture {
 namespace {
 
-double folded_norm(const plate::Formulation& plate, plate::Forces load) {
-  plate.constraints().fold(load);
+/// What acts in a load case or combination, and the state.
+struct Case {
+  plate::Forces load;
+  plate::State lift, state;  // lift: of supports that have moved, without columns where none has
+  plate::Heat heat;
+};
+
+double folded_norm(const plate::Formulation& plate, const Case& one) {
+  auto pull = plate::Settled(plate, one.load, one.lift).pull();
+  plate.constraints().fold(pull);
   const auto [squared] = plate::ordered_sum<1>(
-      std::size_t(load.size()), [&](std::size_t i) { return std::array<double, 1>{load.data()[i] * load.data()[i]}; });
+      std::size_t(pull.size()), [&](std::size_t i) { return std::array<double, 1>{pull.data()[i] * pull.data()[i]}; });
   return std::sqrt(squared);
 }
 
@@ -59,10 +67,9 @@ public:
   post::Summary finish(post::Summary summary, plate::Stopwatch& stopwatch);
 
 private:
-  void look(post::LoadCaseSummary one, const plate::Forces& load, const plate::State& state, std::size_t step,
-            const plate::Heat& heat);
-  void combine(const plate::Combination& combination, const std::vector<plate::State>& states,
-               const std::vector<plate::Forces>& loads);
+  void look(post::LoadCaseSummary one, const Case& now, std::size_t step);
+  Case loaded(std::size_t which) const;
+  void combine(const plate::Combination& combination, const std::vector<Case>& cases);
   std::vector<std::pair<double, const std::vector<post::Srif>*>> parts_of(const post::LoadCaseSummary& combined) const;
   std::vector<std::string> warnings() const;
 
@@ -79,13 +86,14 @@ private:
 };
 
 /// What is to be known of a state in equilibrium under a load.
-void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const plate::State& state, std::size_t step,
-                     const plate::Heat& heat) {
+void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t step) {
+  const auto& [load, lift, state, heat] = known;
   const auto when = fmt::format("in {}", one.name);
   const auto number = double(found_.size() + 1);
   post::require_finite(state, when);
-  const double work = post::slow_work(plate_, load, state), strain = plate_.strain_energy(state);
-  const double heated = plate::stored(heat, state);
+  const plate::Settled settled(plate_, load, lift);
+  const double work = post::slow_work(plate_, load, state) + settled.work(state);
+  const double strain = plate_.strain_energy(state), heated = plate::stored(heat, state);
   one.strain_energy = strain + heated, one.external_work = work + heated;
   const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
@@ -115,8 +123,9 @@ void LoadCases::look(post::LoadCaseSummary one, const plate::Forces& load, const
   one.extremes = of_all(extremes.found(&heat));
   found_.push_back(std::move(one));
   const bool rests = !found_.back().of.empty() && post::is_zero(state);  // a combination that cancels
-  if (!rests && !post::moves(state, work)) post::require_motion(plate_, {load}, state, work, warnings_);
-  post::EnergyGate(post::EnergyGate::Plate::rests).look({strain, strain, work}, when);
+  if (!rests && !post::moves(state, work)) post::require_motion(plate_, {settled.pull()}, state, work, warnings_);
+  post::EnergyGate(post::EnergyGate::Plate::rests)
+      .look({strain + post::energy_about(plate_, lift), strain, work}, when);
 }
 
 std::vector<std::pair<double, const std::vector<post::Srif>*>> LoadCases::parts_of(
@@ -156,21 +165,17 @@ std::vector<std::string> LoadCases::warnings() const {
 void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
   const auto& problem = plate_.problem();
   const auto& analysis = plan_.analysis;
-  const bool combined = !problem.combinations.empty();
   post::Progress progress(plan_.quiet, "load cases");
   plate::StaticSolver solver(plate_, analysis.static_method(), analysis.preconditioner);
-  std::vector<plate::State> states;
-  std::vector<plate::Forces> loads;
+  std::vector<Case> cases;
   plate::StaticSolution all;  // of the summary: the sum of iterations, the largest residual
   all.converged = true;
   for (std::size_t i = 0; i < problem.load_cases.size(); ++i) {
     const auto& name = problem.load_cases[i].name;
-    plate::Forces load = plate::Forces::Zero(3, Eigen::Index(plate_.points()));
-    std::vector<double> shares(plate_.loads().size(), 0);
-    for (const auto k : plate::loads_of(problem, i)) load += plate_.loads()[k].forces, shares[k] = 1;
-    const auto result =
-        solver(load, {analysis.tolerance, analysis.max_iterations, {}}, i + 1 < problem.load_cases.size());
-    const auto& solution = result.solution;
+    Case now = loaded(i);
+    auto result = solver(now.load, {analysis.tolerance, analysis.max_iterations, {}}, i + 1 < problem.load_cases.size(),
+                         now.lift);
+    auto& solution = result.solution;
     stopwatch.lap("solve");
     all.iterations += solution.iterations, all.residual = std::max(all.residual, solution.residual);
     all.stop_reason = solution.stop_reason;
@@ -181,44 +186,57 @@ void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
     if (!solution.converged)
       throw plate::NumericalError(fmt::format("{}, {}: {}, residual {:.2e} above tolerance {:.1e}", name, result.method,
                                               solution.stop_reason, solution.residual, analysis.tolerance));
-    look({name, {}, solution.iterations, solution.residual}, load, solution.state, solution.iterations,
-         plate::heat_of(plate_, shares));
+    now.state = std::move(solution.state);
+    look({name, {}, solution.iterations, solution.residual}, now, solution.iterations);
     stopwatch.lap("srif");
     progress.update(double(i + 1) / double(problem.load_cases.size()), name);
-    if (combined) states.push_back(solution.state), loads.push_back(std::move(load));
+    if (!problem.combinations.empty()) cases.push_back(std::move(now));
   }
   for (const auto& one : problem.combinations) {
     plate::stop_if_asked("combinations");
-    combine(one, states, loads);
+    combine(one, cases);
     stopwatch.lap("srif");
   }
   progress.done();
 }
 
-/// `states`, `loads`: of the load cases. A combination whose loads cancel to rounding is the plate at rest.
-void LoadCases::combine(const plate::Combination& combination, const std::vector<plate::State>& states,
-                        const std::vector<plate::Forces>& loads) {
+Case LoadCases::loaded(std::size_t which) const {
+  Case result{plate::Forces::Zero(3, Eigen::Index(plate_.points())), plate::State(3, 0), {}, {}};
+  std::vector<double> shares(plate_.loads().size(), 0);
+  for (const auto k : plate::loads_of(plate_.problem(), which)) {
+    const auto& one = plate_.loads()[k];
+    shares[k] = 1;
+    result.load += one.forces;
+    if (one.lifts()) result.lift = result.lift.cols() > 0 ? plate::State(result.lift + one.lift) : one.lift;
+  }
+  result.heat = plate::heat_of(plate_, shares);
+  return result;
+}
+
+/// `cases`: the load cases. A combination whose loads cancel to rounding is the plate at rest.
+void LoadCases::combine(const plate::Combination& combination, const std::vector<Case>& cases) {
   constexpr double rounding = 1e-12;
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
-  plate::State state = plate::State::Zero(3, Eigen::Index(plate_.points()));
-  plate::Forces load = state;
+  const plate::State zero = plate::State::Zero(3, Eigen::Index(plate_.points()));
+  Case sum{zero, plate::settles(plate_) ? zero : plate::State(3, 0), zero, {}};
   double largest = 0, residual = 0;  // of the parts: load, and at most what is left of it
   for (std::size_t i = 0; i < factors.size(); ++i) {
-    state += factors[i] * states[i], load += factors[i] * loads[i];
-    const double part = std::abs(factors[i]) * folded_norm(plate_, loads[i]);
+    sum.state += factors[i] * cases[i].state, sum.load += factors[i] * cases[i].load;
+    if (cases[i].lift.cols() > 0) sum.lift += factors[i] * cases[i].lift;
+    const double part = std::abs(factors[i]) * folded_norm(plate_, cases[i]);
     largest = std::max(largest, part), residual += part * found_[i].residual.value_or(0);
   }
-  const double size = folded_norm(plate_, load);
+  const double size = folded_norm(plate_, sum);
   const bool cancels = size <= rounding * largest;
   if (cancels) {
-    state.setZero(), load.setZero();
+    sum = {zero, plate::State(3, 0), zero, {}};
     warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
   }
   std::vector<double> shares(plate_.loads().size(), 0);
   for (std::size_t i = 0; i < factors.size(); ++i)
     for (const auto k : plate::loads_of(plate_.problem(), i)) shares[k] += factors[i];
-  look({combination.name, combination.of, {}, cancels ? 0 : residual / size}, load, state, 0,
-       cancels ? plate::Heat{} : plate::heat_of(plate_, shares));
+  if (!cancels) sum.heat = plate::heat_of(plate_, shares);
+  look({combination.name, combination.of, {}, cancels ? 0 : residual / size}, sum, 0);
 }
 
 post::Summary LoadCases::finish(post::Summary summary, plate::Stopwatch& stopwatch) {
@@ -271,31 +289,6 @@ post::Summary run_load_cases(const Ready& ready, const RunPlan& plan, post::Reco
     throw;
   }
   return run.finish(std::move(summary), stopwatch);
-}
-
-std::vector<KeyFault> faults_beside_load_cases(const plate::Problem& problem, const plate::Analysis& analysis,
-                                               bool grows, const std::optional<post::SrifOptions>& srif) {
-  std::vector<KeyFault> result;
-  if (problem.load_cases.empty() && problem.combinations.empty()) return result;
-  const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
-    if (asked) result.push_back({key, why});
-  };
-  const std::string several = "is of one load on the plate, and [[case]] gives several: ";
-  refuse(analysis.kind != plate::Analysis::Kind::static_, "case",
-         "load cases are equilibria, which add up: they need analysis.kind = \"static\"; loads in time are [[load]] "
-         "with a history");
-  refuse(grows, "growth",
-         "cracks that grow make another plate of it under every load, so that load cases neither share it nor add up: "
-         "remove it, or run each load case by itself");
-  refuse(srif && srif->accuracy, "srif.accuracy", several + "run each load case by itself, or state the spacing");
-  refuse(srif && srif->richardson, "srif.richardson", several + "run each load case by itself");
-  refuse(srif && srif->second_formulation, "srif.second_formulation", several + "run each load case by itself");
-  const auto& kind = plate::formulation_of(problem.discretization);
-  refuse(!kind.offers(plate::Feature::symmetry), "discretization.boundary",
-         "load cases need a symmetric stiffness (" +
-             (kind.offers(plate::Feature::symmetry) ? std::string() : kind.lacks.at(plate::Feature::symmetry)) +
-             "): choose \"images\", or run each load case by itself");
-  return result;
 }
 
 }  // namespace fracture

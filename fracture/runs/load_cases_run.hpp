@@ -16,8 +16,4 @@ struct RunPlan;
 post::Summary run_load_cases(const Ready& ready, const RunPlan& plan, post::Recorder recorder,
                              plate::Stopwatch& stopwatch);
 
-/// What cannot go with load cases, and why.
-std::vector<KeyFault> faults_beside_load_cases(const plate::Problem& problem, const plate::Analysis& analysis,
-                                               bool grows, const std::optional<post::SrifOptions>& srif);
-
 }  // namespace fracture

@@ -29,6 +29,7 @@ using plate::Analysis;
 void book_attached(const plate::Formulation& plate, const plate::State& state, post::Summary& summary) {
   if (const auto& attached = plate.boundary().attached; !attached.parts().empty())
     summary.energy.emplace_back("attached", attached_energy(plate, state));
+  if (plate.boundary().attached.lifts_off()) summary.touching = plate.boundary().attached.share_touching(state);
 }
 
 /// Where forces are no derivative of an energy, that and the work tell how coarse the points are. Measured with surface
@@ -101,12 +102,13 @@ void solve_static(const Going& run) {
   summary.energy = {{"strain", results.strain_energy()}, {"external_work", results.external_work()}};
   book_attached(plate, solution.state, summary);
   if (!post::moves(solution.state, work))
-    post::require_motion(plate, {plate.total_load()}, solution.state, work, summary.warnings);
+    post::require_motion(plate, post::forces_of(plate), solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
                                             solution.stop_reason, solution.residual, analysis.tolerance));
   if (plate.offers(plate::Feature::symmetry))
-    post::EnergyGate(post::EnergyGate::Plate::rests).look({strain, strain, work}, "in equilibrium");
+    post::EnergyGate(post::EnergyGate::Plate::rests)
+        .look({strain + post::energy_about(plate), strain, work}, "in equilibrium");
   else
     look_for_coarseness(strain, work, plate, summary.warnings);
   if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate, summary.warnings);
@@ -177,6 +179,7 @@ void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   if (analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
   if (growth) options.changes = &growth->changes();
   options.held_forces = true;
+  options.whole_mass = plate::driven_mass(plate, analysis.rotary_inertia);
   KeptMotion motion(plate, results, growth);
   if (keeper && !(growth && shared())) motion.keep_to(*keeper, options);
   plate::central_differences(growth ? growth->plate() : plate, constraints, plate.mass(analysis.rotary_inertia),

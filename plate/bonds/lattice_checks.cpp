@@ -155,20 +155,16 @@ void check_places(const Problem& problem, const geometry::Cloud& cloud, const Se
   for (std::size_t i = 0; i < problem.supports.size(); ++i)
     for (const auto& x : problem.supports[i].points) check(Subject::support_points, i, "pin", x);
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
-    if (problem.loads[i].kind == Load::Kind::point_force)
+    if (problem.loads[i].kind == Load::Kind::point_force && !problem.loads[i].moves())
       check(Subject::load_position, i, "force", problem.loads[i].position);
   for (std::size_t i = 0; i < problem.springs.size(); ++i)
     if (const auto& at = problem.springs[i].position) check(Subject::spring_position, i, "spring", *at);
 }
 
-bool holds_edges(const Support& support) {
-  return !support.edges.empty() && support.kind != SupportKind::free;
-}
-
 void check_held_lengths(const Problem& problem, const geometry::Outline& cells, std::vector<Refusal>& refusals) {
   const auto& supports = problem.supports;
   for (std::size_t i = 0; i < supports.size(); ++i) {
-    if (!holds_edges(supports[i])) continue;
+    if (!supports[i].holds_edges()) continue;
     double length = 0;
     for (const auto& name : supports[i].edges) length += geometry::edge_length(cells, name);
     if (length >= 1 - 1e-9) continue;
@@ -202,7 +198,10 @@ std::string too_far(const std::string& what, const Point& x, double away, double
 }
 
 std::optional<double> width_of_pins(const Problem& problem, const geometry::LatticeUnits& units) {
-  if (problem.elastically_held() || std::ranges::any_of(problem.supports, holds_edges)) return std::nullopt;
+  const auto holds = [](const Support& s) {
+    return s.holds_edges() || s.holds_inside() || s.kind == SupportKind::clamped;
+  };
+  if (problem.elastically_held() || std::ranges::any_of(problem.supports, holds)) return std::nullopt;
   std::vector<Point> pins;
   for (const auto& support : problem.supports)
     for (const auto& x : support.points) pins.push_back(units.to_lattice(x));

@@ -26,6 +26,7 @@
 #include "plate/formulation/parts/mechanisms.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/model/free_memory.hpp"
+#include "plate/model/loading/moving_forces.hpp"
 #include "plate/model/loading/temperature.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/refused.hpp"
@@ -207,7 +208,12 @@ Discretised discretised(const Problem& problem) {
   auto cloud = geometry::lattice(problem.outline, d.spacing, part ? std::optional(part->seen) : std::nullopt);
   const auto outline = geometry::to_lattice(problem.outline, cloud.units);
   check_lattice(problem, cloud, outline);
-  Layout layout{problem, {}, geometry::tips(paths), boundary(std::move(cloud), outline, problem.supports, d), {}, {}};
+  Layout layout{problem,
+                {},
+                geometry::tips(paths),
+                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem)),
+                {},
+                {}};
   auto& boundary = layout.boundary;
   result.warnings = boundary.warnings;
   warn_of_edges(boundary, d.spacing, result.warnings);
@@ -227,11 +233,12 @@ Discretised discretised(const Problem& problem) {
   auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
   Forces load = Forces::Zero(3, Eigen::Index(boundary.cloud.size()));
   for (const auto& one : problem.loads) {
-    layout.loads.push_back(
-        {nodal_forces(one, boundary.cloud, problem.outline, boundary.own), one.history,
-         free_curvature(one, problem.section, boundary.cloud.positions, boundary.cloud.plate_points)});
+    layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline, boundary.own), one.history,
+                            free_curvature(one, problem.section, boundary.cloud.positions, boundary.cloud.plate_points),
+                            boundary.constraints.lift(layout.loads.size(), boundary.cloud.size())});
     if (auto& last = layout.loads.back(); last.curvature.size() > 0)
       last.forces = force_of_curvature(families, shapes, boundary.cloud.areas, weights, last.curvature);
+    if (one.moves()) layout.loads.back().moving = std::make_shared<MovingForces>(moving_forces(one, boundary.cloud));
     const double share = 1 + (problem.load_cases.empty() ? 0 : 0.1 * double(layout.loads.size()));
     load += share * layout.loads.back().forces;  // those of load cases do not act together: none takes another away
   }

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "geometry/lattice/cell_index.hpp"
+#include "plate/formulation/supports/inside.hpp"
+#include "plate/formulation/supports/moved_supports.hpp"
 
 namespace plate {
 namespace {
@@ -38,8 +40,8 @@ bool convex_corner(const Side& first, const Side& second) {
 /// Builds the fictitious points and ties of one plate.
 class Builder {
 public:
-  Builder(Boundary& target, double reach, double spacing)
-      : b_(target), reach_(reach * (1 + 1e-9)), spacing_(spacing), cells_(target.lattice) {}
+  Builder(Boundary& target, const MovedSupports& moved, double reach, double spacing)
+      : b_(target), moved_(moved), reach_(reach * (1 + 1e-9)), spacing_(spacing), cells_(target.lattice) {}
 
   void mirror_images();
   void general_images();
@@ -55,8 +57,13 @@ private:
     b_.fictitious.push_back(what);
   }
   std::uint32_t last() const { return static_cast<std::uint32_t>(b_.lattice.size() - 1); }
-  void tie_image(std::uint32_t leader, const std::array<double, 3>& factors) {
-    for (std::uint32_t c = 0; c < 3; ++c) b_.constraints.tie(3 * last() + c, {{3 * leader + c, factors[c]}});
+  /// What a side holds: by what it follows, or at nothing.
+  void tie(std::uint32_t dof, const Side& side, const MovedSupports::Leaders& leaders) {
+    b_.constraints.tie(dof, leaders, moved_.of(dof, side, leaders));
+  }
+  void fix(std::uint32_t dof, const Side& side) { b_.constraints.fix(dof, moved_.of(dof, side, {})); }
+  void tie_image(std::uint32_t leader, const std::array<double, 3>& factors, const Side& side) {
+    for (std::uint32_t c = 0; c < 3; ++c) tie(3 * last() + c, side, {{3 * leader + c, factors[c]}});
   }
   void tie_clamped(std::uint32_t leader, double depth, const Side& side);
   bool within(const Side& side, const Point& u) const;
@@ -65,6 +72,7 @@ private:
   void outside_cell(const Point& u, int s);
 
   Boundary& b_;
+  const MovedSupports& moved_;
   double reach_, spacing_;
   geometry::CellIndex cells_;
 };
@@ -85,9 +93,8 @@ void Builder::tie_clamped(std::uint32_t leader, double depth, const Side& side) 
   const double inside = side.inside(u), ratio = depth / inside;
   const double lever = spacing_ * depth * (depth + inside) / (2 * inside);
   const Point out = side.outward(u);  // psi_n = out_x theta_y - out_y theta_x
-  b_.constraints.tie(3 * last(),
-                     {{3 * leader, -ratio}, {3 * leader + 1, -lever * out.y()}, {3 * leader + 2, lever * out.x()}});
-  for (std::uint32_t c = 1; c < 3; ++c) b_.constraints.tie(3 * last() + c, {{3 * leader + c, -ratio}});
+  tie(3 * last(), side, {{3 * leader, -ratio}, {3 * leader + 1, -lever * out.y()}, {3 * leader + 2, lever * out.x()}});
+  for (std::uint32_t c = 1; c < 3; ++c) tie(3 * last() + c, side, {{3 * leader + c, -ratio}});
 }
 
 void Builder::mirror_images() {
@@ -101,7 +108,7 @@ void Builder::mirror_images() {
       if (side.kind == SupportKind::clamped)
         tie_clamped(k, side.inside(b_.lattice[k]), side);
       else
-        tie_image(k, {double(signs[0]), double(signs[1]), double(signs[2])});
+        tie_image(k, {double(signs[0]), double(signs[1]), double(signs[2])}, side);
     }
   }
   mirror_at_corners();
@@ -119,7 +126,9 @@ void Builder::mirror_at_corners() {
         if (!within(first, b_.lattice[k]) || !within(second, b_.lattice[k])) continue;
         add(second.mirrored(first.mirrored(b_.lattice[k])), b_.cloud.areas[k],
             {{static_cast<int>(s), static_cast<int>(t)}, false, true});
-        tie_image(k, {double(p[0] * q[0]), double(p[1] * q[1]), double(p[2] * q[2])});
+        for (std::uint32_t c = 0; c < 3; ++c)
+          b_.constraints.tie(3 * last() + c, {{3 * k + c, double(p[c] * q[c])}},
+                             moved_.of_corner(last(), k, c, first, p[c], second, q[c]));
       }
     }
 }
@@ -161,7 +170,7 @@ void Builder::outside_cell(const Point& u, int s) {
     }
   add(u, spacing_ * spacing_, {{s, -1}, false, false});
   if (!leader) {
-    for (std::uint32_t c = 0; c < 3; ++c) b_.constraints.fix(3 * last() + c);
+    for (std::uint32_t c = 0; c < 3; ++c) fix(3 * last() + c, side);
     return;
   }
   if (side.kind == SupportKind::clamped) {
@@ -172,7 +181,7 @@ void Builder::outside_cell(const Point& u, int s) {
   const double ratio = depth / side.inside(b_.lattice[*leader]);
   std::array<double, 3> factors{};
   for (std::size_t c = 0; c < 3; ++c) factors[c] = signs[c] > 0 ? 1 : -ratio;
-  tie_image(*leader, factors);
+  tie_image(*leader, factors, side);
 }
 
 void Builder::outermost_rows() {
@@ -197,9 +206,9 @@ void Builder::follow(std::uint32_t k, const Side& side) {
   const auto inner = cells_.at(u - step);
   const double own = side.inside(u), further = inner ? side.inside(b_.lattice[*inner]) : 0;
   if (inner && further > own)
-    b_.constraints.tie(3 * k, {{3 * *inner, own / further}});
+    tie(3 * k, side, {{3 * *inner, own / further}});
   else
-    b_.constraints.fix(3 * k);
+    fix(3 * k, side);
 }
 
 /// Strips one horizon wide outside the plate, with the corner squares between two of them.
@@ -226,22 +235,18 @@ void Builder::layers() {
         {{list[0], list.size() > 1 ? list[1] : -1}, true, false});
     for (const int s : list) {
       const Side& side = b_.sides[static_cast<std::size_t>(s)];
-      b_.constraints.fix(3 * last());
-      if (side.kind == SupportKind::clamped_layer)
-        b_.constraints.fix(3 * last() + 1), b_.constraints.fix(3 * last() + 2);
+      fix(3 * last(), side);
+      if (side.kind == SupportKind::clamped_layer) fix(3 * last() + 1, side), fix(3 * last() + 2, side);
       if (side.kind == SupportKind::simply_supported_hard_layer)
-        b_.constraints.fix(3 * last() + (side.normal_axis() == 0 ? 1 : 2));
+        fix(3 * last() + (side.normal_axis() == 0 ? 1 : 2), side);
     }
   }
 }
 
 void Builder::pins() {
   for (std::uint32_t pin = 0; pin < b_.holders.size(); ++pin)
-    if (const auto& at = b_.holders[pin].position; at && b_.cloud.seeded(*at)) {
-      const auto k = static_cast<std::uint32_t>(geometry::nearest_plate_point(b_.cloud, *at));
-      b_.constraints.fix(3 * k);
-      b_.holds.push_back({k, pin, false});
-    }
+    if (const auto& at = b_.holders[pin].position; at && b_.cloud.seeded(*at))
+      hold_point(b_, static_cast<std::uint32_t>(geometry::nearest_plate_point(b_.cloud, *at)), pin, moved_);
 }
 
 /// One warning for all sides, of many the first ten by name.
@@ -266,15 +271,17 @@ bool has_images(const Side& side) {
 }
 
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
-                  const Discretization& discretization) {
+                  const Discretization& discretization, const std::vector<SupportMotion>& motions) {
   Boundary result;
   for (const auto& x : cloud.positions) result.lattice.push_back(cloud.units.to_lattice(x));
   result.cloud = std::move(cloud);
   result.sides = sides_of(outline, supports);
   result.holders = holders_of(supports);
   warn_of_general_images(result);
-  Builder builder(result, discretization.horizon_ratio, discretization.spacing);
+  const MovedSupports moved(result, motions);
+  Builder builder(result, moved, discretization.horizon_ratio, discretization.spacing);
   builder.pins();
+  hold_inside(result, supports, moved);
   builder.outermost_rows();
   builder.mirror_images();
   builder.general_images();

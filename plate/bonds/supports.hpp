@@ -1,12 +1,13 @@
 #pragma once
 #include "plate/formulation/boundary.hpp"
+#include "plate/model/loading/support_motion.hpp"
 
 /// Supports of a plate of bonds over a horizon, and which of its points see each other (theory.md, "Supports").
 namespace plate {
 
-/// `outline` in lattice units.
+/// `outline` in lattice units. `motions`: of supports that loads move.
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
-                  const Discretization& discretization);
+                  const Discretization& discretization, const std::vector<SupportMotion>& motions = {});
 
 /// Does the plate go on beyond the side, as images?
 bool has_images(const Side& side);

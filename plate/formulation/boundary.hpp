@@ -39,11 +39,14 @@ struct FictitiousPoint {
   bool exact = false;  // the exact mirror image of a point of the plate
 };
 
-/// What reactions are booked to: all edges of one name, or a pinned point.
+/// What reactions are booked to: all edges of one name, a point, a line or a part of the plate.
 struct Holder {
-  std::string name;  // of the edges; pin0, pin1, ... in the order of the case
+  enum class Place { edge, point, inside };
+  std::string name;  // of the edges; pin0, pin1, ..., line0, ..., part0, ... in the order of the case
   SupportKind kind = SupportKind::free;
-  std::optional<geometry::Point> position;  // of a pinned point [length]
+  std::optional<geometry::Point> position;  // of a point [length]
+  Place place = Place::edge;
+  std::size_t support = 0;  // its number
 };
 
 /// Who holds a point of the plate: its deflection, or its rotations.
@@ -87,7 +90,7 @@ struct Boundary {
 /// The edges and circles of an outline, and how the supports hold them.
 std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<Support>& supports);
 
-/// Every edge that is held, by its name, and every pinned point.
+/// Every edge that is held, by its name, and every point, line and part.
 std::vector<Holder> holders_of(const std::vector<Support>& supports);
 
 /// The number of the holder of edges; that of holders where there is none.

@@ -11,42 +11,75 @@ namespace plate {
 namespace {
 
 using Wanted = std::unordered_map<std::uint32_t, std::vector<Constraints::Leader>>;
+using Offsets = std::unordered_map<std::uint32_t, std::vector<Constraints::Offset>>;
+
+/// What a degree of freedom is in terms of free ones, and of motions of supports.
+struct Expanded {
+  std::map<std::uint32_t, double> free;
+  std::map<std::size_t, double> motions;
+};
+
+/// What is wanted of all that is held.
+struct Rules {
+  const Wanted& wanted;
+  const std::unordered_set<std::uint32_t>& fixed;
+  const Offsets &of_fixed, &of_ties;
+};
+
+void add(const Offsets& offsets, std::uint32_t dof, double factor, Expanded& sum) {
+  if (const auto entry = offsets.find(dof); entry != offsets.end())
+    for (const auto& [motion, value] : entry->second) sum.motions[motion] += factor * value;
+}
 
 /// Adds factor * u[dof] to `sum`, in terms of free degrees of freedom. A chain longer than any sound one is a ring: it
 /// holds at zero what it ties.
-void expand(std::uint32_t dof, double factor, const Wanted& wanted, const std::unordered_set<std::uint32_t>& fixed,
-            std::map<std::uint32_t, double>& sum, int depth) {
+void expand(std::uint32_t dof, double factor, const Rules& rules, Expanded& sum, int depth) {
   constexpr int longest_chain = 16;
-  if (factor == 0 || fixed.contains(dof) || depth > longest_chain) return;
-  const auto entry = wanted.find(dof);
-  if (entry == wanted.end()) {
-    sum[dof] += factor;
+  if (factor == 0 || depth > longest_chain) return;
+  if (rules.fixed.contains(dof)) return add(rules.of_fixed, dof, factor, sum);
+  const auto entry = rules.wanted.find(dof);
+  if (entry == rules.wanted.end()) {
+    sum.free[dof] += factor;
     return;
   }
-  for (const auto& leader : entry->second) expand(leader.dof, factor * leader.factor, wanted, fixed, sum, depth + 1);
+  add(rules.of_ties, dof, factor, sum);
+  for (const auto& leader : entry->second) expand(leader.dof, factor * leader.factor, rules, sum, depth + 1);
 }
 
 }  // namespace
 
-void Constraints::fix(std::uint32_t dof) {
+void Constraints::fix(std::uint32_t dof, std::vector<Offset> offsets) {
   fixed_.push_back(dof);
+  if (!offsets.empty()) of_fixed_.try_emplace(dof, std::move(offsets));
 }
 
-void Constraints::tie(std::uint32_t follower, std::vector<Leader> leaders) {
-  wanted_.try_emplace(follower, std::move(leaders));
+void Constraints::tie(std::uint32_t follower, std::vector<Leader> leaders, std::vector<Offset> offsets) {
+  if (wanted_.try_emplace(follower, std::move(leaders)).second && !offsets.empty())
+    of_ties_.try_emplace(follower, std::move(offsets));
 }
 
 void Constraints::resolve() {
   std::unordered_set<std::uint32_t> fixed(fixed_.begin(), fixed_.end());
   std::vector<std::uint32_t> zero;
+  const Rules rules{wanted_, fixed, of_fixed_, of_ties_};
+  const auto moved = [&](std::uint32_t dof, const Expanded& sum) {
+    for (const auto& [motion, value] : sum.motions)
+      if (value != 0) lifts_[motion].push_back({dof, value});
+  };
+  for (const auto& [dof, offsets] : of_fixed_) {
+    Expanded sum;
+    expand(dof, 1, rules, sum, 0);
+    moved(dof, sum);
+  }
   for (const auto& [follower, leaders] : wanted_) {
     if (fixed.contains(follower)) continue;
-    std::map<std::uint32_t, double> sum;
-    expand(follower, 1, wanted_, fixed, sum, 0);
-    for (const auto& [leader, factor] : sum) ties_.push_back({follower, leader, factor});
-    if (sum.empty()) zero.push_back(follower);
+    Expanded sum;
+    expand(follower, 1, rules, sum, 0);
+    for (const auto& [leader, factor] : sum.free) ties_.push_back({follower, leader, factor});
+    if (sum.free.empty()) zero.push_back(follower);
+    moved(follower, sum);
   }
-  wanted_.clear();
+  wanted_.clear(), of_fixed_.clear(), of_ties_.clear();
   fixed.insert(zero.begin(), zero.end());
   fixed_.assign(fixed.begin(), fixed.end());
   std::sort(fixed_.begin(), fixed_.end());
@@ -77,6 +110,14 @@ Constraints::Sums Constraints::sums(const std::vector<Tie>& ties, bool by_leader
     result.shares.push_back({{from % 3, from / 3}, sorted[i].factor});
     result.first.back() = i + 1;
   }
+  return result;
+}
+
+State Constraints::lift(std::size_t motion, std::size_t points) const {
+  const auto found = lifts_.find(motion);
+  if (found == lifts_.end()) return State(3, 0);
+  State result = State::Zero(3, Eigen::Index(points));
+  for (const auto& [dof, value] : found->second) result(dof % 3, dof / 3) = value;
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -21,11 +22,16 @@ public:
     std::uint32_t follower, leader;
     double factor;  // u[follower] = sum of factor * u[leader] over its ties
   };
+  /// What is held is at this beside what it follows, where its support moves by one.
+  struct Offset {
+    std::size_t motion;  // whose
+    double value;
+  };
 
-  void fix(std::uint32_t dof);
+  void fix(std::uint32_t dof, std::vector<Offset> offsets = {});
   /// u[follower] = sum of factor * u[dof] over the leaders, which may follow others in turn, or be fixed; resolve()
   /// settles it. A dof that is tied twice keeps its first leaders.
-  void tie(std::uint32_t follower, std::vector<Leader> leaders);
+  void tie(std::uint32_t follower, std::vector<Leader> leaders, std::vector<Offset> offsets = {});
 
   /// Replaces chains of ties by ties to free leaders. Call once, after the last fix and tie.
   void resolve();
@@ -41,6 +47,9 @@ public:
   const std::vector<std::uint32_t>& fixed() const { return fixed_; }
   bool held(std::uint32_t dof) const;
   const std::vector<std::uint32_t>& held() const { return held_; }  // fixed or tied, ascending
+  /// What is held in a motion of supports by one, where all that is free rests [3 x points]; without columns where
+  /// nothing of it moves.
+  State lift(std::size_t motion, std::size_t points) const;
   /// Forces on what is held, in that order, before they are carried over.
   Eigen::VectorXd on_held(const Forces& forces) const;
   Eigen::VectorXd on_held(const Values<float>& forces) const;
@@ -77,7 +86,9 @@ private:
   template <typename Real, typename Weight>
   void fold_with(Values<Real>& forces, const Weight& weight) const;
 
-  std::unordered_map<std::uint32_t, std::vector<Leader>> wanted_;  // until resolve()
+  std::unordered_map<std::uint32_t, std::vector<Leader>> wanted_;              // until resolve()
+  std::unordered_map<std::uint32_t, std::vector<Offset>> of_fixed_, of_ties_;  // until resolve()
+  std::map<std::size_t, std::vector<Leader>> lifts_;                           // by motion: what is held and its value
   std::vector<Tie> ties_;
   std::vector<std::uint32_t> fixed_;
   std::vector<std::uint32_t> held_;  // sorted, by resolve()

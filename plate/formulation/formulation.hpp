@@ -58,7 +58,8 @@ struct StartOfCracks {
 /// Internal force in single precision.
 using SingleForce = std::function<void(const Values<float>& state, Values<float>& force)>;
 
-/// A plate that is ready to solve: all that is asked of it. Nothing above asks which it is; its kind says what it lacks.
+/// A plate that is ready to solve: all that is asked of it. Nothing above asks which it is; its kind says what it
+/// lacks.
 class Formulation : public Operator {
 public:
   ~Formulation() override;

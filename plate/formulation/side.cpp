@@ -54,19 +54,27 @@ std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<S
 }
 
 std::vector<Holder> holders_of(const std::vector<Support>& supports) {
+  using enum Holder::Place;
   std::vector<Holder> holders;
-  std::size_t pins = 0;
-  for (const auto& support : supports) {
+  std::size_t pins = 0, lines = 0, parts = 0;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const auto& support = supports[i];
     if (support.kind == SupportKind::free) continue;
+    const auto add = [&](const std::string& name, const std::optional<Point>& position, Holder::Place place) {
+      holders.push_back({name, support.kind, position, place, i});
+    };
     for (const auto& name : support.edges)
-      if (holder(holders, name) == holders.size()) holders.push_back({name, support.kind, std::nullopt});
-    for (const auto& x : support.points) holders.push_back({"pin" + std::to_string(pins++), support.kind, x});
+      if (holder(holders, name) == holders.size()) add(name, std::nullopt, edge);
+    for (const auto& x : support.points) add("pin" + std::to_string(pins++), x, point);
+    if (!support.along.empty()) add("line" + std::to_string(lines++), std::nullopt, inside);
+    if (support.patch) add("part" + std::to_string(parts++), std::nullopt, inside);
   }
   return holders;
 }
 
 std::uint32_t holder(const std::vector<Holder>& holders, const std::string& name) {
-  const auto found = std::ranges::find_if(holders, [&](const Holder& h) { return !h.position && h.name == name; });
+  const auto found =
+      std::ranges::find_if(holders, [&](const Holder& h) { return h.place == Holder::Place::edge && h.name == name; });
   return std::uint32_t(found - holders.begin());
 }
 

@@ -15,10 +15,12 @@
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/mesh.hpp"
 #include "plate/formulation/parts/pieces.hpp"
+#include "plate/formulation/supports/inside.hpp"
 #include "plate/galerkin/levels.hpp"
 #include "plate/galerkin/resultants.hpp"
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/galerkin/tip_view.hpp"
+#include "plate/model/loading/moving_forces.hpp"
 #include "plate/model/loading/temperature.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
@@ -29,17 +31,6 @@ namespace plate {
 namespace {
 
 using geometry::Point;
-
-/// The points where loads and supports act get a point of their own.
-std::vector<geometry::Point> single_points(const Problem& c) {
-  std::vector<geometry::Point> points;
-  for (const auto& support : c.supports) points.insert(points.end(), support.points.begin(), support.points.end());
-  for (const auto& load : c.loads)
-    if (load.kind == Load::Kind::point_force) points.push_back(load.position);
-  for (const auto& spring : c.springs)
-    if (spring.position) points.push_back(*spring.position);
-  return points;
-}
 
 /// The share of what lies about a place that other points there stand for: both faces of a crack, parted from each
 /// other.
@@ -63,7 +54,7 @@ geometry::Tessellation cells_of(const Problem& c, const std::vector<geometry::Cr
   const auto times = [&](std::optional<double> spacing) {
     return spacing ? std::optional(factor * *spacing) : spacing;
   };
-  return geometry::tessellation(c.outline, paths, factor * d.spacing, single_points(c),
+  return geometry::tessellation(c.outline, paths, factor * d.spacing, own_places(c, paths, factor * d.spacing),
                                 {times(d.tip_spacing), times(d.hole_spacing), d.spacing_growth});
 }
 
@@ -105,6 +96,8 @@ std::vector<GalerkinLevel> coarser_plates(const Formulation& plate) {
                         GalerkinOperator(std::move(families), std::move(sections), std::move(attached))});
     } catch (const std::invalid_argument&) {
       break;  // cracks and edges are too close to each other for such points
+    } catch (const Refused&) {
+      break;  // a part that is held has none of them
     }
   }
   return result;
@@ -252,8 +245,8 @@ Discretised discretised(const Problem& problem) {
     throw std::logic_error(fmt::format("families are not variationally consistent: {:.2e}, {:.2e} spacings",
                                        residuals.first, residuals.second));
   const auto outline = geometry::to_lattice(problem.outline, cells.units);
-  Layout layout{problem, {}, geometry::tips(paths), galerkin_boundary(cells, families.areas, outline, problem.supports),
-                {},      {}};
+  auto boundary = galerkin_boundary(cells, families.areas, outline, problem.supports, support_motions(problem));
+  Layout layout{problem, {}, geometry::tips(paths), std::move(boundary), {}, {}};
   layout.boundary.attached = attached_stiffness(problem, cells);
   layout.sections.emplace(problem.section, cells);
   layout.sections->add_masses(stiffener_masses(problem, cells), families.areas);
@@ -261,9 +254,12 @@ Discretised discretised(const Problem& problem) {
   layout.cut = cut_share(cells, families.areas);
   for (const auto& load : problem.loads) {
     layout.loads.push_back(timed(load, cells, families, problem.section));
+    auto& last = layout.loads.back();
+    last.lift = layout.boundary.constraints.lift(layout.loads.size() - 1, families.areas.size());
+    if (load.moves()) last.moving = std::make_shared<MovingForces>(moving_forces(load, cells, families.areas.size()));
     if (load.gravity && !layout.sections->uniform())  // the load has its value where the section has its own mass
-      for (Eigen::Index k = 0; k < layout.loads.back().forces.cols(); ++k)
-        layout.loads.back().forces.col(k) *= (*layout.sections)[std::size_t(k)].mass / problem.section.mass();
+      for (Eigen::Index k = 0; k < last.forces.cols(); ++k)
+        last.forces.col(k) *= (*layout.sections)[std::size_t(k)].mass / problem.section.mass();
   }
   layout.paths = std::move(paths);
   stopwatch.lap("families");

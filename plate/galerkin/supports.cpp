@@ -5,59 +5,130 @@
 #include <map>
 #include <set>
 
+#include "plate/formulation/supports/inside.hpp"
+#include "plate/formulation/supports/moved_supports.hpp"
+
 namespace plate {
 namespace {
 
 using geometry::Point;
 
-/// What supports ask of one point: w = 0, and d . psi = 0 for every direction d.
+using Offsets = std::map<std::size_t, double>;  // by motion of supports
+
+/// d . psi = 0, or what motions of supports make of it.
+struct Direction {
+  Point d;
+  Offsets offsets;
+};
+
+/// What supports ask of one point: w = 0, and d . psi = 0 for every direction d; with motions their values.
 struct Held {
   bool w = false;
-  std::vector<Point> directions;
+  Offsets of_w;
+  std::vector<Direction> directions;
   std::set<std::uint32_t> holders_of_w, holders_of_psi;
 };
 
 /// Adds a direction; one within 30 degrees of another is merged with it, on a circle, of which there are eight pieces
 /// at least, within 60.
-void add_direction(std::vector<Point>& directions, const Point& d, bool round) {
+void add_direction(std::vector<Direction>& directions, const Direction& added, bool round) {
+  const auto& d = added.d;
   for (auto& known : directions)
-    if (std::abs(known.normalized().dot(d)) > (round ? 0.5 : std::sqrt(0.75))) {
-      known += known.dot(d) > 0 ? d : Point(-d);
+    if (std::abs(known.d.normalized().dot(d)) > (round ? 0.5 : std::sqrt(0.75))) {
+      const double sign = known.d.dot(d) > 0 ? 1 : -1;
+      known.d += sign * d;
+      for (const auto& [motion, value] : added.offsets) known.offsets[motion] += sign * value;
       return;
     }
-  directions.push_back(d);
+  directions.push_back(added);
 }
 
-void hold(Held& held, SupportKind kind, std::uint32_t holder, const Point& normal, bool round) {
+/// A piece of an edge that holds its ends.
+struct Holding {
+  SupportKind kind;
+  std::uint32_t holder;
+  Point normal;
+  bool round;
+  std::vector<const SupportMotion*> motions;  // of its support
+};
+
+void hold(Held& held, const Holding& by, const Point& x) {
+  using enum SupportKind;
+  const Point& normal = by.normal;
   const Point along(-normal.y(), normal.x());
-  held.w = held.w || kind != SupportKind::symmetry;
-  if (kind != SupportKind::symmetry) held.holders_of_w.insert(holder);
-  if (kind != SupportKind::simply_supported) held.holders_of_psi.insert(holder);
-  if (kind == SupportKind::clamped || kind == SupportKind::symmetry) add_direction(held.directions, normal, round);
-  if (kind == SupportKind::clamped || kind == SupportKind::simply_supported_hard)
-    add_direction(held.directions, along, round);
+  if (by.kind != symmetry) {
+    held.w = true, held.holders_of_w.insert(by.holder);
+    for (const auto* motion : by.motions) held.of_w[motion->load] = motion->at(x)[0];
+  }
+  if (by.kind != simply_supported) held.holders_of_psi.insert(by.holder);
+  const auto direction = [&](const Point& d) {
+    Direction result{d, {}};
+    for (const auto* motion : by.motions) {
+      const auto body = motion->at(x, normal, 0);
+      result.offsets[motion->load] = d.dot(Point(-body[2], body[1]));
+    }
+    return result;
+  };
+  if (by.kind == clamped || by.kind == symmetry) add_direction(held.directions, direction(normal), by.round);
+  if (by.kind == clamped || by.kind == simply_supported_hard)
+    add_direction(held.directions, direction(along), by.round);
+}
+
+std::vector<Constraints::Offset> times(double factor, const Offsets& offsets) {
+  std::vector<Constraints::Offset> result;
+  for (const auto& [motion, value] : offsets) result.push_back({motion, factor * value});
+  return result;
+}
+
+/// Both rotations, from what two directions have: psi = (-theta_y, theta_x).
+void impose_both(Constraints& constraints, std::uint32_t k, const Direction& one, const Direction& other) {
+  Offsets theta_x, theta_y;
+  const double size = one.d.x() * other.d.y() - one.d.y() * other.d.x();
+  const auto add = [&](const Offsets& offsets, double of_x, double of_y) {
+    for (const auto& [motion, value] : offsets)
+      theta_y[motion] -= value * of_x / size, theta_x[motion] += value * of_y / size;
+  };
+  add(one.offsets, other.d.y(), -other.d.x());
+  add(other.offsets, -one.d.y(), one.d.x());
+  constraints.fix(3 * k + 1, times(1, theta_x)), constraints.fix(3 * k + 2, times(1, theta_y));
 }
 
 /// psi = (-theta_y, theta_x)
 void impose(Constraints& constraints, std::uint32_t k, const Held& held) {
-  if (held.w) constraints.fix(3 * k);
+  if (held.w) constraints.fix(3 * k, times(1, held.of_w));
   if (held.directions.size() > 1) {
-    constraints.fix(3 * k + 1), constraints.fix(3 * k + 2);
+    impose_both(constraints, k, held.directions[0], held.directions[1]);
   } else if (held.directions.size() == 1) {
-    const Point d = held.directions.front().normalized();
+    const double length = held.directions.front().d.norm();
+    const Point d = held.directions.front().d / length;
+    const auto& offsets = held.directions.front().offsets;
     const auto larger = std::abs(d.y()) >= std::abs(d.x()) ? 3 * k + 1 : 3 * k + 2, other = 6 * k + 3 - larger;
-    const double ratio = larger % 3 == 1 ? d.x() / d.y() : d.y() / d.x();
+    const bool by_x = larger % 3 == 1;
+    const double ratio = by_x ? d.x() / d.y() : d.y() / d.x();
+    const auto own = times(by_x ? 1 / (d.y() * length) : -1 / (d.x() * length), offsets);
     if (std::abs(ratio) < 1e-9)
-      constraints.fix(larger);
+      constraints.fix(larger, own);
     else
-      constraints.tie(larger, {{other, ratio}});
+      constraints.tie(larger, {{other, ratio}}, own);
+  }
+}
+
+/// Points at one place, as on both faces of a crack, are held together.
+void hold_places(Boundary& boundary, const MovedSupports& moved) {
+  const auto& positions = boundary.cloud.positions;
+  for (std::uint32_t pin = 0; pin < boundary.holders.size(); ++pin) {
+    if (!boundary.holders[pin].position) continue;
+    const auto nearest = geometry::nearest_plate_point(boundary.cloud, *boundary.holders[pin].position);
+    for (std::uint32_t k = 0; k < positions.size(); ++k)
+      if (positions[k] == positions[nearest]) hold_point(boundary, k, pin, moved);
   }
 }
 
 }  // namespace
 
 Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vector<double>& areas,
-                           const geometry::Outline& outline, const std::vector<Support>& supports) {
+                           const geometry::Outline& outline, const std::vector<Support>& supports,
+                           const std::vector<SupportMotion>& motions) {
   Boundary result;
   result.cloud = {cells.units, cells.positions, areas, cells.positions.size()};
   for (const auto& x : cells.positions) result.lattice.push_back(cells.units.to_lattice(x));
@@ -74,22 +145,20 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
     const auto by = holder(result.holders, cells.names[std::size_t(border.edge)]);
     if (by == result.holders.size()) continue;
     const Point along = (cells.positions[border.to] - cells.positions[border.from]).normalized();
-    const auto& [name, kind, position] = result.holders[by];
-    for (const auto k : {border.from, border.to})
-      hold(held[k], kind, by, {along.y(), -along.x()}, round.contains(name));
+    const auto& who = result.holders[by];
+    Holding holding{who.kind, by, {along.y(), -along.x()}, round.contains(who.name), {}};
+    for (const auto& motion : motions)
+      if (motion.support == who.support) holding.motions.push_back(&motion);
+    for (const auto k : {border.from, border.to}) hold(held[k], holding, cells.positions[k]);
   }
   for (const auto& [k, what] : held) {
     impose(result.constraints, k, what);
     for (const auto by : what.holders_of_w) result.holds.push_back({k, by, false});
     for (const auto by : what.holders_of_psi) result.holds.push_back({k, by, true});
   }
-  for (std::uint32_t pin = 0; pin < result.holders.size(); ++pin) {
-    if (!result.holders[pin].position) continue;
-    const auto nearest = geometry::nearest_plate_point(result.cloud, *result.holders[pin].position);
-    for (std::uint32_t k = 0; k < cells.positions.size(); ++k)
-      if (cells.positions[k] == cells.positions[nearest])
-        result.constraints.fix(3 * k), result.holds.push_back({k, pin, false});
-  }
+  const MovedSupports moved(result, motions);
+  hold_places(result, moved);
+  hold_inside(result, supports, moved);
   result.constraints.resolve();
   return result;
 }

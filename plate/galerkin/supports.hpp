@@ -1,12 +1,14 @@
 #pragma once
 #include "plate/formulation/boundary.hpp"
 #include "plate/galerkin/families.hpp"
+#include "plate/model/loading/support_motion.hpp"
 
 namespace plate {
 
 /// Supports on points that lie on the edges: w, psi_n, psi_s are held there, and nothing follows from outside.
-/// `outline` in lattice units.
+/// `outline` in lattice units. `motions`: of supports that loads move.
 Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vector<double>& areas,
-                           const geometry::Outline& outline, const std::vector<Support>& supports);
+                           const geometry::Outline& outline, const std::vector<Support>& supports,
+                           const std::vector<SupportMotion>& motions = {});
 
 }  // namespace plate

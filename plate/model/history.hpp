@@ -13,6 +13,7 @@ struct History {
   std::vector<std::pair<double, double>> table;  // table: (time, factor), times ascending; constant beyond its ends
 
   bool constant() const { return kind == Kind::step; }
+  bool operator==(const History&) const = default;
 };
 
 /// The factor at time t >= 0; a step is 1 from t = 0 on.

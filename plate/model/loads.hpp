@@ -7,32 +7,45 @@
 #include "geometry/shape/outline.hpp"
 #include "plate/model/history.hpp"
 #include "plate/model/loading/formula.hpp"
+#include "plate/model/loading/pressure_table.hpp"
 
 namespace plate {
 
 /// One load. Pressure and shear forces act along +w; a positive moment is tension on the z > 0 face, which a positive
-/// temperature makes the warmer one.
+/// temperature makes the warmer one. A settlement moves a support as a rigid body.
 struct Load {
-  enum class Kind { pressure, edge_moment, edge_shear, point_force, line_load, temperature };
+  enum class Kind { pressure, edge_moment, edge_shear, point_force, line_load, temperature, settlement };
   Kind kind = Kind::pressure;
   double value = 0;                     // pressure [force/length^2], moment, shear and line load per length, force,
-                                        // temperature of the face z > 0 less that of the other
+                                        // temperature of the face z > 0 less that of the other, w [length]
   geometry::Point gradient{0, 0};       // of the pressure [force/length^3], which has its value at `from`
   geometry::Point from{0, 0};           // [length]
   Formula formula;                      // the pressure or temperature, instead of the three
+  PressureTable table;                  // the pressure, instead [force/length^2]
+  std::optional<double> level;          // of a fluid up to this y, of the unit weight `value` [force/length^3]
   std::optional<double> gravity;        // along w: the value is density thickness gravity [length/time^2]
   std::optional<geometry::Hole> patch;  // the pressure acts on this part of the plate alone
   geometry::Polyline along;             // line_load
+  geometry::Polyline path;              // of a point force, or of the middle of a patch, that moves along it
+  double speed = 0;                     // [length/time]
   double twist = 0;                     // edge_moment: M_ns beside the normal moment, s = normal turned by +90 degrees
   std::array<double, 3> tensor{0, 0, 0};  // edge_moment: Mxx, Myy, Mxy instead of value and twist
   bool has_tensor = false;
   std::vector<std::string> edges;  // edge loads
   geometry::Point position{0, 0};  // point_force
+  std::size_t support = 0;         // settlement: the number of the support
+  geometry::Point slope{0, 0};     // settlement: of the support's w, which is `value` at `from`
+  double rotation = 0;             // settlement: psi_n of every edge about itself, n its outward normal
   History history;
 
   /// The same pressure everywhere?
-  bool uniform() const { return !patch && gradient.isZero(0) && !formula.given(); }
+  bool uniform() const { return !patch && gradient.isZero(0) && !formula.given() && !table.given() && !level; }
+  /// Is the pressure no linear function of the place, but one that has to be evaluated?
+  bool evaluated() const { return formula.given() || table.given(); }
+  bool moves() const { return !path.empty(); }
   double pressure(const geometry::Point& x) const {
+    if (table.given()) return table(x);
+    if (level) return x.y() < *level ? value * (*level - x.y()) : 0;
     return formula.given() ? formula(x) : value + gradient.dot(x - from);
   }
 };

@@ -55,6 +55,7 @@ void add_edge_load(const Load& load, const geometry::Tessellation& cells, Forces
 
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
+  if (load.moves()) return forces;
   switch (load.kind) {
     case Load::Kind::pressure:
       for (std::size_t k = 0; load.uniform() && k < areas.size(); ++k)
@@ -78,6 +79,7 @@ Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const
       add_edge_load(load, cells, forces);
       break;
     case Load::Kind::temperature:
+    case Load::Kind::settlement:
       break;
   }
   return forces;
@@ -86,6 +88,7 @@ Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const
 Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline,
                     const std::vector<char>& own) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(cloud.size()));
+  if (load.moves()) return forces;
   switch (load.kind) {
     case Load::Kind::pressure:
       for (std::uint32_t k = 0; load.uniform() && k < cloud.plate_points; ++k)
@@ -106,6 +109,7 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
       add_edge_load(load, cloud, outline, forces);
       break;
     case Load::Kind::temperature:
+    case Load::Kind::settlement:
       break;
   }
   return forces;

@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+
 #include "plate/model/loads.hpp"
 #include "plate/model/state.hpp"
 
@@ -9,16 +11,23 @@ struct Tessellation;
 
 namespace plate {
 
-/// A load case: generalised nodal forces times a factor of time.
+struct MovingForces;
+
+/// A load case: generalised nodal forces times a factor of time; of a settlement none, but where it puts what is held
+/// while all that is free rests (Constraints::lift).
 struct TimedLoad {
   Forces forces;
   History history;
   /// kappa_0 of a temperature at every point of the plate [1 / length]; of other loads empty.
   Eigen::VectorXd curvature = {};
+  State lift = State(3, 0);
+  std::shared_ptr<const MovingForces> moving = {};  // of a load that moves along a path; `forces` are zero
+
+  bool lifts() const { return lift.cols() > 0; }
 };
 
 /// Generalised nodal forces (3 x points: work-conjugate to w, theta_x, theta_y) of one load at factor 1.
-/// A temperature, whose forces are of the formulation, gives none.
+/// A temperature, whose forces are of the formulation, gives none, nor do loads that move (moving_forces()).
 /// Edge loads act on the edge line: what a point takes over is moved to it with the couple of its lever.
 /// `outline` is in the cloud's own units; `own`: points that no other process has, empty: all. Throws
 /// std::invalid_argument for an edge without points beside it.

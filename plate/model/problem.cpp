@@ -5,7 +5,8 @@ namespace plate {
 std::vector<Support> settled_supports(const Problem& problem) {
   auto supports = problem.supports;
   if (problem.discretization.boundary == EdgeMethod::layer)
-    for (auto& support : supports) support.kind = in_layer(support.kind);
+    for (auto& support : supports)
+      if (support.holds_edges()) support.kind = in_layer(support.kind);
   return supports;
 }
 

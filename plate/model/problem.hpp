@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "geometry/shape/crack_path.hpp"
@@ -25,6 +26,10 @@ struct Problem {
   std::vector<LoadCase> load_cases = {};  // in statics; their loads stand behind the others in `loads` (join_loads)
   std::vector<Combination> combinations = {};
 
+  /// Is there soil that lets the plate lift off?
+  bool lifts_off() const {
+    return std::ranges::any_of(foundations, [](const Foundation& one) { return one.lifts_off; });
+  }
   bool elastically_held() const { return !foundations.empty() || !springs.empty(); }
 };
 

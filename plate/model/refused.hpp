@@ -19,6 +19,8 @@ enum class Subject {
   edge_method,
   support,
   support_points,
+  support_line,
+  support_patch,
   support_edges,
   support_direction,  // of its edges
   load_position,
@@ -26,6 +28,9 @@ enum class Subject {
   load_patch,
   load_line,
   load_expression,
+  settlement,
+  load_table,
+  load_path,
   foundation,
   foundation_patch,
   spring,

@@ -19,9 +19,10 @@ struct StaticResult {
   std::size_t factor_bytes = 0;
 };
 
-/// By a method, and with a preconditioner for conjugate gradients. Throws NumericalError as the solvers do.
+/// By a method, and with a preconditioner for conjugate gradients. `lift`: of supports that have moved; without columns
+/// none. Throws NumericalError as the solvers do.
 StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMethod method, Preconditioning wanted,
-                          const StaticOptions& options);
+                          const StaticOptions& options, const State& lift = State(3, 0));
 
 /// Under all loads, by the method and with the preconditioner of an analysis.
 StaticResult static_solution(const Formulation& plate, const Analysis& analysis, const StaticOptions& options);

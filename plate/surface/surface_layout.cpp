@@ -158,7 +158,7 @@ void add_rest(double pressure, const SurfacePlate& plate, const Boundary& b, con
 Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate, const Boundary& b,
                  const geometry::Outline& outline) {
   using enum Load::Kind;
-  if (load.kind == point_force || load.kind == line_load || (load.kind == pressure && !load.uniform()))
+  if (load.kind == point_force || load.kind == line_load || load.moves() || (load.kind == pressure && !load.uniform()))
     return nodal_forces(load, plate.oblique ? whole_cells(b.cloud) : b.cloud, outline);
   const double everywhere = load.kind == pressure ? load.value : 0;
   const auto on_edges = [&](const Point& at, const Point& n) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "geometry/shape/patch.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -31,6 +32,14 @@ std::string named(const Srif& srif, double thickness, double largest, const Whic
   return result;
 }
 
+/// Of a part of the plate; 0 within it.
+double distance_to(const geometry::Hole& part, const geometry::Point& x) {
+  auto ring = geometry::Patch(part).ring();
+  if (geometry::contains({{ring, std::vector<std::string>(ring.size())}, {}}, x)) return 0;
+  ring.push_back(ring.front());
+  return geometry::distance(ring, x);
+}
+
 }  // namespace
 
 double clear_distance(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths,
@@ -38,7 +47,8 @@ double clear_distance(const plate::Problem& c, const std::vector<geometry::Crack
   const double spacing = c.discretization.spacing_at_tips();
   double clear = clear_distance(c.outline, paths, tip, spacing);
   for (const auto& load : c.loads) {
-    if (load.kind == plate::Load::Kind::point_force) clear = std::min(clear, (load.position - tip.position).norm());
+    if (load.kind == plate::Load::Kind::point_force && !load.moves())
+      clear = std::min(clear, (load.position - tip.position).norm());
     if (!load.along.empty()) clear = std::min(clear, geometry::distance(load.along, tip.position));
   }
   for (const auto& spring : c.springs) {
@@ -47,8 +57,11 @@ double clear_distance(const plate::Problem& c, const std::vector<geometry::Crack
   }
   for (const auto& stiffener : c.stiffeners)
     if (!stiffener.along.empty()) clear = std::min(clear, geometry::distance(stiffener.along, tip.position));
-  for (const auto& support : c.supports)
+  for (const auto& support : c.supports) {
     for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
+    if (!support.along.empty()) clear = std::min(clear, geometry::distance(support.along, tip.position));
+    if (support.patch) clear = std::min(clear, distance_to(*support.patch, tip.position));
+  }
   // families next to where the section changes have some of both
   return std::min(clear, std::max(0.0, c.section.uniform_within(tip.position) - spacing));
 }

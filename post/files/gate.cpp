@@ -7,10 +7,12 @@
 #include <limits>
 
 #include "plate/formulation/boundary.hpp"
+#include "plate/model/loading/moving_forces.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/finite.hpp"
 #include "plate/solve/reduction.hpp"
+#include "plate/solve/settled.hpp"
 
 namespace post {
 bool is_zero(const plate::State& values) {
@@ -41,7 +43,16 @@ void require_finite(const plate::State& state, const std::string& when) {
 double slow_work(const plate::Formulation& plate, const plate::State& state) {
   double work = 0;
   for (const auto& load : plate.loads()) work += slow_work(plate, load.forces, state);
-  return work;
+  return plate::settles(plate) ? work + plate::Settled(plate, plate.total_load(), plate::total_lift(plate)).work(state)
+                               : work;
+}
+
+double energy_about(const plate::Formulation& plate, const plate::State& lift) {
+  return lift.cols() == 0 ? 0 : plate.strain_energy(lift);
+}
+
+double energy_about(const plate::Formulation& plate) {
+  return energy_about(plate, plate::total_lift(plate));
 }
 
 double slow_work(const plate::Formulation& plate, const plate::Forces& load, const plate::State& state) {
@@ -55,7 +66,13 @@ double slow_work(const plate::Formulation& plate, const plate::Forces& load, con
 
 std::vector<plate::Forces> forces_of(const plate::Formulation& plate) {
   std::vector<plate::Forces> result;
-  for (const auto& load : plate.loads()) result.push_back(load.forces);
+  for (const auto& load : plate.loads()) {
+    const auto* moving = load.moving ? &load.moving->stations : nullptr;
+    if (moving)  // half way
+      result.push_back(load.moving->whole((*moving)[moving->size() / 2].time, plate.points()));
+    else
+      result.push_back(plate::Settled(plate, load.forces, load.lift).pull());
+  }
   return result;
 }
 
@@ -79,7 +96,7 @@ void require_motion(const plate::Formulation& plate, const std::vector<plate::Fo
     throw plate::NumericalError(
         "nothing has moved although loads act: numbers are too small for double precision, or no load acts at any "
         "step");
-  if (!moves(state, work))
+  if (!plate::settles(plate) && !moves(state, work))
     throw plate::NumericalError(fmt::format(
         "the loads do a work of {:g}: numbers are too small for double precision; choose other units", work));
 }

@@ -19,7 +19,11 @@ void require_finite(const plate::State& state, const std::string& when);
 double slow_work(const plate::Formulation& plate, const plate::State& state);
 /// Of one load [3 x points].
 double slow_work(const plate::Formulation& plate, const plate::Forces& load, const plate::State& state);
-/// Of every load at factor 1.
+/// Of a plate whose supports have moved while all that is free rests, beside which equilibria are small; 0 of one whose
+/// supports rest.
+double energy_about(const plate::Formulation& plate, const plate::State& lift);
+double energy_about(const plate::Formulation& plate);  // of all settlements together
+/// Of every load at factor 1, of a settlement what it pulls with at first.
 std::vector<plate::Forces> forces_of(const plate::Formulation& plate);
 
 /// Of all processes that share the plate.

@@ -8,8 +8,10 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/heated/heat.hpp"
+#include "plate/model/history.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/solve/settled.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/factor_rows.hpp"
@@ -39,19 +41,33 @@ void widen_errors_of_frame(std::size_t frame, const plate::Formulation& plate,
   widen_errors(of_frames[frame], parts, plate.section().thickness);
 }
 
-/// Of a load case or combination, or at the time of the frame.
-plate::Heat heat_of_frame(std::size_t frame, double time, const plate::Formulation& plate) {
+/// What every load counts for in a frame: of a load case or combination, or at its time.
+std::vector<double> shares_of_frame(std::size_t frame, double time, const plate::Formulation& plate) {
   const auto& problem = plate.problem();
   const auto cases = problem.load_cases.size();
-  if (cases == 0) return plate::heat_at(plate, time);
-  std::vector<double> factors(cases, 0), shares(plate.loads().size(), 0);
-  if (frame < cases)
-    factors[frame] = 1;
-  else
-    factors = plate::factors_of(problem.combinations[frame - cases], problem.load_cases);
+  std::vector<double> shares(plate.loads().size(), 0);
+  for (std::size_t i = 0; cases == 0 && i < shares.size(); ++i)
+    shares[i] = plate::factor(plate.loads()[i].history, time);
+  std::vector<double> factors(cases, 0);
+  if (frame < cases) factors[frame] = 1;
+  if (cases > 0 && frame >= cases) factors = plate::factors_of(problem.combinations[frame - cases], problem.load_cases);
   for (std::size_t i = 0; i < cases; ++i)
     for (const auto k : plate::loads_of(problem, i)) shares[k] += factors[i];
-  return plate::heat_of(plate, shares);
+  return shares;
+}
+
+plate::Heat heat_of_frame(std::size_t frame, double time, const plate::Formulation& plate) {
+  return plate.problem().load_cases.empty() ? plate::heat_at(plate, time)
+                                            : plate::heat_of(plate, shares_of_frame(frame, time, plate));
+}
+
+/// Of what supports hold in a frame.
+plate::State lift_of_frame(std::size_t frame, double time, const plate::Formulation& plate) {
+  const auto shares = shares_of_frame(frame, time, plate);
+  plate::State lift = plate::State::Zero(3, Eigen::Index(plate.points()));
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (const auto& one = plate.loads()[i]; one.lifts()) lift += shares[i] * one.lift;
+  return lift;
 }
 
 }  // namespace
@@ -71,6 +87,7 @@ Table stored_factors(const StoredRun& run, const plate::Formulation& plate, cons
   for (std::size_t frame = 0; frame < run.times.size(); ++frame) {
     state.leftCols(Eigen::Index(cloud.plate_points)) = run.states[frame];
     plate.constraints().impose(state);
+    if (plate::settles(plate)) state += lift_of_frame(frame, run.times[frame], plate);
     const auto heat = heat_of_frame(frame, run.times[frame], plate);
     auto found = srifs(plate, options, methods, state, true, &heat);
     require_finite(found, fmt::format("at time {:g}", run.times[frame]));

@@ -121,6 +121,7 @@ struct Summary {
   std::vector<LoadCaseSummary> load_cases;             // then combinations
   std::vector<EnvelopeEntry> envelope;                 // of them
   std::optional<double> deflection_over_thickness;     // the largest of the run
+  std::optional<double> touching;                      // share of the soil that lifts off which is pressed
   std::optional<double> multipliers;                   // the forces that they add, over the loads
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it
   std::vector<Frequency> frequencies;                  // of a frequency analysis

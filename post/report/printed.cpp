@@ -200,6 +200,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   if (!summary.faces.empty() && (si || summary.toughness)) faces(out, summary, si);
   if (!summary.load_cases.empty()) text += printed_load_cases(summary, si, thickness);
   if (summary.reactions) reactions(out, *summary.reactions, si);
+  if (summary.touching) fmt::format_to(out, "soil touches {:.1f} % of what lies above it\n", 100 * *summary.touching);
   if (summary.multipliers)
     fmt::format_to(out, "multipliers add forces of {:.2g} of the loads beside the edges\n", *summary.multipliers);
   if (!summary.peaks.empty()) peaks(out, summary.peaks, true, thickness);

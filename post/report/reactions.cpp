@@ -6,8 +6,10 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/model/history.hpp"
+#include "plate/model/loading/moving_forces.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/settled.hpp"
 #include "post/balance/supports.hpp"
 
 namespace post {
@@ -21,7 +23,7 @@ Eigen::VectorXd on_held(const plate::Formulation& plate, const plate::Operator& 
 
 std::vector<ReactionSummary::Support> supports_of(const plate::Formulation& plate) {
   std::vector<ReactionSummary::Support> result;
-  for (const auto& [name, kind, position] : plate.boundary().holders) result.push_back({name, position});
+  for (const auto& holder : plate.boundary().holders) result.push_back({holder.name, holder.position});
   for (const auto& part : plate.boundary().attached.holding()) result.push_back({part->name, part->position});
   return result;
 }
@@ -33,8 +35,9 @@ std::function<plate::Forces(const plate::State&)> inertial_force(const plate::Fo
     return [inertia = std::make_shared<plate::Inertia>(plate.inertia(rotary))](const plate::State& acceleration) {
       return inertia->whole(acceleration);
     };
-  return [mass = plate::mass(plate.sections(), plate.cloud().areas, plate.boundary().active, {}, rotary)](
-             const plate::State& acceleration) -> plate::Forces { return mass.cwiseProduct(acceleration); };
+  return [mass = plate::whole_mass(plate, rotary)](const plate::State& acceleration) -> plate::Forces {
+    return mass.cwiseProduct(acceleration);
+  };
 }
 
 }  // namespace
@@ -59,7 +62,11 @@ void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces)
   if (!moving_) moving_ = std::make_shared<const Moving>(*plate_, rotary_, mass_of_cells_);
   const auto& [supports, each, inertial_force] = *moving_;
   auto loads = supports.nothing();
-  for (std::size_t i = 0; i < each.size(); ++i) loads.add(plate::factor(plate_->loads()[i].history, now.time), each[i]);
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    const auto& one = plate_->loads()[i];
+    const double factor = plate::factor(one.history, now.time);
+    loads.add(factor, one.moving ? supports.applied(one.moving->whole(now.time, plate_->points())) : each[i]);
+  }
   const auto inertia = supports.applied(inertial_force(now.acceleration()));
   const auto internal = now.held_force ? *now.held_force : on_held(*plate_, forces, now.state);
   balances_.emplace_back(now.time, supports.balance(internal, loads, &inertia, now.state));

@@ -8,6 +8,7 @@
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/settled.hpp"
 #include "plate/solve/solution.hpp"
 #include "plate/solve/suitability.hpp"
 #include "post/factors/near_field/tip_section.hpp"
@@ -23,7 +24,10 @@ double strain_energy(const plate::Problem& problem, plate::Analysis analysis) {
   analysis.method = plate::Analysis::Method::cg;
   const auto solution = plate::static_solution(*found.plate, analysis, {1e-9, analysis.max_iterations, {}}).solution;
   if (!solution.converged) throw plate::NumericalError("energy check: conjugate gradients: " + solution.stop_reason);
-  return found.plate->strain_energy(solution.state);
+  const auto& plate = *found.plate;
+  const auto load = plate.total_load();
+  const auto lift = plate::total_lift(plate);  // of supports, which hold what they move while the crack grows
+  return plate.strain_energy(solution.state) - 2 * plate::Settled(plate, load, lift).work(solution.state);
 }
 
 /// The problem with the tip moved straight ahead by `step`.

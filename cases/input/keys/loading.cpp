@@ -1,5 +1,5 @@
 #include "cases/input/keys.hpp"
-#include "plate/model/elastic/elastic_supports.hpp"
+#include "cases/input/keys/places.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/supports.hpp"
 
@@ -10,23 +10,6 @@ using plate::History;
 using plate::Load;
 using plate::Support;
 using plate::SupportKind;
-
-/// Names of edges: a list that is not empty and names none twice.
-template <class T>
-Field<T> edges(const std::string& help) {
-  return value<T>(
-      {"edges", "-", "a list of edge names", "", help},
-      [](const Value& given, T& object) {
-        const auto names = given.texts();
-        if (!names) return;
-        if (names->empty()) given.refuse("a list of at least one edge name");
-        for (auto name = names->begin(); name != names->end(); ++name)
-          if (std::find(names->begin(), name, *name) != name)
-            given.complain(fmt::format("\"{}\" is named twice", *name));
-        object.edges = *names;
-      },
-      [](const T& object) { return object.edges.empty() ? "" : text_of(object.edges); });
-}
 
 const Words<SupportKind> support_kinds{{{"clamped", SupportKind::clamped},
                                         {"simply_supported", SupportKind::simply_supported},
@@ -43,7 +26,8 @@ const Words<Load::Kind> load_kinds{{{"pressure", Load::Kind::pressure},
                                     {"edge_shear", Load::Kind::edge_shear},
                                     {"point_force", Load::Kind::point_force},
                                     {"line_load", Load::Kind::line_load},
-                                    {"temperature", Load::Kind::temperature}}};
+                                    {"temperature", Load::Kind::temperature},
+                                    {"settlement", Load::Kind::settlement}}};
 
 const Words<History::Kind> history_words{
     {{"step", History::Kind::step}, {"ramp", History::Kind::ramp}, {"sine", History::Kind::sine}}};
@@ -108,19 +92,6 @@ Field<Load> point(const std::string& name, const std::string& unit, geometry::Po
   return value<Load>({name, unit, allowed, "", help}, read, [=](const Load& load) { return text_of(load.*member); });
 }
 
-/// A list of at least some points.
-template <class T>
-Field<T> points(const std::string& name, std::vector<geometry::Point> T::*member, std::size_t least,
-                const std::string& help) {
-  const auto read = [=](const Value& given, T& object) {
-    const auto points = given.points();
-    if (points && points->size() < least) given.refuse(fmt::format("a list of {} points or more", least));
-    object.*member = points.value_or(object.*member);
-  };
-  const auto text = [=](const T& object) { return (object.*member).empty() ? "" : text_of(object.*member); };
-  return value<T>({name, "length", "[[x, y], ...]", "", help}, read, text);
-}
-
 }  // namespace
 
 std::optional<plate::Formula> formula_of(const Value& given) {
@@ -158,45 +129,66 @@ Field<Load> amount(const std::string& name, const std::string& unit, double Load
 Fields<Support> support_fields() {
   const Condition<Support> of_edges{"kind", "a kind other than pinned",
                                     [](const Support& s) { return s.kind != SupportKind::pinned; }};
-  const Condition<Support> of_points{"kind", "kind = pinned",
-                                     [](const Support& s) { return s.kind == SupportKind::pinned; }};
+  const Condition<Support> inside{"kind", "kind = pinned or clamped", [](const Support& s) {
+                                    return s.kind == SupportKind::pinned || s.kind == SupportKind::clamped;
+                                  }};
   return {
       choice<Support, SupportKind>("kind", &Support::kind, support_kinds, "how the edge is held; see \"Supports\"")
           .required(),
-      edges<Support>("the edges that are held, each by one support").required().with(of_edges),
-      points("points", &Support::points, 1, "points in the plate or on its boundary where w = 0")
-          .required()
-          .with(of_points),
+      edges<Support>("the edges that are held, each by one support").with(of_edges),
+      points("points", &Support::points, 1, "points in the plate or on its boundary that are held").with(inside),
+      points("along", &Support::along, 2, "a line in the plate that is held").with(inside),
+      table<Support, geometry::Hole>(
+          "on", Layout::inline_, &Support::patch,
+          hole_fields("the disc of the plate that is held", "the polygon of the plate that is held"), check_hole)
+          .with(inside),
   };
 }
 
-Fields<Load> load_fields() {
+namespace {
+
+/// What acts, and how much of it.
+Fields<Load> amount_fields() {
   using enum Load::Kind;
-  const auto rise_time = [](auto& load) -> auto& {
-    return load.history.rise_time;
-  };
-  const auto frequency = [](auto& load) -> auto& {
-    return load.history.frequency;
-  };
-  const Condition<Load> by_value{"kind", "kind = pressure with a value", [](const Load& load) {
-                                   return load.kind == pressure && !load.formula.given() && !load.gravity;
+  const auto valued = [](const Load& load) { return !load.evaluated() && !load.gravity; };
+  const Condition<Load> with_value{"kind", "kind = pressure with a value",
+                                   [valued](const Load& load) { return load.kind == pressure && valued(load); }};
+  const Condition<Load> by_value{"kind", "kind = pressure with a value, without level", [valued](const Load& load) {
+                                   return load.kind == pressure && valued(load) && !load.level;
                                  }};
+  const Condition<Load> from_somewhere{
+      "kind", "kind = pressure with a value, without level, or settlement",
+      [by_value](const Load& load) { return by_value.holds(load) || load.kind == settlement; }};
   return {
       choice<Load, Load::Kind>("kind", &Load::kind, load_kinds, "what acts; see \"Loads\" and \"Signs\"").required(),
       expression().with(kind_is({pressure, temperature})),
+      table_field().with({"kind", "kind = pressure without expression",
+                          [](const Load& load) { return load.kind == pressure && !load.formula.given(); }}),
+      table_digest_field().with({"table", "table", [](const Load& load) { return load.table.given(); }}),
       number<Load>("gravity", "length/time^2", &Load::gravity, finite,
                    "own weight: the pressure is density thickness gravity, along w")
-          .with({"kind", "kind = pressure without expression",
-                 [](const Load& load) { return load.kind == pressure && !load.formula.given(); }}),
-      amount("value", "force/length^2, force, force/length, force, force/length, temperature", &Load::value,
+          .with({"kind", "kind = pressure without expression and table",
+                 [](const Load& load) { return load.kind == pressure && !load.evaluated(); }}),
+      amount("value", "force/length^2, force, force/length, force, force/length, temperature, length", &Load::value,
              "pressure, edge moment per length, edge shear per length, point force, force per length of a line, "
-             "temperature of the face z > 0 less that of the other")
-          .with({"kind", "neither expression nor gravity",
-                 [](const Load& load) { return !load.formula.given() && !load.gravity; }})
-          .standard("required without tensor, expression and gravity"),
+             "temperature of the face z > 0 less that of the other, deflection of a support")
+          .with({"kind", "neither expression, table nor gravity", valued})
+          .standard("required without tensor, expression, table and gravity"),
+      number<Load>("level", "length", &Load::level, finite,
+                   "the y up to which a fluid stands: the pressure is value, its unit weight, times level - y below")
+          .with(with_value),
       point("gradient", "force/length^3", &Load::gradient, "[x, y]", "what the pressure grows by along x and y")
           .with(by_value),
-      point("from", "length", &Load::from, "[x, y]", "where the pressure has its value").with(by_value),
+      point("from", "length", &Load::from, "[x, y]",
+            "where the pressure or the deflection of the support has its value")
+          .with(from_somewhere),
+  };
+}
+
+/// Where it acts.
+Fields<Load> place_fields() {
+  using enum Load::Kind;
+  return {
       table<Load, geometry::Hole>("on", Layout::inline_, &Load::patch,
                                   hole_fields("the disc that the pressure acts on, without it the plate",
                                               "the polygon that the pressure acts on, without it the plate"),
@@ -207,9 +199,43 @@ Fields<Load> load_fields() {
       amount("twist", "force", &Load::twist, "twisting moment M_ns beside value, s = normal turned by +90 degrees")
           .with(kind_is({edge_moment})),
       tensor().with(kind_is({edge_moment})),
+      points("path", &Load::path, 2, "where the force, or with \"on\" the pressure from its place on, moves along")
+          .in_dynamics()
+          .with(kind_is({point_force, pressure})),
+      number<Load>("speed", "length/time", &Load::speed, positive,
+                   "with which it moves; at its end it leaves the plate")
+          .required({Analysis::Kind::dynamic})
+          .in_dynamics()
+          .with({"path", "path", [](const Load& load) { return load.moves(); }}),
       point("position", "length", &Load::position, "[x, y] inside the plate", "where the force acts")
           .required()
-          .with(kind_is({point_force})),
+          .with({"kind", "kind = point_force without path",
+                 [](const Load& load) { return load.kind == point_force && !load.moves(); }}),
+  };
+}
+
+Fields<Load> settlement_fields() {
+  using enum Load::Kind;
+  return {
+      number<Load>("support", "-", &Load::support, {0, 1e6}, "the number of the support that moves, the first is 0")
+          .required()
+          .with(kind_is({settlement})),
+      point("slope", "-", &Load::slope, "[x, y]", "what its deflection grows by along x and y, as of a rigid body")
+          .with(kind_is({settlement})),
+      number<Load>("rotation", "-", &Load::rotation, finite,
+                   "psi_n, by which its edges turn about themselves, n the outer normal")
+          .with(kind_is({settlement})),
+  };
+}
+
+Fields<Load> history_fields() {
+  const auto rise_time = [](auto& load) -> auto& {
+    return load.history.rise_time;
+  };
+  const auto frequency = [](auto& load) -> auto& {
+    return load.history.frequency;
+  };
+  return {
       value<Load>({"history", "-", history_words.text() + " or a table [[time, factor], ...]", "",
                    "factor in time; a table is linear between its rows and constant beyond them"},
                   read_history, history_text)
@@ -225,41 +251,19 @@ Fields<Load> load_fields() {
   };
 }
 
-Fields<plate::Spring> spring_fields() {
-  using S = plate::Spring;
-  const auto position = value<S>(
-      {"position", "length", "[x, y] in the plate", "", "where one spring stands"},
-      [](const Value& given, S& spring) { spring.position = given.point(); },
-      [](const S& s) { return s.position ? text_of(*s.position) : ""; });
-  return {
-      edges<S>("the edges that springs hold: these, along or position"),
-      points("along", &S::along, 2, "a line in the plate that springs hold"),
-      position,
-      number<S>("deflection", "force/length^2, at a position force/length", &S::deflection, {0}, "against w"),
-      number<S>("rotation_normal", "force", &S::rotation_normal, {0},
-                "edges, along: against the rotation along the normal, with which the plate bends"),
-      number<S>("rotation_tangential", "force", &S::rotation_tangential, {0},
-                "edges, along: against the rotation along the edge or line, with which the plate twists"),
-      number<S>("rotation", "force length", &S::rotation, {0}, "position: against both rotations"),
-  };
-}
+}  // namespace
 
-Fields<plate::Stiffener> stiffener_fields() {
-  using S = plate::Stiffener;
-  return {
-      edges<S>("the edges that the beam runs along: these or along"),
-      points("along", &S::along, 2, "the line in the plate that the beam runs along"),
-      number<S>("bending", "force length^2", &S::bending, {0}, "EI, against the curvature along the beam"),
-      number<S>("torsion", "force length^2", &S::torsion, {0}, "GJ, against the twist along the beam"),
-      number<S>("shear", "force", &S::shear, positive, "k G A; without it the beam does not shear"),
-      number<S>("mass", "mass/length", &S::mass, {0}, "of the beam: in motion, frequencies and own weight"),
-  };
+Fields<Load> load_fields() {
+  auto result = amount_fields();
+  for (const auto& more : {place_fields(), settlement_fields(), history_fields()})
+    result.insert(result.end(), more.begin(), more.end());
+  return result;
 }
 
 void check_load(const Value& given, Load& load) {
   auto& reading = given.reading();
   const auto has = [&](const char* name) { return reading.given(given.below(name)); };
-  if (!has("value") && !has("tensor") && !has("expression") && !has("gravity"))
+  if (!has("value") && !has("tensor") && !has("expression") && !has("gravity") && !has("table"))
     reading.complain(given.below("value"), "is missing, must be a finite number");
   for (const char* name : {"value", "twist"})
     if (load.has_tensor && reading.given(given.below(name)))

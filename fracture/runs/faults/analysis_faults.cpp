@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "plate/formulations.hpp"
 #include "plate/model/formulation_kind.hpp"
+#include "plate/model/history.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/analysis.hpp"
 #include "post/factors/srif.hpp"
@@ -34,6 +36,83 @@ std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const Anal
     refuse("analysis.method", kind.lacks.at(plate::Feature::lanczos) + "; choose \"central_difference\"");
   if (grows)
     refuse("analysis.method", "\"lanczos\" given: growth in motion takes steps; choose \"central_difference\"");
+  return result;
+}
+
+std::vector<KeyFault> faults_beside_settlements(const plate::Problem& problem, const Analysis& analysis, bool grows) {
+  std::vector<KeyFault> result;
+  const bool moves = analysis.kind == Analysis::Kind::dynamic;
+  for (std::size_t i = 0; i < problem.loads.size(); ++i) {
+    const auto& load = problem.loads[i];
+    if (load.kind != plate::Load::Kind::settlement) continue;
+    const auto key = plate::key_of_load(problem, i);
+    if (grows)
+      result.push_back({key + ".kind",
+                        "\"settlement\" given: growth holds loads or what they move, not supports that move: remove "
+                        "it or [growth]"});
+    if (moves && analysis.method == Analysis::Method::lanczos)
+      result.push_back({key + ".kind",
+                        "\"settlement\" given: supports move by steps alone; choose analysis.method = "
+                        "\"central_difference\""});
+    if (moves && analysis.start != Analysis::Start::equilibrium && plate::factor(load.history, 0) != 0)
+      result.push_back({key + ".history",
+                        "moves a support at once, which takes an energy without limit: let the history begin at 0, or "
+                        "start in equilibrium"});
+  }
+  return result;
+}
+
+std::vector<KeyFault> faults_beside_contact(const plate::Problem& problem, const Analysis& analysis, bool grows) {
+  std::vector<KeyFault> result;
+  const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
+    if (asked) result.push_back({key, why});
+  };
+  const bool lanczos = analysis.kind == Analysis::Kind::dynamic && analysis.method == Analysis::Method::lanczos;
+  const bool lifts = problem.lifts_off();
+  bool settles = false, moves = false;
+  for (const auto& load : problem.loads) {
+    settles = settles || load.kind == plate::Load::Kind::settlement;
+    moves = moves || load.moves();
+  }
+  refuse(lanczos && (moves || lifts), "analysis.method",
+         std::string("\"lanczos\" given: ") + (moves ? "loads that move" : "soil that lifts off") +
+             " need steps; choose \"central_difference\"");
+  refuse(moves && grows, "growth", "cracks do not grow yet under loads that move: remove it, or the path");
+  refuse(moves && settles, "load",
+         "loads that move cannot be run yet beside settlements: give them to cases of their own");
+  const std::string whole = ": remove lifts_off";
+  refuse(lifts && analysis.kind == Analysis::Kind::frequencies, "foundation",
+         "a plate that may lift off has no frequencies" + whole);
+  refuse(lifts && grows, "foundation", "cracks do not grow yet on soil that lifts off" + whole);
+  refuse(lifts && settles, "foundation", "settlements cannot be run yet beside soil that lifts off" + whole);
+  refuse(lifts && !problem.combinations.empty(), "combination",
+         "what soil touches differs from load case to load case, so that they do not add up: give their sum a [[case]] "
+         "of its own");
+  return result;
+}
+
+std::vector<KeyFault> faults_beside_load_cases(const plate::Problem& problem, const plate::Analysis& analysis,
+                                               bool grows, const std::optional<post::SrifOptions>& srif) {
+  std::vector<KeyFault> result;
+  if (problem.load_cases.empty() && problem.combinations.empty()) return result;
+  const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
+    if (asked) result.push_back({key, why});
+  };
+  const std::string several = "is of one load on the plate, and [[case]] gives several: ";
+  refuse(analysis.kind != plate::Analysis::Kind::static_, "case",
+         "load cases are equilibria, which add up: they need analysis.kind = \"static\"; loads in time are [[load]] "
+         "with a history");
+  refuse(grows, "growth",
+         "cracks that grow make another plate of it under every load, so that load cases neither share it nor add up: "
+         "remove it, or run each load case by itself");
+  refuse(srif && srif->accuracy, "srif.accuracy", several + "run each load case by itself, or state the spacing");
+  refuse(srif && srif->richardson, "srif.richardson", several + "run each load case by itself");
+  refuse(srif && srif->second_formulation, "srif.second_formulation", several + "run each load case by itself");
+  const auto& kind = plate::formulation_of(problem.discretization);
+  refuse(!kind.offers(plate::Feature::symmetry), "discretization.boundary",
+         "load cases need a symmetric stiffness (" +
+             (kind.offers(plate::Feature::symmetry) ? std::string() : kind.lacks.at(plate::Feature::symmetry)) +
+             "): choose \"images\", or run each load case by itself");
   return result;
 }
 

@@ -22,6 +22,19 @@ using plate::KeyFault;
 std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const plate::Analysis& analysis, bool grows,
                                        const std::function<bool(const std::string&)>& given);
 
+/// Settlements where they cannot go: growth, Lanczos vectors, frequencies, and in motion a support that is moved at
+/// once.
+std::vector<KeyFault> faults_beside_settlements(const plate::Problem& problem, const plate::Analysis& analysis,
+                                                bool grows);
+
+/// Loads that move and soil that lifts off where they cannot go: Lanczos vectors, frequencies, growth; soil that lifts
+/// off beside settlements and combinations.
+std::vector<KeyFault> faults_beside_contact(const plate::Problem& problem, const plate::Analysis& analysis, bool grows);
+
+/// What cannot go with load cases, and why.
+std::vector<KeyFault> faults_beside_load_cases(const plate::Problem& problem, const plate::Analysis& analysis,
+                                               bool grows, const std::optional<post::SrifOptions>& srif);
+
 /// What stands in the way of finding the discretisation. `formulation_reason`: why the formulation is what it is.
 std::vector<KeyFault> faults_of_accuracy(const plate::Problem& problem, const plate::Analysis& analysis, bool grows,
                                          const std::optional<post::SrifOptions>& srif,

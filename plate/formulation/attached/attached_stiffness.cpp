@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plate/formulation/attached/contact.hpp"
+
 namespace plate {
 namespace {
 
@@ -31,13 +33,27 @@ void add_product(const Attachment& a, double factor, const Values<Real>& state, 
 
 }  // namespace
 
+namespace {
+
+/// forces += factor K state, of soil that lifts off where it touches.
+template <typename Real>
+void add_whole(const Attachment& a, double factor, const Values<Real>& state, Values<Real>& forces) {
+  if (a.contact)
+    a.contact->add_force(-factor, state, forces);
+  else
+    add_product(a, factor, state, forces);
+}
+
+}  // namespace
+
 Forces Attachment::force(const State& state) const {
   Forces result = Forces::Zero(3, state.cols());
-  add_product(*this, -1, state, result);
+  add_whole(*this, -1, state, result);
   return result;
 }
 
 double Attachment::energy(const State& state) const {
+  if (contact) return contact->energy(state);
   return -force(state).cwiseProduct(state).sum() / 2;
 }
 
@@ -46,15 +62,15 @@ AttachedStiffness::AttachedStiffness(std::vector<Attachment> parts) {
 }
 
 void AttachedStiffness::add_force(const State& state, Forces& forces) const {
-  for (const auto& part : parts_) add_product(*part, -1, state, forces);
+  for (const auto& part : parts_) add_whole(*part, -1, state, forces);
 }
 
 void AttachedStiffness::add_force(const Values<float>& state, Values<float>& forces) const {
-  for (const auto& part : parts_) add_product(*part, -1, state, forces);
+  for (const auto& part : parts_) add_whole(*part, -1, state, forces);
 }
 
 void AttachedStiffness::take_force(const State& state, Forces& forces) const {
-  for (const auto& part : parts_) add_product(*part, 1, state, forces);
+  for (const auto& part : parts_) add_whole(*part, 1, state, forces);
 }
 
 std::vector<std::shared_ptr<const Attachment>> AttachedStiffness::holding() const {
@@ -96,8 +112,38 @@ std::size_t AttachedStiffness::bytes() const {
   std::size_t sum = 0;
   for (const auto& part : parts_)
     sum += part->row.size() * (sizeof(std::uint32_t) + sizeof(std::size_t)) +
-           part->column.size() * (sizeof(std::uint32_t) + sizeof(double));
+           part->column.size() * (sizeof(std::uint32_t) + sizeof(double)) +
+           (part->contact ? part->contact->bytes() : 0);
   return sum;
+}
+
+bool AttachedStiffness::lifts_off() const {
+  return std::ranges::any_of(parts_, [](const auto& part) { return bool(part->contact); });
+}
+
+Touching AttachedStiffness::touching(const State& state) const {
+  Touching result;
+  for (const auto& part : parts_)
+    result.push_back(part->contact ? part->contact->touching(state) : std::vector<char>());
+  return result;
+}
+
+double AttachedStiffness::share_touching(const State& state) const {
+  double pressed = 0, all = 0;
+  for (const auto& part : parts_)
+    if (part->contact) {
+      const auto [some, whole] = part->contact->shares(state);
+      pressed += some, all += whole;
+    }
+  return all > 0 ? pressed / all : 0;
+}
+
+void AttachedStiffness::add_change(const State& state, const Touching& touching, Forces& forces) const {
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (const auto& contact = parts_[i]->contact) {
+      contact->add_force(-1, state, forces);
+      contact->add_force(1, state, touching[i], forces);
+    }
 }
 
 void AttachmentSum::add(double stiffness, const std::vector<FormTerm>& form) {
@@ -105,6 +151,11 @@ void AttachmentSum::add(double stiffness, const std::vector<FormTerm>& form) {
   Eigen::VectorXd factors{Eigen::Index(form.size())};
   for (const auto& term : form) factors[Eigen::Index(dofs.size())] = term.factor, dofs.push_back(term.dof);
   add(dofs, stiffness * factors * factors.transpose());
+}
+
+void AttachmentSum::touch(double stiffness, const std::vector<FormTerm>& form) {
+  places_.emplace_back(stiffness, form);
+  add(stiffness, form);
 }
 
 void AttachmentSum::add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
@@ -116,7 +167,7 @@ void AttachmentSum::add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref
 }
 
 Attachment AttachmentSum::taken(std::string name, const std::optional<geometry::Point>& position, bool holds) && {
-  Attachment result{std::move(name), position, holds, points_, {}, {}, {}, {}};
+  Attachment result{std::move(name), position, holds, points_, {}, {}, {}, {}, {}};
   std::ranges::stable_sort(entries_, {}, &Entry::place);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const auto [place, value] = entries_[i];
@@ -133,6 +184,15 @@ Attachment AttachmentSum::taken(std::string name, const std::optional<geometry::
   }
   result.first.push_back(result.column.size());
   entries_.clear();
+  if (!places_.empty()) {
+    std::vector<Contact::Place> places;
+    for (const auto& [stiffness, form] : places_) {
+      places.push_back({stiffness, {}});
+      for (const auto& [dof, factor] : form)
+        places.back().form.emplace_back(std::uint32_t(dof % 3 * points_ + dof / 3), factor);
+    }
+    result.contact = std::make_shared<const Contact>(places);
+  }
   return result;
 }
 

@@ -10,6 +10,8 @@
 
 namespace plate {
 
+class Contact;
+
 /// The stiffness of one foundation, spring or stiffener, symmetric and without negative eigenvalues, by rows. Degrees
 /// of freedom are counted as State::data(): component * points + point.
 struct Attachment {
@@ -21,8 +23,9 @@ struct Attachment {
   std::vector<std::size_t> first;           // where the entries of a row begin [rows + 1]
   std::vector<std::uint32_t> column;
   std::vector<double> value;
+  std::shared_ptr<const Contact> contact = {};  // of soil that lifts off; the matrix is that of contact everywhere
 
-  /// Its forces on the plate, -K state [3 x points].
+  /// Its forces on the plate, -K state [3 x points], of soil that lifts off those of where it touches.
   Forces force(const State& state) const;
   double energy(const State& state) const;
 
@@ -34,6 +37,9 @@ struct Attachment {
       for (auto i = first[r]; i < first[r + 1]; ++i) visit(dof(row[r]), dof(column[i]), value[i]);
   }
 };
+
+/// Where every soil that lifts off touches, by its places; of other parts empty.
+using Touching = std::vector<std::vector<char>>;
 
 /// All that a plate is attached to by springs. A plate without has none, and its products do nothing here. Copies share
 /// what they hold. Any number of threads gives the same bits.
@@ -56,6 +62,13 @@ public:
   double energy(const State& state) const;
   std::size_t bytes() const;
 
+  bool lifts_off() const;
+  Touching touching(const State& state) const;
+  /// Of the soil that lifts off, the share that touches.
+  double share_touching(const State& state) const;
+  /// What forces on a state would be if soil touched there, less what they are; of all that lifts off.
+  void add_change(const State& state, const Touching& touching, Forces& forces) const;
+
 private:
   std::vector<std::shared_ptr<const Attachment>> parts_;
 };
@@ -75,6 +88,8 @@ public:
   void add(double stiffness, const std::vector<FormTerm>& form);
   /// A symmetric matrix of some degrees of freedom 3 * point + component.
   void add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+  /// The same of a place of soil that lifts off.
+  void touch(double stiffness, const std::vector<FormTerm>& form);
   Attachment taken(std::string name, const std::optional<geometry::Point>& position, bool holds = true) &&;
 
 private:
@@ -84,6 +99,7 @@ private:
   };
   std::size_t points_;
   std::vector<Entry> entries_;
+  std::vector<std::pair<double, std::vector<FormTerm>>> places_;  // that touch
 };
 
 }  // namespace plate

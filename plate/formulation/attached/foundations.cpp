@@ -37,6 +37,29 @@ Eigen::Matrix3d gram(const geometry::AreaMoments& m) {
   return result;
 }
 
+/// Places and areas of a rule that is exact for squares: middles of the sides of the triangles about the middle.
+template <typename Visit>
+void for_each_place(const Shape& patch, const Ring& cell, const Visit& visit) {
+  const Ring piece = patch ? patch->common(cell) : cell;
+  if (piece.empty()) return;
+  Point middle(0, 0);
+  for (const Point& x : piece) middle += x / double(piece.size());
+  const auto area = [&](std::size_t i) {
+    const Point a = piece[i] - middle, b = piece[(i + 1) % piece.size()] - middle;
+    return (a.x() * b.y() - a.y() * b.x()) / 2;
+  };
+  for (std::size_t i = 0; i < piece.size(); ++i)
+    if (area(i) < 0) {  // seen as a whole from nowhere: beside an inner corner of the part
+      const auto whole = geometry::moments(piece, middle);
+      return visit(middle + whole.first / whole.area, whole.area);
+    }
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const Point &a = piece[i], &b = piece[(i + 1) % piece.size()];
+    for (const Point& x : {Point((a + b) / 2), Point((b + middle) / 2), Point((middle + a) / 2)})
+      if (area(i) > 0) visit(x, area(i) / 3);
+  }
+}
+
 template <std::size_t N>
 void add_cell(const Foundation& foundation, const Shape& patch, const std::array<std::uint32_t, N>& cell,
               const std::vector<Point>& positions, AttachmentSum& sum) {
@@ -53,6 +76,16 @@ void add_cell(const Foundation& foundation, const Shape& patch, const std::array
   for (std::size_t i = 0; i < N; ++i) {
     linear.row(Eigen::Index(i)) << 1 / double(N), (inverse * (ring[i] - middle)).transpose();
     dofs.push_back(3 * cell[i]);
+  }
+  if (foundation.lifts_off) {
+    for_each_place(patch, ring, [&](const Point& x, double area) {
+      std::vector<FormTerm> form;
+      for (std::size_t i = 0; i < N; ++i)
+        form.push_back({dofs[i], linear(Eigen::Index(i), 0) +
+                                     linear.row(Eigen::Index(i)).template tail<2>().dot((x - middle).transpose())});
+      sum.touch(foundation.modulus * area, form);
+    });
+    return;
   }
   const auto slopes = linear.template rightCols<2>();
   const Eigen::MatrixXd K = foundation.modulus * linear * gram(moments) * linear.transpose() +
@@ -132,6 +165,13 @@ void add_foundation(const Foundation& foundation, const geometry::Cloud& cloud, 
     const auto moments = moments_of(patch, cell, x);
     if (!(moments.area > 0)) continue;
     const double share = cloud.areas[k] / (side * side);
+    if (foundation.lifts_off) {  // w + (x - x_k) . psi
+      for_each_place(patch, cell, [&](const Point& at, double area) {
+        sum.touch(share * foundation.modulus * area,
+                  {{3 * k, 1}, {3 * k + 1, (at - x).y()}, {3 * k + 2, -(at - x).x()}});
+      });
+      continue;
+    }
     const Eigen::Matrix3d K = share * foundation.modulus * linear * gram(moments) * linear.transpose();
     sum.add({3 * k, 3 * k + 1, 3 * k + 2}, (K + K.transpose()) / 2);
     if (cells) add_shear(share * moments.area * foundation.shear, *cells, k, side, sum);

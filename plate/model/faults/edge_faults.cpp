@@ -8,6 +8,7 @@
 #include "geometry/shape/crack_extension.hpp"
 #include "geometry/shape/patch.hpp"
 #include "plate/model/faults/held.hpp"
+#include "plate/model/faults/settlement_faults.hpp"
 #include "plate/model/faults/spring_faults.hpp"
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/problem.hpp"
@@ -38,43 +39,6 @@ void check_names(const std::vector<std::string>& names, const std::vector<std::s
       found.push_back({subject, number,
                        fmt::format("the plate has no edge \"{}\"{}; its edges: {}", name, did_you_mean(name, existing),
                                    listed(existing))});
-}
-
-/// Is there nothing that layers, which the discretisation asks for, would hold?
-bool layers_in_vain(const Problem& problem, const std::vector<Support>& settled) {
-  return problem.discretization.boundary == EdgeMethod::layer &&
-         problem.discretization.formulation->offers(Feature::surface_nodes) &&
-         std::ranges::none_of(settled, [](const Support& support) { return is_layer(support.kind); });
-}
-
-void check_supports(const Problem& problem, std::vector<Refusal>& found) {
-  const auto existing = geometry::edge_names(problem.outline);
-  const auto supports = settled_supports(problem);
-  std::map<std::string, std::size_t> holder;
-  if (layers_in_vain(problem, supports))
-    found.push_back({Subject::edge_method, 0,
-                     "no edge is clamped or simply supported: a layer would hold nothing; choose \"images\""});
-  for (std::size_t i = 0; i < supports.size(); ++i) {
-    const auto& support = supports[i];
-    check_names(support.edges, existing, Subject::support_edges, i, found);
-    for (const auto& edge : support.edges) {
-      const auto [first, fresh] = holder.emplace(edge, i);
-      if (!fresh && first->second != i)
-        found.push_back({Subject::support_edges, i,
-                         fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second)});
-      const bool any_direction = problem.discretization.formulation->offers(Feature::any_direction) ||
-                                 problem.discretization.boundary == EdgeMethod::surface_nodes;
-      if (!any_direction && needs_axis_parallel(support.kind) && !axis_parallel(problem.outline, edge))
-        found.push_back({Subject::support_direction, i,
-                         fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
-                                     "of support needs because it mirrors or extends the lattice there{}",
-                                     edge, support.kind == problem.supports[i].kind ? "" : in_a_layer)});
-    }
-    for (const auto& point : support.points)
-      if (!on_plate(problem.outline, point))
-        found.push_back(
-            {Subject::support_points, i, text_of(point) + " given, must lie in the plate or on its boundary"});
-  }
 }
 
 /// Does a stretch of the one lie on the other? A place where they merely cross does not.
@@ -155,7 +119,7 @@ void check_held(const Load& load, std::size_t number, const Problem& problem, st
 
 /// A force on a crack, where nobody knows on which face it acts.
 void check_force(const Load& load, std::size_t number, const Problem& problem, std::vector<Refusal>& found) {
-  if (load.kind != Load::Kind::point_force) return;
+  if (load.kind != Load::Kind::point_force || load.moves()) return;
   for (std::size_t i = 0; i < problem.cracks.size(); ++i)
     if (geometry::distance(problem.cracks[i], load.position) < 1e3 * geometry::tolerance(problem.outline))
       found.push_back(
@@ -163,9 +127,93 @@ void check_force(const Load& load, std::size_t number, const Problem& problem, s
            fmt::format("{} given, lies on crack {}: move it to the face that it loads", text_of(load.position), i)});
 }
 
+/// Places within the plate that a support holds, of which it has one kind, or edges.
+void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& found) {
+  const auto& support = problem.supports[i];
+  const bool inside = support.kind == SupportKind::pinned || support.kind == SupportKind::clamped;
+  const int places = !support.edges.empty() + !support.points.empty() + !support.along.empty() + bool(support.patch);
+  if (places != 1)
+    found.push_back({Subject::support_edges, i,
+                     std::string(places == 0 ? "nothing is held: give " : "several are given, must be one of ") +
+                         (!inside                               ? "edges"
+                          : support.kind == SupportKind::pinned ? "points, along or on"
+                                                                : "edges, points, along or on")});
+  for (const auto& point : support.points)
+    if (!on_plate(problem.outline, point))
+      found.push_back(
+          {Subject::support_points, i, text_of(point) + " given, must lie in the plate or on its boundary"});
+  check_along(support.along, {Subject::support_line, i, ""}, problem.outline, found);
+  check_line(support.along, {Subject::support_line, i, ""}, problem, found);
+  check_patch(support.patch, {Subject::support_patch, i, "the support lies"}, problem.outline, found);
+  const auto method = problem.discretization.boundary;
+  const bool clamps = support.kind == SupportKind::clamped && !support.points.empty();
+  if ((support.holds_inside() || clamps) &&
+      (method == EdgeMethod::surface_nodes || method == EdgeMethod::fictitious_nodes))
+    found.push_back({Subject::edge_method, 0,
+                     "nodes at edges have no lines, parts and clamped points that are held: choose \"images\""});
+}
+
+/// Is there nothing that layers, which the discretisation asks for, would hold?
+bool layers_in_vain(const Problem& problem, const std::vector<Support>& settled) {
+  return problem.discretization.boundary == EdgeMethod::layer &&
+         problem.discretization.formulation->offers(Feature::surface_nodes) &&
+         std::ranges::none_of(settled, [](const Support& support) { return is_layer(support.kind); });
+}
+
+void check_supports(const Problem& problem, std::vector<Refusal>& found) {
+  const auto existing = geometry::edge_names(problem.outline);
+  const auto supports = settled_supports(problem);
+  std::map<std::string, std::size_t> holder;
+  if (layers_in_vain(problem, supports))
+    found.push_back({Subject::edge_method, 0,
+                     "no edge is clamped or simply supported: a layer would hold nothing; choose \"images\""});
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const auto& support = supports[i];
+    check_names(support.edges, existing, Subject::support_edges, i, found);
+    for (const auto& edge : support.edges) {
+      const auto [first, fresh] = holder.emplace(edge, i);
+      if (!fresh && first->second != i)
+        found.push_back({Subject::support_edges, i,
+                         fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second)});
+      const bool any_direction = problem.discretization.formulation->offers(Feature::any_direction) ||
+                                 problem.discretization.boundary == EdgeMethod::surface_nodes;
+      if (!any_direction && needs_axis_parallel(support.kind) && !axis_parallel(problem.outline, edge))
+        found.push_back({Subject::support_direction, i,
+                         fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
+                                     "of support needs because it mirrors or extends the lattice there{}",
+                                     edge, support.kind == problem.supports[i].kind ? "" : in_a_layer)});
+    }
+    check_places(problem, i, found);
+  }
+}
+
+/// A table that says nothing of a part of what it acts on.
+void check_table(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
+  auto corners = load.patch ? geometry::Patch(*load.patch).ring() : outline.outer.vertices;
+  if (load.patch && std::ranges::all_of(outline.outer.vertices, [&](const auto& x) { return load.table.reaches(x); }))
+    return;
+  for (const auto& x : corners)
+    if (!load.table.reaches(x)) {
+      found.push_back({Subject::load_table, number,
+                       fmt::format("the places of {} do not reach {}, where the pressure acts",
+                                   load.table.file().filename().string(), text_of(x))});
+      return;
+    }
+}
+
 void check_place(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
   check_patch(load.patch, {Subject::load_patch, number, "the pressure acts"}, outline, found);
   check_along(load.along, {Subject::load_line, number, ""}, outline, found);
+  check_along(load.path, {Subject::load_path, number, ""}, outline, found);
+  const auto say = [&](Subject subject, const std::string& what) { found.push_back({subject, number, what}); };
+  if (load.moves() && geometry::length(load.path) < geometry::tolerance(outline))
+    say(Subject::load_path, "the path has no length");
+  if (load.moves() && load.kind == Load::Kind::pressure) {
+    if (!load.patch) say(Subject::load_path, "a pressure that moves needs a part of the plate to begin with: give on");
+    if (load.evaluated() || load.level || !load.gradient.isZero(0))
+      say(Subject::load_path, "a pressure that moves has a value alone: remove what makes it vary");
+  }
+  if (load.table.given()) check_table(load, number, outline, found);
 }
 
 }  // namespace
@@ -178,6 +226,7 @@ bool on_plate(const geometry::Outline& outline, const geometry::Point& point) {
 std::vector<Refusal> faults_of_edges(const Problem& problem) {
   std::vector<Refusal> found;
   check_supports(problem, found);
+  for (const auto& fault : faults_of_settlements(problem)) found.push_back(fault);
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
     const auto& load = problem.loads[i];
     check_names(load.edges, geometry::edge_names(problem.outline), Subject::load_edges, i, found);
@@ -188,6 +237,10 @@ std::vector<Refusal> faults_of_edges(const Problem& problem) {
     check_held(load, i, problem, found);
     check_force(load, i, problem, found);
   }
+  for (std::size_t i = 0; i < problem.foundations.size(); ++i)
+    if (problem.foundations[i].lifts_off && problem.foundations[i].shear > 0)
+      found.push_back(
+          {Subject::foundation, i, "a shear layer holds the plate where it lifts off: remove shear or lifts_off"});
   for (std::size_t i = 0; i < problem.foundations.size(); ++i)
     check_patch(problem.foundations[i].patch, {Subject::foundation_patch, i, "the foundation lies"}, problem.outline,
                 found);

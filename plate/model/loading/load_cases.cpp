@@ -70,6 +70,8 @@ void join_loads(Problem& problem) {
 
 void scale(Load& load, double factor) {
   load.value *= factor, load.twist *= factor, load.gradient *= factor;
+  if (load.table.given()) load.table = load.table.times(factor);
+  load.slope *= factor, load.rotation *= factor;
   for (auto& component : load.tensor) component *= factor;
   if (load.gravity) *load.gravity *= factor;
   if (load.formula.given()) load.formula = Formula(fmt::format("{:.17g} * ({})", factor, load.formula.text()));

@@ -34,23 +34,29 @@ public:
       : load_(load),
         patch_(load.patch ? std::optional<geometry::Patch>(*load.patch) : std::nullopt),
         cubature_([&](const Point& x) {
-          const double value = load.formula(x);
+          const double value = load.pressure(x);
           if (!std::isfinite(value)) throw FormulaError(load.formula, x);
           return value;
-        }) {}
+        }) {
+    if (patch_)
+      for (const Point& x : patch_->ring()) low_ = low_.cwiseMin(x), high_ = high_.cwiseMax(x);
+  }
 
   /// `counts`: towards what is known of all.
   Integral operator()(const Ring& cell, const Point& about, bool counts = true) {
-    const Ring piece = patch_ ? patch_->common(cell) : cell;
+    if (misses(cell)) return {};
+    Ring piece = patch_ ? patch_->common(cell) : cell;
+    if (load_.level) piece = below(piece, *load_.level);
     if (piece.empty()) return {};
-    if (load_.formula.given()) {
-      const auto found = of_formula(piece, about);
+    if (load_.evaluated()) {
+      const auto found = load_.formula.given() ? of_formula(piece, about) : cubature_(piece, about);
       if (counts) all_ += found;
       return found;
     }
     const auto [area, first, second] = geometry::moments(piece, about);
-    const double p = load_.pressure(about);
-    return {p * area + load_.gradient.dot(first), p * first + second * load_.gradient};
+    const Point gradient = load_.level ? Point(0, -load_.value) : load_.gradient;
+    const double p = load_.level ? load_.value * (*load_.level - about.y()) : load_.pressure(about);
+    return {p * area + gradient.dot(first), p * first + second * gradient};
   }
 
   /// Throws where a formula varies so much within pieces that its forces are not known.
@@ -65,6 +71,26 @@ public:
   }
 
 private:
+  /// Does the cell lie beside the patch, by their boxes?
+  bool misses(const Ring& cell) const {
+    if (!patch_) return false;
+    Point low = cell.front(), high = low;
+    for (const Point& x : cell) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    return (low.array() > high_.array()).any() || (high.array() < low_.array()).any();
+  }
+
+  /// What of a ring lies below a level of y.
+  static Ring below(const Ring& ring, double level) {
+    Ring result;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      if (a.y() <= level) result.push_back(a);
+      if ((a.y() < level) != (b.y() < level) && a.y() != level && b.y() != level)
+        result.push_back(a + (level - a.y()) / (b.y() - a.y()) * (b - a));
+    }
+    return result.size() < 3 ? Ring{} : result;
+  }
+
   Integral of_formula(const Ring& piece, const Point& about) {
     Point middle(0, 0);
     for (const Point& x : piece) middle += x / double(piece.size());
@@ -81,6 +107,7 @@ private:
 
   const Load& load_;
   std::optional<geometry::Patch> patch_;
+  Point low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};  // of the patch
   Cubature cubature_;
   Integral all_;
 };

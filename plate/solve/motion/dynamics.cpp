@@ -10,6 +10,8 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/finite.hpp"
 #include "plate/solve/interruption.hpp"
+#include "plate/solve/motion/driven_supports.hpp"
+#include "plate/solve/motion/travelling_loads.hpp"
 #include "plate/solve/reduction.hpp"
 
 namespace plate {
@@ -200,38 +202,43 @@ bool stops_at(bool row) {
 
 /// `internal_force(state, force)` in the number Real.
 template <typename Real, typename InternalForce>
-void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, Eigen::Index points,
-           const DynamicOptions& options, const std::function<void(const Instant&)>& observe) {
+void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, DrivenSupports driven,
+           TravellingLoads travelling, Eigen::Index points, const DynamicOptions& options,
+           const std::function<void(const Instant&)>& observe) {
   const double dt = options.time_step;
   const auto* const from = options.from;
   State state = from ? from->state : options.start.size() > 0 ? options.start : State(State::Zero(3, points));
   State velocity = from ? from->velocity : State(State::Zero(3, points));  // at half steps
-  if (from) masses.recall(*from);
-  if (!from && options.start.size() > 0) masses.start(state);
+  if (from) masses.recall(*from), driven.recall(from->driven), travelling.recall(from->travelling);
+  if (!from && options.start.size() > 0) masses.start(state), driven.start();
   Values<Real> force;
   for (std::size_t step = from ? from->step : 0;; ++step) {
     const bool row = step % options.observe_every == 0 || step == options.steps;
     const bool stops = stops_at(row);
     if (options.keep && (stops || ((row || !ranks()) && options.due()))) {
       MotionMemory memory{step, state, velocity, {}, {}, {}};
-      masses.remember(memory);
+      masses.remember(memory), memory.driven = driven.memory(), memory.travelling = travelling.memory();
       options.keep(memory);
     }
     const double time = static_cast<double>(step) * dt;
     const Step now{step, time, dt, state, velocity};
     if (options.changes) options.changes->before_force(now);
     const bool observed = row || stops;
+    driven.at(time, dt, step == 0);
     internal_force(state, force);
     std::optional<Eigen::VectorXd> held_force;
     if (observed && options.held_forces) held_force = constraints.on_held(force);
+    driven.take(force), travelling.add(time, dt, state, force);
     constraints.fold(force);
     if constexpr (std::is_same_v<Real, double>)
       if (options.changes) options.changes->after_force(now, force);
     if (masses.varies()) masses.at(time);
     const double work = observed || masses.varies() ? masses.work(time, state) : 0;
+    driven.book(state, velocity, force, step == 0 ? 0 : dt / 2);
     if (observed) {
       require_finite(state, fmt::format("at step {}, time {:g}", step, time));
       auto instant = seen(now, force, work, masses, constraints);
+      driven.complete(instant), travelling.complete(instant);
       instant.held_force = std::move(held_force);
       instant.interrupted = stops;
       observe(instant);
@@ -251,6 +258,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
       }
     });
     constraints.impose(state);
+    driven.place_next(state);
   }
 }
 
@@ -260,11 +268,14 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
                          const std::vector<TimedLoad>& loads, const DynamicOptions& options,
                          const std::function<void(const Instant&)>& observe) {
   Masses masses(mass, loads, constraints);
+  DrivenSupports driven;
+  if (options.whole_mass.cols() > 0) driven = {loads, constraints, options.whole_mass, mass};
   const auto points = mass.cols();
   mass.resize(3, 0);
   if (!options.single) {
     const auto internal_force = [&](const State& state, Forces& force) { plate.internal_force(state, force); };
-    return steps<double>(internal_force, constraints, std::move(masses), points, options, observe);
+    return steps<double>(internal_force, constraints, std::move(masses), std::move(driven), TravellingLoads(loads),
+                         points, options, observe);
   }
   Values<float> rounded(3, points);
   const auto internal_force = [&](const State& state, Values<float>& force) {
@@ -272,7 +283,8 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
     for (Eigen::Index i = 0; i < state.size(); ++i) rounded.data()[i] = float(state.data()[i]);
     options.single(rounded, force);
   };
-  steps<float>(internal_force, constraints, std::move(masses), points, options, observe);
+  steps<float>(internal_force, constraints, std::move(masses), std::move(driven), TravellingLoads(loads), points,
+               options, observe);
 }
 
 }  // namespace plate

@@ -21,6 +21,9 @@ double stable_time_step(const Formulation& plate, double rotary);
 /// Numbers by the places of the points; absent where one process holds the whole plate.
 std::optional<State> start_by_place(const Formulation& plate);
 
+/// Mass per degree of freedom, held or not, of a plate whose supports move; nothing of others.
+Forces driven_mass(const Formulation& plate, double rotary);
+
 /// What the observer of a dynamic run sees.
 struct Instant {
   std::size_t step;
@@ -59,13 +62,14 @@ public:
 /// All that a motion must remember between two steps in order to go on; empty at rest.
 struct MotionMemory {
   std::size_t step = 0;
-  State state, velocity;                         // velocity: half a step before
-  std::vector<std::pair<double, double>> loads;  // of every load: F . u and factor when its work was last counted
-  std::vector<double> work, before;              // of every load [energy]
+  State state, velocity;                             // velocity: half a step before
+  std::vector<std::pair<double, double>> loads;      // of every load: F . u and factor when its work was last counted
+  std::vector<double> work, before;                  // of every load [energy]
+  std::vector<double> driven = {}, travelling = {};  // of supports that move, of loads that do
 
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(step, state, velocity, loads, work, before);
+    archive(step, state, velocity, loads, work, before, driven, travelling);
   }
 };
 
@@ -77,12 +81,14 @@ struct DynamicOptions {
   std::function<void(const Values<float>&, Values<float>&)> single = {};
   /// In double precision only.
   Changes* changes = nullptr;
-  bool held_forces = false;  // for those who observe
+  bool held_forces = false;          // for those who observe
+  Forces whole_mass = Forces(3, 0);  // driven_mass()
   /// At rest at time 0, under loads that have grown slowly: their work until then counts. Empty: zero.
   State start = {};
   /// Goes on from here instead, with the numbers that it would have had.
   const MotionMemory* from = nullptr;
-  /// Asked before every step, by processes that share the plate at every row: is the memory to be kept now? It is, too, before a signal ends the motion.
+  /// Asked before every step, by processes that share the plate at every row: is the memory to be kept now? It is, too,
+  /// before a signal ends the motion.
   std::function<bool()> due = {};
   std::function<void(const MotionMemory&)> keep = {};
 };

@@ -8,6 +8,7 @@
 #include "plate/model/algebra/dense.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/reduction.hpp"
+#include "plate/solve/touched_plate.hpp"
 
 namespace plate {
 namespace {
@@ -114,6 +115,9 @@ std::optional<State> start_by_place(const Formulation& plate) {
 }
 
 double stable_time_step(const Formulation& plate, double rotary) {
+  if (const auto& attached = plate.boundary().attached; attached.lifts_off())
+    return stable_time_step(TouchedPlate(plate, attached, everywhere(attached)), plate.constraints(),
+                            plate.mass(rotary));
   return stable_time_step(plate, plate.constraints(), plate.mass(rotary), start_by_place(plate));
 }
 

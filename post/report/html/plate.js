@@ -69,8 +69,12 @@ function along(edges, map, step) {
 const line = (a, b, kind) => drawn("line", { x1: a[0], y1: a[1], x2: b[0], y2: b[1], class: kind });
 const shifted = (p, d, by) => [p[0] + by * d[0], p[1] + by * d[1]];
 
+/** The straight pieces along which a support holds. */
+const held_by = support => support.along ? support.along.slice(1).map((to, i) => ({ from: support.along[i], to })) : all_edges().filter(edge => support.edges.includes(edge.name));
+
 function support_marks(support, map) {
-  const edges = all_edges().filter(edge => support.edges.includes(edge.name));
+  if (support.patch) return [drawn("path", { d: path_of(hole_vertices(support.patch), map, true), class: "patch" }), drawn("path", { d: path_of(hole_vertices(support.patch), map, true), class: "mirror" })];
+  const edges = held_by(support);
   const kind = support.kind;
   if (kind === "free") return [];
   const base = edges.map(({ from, to }) => line(map(from), map(to), "held"));
@@ -124,7 +128,7 @@ function pressure_marks(load, plate_box, map) {
   const side = (end, axis) => Math[end](...patch.map(point => point[axis]));
   const box = patch ? { low: [side("min", 0), side("min", 1)], high: [side("max", 0), side("max", 1)] } : plate_box;
   const step = Math.max(box.high[0] - box.low[0], box.high[1] - box.low[1]) / (patch ? 4 : 6);
-  const pressure = ([x, y]) => load.value + (load.gradient ? load.gradient[0] * (x - load.from[0]) + load.gradient[1] * (y - load.from[1]) : 0);
+  const pressure = ([x, y]) => load.level !== undefined ? (y < load.level ? load.value : 0) : load.value + (load.gradient ? load.gradient[0] * (x - load.from[0]) + load.gradient[1] * (y - load.from[1]) : 0);
   for (let x = box.low[0] + step / 2; x < box.high[0]; x += step)
     for (let y = box.low[1] + step / 2; y < box.high[1]; y += step)
       if (inside([x, y]) && (!patch || within(patch, [x, y])) && pressure([x, y])) marks.push(page_arrow(map([x, y]), pressure([x, y]) > 0, 4));
@@ -147,9 +151,17 @@ function moment_mark({ at, out, t }, positive) {
 }
 
 function load_marks(load, box, { map, scale }) {
+  if (load.path) {
+    const { path, ...still } = load;
+    return [drawn("path", { d: path_of(path, map), class: "patch" }), load_marks(still, box, { map, scale })];
+  }
   if (load.kind === "pressure") return pressure_marks(load, box, map);
   if (load.kind === "line_load") return line_marks(load, map);
   if (load.kind === "point_force") return page_arrow(map(load.position), load.value > 0, 6);
+  if (load.kind === "settlement") {
+    const support = plate.supports[load.support], towards = load.value > 0;
+    return [...support.points.map(p => shifted(map(p), [0, -9], 1)), ...(support.patch ? [map(hole_vertices(support.patch)[0])] : along(held_by(support), map, 36).map(({ at, out }) => shifted(at, out, -8)))].map(at => page_arrow(at, towards, 4));
+  }
   const edges = all_edges().filter(edge => load.edges.includes(edge.name));
   if (load.kind === "edge_shear") return along(edges, map, 24).map(({ at, out }) => page_arrow(shifted(at, out, 8), load.value > 0, 4.5));
   return along(edges, map, 46).map(place => moment_mark(place, (load.tensor ? load.tensor.find(x => x !== 0) ?? 1 : load.value || load.twist) > 0));
@@ -197,18 +209,19 @@ function plate_drawing() {
 /** What the drawing shows, in words. */
 function plate_words() {
   const { section: s } = plate, on = edges => (edges.length ? ` on ${listed(edges)}` : "");
+  const support = one => `${one.kind}${one.points.length ? ` at ${one.points.length} points` : one.along ? " along a line" : one.patch ? " on a part" : on(one.edges)}`;
   const load = one => {
     const value_of = one.tensor ? `Mxx, Myy, Mxy = ${one.tensor.map(x => shown(x)).join(", ")}` : one.expression ?? shown(one.value);
     const twist = one.twist ? `, twist ${shown(one.twist)}` : "", pair = ([x, y]) => `(${shown(x)}, ${shown(y)})`;
-    const place = (one.position ? ` at ${pair(one.position)}` : "") + (one.gradient ? ` at ${pair(one.from)} with the gradient ${pair(one.gradient)}` : "") + (one.patch ? (one.patch.centre ? ` on a circle about ${pair(one.patch.centre)}` : ` on ${one.patch.vertices.map(pair).join(" ")}`) : "") + (one.along ? ` along ${one.along.map(pair).join(" ")}` : "");
+    const place = (one.position ? ` at ${pair(one.position)}` : "") + (one.gradient ? ` at ${pair(one.from)} with the gradient ${pair(one.gradient)}` : "") + (one.patch ? (one.patch.centre ? ` on a circle about ${pair(one.patch.centre)}` : ` on ${one.patch.vertices.map(pair).join(" ")}`) : "") + (one.along ? ` along ${one.along.map(pair).join(" ")}` : "") + (one.path ? ` that moves along ${one.path.map(pair).join(" ")} with ${shown(one.speed)}` : "") + (one.kind === "settlement" ? `${one.rotation ? `, rotation ${shown(one.rotation)}` : ""} of ${support(plate.supports[one.support])}` : "");
     return `${spaced(one.kind)} ${value_of}${unit(one.kind) ? ` ${unit(one.kind)}` : ""}${twist}${on(one.edges)}${place}${one.history ? `, ${one.history}` : ""}`;
   };
   const of = (x, quantity) => `${shown(x)}${unit(quantity) ? ` ${unit(quantity)}` : ""}`;
   return facts([
     ["Material", s.material ?? `E ${of(s.young, "stress")}, ν ${shown(s.poisson)}${s.density > 0 ? `, ρ ${of(s.density, "density")}` : ""}`],
     ["Thickness", of(s.thickness, "length")],
-    ["Supports", plate.supports.length ? plate.supports.map(one => `${one.kind}${one.points.length ? ` at ${one.points.length} points` : on(one.edges)}`).join("; ") : "none"],
-    ...plate.foundations.map(one => ["Foundation", `modulus ${shown(one.modulus)}${one.shear ? `, shear ${shown(one.shear)}` : ""}${one.patch ? " beneath a part" : ""}`]),
+    ["Supports", plate.supports.length ? plate.supports.map(support).join("; ") : "none"],
+    ...plate.foundations.map(one => ["Foundation", `modulus ${shown(one.modulus)}${one.shear ? `, shear ${shown(one.shear)}` : ""}${one.patch ? " beneath a part" : ""}${one.lifts_off ? ", the plate may lift off" : ""}`]),
     ...plate.stiffeners.map(one => ["Stiffener", `${["bending", "torsion", "mass"].filter(key => one[key]).map(key => `${key} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.along ? " along a line" : ""}`]),
     ...plate.springs.map(one => ["Springs", `${["deflection", "rotation_normal", "rotation_tangential", "rotation"].filter(key => one[key]).map(key => `${spaced(key)} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.position ? ` at (${one.position.map(x => shown(x)).join(", ")})` : ""}${one.along ? " along a line" : ""}`]),
     ["Loads", plate.loads.length ? plate.loads.map(load).join("; ") : "none"],

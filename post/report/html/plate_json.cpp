@@ -78,7 +78,8 @@ std::string words(const plate::History& history) {
 }
 
 std::string text_of(const plate::Load& load) {
-  static constexpr std::array kinds{"pressure", "edge_moment", "edge_shear", "point_force", "line_load", "temperature"};
+  static constexpr std::array kinds{"pressure",  "edge_moment", "edge_shear", "point_force",
+                                    "line_load", "temperature", "settlement"};
   Members members{{"kind", json_text(kinds.at(std::size_t(load.kind)))},
                   {"value", json_number(load.value)},
                   {"twist", json_number(load.twist)},
@@ -88,18 +89,37 @@ std::string text_of(const plate::Load& load) {
     members.emplace_back(
         "tensor", json_list({json_number(load.tensor[0]), json_number(load.tensor[1]), json_number(load.tensor[2])}));
   if (load.formula.given()) members.emplace_back("expression", json_text(load.formula.text()));
+  if (load.table.given())
+    members.emplace_back("expression", json_text("of the table " + load.table.file().filename().string()));
+  if (load.level) {
+    members.emplace_back("level", json_number(*load.level));
+    members.emplace_back("expression", json_text(fmt::format("of a fluid of the unit weight {:g} up to y = {:g}",
+                                                             load.value, *load.level)));
+  }
+  if (load.moves()) {
+    members.emplace_back("path", text_of(load.path));
+    members.emplace_back("speed", json_number(load.speed));
+  }
   if (load.patch) members.emplace_back("patch", text_of(*load.patch));
   if (!load.gradient.isZero(0)) {
     members.emplace_back("gradient", text_of(load.gradient));
     members.emplace_back("from", text_of(load.from));
   }
   if (!load.along.empty()) members.emplace_back("along", text_of(load.along));
-  if (load.kind == plate::Load::Kind::point_force) members.emplace_back("position", text_of(load.position));
+  if (load.kind == plate::Load::Kind::settlement) {
+    members.emplace_back("support", json_number(double(load.support)));
+    members.emplace_back("rotation", json_number(load.rotation));
+    if (!load.slope.isZero(0))
+      members.emplace_back("gradient", text_of(load.slope)), members.emplace_back("from", text_of(load.from));
+  }
+  if (load.kind == plate::Load::Kind::point_force)
+    members.emplace_back("position", text_of(load.moves() ? load.path.front() : load.position));
   return json_object(members);
 }
 
 std::string text_of(const plate::Foundation& foundation) {
   Members members{{"modulus", json_number(foundation.modulus)}, {"shear", json_number(foundation.shear)}};
+  if (foundation.lifts_off) members.emplace_back("lifts_off", "true");
   if (foundation.patch) members.emplace_back("patch", text_of(*foundation.patch));
   return json_object(members);
 }
@@ -165,8 +185,10 @@ std::string plate_json(const plate::Problem& problem) {
     return json_object({{"name", json_text(e.name)}, {"from", text_of(e.from)}, {"to", text_of(e.to)}});
   };
   const auto support = [](const plate::Support& s) {
-    return json_object(
-        {{"kind", json_text(words(s.kind))}, {"edges", text_of(s.edges)}, {"points", text_of(s.points)}});
+    Members members{{"kind", json_text(words(s.kind))}, {"edges", text_of(s.edges)}, {"points", text_of(s.points)}};
+    if (!s.along.empty()) members.emplace_back("along", text_of(s.along));
+    if (s.patch) members.emplace_back("patch", text_of(*s.patch));
+    return json_object(members);
   };
   return json_object({{"outline", text_of(problem.outline.outer.vertices)},
                       {"edges", list_of(geometry::straight_edges(problem.outline), edge)},

@@ -36,7 +36,7 @@ TEST_CASE("missing keys are reported at their table") {
   expect(with_line(plain, 2, ""), ":1", "section.young", "is missing, must be a number > 0");
   expect(with_line(plain, 6, ""), ":5", "geometry.outline", "is missing");
   expect(with_line(plain, 9, ""), ":8", "discretization.spacing", "is missing");
-  expect(with_line(plain, 12, ""), ":10", "support[0].edges", "is missing");
+  expect(with_line(plain, 12, ""), ":10", "support[0].edges", "nothing is held: give edges");
   expect(with_line(plain, 15, ""), ":13", "load[0].value", "is missing");
   expect(with_line(plain, 17, ""), ":16", "analysis.kind", "is missing");
 }

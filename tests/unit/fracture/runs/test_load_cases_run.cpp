@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/driver/run.hpp"
+#include "fracture/runs/faults/analysis_faults.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "post/factors/plate_factors.hpp"

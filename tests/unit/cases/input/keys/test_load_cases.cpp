@@ -57,9 +57,9 @@ TEST_CASE("keys of loads: expressions and own weight stand for the value") {
   CHECK(problems(load("expression = \"sin(pi * x) * y\"")).empty());
   CHECK(read(load("expression = \"x + 2\"")).content.loads[0].pressure({1, 0}) == 3);
   expect(load("expression = \"x + z\""), ":15", "load[0].expression", "\"z\" at character");
-  expect(load("expression = \"x\"\nvalue = 1"), ":16", "load[0].value", "neither expression nor gravity only");
-  expect(load("expression = \"x\"\ngradient = [1, 0]"), ":16", "load[0].gradient", "with a value only");
-  expect(load("expression = \"x\"\ngravity = 1"), ":16", "load[0].gravity", "without expression only", heavy);
+  expect(load("expression = \"x\"\nvalue = 1"), ":16", "load[0].value", "neither expression, table nor gravity only");
+  expect(load("expression = \"x\"\ngradient = [1, 0]"), ":16", "load[0].gradient", "with a value, without level only");
+  expect(load("expression = \"x\"\ngravity = 1"), ":16", "load[0].gravity", "without expression and table only", heavy);
   expect(load("gravity = 9.81"), ":1", "section.density", "is missing");
   CHECK(problems(load("gravity = 9.81"), heavy).empty());
   const auto again = read(cases::resolved_toml(read(load("gravity = 9.81"), heavy).content)).content;

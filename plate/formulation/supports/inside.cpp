@@ -1,0 +1,139 @@
+#include "plate/formulation/supports/inside.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "geometry/shape/crack_extension.hpp"
+#include "geometry/shape/patch.hpp"
+#include "plate/formulation/supports/moved_supports.hpp"
+#include "plate/model/loading/spread.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/model/refused.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+void hold_line(Boundary& boundary, const geometry::Polyline& along, std::uint32_t holder, const MovedSupports& moved) {
+  constexpr double nothing = 1e-9;  // spacings
+  const auto& cloud = boundary.cloud;
+  const bool clamps = boundary.holders[holder].kind == SupportKind::clamped;
+  std::map<std::size_t, std::pair<Point, double>> feet;  // of every point: sum of places times lengths, of lengths
+  for (const auto& [k, middle, way] : line_pieces(along, cloud)) {
+    auto& [sum, length] = feet.try_emplace(k, Point(0, 0), 0.0).first->second;
+    sum += way.norm() * middle, length += way.norm();
+  }
+  for (const auto& [point, foot] : feet) {
+    const auto k = std::uint32_t(point);
+    const Point at = foot.first / foot.second, lever = at - cloud.positions[k];
+    if (clamps || lever.norm() < nothing * cloud.units.spacing) {
+      hold_point(boundary, k, holder, moved);
+      continue;
+    }
+    boundary.constraints.tie(3 * k, {{3 * k + 1, -lever.y()}, {3 * k + 2, lever.x()}},
+                             moved.inside(boundary.holders[holder].support, at, 0));
+    boundary.holds.push_back({k, holder, false});
+  }
+}
+
+/// Points that lie on the boundary of a part belong to it.
+void hold_part(Boundary& boundary, const geometry::Hole& shape, std::uint32_t holder, const MovedSupports& moved) {
+  constexpr double nothing = 1e-6;  // spacings
+  const auto& cloud = boundary.cloud;
+  const auto* circle = std::get_if<geometry::Circle>(&shape);
+  const auto ring = geometry::Patch(shape).ring();
+  geometry::Polyline around = ring;
+  around.push_back(ring.front());
+  const geometry::Outline part{{ring, std::vector<std::string>(ring.size())}, {}};
+  const double rim = nothing * cloud.units.spacing;
+  const auto holds = [&](const Point& x) {
+    if (circle) return (x - circle->centre).norm() <= circle->radius + rim;
+    return geometry::contains(part, x) || geometry::distance(around, x) <= rim;
+  };
+  std::size_t count = 0;
+  for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
+    if (holds(cloud.positions[k])) hold_point(boundary, k, holder, moved), ++count;
+  if (count == 0)
+    throw Refused({{Subject::support_patch, boundary.holders[holder].support,
+                    fmt::format("no point of the plate lies on it at spacing {:g}: refine, or give points",
+                                cloud.units.spacing)}});
+}
+
+/// At most `spacing` apart from one end to the other.
+void add_places(const geometry::Polyline& line, double spacing, std::vector<Point>& places) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Point way = line[i + 1] - line[i];
+    const int parts = std::max(1, int(std::ceil(way.norm() / spacing - 1e-6)));
+    for (int n = i == 0 ? 0 : 1; n <= parts; ++n) places.push_back(line[i] + way * n / parts);
+  }
+}
+
+/// The boundary of a part; circles by chords of a spacing, corners of polygons kept.
+geometry::Polyline around(const geometry::Hole& shape, double spacing) {
+  geometry::Polyline ring;
+  if (const auto* circle = std::get_if<geometry::Circle>(&shape)) {
+    const double full = 2 * std::acos(-1.0);
+    const int parts = std::max(6, int(std::ceil(full * circle->radius / spacing)));
+    for (int n = 0; n < parts; ++n)
+      ring.push_back(circle->centre + circle->radius * Point(std::cos(full * n / parts), std::sin(full * n / parts)));
+  } else {
+    ring = geometry::Patch(shape).ring();
+  }
+  ring.push_back(ring.front());
+  return ring;
+}
+
+}  // namespace
+
+void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const MovedSupports& moved) {
+  const auto& by = boundary.holders[holder];
+  const bool clamps = by.kind == SupportKind::clamped;
+  for (std::uint32_t c = 0; c < (clamps ? 3U : 1U); ++c)
+    boundary.constraints.fix(3 * point + c, moved.inside(by.support, boundary.cloud.positions[point], c));
+  boundary.holds.push_back({point, holder, false});
+  if (clamps) boundary.holds.push_back({point, holder, true});
+}
+
+void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const MovedSupports& moved) {
+  for (std::uint32_t i = 0; i < boundary.holders.size(); ++i) {
+    if (boundary.holders[i].place != Holder::Place::inside) continue;
+    const auto& support = supports[boundary.holders[i].support];
+    if (support.patch)
+      hold_part(boundary, *support.patch, i, moved);
+    else
+      hold_line(boundary, support.along, i, moved);
+  }
+}
+
+std::vector<Point> places_inside(const std::vector<Support>& supports, const geometry::Outline& outline,
+                                 const std::vector<geometry::CrackPath>& cracks, double spacing) {
+  std::vector<Point> all, result;
+  for (const auto& support : supports) {
+    if (support.patch) add_places(around(*support.patch, spacing), spacing, all);
+    add_places(support.along, spacing, all);
+  }
+  for (const auto& x : all) {
+    const bool near =
+        geometry::distance_to_boundary(outline, x) < spacing / 2 || std::ranges::any_of(cracks, [&](const auto& crack) {
+          return geometry::distance(crack.vertices, x) < spacing / 2;
+        });
+    if (!near && geometry::contains(outline, x)) result.push_back(x);
+  }
+  return result;
+}
+
+std::vector<Point> own_places(const Problem& c, const std::vector<geometry::CrackPath>& paths, double spacing) {
+  std::vector<Point> points;
+  for (const auto& support : c.supports) points.insert(points.end(), support.points.begin(), support.points.end());
+  for (const auto& load : c.loads)
+    if (load.kind == Load::Kind::point_force && !load.moves()) points.push_back(load.position);
+  for (const auto& spring : c.springs)
+    if (spring.position) points.push_back(*spring.position);
+  for (const auto& x : places_inside(c.supports, c.outline, paths, spacing)) points.push_back(x);
+  return points;
+}
+
+}  // namespace plate

@@ -1,0 +1,187 @@
+#include "plate/model/faults/settlement_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/shape/patch.hpp"
+#include "plate/model/loading/load_cases.hpp"
+#include "plate/model/loading/support_motion.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/model/wording.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+bool clamps(SupportKind kind) {
+  return kind == SupportKind::clamped || kind == SupportKind::clamped_layer;
+}
+
+/// What of its settlement a support does not hold; empty where all is held.
+std::string not_held(const Load& load, const Support& support) {
+  if (support.kind == SupportKind::free) return "holds nothing that could move";
+  if (support.kind == SupportKind::symmetry && (load.value != 0 || !load.slope.isZero(0)))
+    return "is a mirror plane, which holds no deflection: give a rotation alone";
+  if (load.rotation != 0 && support.edges.empty()) return "has no edges that could turn about themselves: give a slope";
+  if (load.rotation != 0 && !clamps(support.kind) && support.kind != SupportKind::symmetry)
+    return "lets its edges turn about themselves: a rotation of them does nothing";
+  return "";
+}
+
+/// A place where a support holds the plate, with the outward normal of an edge.
+struct Place {
+  Point x, normal{0, 0};
+};
+
+bool along(const geometry::Polyline& line, const Point& x, double tolerance) {
+  return !line.empty() && geometry::distance(line, x) <= tolerance;
+}
+
+/// Where the support holds the plate at x: on each of its edges there, or inside.
+std::vector<Place> held_at(const Support& support, const geometry::Outline& outline, const Point& x) {
+  const double tolerance = 1e3 * geometry::tolerance(outline);
+  std::vector<Place> result;
+  for (const auto& edge : geometry::straight_edges(outline))
+    if (std::ranges::find(support.edges, edge.name) != support.edges.end() &&
+        along({edge.from, edge.to}, x, tolerance)) {
+      const Point way = (edge.to - edge.from).normalized();
+      result.push_back({x, {way.y(), -way.x()}});
+    }
+  bool inside = along(support.along, x, tolerance);
+  for (const auto& point : support.points) inside = inside || (point - x).norm() <= tolerance;
+  if (support.patch) {
+    auto ring = geometry::Patch(*support.patch).ring();
+    const geometry::Outline part{{ring, std::vector<std::string>(ring.size())}, {}};
+    ring.push_back(ring.front());
+    inside = inside || geometry::contains(part, x) || along(ring, x, tolerance);
+  }
+  if (inside) result.push_back({x});
+  return result;
+}
+
+/// Ends and corners of all that a support holds.
+std::vector<Point> ends_of(const Support& support, const geometry::Outline& outline) {
+  std::vector<Point> result = support.points;
+  result.insert(result.end(), support.along.begin(), support.along.end());
+  for (const auto& edge : geometry::straight_edges(outline))
+    if (std::ranges::find(support.edges, edge.name) != support.edges.end())
+      result.push_back(edge.from), result.push_back(edge.to);
+  if (support.patch)
+    for (const auto& x : geometry::Patch(*support.patch).ring()) result.push_back(x);
+  return result;
+}
+
+/// What a support makes of w and, as far as it holds them, of the slopes at a place.
+struct Kept {
+  std::optional<double> w;
+  std::vector<std::pair<Point, double>> slopes;  // d . psi, d of unit length
+};
+
+/// Settlements that act together at all times.
+using Together = std::vector<SupportMotion>;
+
+Kept kept(const Problem& problem, std::size_t number, const Place& at, const Together& motions) {
+  using enum SupportKind;
+  const auto& support = problem.supports[number];
+  Kept result;
+  Eigen::Vector3d body(0, 0, 0);
+  for (const auto& motion : motions)
+    if (motion.support == number) body += motion.at(at.x, at.normal, 0);
+  const Point psi(-body[2], body[1]);
+  const auto add = [&](const Point& d) { result.slopes.emplace_back(d, d.dot(psi)); };
+  const bool hard = support.kind == simply_supported_hard || support.kind == simply_supported_hard_layer;
+  if (support.kind != symmetry && support.kind != free) result.w = body[0];
+  if (clamps(support.kind)) add({1, 0}), add({0, 1});
+  if (hard) add({-at.normal.y(), at.normal.x()});
+  if (support.kind == symmetry) add(at.normal);
+  return result;
+}
+
+/// Do both hold the same of the place, at different values?
+bool apart(const Kept& one, const Kept& other, double size) {
+  constexpr double rounding = 1e-9, parallel = 1 - 1e-9;
+  if (one.w && other.w && std::abs(*one.w - *other.w) > rounding * size) return true;
+  for (const auto& [d, value] : one.slopes)
+    for (const auto& [e, wanted] : other.slopes) {
+      const double along = d.dot(e);
+      if (std::abs(along) > parallel && std::abs(value - (along > 0 ? wanted : -wanted)) > rounding) return true;
+    }
+  return false;
+}
+
+/// A place that two supports, or two edges of one, hold apart under settlements; empty where there is none.
+std::string torn(const Problem& problem, const Together& motions) {
+  double size = 0;
+  for (const auto& one : motions) size += std::abs(one.deflection) + one.slope.norm() + std::abs(one.rotation);
+  const auto moves = [&](std::size_t i) {
+    return std::ranges::find(motions, i, &SupportMotion::support) != motions.end();
+  };
+  const auto& supports = problem.supports;
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    for (std::size_t j = i; j < supports.size(); ++j) {
+      if (!moves(i) && !moves(j)) continue;
+      auto places = ends_of(supports[i], problem.outline);
+      for (const auto& x : ends_of(supports[j], problem.outline)) places.push_back(x);
+      for (const auto& x : places)
+        for (const auto& here : held_at(supports[i], problem.outline, x))
+          for (const auto& there : held_at(supports[j], problem.outline, x))
+            if (apart(kept(problem, i, here, motions), kept(problem, j, there, motions), size))
+              return fmt::format("support[{}] and {} hold the plate at {}, which would be torn there", i,
+                                 j == i ? "another edge of it" : fmt::format("support[{}]", j), text_of(x));
+    }
+  return "";
+}
+
+/// Those of one load case, or of none, with one history.
+std::vector<Together> together(const Problem& problem) {
+  const auto case_of = [&](std::size_t load) {
+    std::size_t count = shared_loads(problem), which = 0;
+    while (load >= count) count += problem.load_cases[which++].loads.size();
+    return which;
+  };
+  std::vector<Together> result;
+  for (const auto& motion : support_motions(problem)) {
+    const auto with = [&](const Together& known) {
+      const auto other = known.front().load;
+      return case_of(other) == case_of(motion.load) &&
+             problem.loads[other].history == problem.loads[motion.load].history;
+    };
+    const auto found = std::ranges::find_if(result, with);
+    found == result.end() ? result.push_back({motion}) : found->push_back(motion);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Refusal> faults_of_settlements(const Problem& problem) {
+  std::vector<Refusal> found;
+  for (std::size_t i = 0; i < problem.loads.size(); ++i) {
+    const auto& load = problem.loads[i];
+    if (load.kind != Load::Kind::settlement) continue;
+    const auto say = [&](const std::string& what) { found.push_back({Subject::settlement, i, what}); };
+    if (load.support >= problem.supports.size()) {
+      say(fmt::format("{} given, there {}", load.support,
+                      problem.supports.empty() ? "is no [[support]]"
+                                               : fmt::format("are the supports 0 to {}", problem.supports.size() - 1)));
+      continue;
+    }
+    if (const auto what = not_held(load, problem.supports[load.support]); !what.empty())
+      say(fmt::format("support[{}] {}", load.support, what));
+    const auto method = problem.discretization.boundary;
+    if (method == EdgeMethod::surface_nodes || method == EdgeMethod::fictitious_nodes)
+      found.push_back({Subject::edge_method, 0,
+                       "conditions at nodes on edges are for supports that rest: choose \"images\", or remove the "
+                       "settlement"});
+  }
+  if (!found.empty()) return found;
+  for (const auto& motions : together(problem))
+    if (const auto what = torn(problem, motions); !what.empty())
+      found.push_back({Subject::settlement, motions.front().load, what});
+  return found;
+}
+
+}  // namespace plate

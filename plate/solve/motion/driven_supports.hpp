@@ -1,0 +1,71 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "plate/model/history.hpp"
+#include "plate/model/state.hpp"
+
+namespace plate {
+
+class Constraints;
+struct Instant;
+struct TimedLoad;
+
+/// What is held, in a motion by steps whose settlements move it: where it is, what its mass adds to the forces, and the
+/// work that supports do (theory.md, "Supports that move"). Without settlements it holds nothing and does nothing.
+class DrivenSupports {
+public:
+  DrivenSupports() = default;
+  /// `mass`: of every degree of freedom, held or not; `folded`: carried over to the free ones.
+  DrivenSupports(const std::vector<TimedLoad>& loads, const Constraints& constraints, const Forces& mass,
+                 const Forces& folded);
+
+  bool any() const { return !driven_.empty(); }
+
+  /// The step that begins: where it is now, and before and after.
+  void at(double time, double time_step, bool first);
+  /// Adds to a state that follows from what is free where it is after the step.
+  void place_next(State& state) const;
+  /// Takes the internal force in hand, and adds the inertia of what is held to it, before it is carried over.
+  template <typename Real>
+  void take(Values<Real>& force);
+  /// After that: books the work of the supports up to now. `half`: step from the velocity to that of now.
+  template <typename Real>
+  void book(const State& state, const State& velocity, const Values<Real>& folded, double half);
+
+  double work() const { return work_; }
+  /// What kinetic energies, strain energy, velocities and accelerations of what is free leave out.
+  void complete(Instant& seen) const;
+
+  /// The numbers to go on from.
+  std::vector<double> memory() const;
+  void recall(const std::vector<double>& memory);
+  /// The plate has come to where it is at time 0 slowly.
+  void start();
+
+private:
+  struct Leader {
+    std::uint32_t dof;
+    double inverse_mass, acceleration = 0, velocity = 0;
+    std::vector<double> loads = {};  // folded, of every load at factor 1
+  };
+  struct Driven {
+    std::uint32_t dof;
+    double mass;
+    std::vector<double> lifts;                                 // of every load
+    std::vector<std::pair<std::size_t, double>> leaders = {};  // with factors
+    double before = 0, now = 0, next = 0;                      // where it is
+    double speed = 0, acceleration = 0;                        // its own, beside what it follows
+    double follows_at = 0, follows_speed = 0, follows_acceleration = 0;
+    double force = 0;                    // internal
+    double reaction = 0, booked_at = 0;  // of the call before
+  };
+
+  std::vector<History> histories_;
+  std::vector<Leader> leaders_;
+  std::vector<Driven> driven_;
+  double time_ = 0, dt_ = 0, work_ = 0;
+  bool booked_ = false, slow_ = false;
+};
+
+}  // namespace plate

@@ -1,0 +1,53 @@
+#include "plate/solve/motion/travelling_loads.hpp"
+
+#include "plate/model/nodal_forces.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+
+namespace plate {
+
+TravellingLoads::TravellingLoads(const std::vector<TimedLoad>& loads) {
+  for (const auto& load : loads)
+    if (load.moving) loads_.push_back({load.moving, load.history});
+}
+
+double TravellingLoads::product(double time, const State& state) const {
+  double sum = 0;
+  for (const auto& one : loads_) {
+    const double share = factor(one.history, time);
+    one.forces->at(time, [&](std::uint32_t dof, double force) { sum += share * force * at_dof(state, dof); });
+  }
+  return sum;
+}
+
+template <typename Real>
+void TravellingLoads::add(double time, double time_step, const State& state, Values<Real>& force) {
+  if (!any()) return;
+  const double before = begun_ ? product(time - time_step, state) : 0, now = product(time, state);
+  if (begun_) work_ += (before + now - now_ - next_) / 2;
+  now_ = now, next_ = product(time + time_step, state), begun_ = true;
+  for (const auto& one : loads_) {
+    const double share = factor(one.history, time);
+    one.forces->at(time, [&](std::uint32_t dof, double value) { at_dof(force, dof) += Real(share * value); });
+  }
+}
+
+template void TravellingLoads::add(double, double, const State&, Values<double>&);
+template void TravellingLoads::add(double, double, const State&, Values<float>&);
+
+void TravellingLoads::complete(Instant& seen) const {
+  if (!any()) return;
+  seen.external_work += work_;
+  seen.strain_energy += now_ / 2;
+  seen.potential -= now_;
+}
+
+std::vector<double> TravellingLoads::memory() const {
+  return any() ? std::vector<double>{work_, now_, next_} : std::vector<double>{};
+}
+
+void TravellingLoads::recall(const std::vector<double>& memory) {
+  if (memory.empty()) return;
+  work_ = memory[0], now_ = memory[1], next_ = memory[2], begun_ = true;
+}
+
+}  // namespace plate

@@ -1,0 +1,46 @@
+#pragma once
+#include "plate/model/state.hpp"
+
+namespace plate {
+
+class Formulation;
+
+/// Are supports moved?
+bool settles(const Formulation& plate);
+/// Where all settlements at their last values together put what is held, and those of time 0; without columns where
+/// there are none.
+State total_lift(const Formulation& plate);
+State first_lift(const Formulation& plate);
+/// Mass per degree of freedom, before what is held is carried over to what it follows. `rotary`: factor of the rotary
+/// inertia.
+Forces whole_mass(const Formulation& plate, double rotary = 1);
+
+/// A plate at rest whose supports have moved. What is held is put where it is, all that is free rests: that state pulls
+/// at the free points with far larger forces than those of the equilibrium, by which the residual is to be measured
+/// (theory.md, "Supports that move").
+class Settled {
+public:
+  /// `load`: that acts beside; not carried over. All must outlive this. A `lift` without columns: none.
+  Settled(const Formulation& plate, const Forces& load, const State& lift);
+
+  /// Load and internal force of a state.
+  Forces force(const State& state) const;
+  /// What acts on the plate where all that is free rests.
+  Forces pull() const { return lift_.cols() > 0 ? force(lift_) : load_; }
+
+  struct Left {
+    Forces force;      // carried over to the free degrees of freedom
+    double share = 0;  // of it, of the larger one of loads and reactions; 0 where only rounding is left
+  };
+  Left left(const State& state) const;
+
+  /// Of the supports that have moved slowly [energy].
+  double work(const State& state) const;
+
+private:
+  const Formulation& plate_;
+  const Forces& load_;
+  const State& lift_;
+};
+
+}  // namespace plate

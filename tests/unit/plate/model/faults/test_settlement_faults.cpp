@@ -1,0 +1,57 @@
+#include "plate/model/faults/settlement_faults.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "plate/model/problem.hpp"
+
+using namespace plate;
+
+namespace {
+
+Load moved(std::size_t support, double value, const geometry::Point& slope = {0, 0}, double rotation = 0) {
+  Load load;
+  load.kind = Load::Kind::settlement, load.support = support, load.value = value, load.slope = slope;
+  load.rotation = rotation;
+  return load;
+}
+
+std::string fault(const std::vector<Support>& supports, const std::vector<Load>& loads) {
+  Problem problem;
+  problem.outline = geometry::rectangle(0, 0, 1, 1);
+  problem.supports = supports, problem.loads = loads;
+  const auto found = faults_of_settlements(problem);
+  return found.empty() ? "" : found.front().what;
+}
+
+}  // namespace
+
+TEST_CASE("settlements move what a support holds") {
+  using Catch::Contains;
+  using enum SupportKind;
+  const Support left{clamped, {"left"}, {}}, right{simply_supported, {"right"}, {}}, mirror{symmetry, {"left"}, {}};
+  CHECK(fault({left}, {moved(0, 1, {1, 2}, 3)}).empty());
+  CHECK_THAT(fault({}, {moved(0, 1)}), Contains("there is no [[support]]"));
+  CHECK_THAT(fault({left, right}, {moved(2, 1)}), Contains("2 given, there are the supports 0 to 1"));
+  CHECK_THAT(fault({right}, {moved(0, 1, {0, 0}, 1)}), Contains("a rotation of them does nothing"));
+  CHECK_THAT(fault({mirror}, {moved(0, 1)}), Contains("mirror plane"));
+  CHECK(fault({mirror}, {moved(0, 0, {0, 0}, 1)}).empty());
+  CHECK_THAT(fault({{free, {"left"}, {}}}, {moved(0, 1)}), Contains("holds nothing"));
+  CHECK_THAT(fault({{clamped, {}, {{0.5, 0.5}}}}, {moved(0, 1, {0, 0}, 1)}), Contains("give a slope"));
+}
+
+TEST_CASE("settlements do not tear the plate where two supports meet") {
+  using Catch::Contains;
+  using enum SupportKind;
+  const Support left{clamped, {"left"}, {}}, bottom{simply_supported, {"bottom"}, {}};
+  CHECK_THAT(fault({left, bottom}, {moved(0, 1)}), Contains("[0, 0], which would be torn"));
+  CHECK(fault({left, bottom}, {moved(0, 1), moved(1, 1)}).empty());
+  CHECK(fault({left, bottom}, {moved(1, 0, {1, 0})}).empty());  // it turns about the corner
+  CHECK_THAT(fault({left, bottom}, {moved(1, 0, {1, 0}), moved(0, 0, {0, 1})}), !Contains("torn"));
+  CHECK_THAT(fault({left, {clamped, {"bottom"}, {}}}, {moved(1, 0, {1, 0})}), Contains("torn"));
+  CHECK_THAT(fault({{clamped, {"left", "bottom"}, {}}}, {moved(0, 0, {0, 0}, 1)}), Contains("another edge of it"));
+  CHECK(fault({{clamped, {"left", "bottom"}, {}}}, {moved(0, 1, {2, 3})}).empty());
+  CHECK_THAT(fault({left, {pinned, {}, {}, {{0, 0.5}, {0.7, 0.5}}}}, {moved(1, 1)}), Contains("[0, 0.5]"));
+  auto late = moved(1, 1);
+  late.history.kind = History::Kind::ramp, late.history.rise_time = 1;
+  CHECK_THAT(fault({left, bottom}, {moved(0, 1), late}), Contains("torn"));
+}

@@ -1,0 +1,90 @@
+#include "plate/model/loading/pressure_table.hpp"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+using geometry::Point;
+using plate::PressureTable;
+
+namespace {
+
+/// A file with a text, removed at the end.
+struct Csv {
+  std::filesystem::path path;
+  explicit Csv(const std::string& text) {
+    static int count = 0;
+    path = std::filesystem::temp_directory_path() /
+           ("pressure_table_test_" + std::to_string(getpid()) + "_" + std::to_string(count++) + ".csv");
+    std::ofstream(path) << text;
+  }
+  ~Csv() { std::filesystem::remove(path); }
+};
+
+std::string fault(const std::string& text) {
+  const Csv csv(text);
+  try {
+    PressureTable table(csv.path);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a grid in any order is bilinear") {
+  const Csv csv("# pressures of a wind tunnel\nx, y, pressure\n0,0,1\n2,0,5\n\n0,1,3\n2,1,-1\n1,1,7\n1,0,2\n");
+  const PressureTable table(csv.path);
+  CHECK(table.gridded());
+  CHECK(table({0, 0}) == 1);
+  CHECK(table({0.5, 0}) == 1.5);
+  CHECK(table({0.5, 0.5}) == Approx((1 + 2 + 3 + 7) / 4.0));
+  CHECK(table({1.25, 0.5}) == Approx(0.75 * 4.5 + 0.25 * 2));
+  CHECK(table({2, 1}) == -1);
+  CHECK(table.times(-2)({2, 1}) == 2);
+  CHECK(table.reaches({2, 1}));
+  CHECK(!table.reaches({2.01, 1}));
+  CHECK(table.digest().size() == 16);
+  CHECK(table.file() == csv.path);
+}
+
+TEST_CASE("scattered places are linear on triangles, and a linear pressure is exact") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::stringstream text;
+  text.precision(17);
+  text << "x,y,pressure\n";
+  const auto pressure = [](const Point& x) { return 2 - 3 * x.x() + 400 * x.y(); };
+  std::vector<Point> places{{0, 0}, {10, 0}, {10, 0.1}, {0, 0.1}};
+  for (int i = 0; i < 60; ++i) places.emplace_back(10 * uniform(random), 0.1 * uniform(random));
+  for (const auto& x : places) text << x.x() << "," << x.y() << "," << pressure(x) << "\n";
+  const Csv csv(text.str());
+  const PressureTable table(csv.path);
+  CHECK(!table.gridded());
+  for (int i = 0; i < 200; ++i) {
+    const Point x(10 * uniform(random), 0.1 * uniform(random));
+    CHECK(table.reaches(x));
+    CHECK(table(x) == Approx(pressure(x)).margin(1e-9));
+  }
+  CHECK(table.reaches({10, 0.1}));
+  CHECK(table.reaches({5, 0.1}));
+  CHECK(!table.reaches({5, 0.101}));
+}
+
+TEST_CASE("what is wrong with a table is said with its line") {
+  using Catch::Contains;
+  CHECK_THAT(fault("x,y\n1,2\n"), Contains("line 1") && Contains("must be x,y,pressure"));
+  CHECK_THAT(fault("x,y,pressure\n1,2,3\n# a word\n1,2\n"), Contains("line 4: 2 values given"));
+  CHECK_THAT(fault("x,y,pressure\n1,2,3a\n"), Contains("line 2: \"3a\" is no number"));
+  CHECK_THAT(fault("x,y,pressure\n1,2,nan\n"), Contains("line 2: nan is not finite"));
+  CHECK_THAT(fault("x,y,pressure\n1,2,3\n2,2,3\n1,2,4\n"), Contains("line 4: the place (1, 2) is given in line 2"));
+  CHECK_THAT(fault("x,y,pressure\n1,2,3\n2,2,3\n"), Contains("2 places given"));
+  CHECK_THAT(fault("x,y,pressure\n1,2,3\n2,2,3\n3,2,3\n"), Contains("on one line"));
+  CHECK_THAT(fault("x,y,pressure\n1,1,3\n2,2,3\n3,3,3\n"), Contains("on one line"));
+  CHECK_THROWS_WITH(PressureTable("/nowhere/at/all.csv"), Contains("cannot be read"));
+}

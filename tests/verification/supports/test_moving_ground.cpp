@@ -1,0 +1,69 @@
+// Supports that move in time, in both formulations: a plate on ground that moves as a whole is one at rest under the
+// inertia that the ground gives it.
+#include <catch2/catch.hpp>
+
+#include "plate/formulations.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/settled.hpp"
+#include "post/balance/supports.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+using namespace plate;
+namespace vp = verified_plate;
+
+TEST_CASE("a plate on ground that moves is one at rest under its inertia and has the work of its supports") {
+  for (const auto* kind : formulations())
+    for (const auto support : {SupportKind::clamped, SupportKind::simply_supported}) {
+      auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.1);
+      c.discretization.formulation = kind, c.section = vp::section;
+      Load settlement, pressure;
+      settlement.kind = Load::Kind::settlement, settlement.value = 0.01;
+      pressure.value = vp::section.density * vp::section.thickness * 0.01;
+      c.supports = {vp::held(support, {"left", "right", "bottom", "top"})};
+      c.loads = {settlement};
+      const double dt = 0.5 * stable_time_step(*vp::assembled(c), 1);
+      const auto steps = std::size_t(0.7 / dt);
+      const auto at = [&](std::size_t n) { return 1 - std::cos(4 * std::numbers::pi * double(n) * dt); };
+      History ground, inertia_of_ground;  // by the differences that steps take
+      ground.kind = inertia_of_ground.kind = History::Kind::table;
+      for (std::size_t n = 0; n <= steps + 1; ++n) {
+        const double before = n == 0 ? at(1) : at(n - 1);
+        ground.table.emplace_back(double(n) * dt, at(n));
+        inertia_of_ground.table.emplace_back(double(n) * dt, -(at(n + 1) - 2 * at(n) + before) / (dt * dt));
+      }
+      c.loads[0].history = ground;
+      const auto moving = vp::assembled(c);
+      c.loads = {pressure};
+      c.loads[0].history = inertia_of_ground;
+      const auto resting = vp::assembled(c);
+      const auto run = [&](const Formulation& plate, const auto& see) {
+        DynamicOptions options;
+        options.time_step = dt, options.steps = steps, options.observe_every = 10;
+        options.held_forces = true;
+        if (settles(plate)) options.whole_mass = whole_mass(plate);
+        central_differences(plate, plate.constraints(), plate.mass(), plate.loads(), options, see);
+      };
+      std::vector<State> states;
+      double worst = 0, largest = 0, most_energy = 0, books = 0, balance = 0;
+      const post::Supports supports(moving->boundary());
+      run(*resting, [&](const Instant& now) { states.push_back(now.state); });
+      std::size_t row = 0;
+      run(*moving, [&](const Instant& now) {
+        State relative = now.state;
+        const auto plate_points = Eigen::Index(moving->cloud().plate_points);
+        relative.row(0).array() -= 0.01 * at(now.step);
+        worst = std::max(worst, (relative - states[row]).leftCols(plate_points).cwiseAbs().maxCoeff());
+        largest = std::max(largest, states[row++].cwiseAbs().maxCoeff());
+        most_energy = std::max(most_energy, now.external_work);
+        books = std::max(books, std::abs(now.strain_energy + now.discrete_kinetic_energy - now.external_work));
+        const auto inertia = supports.applied(whole_mass(*moving).cwiseProduct(now.acceleration()));
+        balance =
+            std::max(balance, supports.balance(*now.held_force, supports.nothing(), &inertia, now.state).residual);
+      });
+      CAPTURE(kind->name, int(support), worst / largest, books / most_energy, balance);
+      CHECK(worst < 1e-8 * largest);
+      CHECK(books < 0.01 * most_energy);
+      CHECK(balance < 1e-9);
+    }
+}
