@@ -55,8 +55,8 @@ public:
     const double apart = disagreement(*srif.G), far = std::max(0.0, apart - shares_.doubt),
                  size = shares_.energy * apart + far;
     const double bending = std::hypot(K[0], K[1]);
-    result[2] += shares_.fits_shear * spread(largest)[2] + size * std::abs(K[2]) +
-                 shares_.shear * apart * largest / at_.section.thickness;
+    result[2] += shares_.mixing * largest / at_.section.thickness + shares_.fits_shear * spread(largest)[2] +
+                 size * std::abs(K[2]) + shares_.shear * apart * largest / at_.section.thickness;
     // what K3 takes wrongly of G is missing in K1 and K2, in proportion
     const Eigen::Vector3d unit = at_.unit_release();
     const double square =

@@ -16,6 +16,7 @@ struct ErrorShares {
                  // the faces
   double width;  // of that spacing [layers]
   double doubt;  // beyond this the difference between those energies counts in full, and as a turn of K1 and K2
+  double mixing = 0;  // of the largest factor, in K3, where the mix comes from interaction integrals
 };
 
 /// Estimates the errors of what all methods found at one tip; methods whose energy release rate is not positive are

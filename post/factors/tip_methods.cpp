@@ -42,7 +42,8 @@ ErrorShares shares_of(const TipView& plate, const TipPlace& place, const plate::
           std::max(1e-3, trust.near * near) + place.known_error,
           trust.layer,
           trust.width / section.layer(),
-          trust.doubt};
+          trust.doubt,
+          section.isotropic() ? 0 : interaction_error * plate.spacing / section.thickness};
 }
 
 /// Of the rings that fit [length].
@@ -90,10 +91,8 @@ private:
   std::vector<std::string> methods_, left_out_;
   TipSurroundings surroundings_;
   std::vector<Integral> integrals_;
-  // the widest first; none where the field within a thickness is not resolved; of sections with directions interaction
-  // integrals, the first ring first
-  std::vector<SeriesFit> fits_;
-  std::string no_fit_;  // why
+  std::vector<SeriesFit> fits_;  // the best first; none where the field within a thickness is not resolved
+  std::string no_fit_;           // why
   std::vector<DisplacementExtrapolation> openings_;
   std::vector<DisplacementExtrapolation> mix_;  // one, where it is not: proportions from the opening
 };

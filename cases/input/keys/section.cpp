@@ -74,7 +74,7 @@ Field<Section> factor(const std::string& name, plate::Formula Section::*member, 
 }
 
 void check_region(const Value& given, SectionRegion& region) {
-  if (!region.thickness && !region.young && !region.poisson && !region.density)
+  if (given.reading().sound(given.key()) && !region.thickness && !region.young && !region.poisson && !region.density)
     given.complain("changes nothing: give thickness, young, poisson or density");
 }
 

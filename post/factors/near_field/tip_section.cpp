@@ -15,10 +15,10 @@ Eigen::Matrix3d turned_compliance(const Eigen::Matrix3d& bending, const geometry
 }
 
 std::pair<std::complex<double>, std::complex<double>> upper_roots(const Eigen::Matrix3d& a) {
-  Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
+  Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(4, 4);
   companion(1, 0) = companion(2, 1) = companion(3, 2) = 1;
   companion.col(3) = Eigen::Vector4d(-a(1, 1), 2 * a(1, 2), -(2 * a(0, 1) + a(2, 2)), 2 * a(0, 2)) / a(0, 0);
-  const auto values = Eigen::EigenSolver<Eigen::Matrix4d>(companion, false).eigenvalues();
+  const auto values = Eigen::EigenSolver<Eigen::MatrixXd>(companion, false).eigenvalues();
   std::complex<double> sum = 0, product = 1;
   for (Eigen::Index i = 0; i < 4; ++i)
     if (values[i].imag() > 0) sum += values[i], product *= values[i];

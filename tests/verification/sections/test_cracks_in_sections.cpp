@@ -36,10 +36,10 @@ TEST_CASE("cracks in orthotropic plates: both integrals and the energy of neighb
       const auto c = cracked(orthotropic(ratio, 0.2, angle), {{-0.3, 0}, {0.3, 0}});
       const auto found = factors(c);
       const double integral = *found[0].G, energy = std::get<double>(post::energy_check(c, c.analysis).rows[0][4]);
-      WARN("ratio " << ratio << " angle " << angle << " extension " << *found[1].G / integral - 1 << " energy "
+      INFO("ratio " << ratio << " angle " << angle << " extension " << *found[1].G / integral - 1 << " energy "
                     << energy / integral - 1 << " K " << found[0].K1 << " " << found[0].K2 << " " << found[0].K3);
-      CHECK(*found[1].G == Approx(integral).epsilon(0.01));
-      CHECK(energy == Approx(integral).epsilon(0.01));
+      CHECK(*found[1].G == Approx(integral).epsilon(0.005));  // measured: at most 0.18 %
+      CHECK(energy == Approx(integral).epsilon(0.005));       // measured: 0.04 to 0.13 %
     }
 }
 
@@ -48,13 +48,14 @@ TEST_CASE("cracks in plates with a thicker part: the energy of neighbouring leng
   section.regions = {
       {geometry::Polygon{{{-2, -2}, {-0.9, -2}, {-0.9, 2}, {-2, 2}}, {"", "", "", ""}}, 0.05, {}, {}, {}},
       {geometry::Circle{{-0.2, 0.7}, 0.2, ""}, 0.3, {}, {}, {}}};
-  const auto c = cracked(section, {{-0.3, 0}, {0.3, 0}});
+  auto c = cracked(section, {{-0.3, 0}, {0.3, 0}});
+  c.discretization.spacing = 0.02;
   const auto found = factors(c);
   for (std::size_t tip = 0; tip < 2; ++tip) {
     const double energy = std::get<double>(post::energy_check(c, c.analysis).rows[tip][4]);
     const auto own = std::ranges::find(found, tip, &post::Srif::tip);
-    WARN("tip " << tip << " energy " << energy / *own->G - 1);
-    CHECK(energy == Approx(*own->G).epsilon(0.01));
+    INFO("tip " << tip << " energy " << energy / *own->G - 1);
+    CHECK(energy == Approx(*own->G).epsilon(0.002));  // measured: 0.02, 0.01 %
   }
 }
 
@@ -76,9 +77,9 @@ TEST_CASE("interaction integrals find the factors of the fits of isotropic plate
       for (const auto& one : own) {
         Eigen::Vector3d K = one(post::NearField(u, view->positions, {}));
         K[2] *= 0.3;
-        WARN("spacing " << spacing << " tip " << tip << " ring " << one.range.outer << " fit " << fit.transpose()
+        INFO("spacing " << spacing << " tip " << tip << " ring " << one.range.outer << " fit " << fit.transpose()
                         << " integral " << K.transpose());
-        CHECK((K - fit).norm() < 0.05 * fit.norm());
+        CHECK((K - fit).norm() < 2.5 * spacing * fit.norm());  // measured: 7.5, 4.2 %, most of it in K3
       }
     }
   }

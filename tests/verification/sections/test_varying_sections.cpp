@@ -47,14 +47,15 @@ TEST_CASE("strips of varying thickness and modulus: integrals of beams") {
   for (const double spacing : {1.0 / 20, 1.0 / 40, 1.0 / 80}) {
     const double smooth = strip(wedge, spacing) / exact_strip(wedge) - 1;
     const double of_soft = strip(soft, spacing) / exact_strip(soft) - 1;
-    WARN("spacing " << spacing << " wedge " << smooth << " modulus " << of_soft);
-    CHECK(std::abs(smooth) < 3 * spacing * spacing);
-    CHECK(std::abs(of_soft) < spacing);
-    for (const double x : {0.4, 0.437}) {  // on a line of points and between
+    INFO("spacing " << spacing << " wedge " << smooth << " modulus " << of_soft);
+    CHECK(std::abs(smooth) < spacing * spacing);  // measured: 0.16, 0.042, 0.011 %
+    CHECK(std::abs(of_soft) < 0.1 * spacing);     // measured: 0.19, 0.16, 0.006 %
+    for (const double x : {0.4, 0.437}) {         // on a line of points and between
       stepped.regions = {{left_of(x), 0.2, {}, {}, {}}};
       const double error = strip(stepped, spacing) / exact_strip(stepped) - 1;
-      WARN("spacing " << spacing << " step at " << x << " " << error);
-      CHECK(std::abs(error) < 1.5 * spacing);
+      INFO("spacing " << spacing << " step at " << x << " " << error);
+      // measured: on a line of points 0.71, 0.41, 0.22 %, between 1.5, 1.1, 0.36 %
+      CHECK(std::abs(error) < (x == 0.4 ? 0.25 : 0.6) * spacing);
     }
   }
 }
@@ -69,7 +70,7 @@ TEST_CASE("own weight and mass of plates whose section varies") {
   settle_weights(c);
   const auto plate = vp::assembled(c);
   const double disc = pi / 16, exact = 2 * 0.1 * (1.5 * (1 - disc)) + 5 * 0.3 * disc;
-  CHECK(plate->total_load().row(0).sum() == Approx(-10 * exact).epsilon(1e-3));  // measured:
+  CHECK(plate->total_load().row(0).sum() == Approx(-10 * exact).epsilon(1e-3));
   CHECK(plate->total_load().row(0).sum() == Approx(-10 * plate->mass().row(0).sum()).epsilon(1e-13));
   State up = State::Zero(3, Eigen::Index(plate->points())), turning = up;
   up.row(0).setOnes(), turning.row(1).setOnes();
@@ -87,8 +88,9 @@ TEST_CASE("plates whose section varies: the motion keeps its energy, and starts 
   const double step = 0.95 * stable_time_step(*plate, plate->constraints(), plate->mass());
   double least = INFINITY, most = -INFINITY, largest = 0;
   central_differences(*plate, plate->constraints(), plate->mass(), plate->loads(), {step, 2000, 10},
-                      [&](const auto& now) {
-                        least = std::min(least, now.discrete_energy), most = std::max(most, now.discrete_energy);
+                      [&](const Instant& now) {
+                        const double sum = now.discrete_kinetic_energy + now.strain_energy + now.potential;
+                        least = std::min(least, sum), most = std::max(most, sum);
                         largest = std::max(largest, now.strain_energy);
                       });
   CHECK(most - least < 1e-10 * largest);

@@ -76,8 +76,8 @@ TEST_CASE("stiffeners are checked against the plate, its supports and themselves
   expect(stiffener("along = [[0, 0], [0, 3]]\nbending = 1"), ":19", "stiffener[0].along", "must lie in the plate");
   expect(stiffener("along = [[-0.2, 0], [0.2, 0]]\nbending = 1"), ":19", "stiffener[0].along", "lies along crack 0");
   expect(stiffener("edges = [\"top\"]\nbending = -1"), ":20", "stiffener[0].bending", "-1 given");
-  expect(stiffener("edges = [\"top\"]\nbending = 1"), "--set discretization.formulation", "stiffener",
-         "bonds have theirs beside it", {"discretization.formulation=ordinary"});
+  expect(stiffener("edges = [\"top\"]\nbending = 1"), ":18", "stiffener", "bonds have theirs beside it",
+         {"discretization.formulation=ordinary"});
   const auto file = read(stiffener("along = [[0, 0.2], [0, 0.8]]\nbending = 2\nmass = 3"));
   CHECK(read(cases::resolved_toml(file.content)).content.stiffeners[0].mass == 3);
 }

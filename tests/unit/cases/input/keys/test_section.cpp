@@ -33,8 +33,7 @@ TEST_CASE("orthotropic sections are read, written again and checked") {
          "section.orthotropic.G12", "-5 given");
   expect(section("thickness = 0.1\northotropic = { E1 = 140, E2 = 10, nu12 = 0.3, G12 = 5, G13 = 4 }"), ":3",
          "section.orthotropic.G23", "is missing");
-  expect(text, "--set discretization.formulation", "section.orthotropic", "bonds share their weights",
-         {"discretization.formulation=ordinary"});
+  expect(text, ":3", "section.orthotropic", "bonds share their weights", {"discretization.formulation=ordinary"});
 }
 
 TEST_CASE("sections of plies are symmetric, and their thickness is the plies'") {
