@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fracture/severing/shared_points.hpp"
 #include "plate/model/ranks/gathered.hpp"
 #include "plate/solve/reduction.hpp"
 
@@ -39,7 +40,7 @@ BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const Sever
       limits_(limits),
       plate_(plate),
       boundary_(boundary),
-      numbers_(boundary),
+      numbers_(std::make_shared<const PointNumbers>(boundary)),
       dilatation_(plate.points()),
       marked_(plate.points(), 0) {
   const auto& families = plate.base().families();
@@ -145,7 +146,7 @@ std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& st
   for (const auto& [k, i] : bonds) {
     const auto j = base.families()[k][i].neighbour;
     if (const double now = demand(k, i, state); now >= least)
-      result.push_back({{numbers_.of(std::min(k, j)), numbers_.of(std::max(k, j))}, now});
+      result.push_back({{numbers_->of(std::min(k, j)), numbers_->of(std::max(k, j))}, now});
   }
   if (const auto* all = plate::ranks()) result = plate::gathered(*all, result);
   std::ranges::sort(result, [](const auto& p, const auto& q) {
@@ -212,7 +213,7 @@ std::vector<std::uint32_t> BondCheck::suspects(const plate::State& state) const 
 std::vector<PointPair> BondCheck::here(const std::vector<LoadedBond>& bonds) const {
   std::vector<PointPair> result;
   for (const auto& [bond, demand] : bonds) {
-    const auto k = numbers_.point(bond[0]), j = numbers_.point(bond[1]);
+    const auto k = numbers_->point(bond[0]), j = numbers_->point(bond[1]);
     if (k && j) result.push_back({*k, *j});
   }
   return result;

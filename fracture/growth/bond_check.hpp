@@ -1,9 +1,10 @@
 #pragma once
 #include "fracture/growth/bond_limits.hpp"
 #include "fracture/severing/severed_plate.hpp"
-#include "fracture/severing/shared_points.hpp"
 
 namespace fracture {
+
+class PointNumbers;
 
 /// A bond and its demand (BondLimits). Its ends as PointNumbers has them.
 struct LoadedBond {
@@ -44,7 +45,7 @@ private:
   const BondLimits& limits_;
   const SeveredPlate& plate_;
   const plate::Boundary& boundary_;
-  PointNumbers numbers_;
+  std::shared_ptr<const PointNumbers> numbers_;
   std::vector<std::uint32_t> all_;     // where processes share the plate: own points, and what these have bonds to
   std::vector<std::uint32_t> around_;  // and what those have bonds to
   std::vector<std::vector<std::uint32_t>> nearest_;  // per pattern of the base: which bonds are a spacing long

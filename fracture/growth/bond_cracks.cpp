@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "fracture/severing/shared_points.hpp"
 #include "geometry/shape/crack_extension.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/ranks/gathered.hpp"
@@ -78,7 +79,7 @@ BondCracks::BondCracks(const plate::Formulation& plate, std::optional<double> fa
     : units_(plate.cloud().units),
       given_(plate.paths()),
       fastest_(fastest),
-      numbers_(plate.boundary()),
+      numbers_(std::make_shared<const PointNumbers>(plate.boundary())),
       inside_(plate::ranks() ? by_outline(plate) : by_points(plate)) {
   for (const auto& [p, q] : parted(plate)) graph_.part(p, q, 0);
   first_sides_ = graph_.sides();
@@ -104,7 +105,7 @@ void BondCracks::find_lines() {
 bool BondCracks::broke(const std::vector<LoadedBond>& bonds, double time) {
   const auto before = graph_.sides();
   for (const auto& [bond, demand] : bonds)
-    if (const auto p = numbers_.place(bond[0]), q = numbers_.place(bond[1]); neighbours(p, q))
+    if (const auto p = numbers_->place(bond[0]), q = numbers_->place(bond[1]); neighbours(p, q))
       if (graph_.part(p, q, time)) grown_.part(p, q, time);
   broken_ += bonds.size();
   return graph_.sides() > before;

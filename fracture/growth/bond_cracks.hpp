@@ -61,7 +61,7 @@ private:
   const geometry::LatticeUnits& units_;
   std::vector<geometry::CrackPath> given_;
   std::optional<double> fastest_;
-  PointNumbers numbers_;
+  std::shared_ptr<const PointNumbers> numbers_;
   std::function<bool(const geometry::CrackGraph::Corner&)> inside_;  // are all four cells about a corner of the plate?
   geometry::CrackGraph graph_, grown_;                               // all; without those of the given cracks
   std::vector<geometry::GraphLine> lines_;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "plate/bonds/parameters/own_family.hpp"
+
 namespace fracture {
 
 /// Bonds that have broken, one bit for each directed bond of the points that lost any. Points that did are numbered in
@@ -46,6 +48,29 @@ private:
   std::size_t words_per_point_;
   std::vector<std::int32_t> number_;
   std::vector<std::uint64_t> words_;
+};
+
+/// A family that lost bonds, with all bonds of its base; the weights of broken ones go to zero.
+struct Change {
+  plate::OwnFamily now;
+  std::vector<plate::BondWeights> target;
+  double a_target;
+  unsigned left = 0;     // steps to the target, of single bonds
+  bool severed = false;  // by a piece of crack that goes on
+};
+
+/// What a change does to the forces: one bond of its family.
+struct Difference {
+  std::uint32_t neighbour;
+  double mx, my, length;  // as in BondShape
+  double D_base, D_now;
+  double curvature, shear;  // 2 A times what B and S have gained
+};
+
+/// What no family that lost bonds exceeds, and none of its bonds.
+struct Stiffest {
+  double bending = 0, shear = 0;
+  std::vector<plate::BondWeights> bonds;  // B and S by bond vector; infinite for those of no full family
 };
 
 }  // namespace fracture

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "fracture/severing/stiffest.hpp"
+#include "plate/bonds/part_of_lattice.hpp"
 #include "plate/bonds/tip_view.hpp"
 #include "plate/solve/reduction.hpp"
 
@@ -36,14 +38,14 @@ double energy_of_step(const plate::OwnFamily& family, const Motion& motion) {
 }  // namespace
 
 SeveredPlate::SeveredPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary,
-                           const plate::FamilyRule& rule, std::optional<plate::Surroundings> seen)
+                           const plate::FamilyRule& rule, std::shared_ptr<const plate::Surroundings> seen)
     : base_(base),
       boundary_(boundary),
       rule_(rule),
       families_(base.families()),
       stiffest_(stiffest(base, boundary)),
       broken_(base.points(), longest_family(families_)) {
-  if (seen) known_ = std::move(seen->known), wider_ = boundary.constraints.fetching(std::move(seen->exchange));
+  if (seen) known_ = seen->known, wider_ = boundary.constraints.fetching(seen->exchange);
   for (const auto& shape : base.shapes()) reach_ = std::max(reach_, shape.length / boundary.cloud.units.spacing);
 }
 
@@ -73,7 +75,7 @@ const plate::BondWeights& SeveredPlate::weights(std::size_t k, std::size_t i) co
   return number < 0 ? base_.weights().of(k, i) : changed_[std::size_t(number)].now.bonds[i].weights;
 }
 
-SeveredPlate::Change& SeveredPlate::change(std::uint32_t k) {
+Change& SeveredPlate::change(std::uint32_t k) {
   const auto number = std::size_t(broken_.number(k));
   if (number < changed_.size()) return changed_[number];
   const auto& weights = base_.weights();
@@ -187,6 +189,15 @@ double SeveredPlate::carry_on(std::size_t number, double share, const Motion& mo
   for (const auto k : found->points) changed_[std::size_t(broken_.number(k))].severed = false;
   going_.erase(found);
   return all;
+}
+
+double SeveredPlate::norm(plate::Forces force, const plate::Forces& diagonal) const {
+  boundary_.constraints.fold(force);
+  const auto [sum] = plate::ordered_sum<1>(std::size_t(force.size()), [&](std::size_t i) {
+    const double f = force.data()[i], d = diagonal.data()[i];
+    return std::array<double, 1>{d > 0 ? f * f / d : 0};
+  });
+  return std::sqrt(sum);
 }
 
 double SeveredPlate::sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const {

@@ -4,19 +4,17 @@
 #include <optional>
 
 #include "fracture/severing/broken_bonds.hpp"
-#include "fracture/severing/stiffest.hpp"
 #include "geometry/shape/crack_path.hpp"
 #include "plate/bonds/family_operator.hpp"
 #include "plate/bonds/parameters/family_rule.hpp"
-#include "plate/bonds/parameters/own_family.hpp"
-#include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/tip_view.hpp"
 #include "post/files/frame.hpp"
 
 namespace plate {
 class Formulation;
-}
+struct Surroundings;
+}  // namespace plate
 
 namespace fracture {
 
@@ -39,7 +37,7 @@ public:
   /// All but the rule must outlive this. `seen`: where processes share the plate, what this one knows beside its own
   /// points: a horizon about all that these see, and about tips what their factors need.
   SeveredPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary, const plate::FamilyRule& rule,
-               std::optional<plate::Surroundings> seen = {});
+               std::shared_ptr<const plate::Surroundings> seen = {});
 
   std::size_t points() const override { return base_.points(); }
   void internal_force(const plate::State& state, plate::Forces& forces) const override;
@@ -49,6 +47,8 @@ public:
 
   /// Those of the boundary; where processes share the plate, all that this one knows is fetched.
   const plate::Constraints& constraints() const { return wider_ ? *wider_ : boundary_.constraints; }
+  /// Of forces on the free degrees of freedom, weighted by a diagonal that has been carried over to these.
+  double norm(plate::Forces force, const plate::Forces& diagonal) const;
   /// Is the place this process's?
   bool here(const geometry::Point& x) const { return boundary_.here(x); }
 
@@ -105,14 +105,6 @@ public:
   }
 
 private:
-  /// A family that lost bonds, with all bonds of its base; the weights of broken ones go to zero.
-  struct Change {
-    plate::OwnFamily now;
-    std::vector<plate::BondWeights> target;
-    double a_target;
-    unsigned left = 0;     // steps to the target, of single bonds
-    bool severed = false;  // by a piece of crack that goes on
-  };
   struct Severing {
     std::size_t number;
     std::vector<std::uint32_t> points;
@@ -122,13 +114,6 @@ private:
     void serialize(Archive& archive) {
       archive(number, points, share);
     }
-  };
-  /// What a change does to the forces: one bond of its family.
-  struct Difference {
-    std::uint32_t neighbour;
-    double mx, my, length;  // as in BondShape
-    double D_base, D_now;
-    double curvature, shear;  // 2 A times what B and S have gained
   };
   Change& change(std::uint32_t k);
   /// The families without their broken bonds, and where they go.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/ranks/ranks.hpp"
@@ -34,12 +35,13 @@ Point PointNumbers::place(std::uint32_t number) const {
   return {double(number % columns_) + 0.5, double(number / columns_) + 0.5};
 }
 
-std::optional<plate::Surroundings> seen_by_growth(const plate::Formulation& start, bool tips) {
+std::shared_ptr<const plate::Surroundings> seen_by_growth(const plate::Formulation& start, bool tips) {
   // what decides about a bond that a point of the process has: the weights of its other end, whose bonds end three
   // horizons away at most
   const double horizon = start.discretization().horizon_ratio;
-  return plate::surroundings(start.problem().outline, start.discretization(), start.boundary(),
-                             tips ? plate::reach_about_tips(horizon) : 3 * horizon + 2);
+  auto seen = plate::surroundings(start.problem().outline, start.discretization(), start.boundary(),
+                                  tips ? plate::reach_about_tips(horizon) : 3 * horizon + 2);
+  return seen ? std::make_shared<const plate::Surroundings>(std::move(*seen)) : nullptr;
 }
 
 }  // namespace fracture

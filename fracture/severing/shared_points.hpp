@@ -1,12 +1,14 @@
 #pragma once
+#include <memory>
 #include <optional>
 
 #include "geometry/lattice/cell_index.hpp"
-#include "plate/bonds/part_of_lattice.hpp"
+#include "plate/formulation/boundary.hpp"
 
 namespace plate {
 class Formulation;
-}
+struct Surroundings;
+}  // namespace plate
 
 namespace fracture {
 
@@ -31,6 +33,6 @@ private:
 
 /// What a process knows of a plate whose bonds break, beside its own points: all that decides about its bonds, or
 /// whatever tips need (`tips`), as they may come anywhere. Nothing where one process holds the whole plate.
-std::optional<plate::Surroundings> seen_by_growth(const plate::Formulation& start, bool tips);
+std::shared_ptr<const plate::Surroundings> seen_by_growth(const plate::Formulation& start, bool tips);
 
 }  // namespace fracture

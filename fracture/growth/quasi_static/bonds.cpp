@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "fracture/growth/archive.hpp"
-#include "fracture/runs/shared/among_ranks.hpp"
+#include "fracture/runs/shared/all_factors.hpp"
 #include "fracture/severing/shared_points.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/assembled_plate.hpp"
-#include "plate/solve/reduction.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
 
@@ -91,13 +90,8 @@ void QuasiStaticBonds::find_state() {
 }
 
 /// As StaticOptions counts residuals.
-double QuasiStaticBonds::norm(plate::Forces force) const {
-  start_.constraints().fold(force);
-  const auto [sum] = plate::ordered_sum<1>(std::size_t(force.size()), [&](std::size_t i) {
-    const double f = force.data()[i], d = diagonal_.data()[i];
-    return std::array<double, 1>{d > 0 ? f * f / d : 0};
-  });
-  return std::sqrt(sum);
+double QuasiStaticBonds::norm(const plate::Forces& force) const {
+  return plate_.norm(force, diagonal_);
 }
 
 bool QuasiStaticBonds::longest() const {

@@ -43,7 +43,7 @@ private:
   static void memory(Archive& archive, Self& self);
   std::string free_pieces() const;
   void find_state();
-  double norm(plate::Forces force) const;
+  double norm(const plate::Forces& force) const;
 
   const Growth& growth_;
   const plate::Formulation& start_;

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "fracture/runs/shared/among_ranks.hpp"
+#include "fracture/runs/shared/all_factors.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/heated/heat.hpp"
 #include "plate/formulation/parts/held.hpp"
 #include "plate/formulation/stopwatch.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/ranks/ranks.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
 
@@ -65,7 +66,7 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
   const plate::Formulation& plate = *found.plate;
   std::vector<std::string> split;
   for (const auto& one : plate::loose(plate)) split.push_back(one.what);
-  if (shared() && plate.held() && !split.empty()) throw plate::NumericalError(split.front());
+  if (plate::ranks() && plate.held() && !split.empty()) throw plate::NumericalError(split.front());
   if (!split.empty()) return {fmt::format("{}", fmt::join(split, "; ")), 0, {}};
   LoadedPlate result;
   for (const auto& tip : plate.tips())

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "fracture/runs/run_plan.hpp"
+#include "fracture/runs/shared/all_factors.hpp"
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/boundary.hpp"

@@ -30,8 +30,7 @@ std::vector<Unshared> unshared(const RunPlan& plan, bool resumes);
 /// The same whatever this process is.
 std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes);
 
-/// The factors that all processes have found, by tips.
-std::vector<post::Srif> of_all(std::vector<post::Srif> own);
+std::vector<post::Srif> of_all(std::vector<post::Srif> own);  // all_factors.hpp
 /// Of every quantity the largest value of all processes, and its place.
 std::vector<post::Peak> of_all(std::vector<post::Peak> own);
 /// The part of the strain energy that foundations and springs have.

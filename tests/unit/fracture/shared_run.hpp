@@ -9,6 +9,7 @@
 #include "plate/model/loads.hpp"
 #include "plate/model/supports.hpp"
 #include "post/files/sinks/kept.hpp"
+#include "post/files/summary.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 /// Whole runs of plates that threads share as processes do.
@@ -20,6 +21,14 @@ inline std::map<std::string, post::Table> whole(const cases::CaseFile& file) {
   kept.wants_fields = false;
   cases::run(file, {{}, true, &kept});
   return {kept.tables.begin(), kept.tables.end()};
+}
+
+/// Has a piece fallen off by then?
+inline bool falls(const cases::CaseFile& file) {
+  post::Kept kept;
+  kept.wants_fields = false;
+  const auto summary = cases::run(file, {{}, true, &kept});
+  return std::ranges::any_of(summary.energy, [](const auto& part) { return part.first == "frozen"; });
 }
 
 /// As text, of a run by so many processes, which all have the same.
@@ -75,6 +84,18 @@ inline cases::CaseFile tall_plate() {
   auto& growth = c.growth.emplace();
   growth.fracture_energy = 100;
   c.output.vtk = c.output.hdf5 = false;
+  return file;
+}
+
+/// With a crack from the left to the right edge in the end, across two borders of blocks, where it cuts off what is
+/// above.
+inline cases::CaseFile cut_plate() {
+  auto file = tall_plate();
+  auto& c = file.content;
+  c.cracks = {{{0, 0.7}, {0.45, 0.98}}};
+  c.loads.front().edges = {"top"};
+  c.growth->direction = fracture::Growth::Direction::straight;
+  c.growth->fallen = fracture::Growth::Fallen::freeze;
   return file;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 
+#include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "tests/unit/fracture/shared_run.hpp"
