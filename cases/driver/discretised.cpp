@@ -5,6 +5,7 @@
 
 #include "cases/input/refused.hpp"
 #include "fracture/growth/distrust.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/parts/held.hpp"
 #include "plate/solve/suitability.hpp"

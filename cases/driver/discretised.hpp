@@ -1,8 +1,11 @@
 #pragma once
 #include "cases/input/case_file.hpp"
-#include "fracture/runs/shared/among_ranks.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "post/factors/tip_methods.hpp"
+
+namespace fracture {
+struct Unshared;
+}
 
 namespace cases {
 

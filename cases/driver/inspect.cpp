@@ -5,6 +5,7 @@
 #include "cases/driver/results.hpp"
 #include "cases/driver/second_formulation.hpp"
 #include "cases/input/refused.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
 #include "fracture/runs/shared/foretold_processes.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulations.hpp"
@@ -26,7 +27,10 @@ constexpr double giga = 1e9;
 std::string of_processes(const CaseFile& file, const fracture::ForetoldRun& run, int count) {
   const auto plan = plan_of(file.content, {});
   const auto processes = unless_refused(file, [&] { return fracture::foretold_processes(file.content, count); });
-  return fracture::to_text(run, plan) + fracture::to_text(processes, run, plan) +
+  const bool levels = !plan.moves() && run.solver.preconditioner == plate::Preconditioning::two_level;
+  const double program = post::bytes_of_program(plan.fields || plan.states);
+  const fracture::RunByOne by_one{run.points, program, run.bytes - program, run.costs.seconds, plan.moves(), levels};
+  return fracture::to_text(run, plan) + fracture::to_text(processes, by_one) +
          fmt::format("files         {:.3g} GB\n(by runs of a sample of {} points, just now)\n", run.costs.files / giga,
                      run.sample_points);
 }

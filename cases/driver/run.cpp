@@ -8,6 +8,7 @@
 #include "fracture/runs/load_cases_run.hpp"
 #include "fracture/runs/quasi_static_run.hpp"
 #include "fracture/runs/run_once.hpp"
+#include "fracture/runs/shared/among_ranks.hpp"
 #include "fracture/runs/trial.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/gate.hpp"

@@ -6,26 +6,27 @@
 #include <sstream>
 
 #include "plate/solve/archive.hpp"
+#include "post/files/shared/shared_checkpoints.hpp"
 #include "post/report/say.hpp"
 
 namespace fracture {
 
 Keeper::Keeper(post::Checkpoints checkpoints, double every) : checkpoints_(std::move(checkpoints)), every_(every) {}
 
-Keeper::Keeper(post::SharedCheckpoints checkpoints, double every)
-    : checkpoints_(std::move(checkpoints)), every_(every) {}
+Keeper::Keeper(std::shared_ptr<post::SharedCheckpoints> checkpoints, double every)
+    : together_(std::move(checkpoints)), every_(every) {}
 
 bool Keeper::find(std::vector<std::string>& refused) {
-  if (auto* shared = std::get_if<post::SharedCheckpoints>(&checkpoints_)) {
-    if (auto found = shared->read(refused)) found_ = std::move(found->memory), parts_ = std::move(found->parts);
-  } else if (auto found = std::get<post::Checkpoints>(checkpoints_).read(refused)) {
+  if (together_) {
+    if (auto found = together_->read(refused)) found_ = std::move(found->memory), parts_ = std::move(found->parts);
+  } else if (auto found = checkpoints_->read(refused)) {
     found_ = std::move(*found);
   }
   return goes_on();
 }
 
 void Keeper::done() const {
-  std::visit([](const auto& checkpoints) { checkpoints.remove(); }, checkpoints_);
+  together_ ? together_->remove() : checkpoints_->remove();
 }
 
 bool Keeper::recall(const std::function<void(plate::InArchive&)>& recall) {
@@ -55,7 +56,7 @@ void Keeper::take(const Remember& remember) {
   to_take_ = taken_ - begin;
 }
 
-void Keeper::keep(const Remember& remember, const post::CellValues& own) {
+void Keeper::keep(const Remember& remember, const post::CellValues* own) {
   take(remember);
   write(own);
 }
@@ -65,14 +66,14 @@ void Keeper::hold(const Remember& remember) {
   if (due()) write();
 }
 
-void Keeper::write(const post::CellValues& own) {
+void Keeper::write(const post::CellValues* own) {
   if (held_.empty()) return;
   const auto begin = Clock::now();
   try {
-    if (auto* shared = std::get_if<post::SharedCheckpoints>(&checkpoints_))
-      shared->write(held_, own);
+    if (together_)
+      together_->write(held_, own ? *own : post::CellValues{});
     else
-      std::get<post::Checkpoints>(checkpoints_).write(held_);
+      checkpoints_->write(held_);
   } catch (const std::filesystem::filesystem_error& error) {
     if (!std::exchange(failed_, true)) post::say(fmt::format("no checkpoint: {}\n", error.what()));
   }

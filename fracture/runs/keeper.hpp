@@ -1,12 +1,17 @@
 #pragma once
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "plate/solve/archive_types.hpp"
-#include "post/files/shared/shared_checkpoints.hpp"
+#include "post/files/sinks/checkpoint.hpp"
+
+namespace post {
+class SharedCheckpoints;
+struct CellValues;
+}  // namespace post
 
 namespace fracture {
 
@@ -19,7 +24,7 @@ public:
   /// `every` [s]; from a second on it is stretched so that all that this does takes a hundredth of the run.
   Keeper(post::Checkpoints checkpoints, double every);
   /// Of one of the processes that share a plate: all call everything at once.
-  Keeper(post::SharedCheckpoints checkpoints, double every);
+  Keeper(std::shared_ptr<post::SharedCheckpoints> checkpoints, double every);
 
   /// Looks for a checkpoint to go on from: there is none, or its memory waits for recall(). What was wrong with others
   /// goes into `refused`.
@@ -33,11 +38,11 @@ public:
   /// Is it time to keep?
   bool due() const;
   /// Writes a checkpoint now, where processes share the plate with the points of this one.
-  void keep(const Remember& remember, const post::CellValues& own = {});
+  void keep(const Remember& remember, const post::CellValues* own = nullptr);
   /// Takes the memory, about once a second, and writes it where it is time.
   void hold(const Remember& remember);
   /// Writes what was last taken.
-  void write() { write({}); }
+  void write() { write(nullptr); }
 
   /// The run has ended: nothing goes on from it.
   void done() const;
@@ -46,11 +51,12 @@ private:
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
   void take(const Remember& remember);
-  void write(const post::CellValues& own);
+  void write(const post::CellValues* own);
   /// The wanted time from one to the next that takes so long.
   Seconds stretched(Seconds wanted, Seconds cost) const;
 
-  std::variant<post::Checkpoints, post::SharedCheckpoints> checkpoints_;
+  std::optional<post::Checkpoints> checkpoints_;  // of one of these two
+  std::shared_ptr<post::SharedCheckpoints> together_;
   std::vector<std::filesystem::path> parts_;
   Seconds every_, to_take_{0}, to_write_{0};  // the last: how long it took
   Clock::time_point written_ = Clock::now(), taken_ = {};

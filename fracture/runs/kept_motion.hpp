@@ -1,5 +1,4 @@
 #pragma once
-#include "fracture/runs/keeper.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 
 namespace plate {
@@ -8,6 +7,7 @@ class Formulation;
 
 namespace fracture {
 
+class Keeper;
 class MovingGrowth;
 class Results;
 

@@ -8,6 +8,7 @@
 #include "plate/model/ranks/ranks.hpp"
 #include "post/files/digest.hpp"
 #include "post/files/earlier.hpp"
+#include "post/files/shared/shared_checkpoints.hpp"
 #include "post/files/sinks/folder.hpp"
 #include "post/files/sinks/pieces.hpp"
 #include "post/report/say.hpp"
@@ -67,7 +68,7 @@ Recording shared_recording(const plate::Ranks& all, const RecordingOptions& opti
   wait_for_all(all);
   std::unique_ptr<Keeper> keeper;
   if (options.checkpoint_every > 0)
-    keeper = std::make_unique<Keeper>(post::SharedCheckpoints(all, options.folder, run_of(options)),
+    keeper = std::make_unique<Keeper>(std::make_shared<post::SharedCheckpoints>(all, options.folder, run_of(options)),
                                       options.checkpoint_every);
   const bool goes_on = options.goes_on && finds(keeper.get(), options);
   auto sink = lock ? cleared(options, goes_on, std::move(*lock)) : nullptr;

@@ -28,7 +28,7 @@ MPI_Datatype type_of() {
 }
 
 /// Points that go to neighbours, or come from them, neighbour by neighbour.
-struct Traffic {
+struct Route {
   std::vector<int> neighbours, counts;
   std::vector<std::uint32_t> points;
 
@@ -42,7 +42,7 @@ struct Traffic {
 /// Neighbourhood collectives on the graph of who has copies of whose points.
 class MpiExchange : public Exchange {
 public:
-  MpiExchange(MPI_Comm all, std::size_t points, Traffic out, Traffic in)
+  MpiExchange(MPI_Comm all, std::size_t points, Route out, Route in)
       : points_(points), out_(std::move(out)), in_(std::move(in)) {
     MPI_Dist_graph_create_adjacent(all, int(in_.neighbours.size()), in_.neighbours.data(), MPI_UNWEIGHTED,
                                    int(out_.neighbours.size()), out_.neighbours.data(), MPI_UNWEIGHTED, MPI_INFO_NULL,
@@ -67,7 +67,7 @@ private:
     sent.reserve(components * out_.points.size());
     for (const auto k : out_.points)
       for (std::size_t c = 0; c < components; ++c) sent.push_back(values[c * points_ + k]);
-    const auto scaled = [&](const Traffic& traffic) {
+    const auto scaled = [&](const Route& traffic) {
       std::vector<int> counts = traffic.counts;
       for (int& count : counts) count *= int(components);
       return counts;
@@ -82,7 +82,7 @@ private:
   }
 
   std::size_t points_;
-  Traffic out_, in_;
+  Route out_, in_;
   MPI_Comm graph_ = MPI_COMM_NULL;
 };
 
@@ -127,7 +127,7 @@ std::unique_ptr<Exchange> MpiRanks::exchange(std::size_t points, const std::vect
   std::vector<std::string> asked;
   for (const auto& points_there : there) asked.push_back(text_of(points_there));
   const auto wanted = exchanged(std::move(asked));
-  Traffic out, in;
+  Route out, in;
   for (int other = 0; other < size_; ++other) {
     out.add(other, values_of<std::uint32_t>(wanted[std::size_t(other)]));
     in.add(other, here[std::size_t(other)]);

@@ -19,15 +19,6 @@ namespace {
 /// Share of the second and third mode in the energy above which a tip counts as one of mixed mode.
 constexpr double mixed_mode = 0.02;
 
-/// Factors with the energy release rate G and the mode mix of `split`: K3 as it is, K1 and K2 take the rest.
-Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const TipSection& at) {
-  const double bending = at.release({split[0], split[1], 0}), shear = at.release({0, 0, split[2]}), rest = G - shear;
-  if (G <= 0 || bending + shear <= 0) return {0, 0, 0};
-  if (bending <= 0 || rest <= 0.05 * G) return split * std::sqrt(G / (bending + shear));
-  const double scale = std::sqrt(rest / bending);
-  return {scale * split[0], scale * split[1], split[2]};
-}
-
 ErrorShares shares_of(const TipView& plate, const TipPlace& place, const plate::Section& section) {
   const auto& trust = plate.trust;
   // an error of the first order, the larger the fewer points lie between a tip and what is next to it; of other tips

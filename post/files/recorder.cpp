@@ -5,11 +5,13 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/heated/heat.hpp"
+#include "plate/model/ranks/traffic.hpp"
 #include "plate/model/section.hpp"
 #include "plate/solve/reduction.hpp"
 #include "post/files/archive.hpp"
 #include "post/files/digest.hpp"
 #include "post/files/gate.hpp"
+#include "post/files/shared/processes.hpp"
 
 namespace post {
 namespace {
@@ -44,7 +46,10 @@ Mesh points_of(const plate::Formulation& plate) {
 }
 
 Recorder::Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version)
-    : sink_(std::move(sink)), resolved_(std::move(resolved)), version_(std::move(version)) {
+    : sink_(std::move(sink)),
+      resolved_(std::move(resolved)),
+      version_(std::move(version)),
+      before_(std::make_shared<const plate::Traffic>(traffic_so_far())) {
   history_.columns = {"time",
                       "step",
                       "strain_energy",
@@ -125,7 +130,7 @@ Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
   summary.peak_memory_bytes = peak_memory_bytes();
   const auto& [steps, iterations] = std::tie(summary.analysis.steps, summary.analysis.iterations);
   summary.processes =
-      of_processes(summary.own_points, summary.seconds, double(summary.peak_memory_bytes), traffic_so_far() - before_,
+      of_processes(summary.own_points, summary.seconds, double(summary.peak_memory_bytes), traffic_so_far() - *before_,
                    steps || iterations ? std::optional(double(steps ? *steps : *iterations)) : std::nullopt);
   sink_->summary(to_json(summary));
   return summary;

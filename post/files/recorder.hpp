@@ -10,6 +10,7 @@
 namespace plate {
 class Formulation;
 struct Heat;
+struct Traffic;
 }  // namespace plate
 
 namespace post {
@@ -84,7 +85,7 @@ private:
   std::unique_ptr<Sink> sink_;
   std::string resolved_, version_;
   Table history_, probes_, frequencies_;
-  plate::Traffic before_ = traffic_so_far();  // of this process
+  std::shared_ptr<const plate::Traffic> before_;  // of this process, when the run began
   std::vector<std::pair<std::string, Table>> tables_;
 };
 

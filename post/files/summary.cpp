@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plate/solve/statics.hpp"
+#include "post/files/shared/processes.hpp"
 #include "post/files/table.hpp"
 
 namespace post {
@@ -187,10 +188,8 @@ Json json_of(const Spread& one) {
 }
 
 Json json_of(const ProcessesSummary& all) {
-  Json json{{"count", all.count},
-            {"threads", all.threads},
-            {"points", json_of(all.points)},
-            {"peak_memory_bytes", json_of(all.memory)}};
+  Json json{{"count", all.count}, {"threads", all.threads}};
+  json["points"] = json_of(all.points), json["peak_memory_bytes"] = json_of(all.memory);
   for (const auto& [stage, seconds] : all.seconds) json["seconds"][stage] = json_of(seconds);
   json["waiting"] = json_of(all.waiting);
   json[all.steps ? "per_step" : "in_all"] = {
@@ -296,8 +295,7 @@ std::string to_json(const Summary& summary) {
 std::size_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  constexpr std::size_t bytes_per_kib = 1024;  // Linux counts ru_maxrss in KiB
-  return static_cast<std::size_t>(usage.ru_maxrss) * bytes_per_kib;
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
 }  // namespace post

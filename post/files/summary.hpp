@@ -1,17 +1,19 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 #include "post/factors/accuracy.hpp"
 #include "post/files/balances.hpp"
-#include "post/files/shared/processes.hpp"
 
 namespace plate {
 struct StaticSolution;
 }
 
 namespace post {
+
+struct ProcessesSummary;
 
 /// A part of the program that a scene uses, and what it costs.
 struct ScenePart {
@@ -109,8 +111,8 @@ struct Summary {
   } analysis;
   std::vector<std::pair<std::string, double>> seconds;  // geometry, families, parameters, solve, srif, output, total
   std::size_t peak_memory_bytes = 0;
-  std::size_t own_points = 0;                 // of this process, where several share the plate; not written
-  std::optional<ProcessesSummary> processes;  // where several share the plate
+  std::size_t own_points = 0;                         // of this process, where several share the plate; not written
+  std::shared_ptr<const ProcessesSummary> processes;  // where several share the plate
   std::vector<Srif> srif;
   std::vector<FaceFactors> faces;                      // of every entry of srif
   std::optional<double> toughness;                     // of the case

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <optional>
 
+#include "post/files/shared/processes.hpp"
 #include "post/files/summary.hpp"
 #include "post/report/conclusion.hpp"
 #include "post/report/load_cases.hpp"

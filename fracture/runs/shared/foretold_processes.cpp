@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plate/bonds/part_of_lattice.hpp"
+#include "plate/model/problem.hpp"
 
 namespace fracture {
 namespace {
@@ -62,25 +63,24 @@ ForetoldProcesses foretold_processes(const plate::Problem& problem, int count) {
   return result;
 }
 
-double bytes_of_process(const ForetoldProcesses& processes, const ForetoldRun& run) {
-  constexpr double libraries = 60e6;  // of Open MPI and PETSc, measured
-  return libraries + run.bytes * processes.seen / run.points;
+double bytes_of_process(const ForetoldProcesses& processes, const RunByOne& run) {
+  constexpr double libraries = 43e6;  // of Open MPI and PETSc: measured, where a plate has few points
+  return libraries + run.program + run.bytes * processes.seen / run.points;
 }
 
-double seconds_of_processes(const ForetoldProcesses& processes, const ForetoldRun& run) {
+double seconds_of_processes(const ForetoldProcesses& processes, const RunByOne& run) {
   double result = 0;
-  for (const auto& [stage, seconds] : run.costs.seconds)
+  for (const auto& [stage, seconds] : run.seconds)
     result += seconds * (stage == "setting up" ? processes.seen : processes.points) / run.points;
   return result;
 }
 
-std::string to_text(const ForetoldProcesses& processes, const ForetoldRun& run, const RunPlan& plan) {
+std::string to_text(const ForetoldProcesses& processes, const RunByOne& run) {
   const auto& [count, points, least, seen, copies, neighbours] = processes;
   constexpr double giga = 1e9, kilo = 1e3;
   const double bytes = bytes_of_process(processes, run);
   // a product: displacements, then dilatations; with two levels five of them, the rest and the coarse plate's answer
-  const bool levels = !plan.moves() && run.solver.preconditioner == plate::Preconditioning::two_level;
-  const double numbers = levels ? 5 * (3 + 1) + 6 : 3 + 1, messages = (levels ? 12 : 2) * neighbours;
+  const double numbers = run.two_levels ? 5 * (3 + 1) + 6 : 3 + 1, messages = (run.two_levels ? 12 : 2) * neighbours;
   std::string text = fmt::format(
       "processes     {}, of {:.0f} to {:.0f} points, which see up to {:.0f}\n"
       "memory        {:.3g} GB each at its peak, {:.3g} GB in all\n"
@@ -88,7 +88,7 @@ std::string to_text(const ForetoldProcesses& processes, const ForetoldRun& run, 
       count, least, points, seen, bytes / giga, bytes * count / giga, seconds_of_processes(processes, run));
   if (count > 1)
     text += fmt::format("exchange      up to {:.0f} messages with {:.3g} kB to each {}\n", messages,
-                        copies * numbers * sizeof(double) / kilo, plan.moves() ? "a step" : "an iteration");
+                        copies * numbers * sizeof(double) / kilo, run.moves ? "a step" : "an iteration");
   return text;
 }
 

@@ -1,7 +1,11 @@
 #pragma once
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "fracture/runs/foretell.hpp"
+namespace plate {
+struct Problem;
+}
 
 namespace fracture {
 
@@ -17,12 +21,19 @@ struct ForetoldProcesses {
 /// @throws plate::Refused  more processes than blocks of the lattice
 ForetoldProcesses foretold_processes(const plate::Problem& problem, int count);
 
-/// Peak memory of a process [bytes]; `run`: by one process.
-double bytes_of_process(const ForetoldProcesses& processes, const ForetoldRun& run);
+/// A run by one process, as it is foretold.
+struct RunByOne {
+  double points = 0, program = 0, bytes = 0;            // memory at its peak: of the program, and of the plate
+  std::vector<std::pair<std::string, double>> seconds;  // of its stages
+  bool moves = false, two_levels = false;
+};
+
+/// Peak memory of a process [bytes].
+double bytes_of_process(const ForetoldProcesses& processes, const RunByOne& run);
 /// Time of a run by these, where each has cores of its own, as many as threads of the samples; without exchange [s].
-double seconds_of_processes(const ForetoldProcesses& processes, const ForetoldRun& run);
+double seconds_of_processes(const ForetoldProcesses& processes, const RunByOne& run);
 
 /// Points, memory, time and exchange, in words.
-std::string to_text(const ForetoldProcesses& processes, const ForetoldRun& run, const RunPlan& plan);
+std::string to_text(const ForetoldProcesses& processes, const RunByOne& run);
 
 }  // namespace fracture

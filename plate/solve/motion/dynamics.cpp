@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -30,7 +31,8 @@ struct Run {
   std::uint32_t first, length, point_class;
 };
 
-/// Mass and loads of all points, and what they do: a table in place of arrays by point.
+/// Mass and loads of all points, and what they do: a table in place of arrays by point. Points without either, as those
+/// of other processes, are left out: they stay where they are.
 class Masses {
 public:
   Masses(const Forces& mass, std::vector<TimedLoad> loads, const Constraints& constraints) {
@@ -47,6 +49,10 @@ public:
     for (Eigen::Index k = 0; k < mass.cols(); ++k) {
       key.assign(mass.col(k).begin(), mass.col(k).end());
       for (const auto& load : loads) key.insert(key.end(), load.forces.col(k).begin(), load.forces.col(k).end());
+      if (std::ranges::all_of(key, [](double value) { return value == 0; })) {
+        before.clear();
+        continue;
+      }
       if (key == before && runs_.back().length < longest) {
         ++runs_.back().length;
         continue;

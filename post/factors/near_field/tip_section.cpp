@@ -1,5 +1,7 @@
 #include "post/factors/near_field/tip_section.hpp"
 
+#include <cmath>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <complex>
@@ -47,6 +49,14 @@ double TipSection::release(const Eigen::Vector3d& K) const {
 
 Eigen::Vector3d TipSection::unit_release() const {
   return std::numbers::pi / 2 * compliance.diagonal();
+}
+
+Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const TipSection& at) {
+  const double bending = at.release({split[0], split[1], 0}), shear = at.release({0, 0, split[2]}), rest = G - shear;
+  if (G <= 0 || bending + shear <= 0) return {0, 0, 0};
+  if (bending <= 0 || rest <= 0.05 * G) return split * std::sqrt(G / (bending + shear));
+  const double scale = std::sqrt(rest / bending);
+  return {scale * split[0], scale * split[1], split[2]};
 }
 
 }  // namespace post

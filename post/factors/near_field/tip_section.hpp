@@ -29,4 +29,7 @@ Eigen::Matrix3d turned_compliance(const Eigen::Matrix3d& bending, const geometry
 /// (Lekhnitskii): both are exact where the roots are double.
 std::pair<std::complex<double>, std::complex<double>> upper_roots(const Eigen::Matrix3d& compliance);
 
+/// Factors with the energy release rate G and the mode mix of `split`: K3 as it is, K1 and K2 take the rest.
+Eigen::Vector3d factors(double G, const Eigen::Vector3d& split, const TipSection& at);
+
 }  // namespace post

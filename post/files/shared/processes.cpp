@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "plate/model/ranks/gathered.hpp"
+#include "plate/model/ranks/traffic.hpp"
 
 namespace post {
 namespace {
@@ -30,11 +31,12 @@ std::string range(const Spread& one, const char* unit, double scale = 1) {
 
 }  // namespace
 
-std::optional<ProcessesSummary> of_processes(std::size_t points,
-                                             const std::vector<std::pair<std::string, double>>& seconds, double memory,
-                                             const plate::Traffic& since, std::optional<double> steps) {
+std::shared_ptr<const ProcessesSummary> of_processes(std::size_t points,
+                                                     const std::vector<std::pair<std::string, double>>& seconds,
+                                                     double memory, const plate::Traffic& since,
+                                                     std::optional<double> steps) {
   const auto* all = plate::ranks();
-  if (!all) return std::nullopt;
+  if (!all) return nullptr;
   const double per_step = 1 / std::max(1.0, steps.value_or(1));
   std::vector<double> own{double(points),
                           memory,
@@ -55,7 +57,7 @@ std::optional<ProcessesSummary> of_processes(std::size_t points,
                           found[4],
                           found[5]};
   for (std::size_t i = 0; i < seconds.size(); ++i) result.seconds.emplace_back(seconds[i].first, found[6 + i]);
-  return result;
+  return std::make_shared<const ProcessesSummary>(std::move(result));
 }
 
 plate::Traffic traffic_so_far() {
@@ -66,14 +68,16 @@ plate::Traffic traffic_so_far() {
 std::string printed(const ProcessesSummary& processes) {
   const auto& [count, threads, points, memory, seconds, waiting, steps, messages, bytes, sums] = processes;
   constexpr double giga = 1e-9, kilo = 1e-3;
-  std::string text = fmt::format("{} process{} of {} thread{}: {} points and {} of memory each, {:.3g} GB in all\n",
-                                 count, count == 1 ? "" : "es", threads, threads == 1 ? "" : "s", range(points, ""),
-                                 range(memory, " GB", giga), memory.mean * giga * double(count));
+  std::string text =
+      fmt::format("{} process{} of {} thread{}: {:.0f} to {:.0f} points and {} of memory each, {:.3g} GB in all\n",
+                  count, count == 1 ? "" : "es", threads, threads == 1 ? "" : "s", points.least, points.largest,
+                  range(memory, " GB", giga), memory.mean * giga * double(count));
   const auto total = std::ranges::find(seconds, "total", &std::pair<std::string, Spread>::first);
   if (total != seconds.end())
     text += fmt::format("waiting for each other {} of {:.3g} s\n", range(waiting, ""), total->second.largest);
-  text += fmt::format("to each {} messages of copies, {} and {:.3g} sums of all{}\n", range(messages, ""),
-                      range(bytes, " kB", kilo), sums.mean, steps ? " a step, rows and frames counted" : "");
+  text +=
+      fmt::format("to each {} messages of copies, {} and {:.3g} sums of all{}\n", range(messages, ""),
+                  range(bytes, " kB", kilo), sums.mean, steps ? " a step or iteration, rows and frames counted" : "");
   return text;
 }
 

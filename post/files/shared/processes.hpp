@@ -1,10 +1,13 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "plate/model/ranks/traffic.hpp"
+namespace plate {
+struct Traffic;
+}
 
 namespace post {
 
@@ -27,9 +30,10 @@ struct ProcessesSummary {
 
 /// Of all processes that share the plate, from what each has itself; nothing where one has all. All call it at once.
 /// `points`: its own; `seconds`: of its stages; `since`: traffic of the run; `steps`: or iterations.
-std::optional<ProcessesSummary> of_processes(std::size_t points,
-                                             const std::vector<std::pair<std::string, double>>& seconds, double memory,
-                                             const plate::Traffic& since, std::optional<double> steps);
+std::shared_ptr<const ProcessesSummary> of_processes(std::size_t points,
+                                                     const std::vector<std::pair<std::string, double>>& seconds,
+                                                     double memory, const plate::Traffic& since,
+                                                     std::optional<double> steps);
 
 /// The traffic of this process so far; zeros where one process has all.
 plate::Traffic traffic_so_far();

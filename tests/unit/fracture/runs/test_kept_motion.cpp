@@ -4,9 +4,11 @@
 #include <mutex>
 
 #include "cases/driver/results.hpp"
+#include "fracture/runs/keeper.hpp"
 #include "fracture/runs/run_once.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "post/files/shared/shared_checkpoints.hpp"
 #include "post/files/sinks/kept_sink.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
@@ -35,7 +37,7 @@ Moved moved(const plate::Ranks& all, std::size_t steps, const std::filesystem::p
   Moved result;
   fracture::Results results(cases::plan_of(file.content, {{}, true, &result.kept}), *ready.plate, ready.tip_methods,
                             {std::make_unique<post::KeptSink>(result.kept), "", ""});
-  fracture::Keeper keeper(post::SharedCheckpoints(all, folder, "case"), 1e-9);
+  fracture::Keeper keeper(std::make_shared<post::SharedCheckpoints>(all, folder, "case"), 1e-9);
   std::vector<std::string> refused;
   result.went_on = keeper.find(refused);
   CHECK(refused.empty());

@@ -9,6 +9,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/ranks/traffic.hpp"
 #include "plate/model/refused.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
@@ -76,11 +77,12 @@ TEST_CASE("processes foretold: more than there are blocks are refused as by the 
 }
 
 TEST_CASE("processes foretold: memory and time follow what each has") {
-  ForetoldRun run;
-  run.points = 1000, run.bytes = 2e9;
-  run.costs.seconds = {{"setting up", 10}, {"solution", 100}, {"files", 1}};
+  const RunByOne run{1000, 14e6, 2e9, {{"setting up", 10}, {"solution", 100}, {"files", 1}}, true, false};
   const ForetoldProcesses half{2, 500, 500, 600, 30, 1};
   CHECK(bytes_of_process(half, run) > 1.2e9);
   CHECK(bytes_of_process(half, run) < 1.3e9);
   CHECK(seconds_of_processes(half, run) == Approx(6 + 50 + 0.5));
+  const auto text = to_text(half, run);
+  CHECK(text.find("2, of 500 to 500 points, which see up to 600") != std::string::npos);
+  CHECK(text.find("2 messages with 0.96 kB to each a step") != std::string::npos);
 }

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <mutex>
 
+#include "plate/model/ranks/traffic.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace post;

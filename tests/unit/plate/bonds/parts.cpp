@@ -1,0 +1,168 @@
+#include "tests/unit/plate/bonds/parts.hpp"
+
+#include <catch2/catch.hpp>
+#include <mutex>
+
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/bonds/part_of_lattice.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/formulation/parts/pieces.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/solution.hpp"
+#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+
+namespace parts {
+
+Problem problem_of(geometry::Outline outline, std::vector<Support> supports, std::vector<Load> loads) {
+  Problem problem;
+  problem.outline = std::move(outline);
+  problem.section = {1000, 0.3, 0.05, 5.0 / 6, 2};
+  problem.supports = std::move(supports);
+  problem.loads = std::move(loads);
+  problem.discretization.spacing = 0.01;
+  problem.discretization.formulation = &ordinary;
+  return problem;
+}
+
+Load pressure(double value) {
+  Load load;
+  load.value = value;
+  return load;
+}
+
+Problem own(Problem problem) {
+  for (auto& load : problem.loads)
+    if (load.formula.given()) load.formula = Formula(load.formula.text());
+  return problem;
+}
+
+namespace {
+
+/// Where and how a motion ends, whoever computed it.
+struct End {
+  double limit = 0;                          // of the time step
+  std::vector<std::array<double, 4>> books;  // strain, kinetic, discrete and outer energy of every row
+  std::map<std::array<long, 2>, std::array<double, 3>> state;  // by cell
+};
+
+/// What this process, or the only one, has of 30 steps.
+End moved(const Problem& given, bool mixed) {
+  constexpr std::size_t steps = 30;
+  const auto problem = own(given);
+  const auto plate = discretise(problem).plate;
+  const auto& cloud = plate->cloud();
+  const auto cell = [&](std::uint32_t k) { return geometry::cell_of(plate->boundary().lattice[k]); };
+  const auto mass = plate->mass();
+  State start(3, mass.cols());
+  for (std::uint32_t k = 0; k < cloud.size(); ++k)
+    for (int c = 0; c < 3; ++c) start(c, k) = std::sin(double(7 * cell(k)[0] + 13 * cell(k)[1] + c));
+  End end;
+  end.limit = stable_time_step(*plate, plate->constraints(), mass, start);
+  const auto part = part_of_lattice(problem.outline, problem.discretization);
+  DynamicOptions options{0.9 * end.limit, steps, 10};
+  if (mixed) options.single = plate->single_precision();
+  central_differences(*plate, plate->constraints(), mass, plate->loads(), options, [&](const Instant& now) {
+    end.books.push_back({now.strain_energy, now.kinetic_energy, now.discrete_kinetic_energy, now.external_work});
+    if (now.step < steps) return;
+    for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
+      if (!part || part->own.contains(cell(k)))
+        end.state[cell(k)] = {now.state(0, k), now.state(1, k), now.state(2, k)};
+  });
+  return end;
+}
+
+End moved_by(int processes, const Problem& problem, bool mixed) {
+  End all;
+  std::mutex one_by_one;
+  thread_ranks::run(processes, [&](const Ranks& ranks) {
+    End own = moved(problem, mixed);
+    const std::lock_guard guard(one_by_one);
+    all.state.merge(own.state);
+    if (ranks.rank() == 0) all.limit = own.limit, all.books = own.books;
+    CHECK(own.state.empty());  // nobody else has any of these points
+  });
+  return all;
+}
+
+/// What this process, or the only one, has of an equilibrium, and the iterations to it.
+struct Rest {
+  std::size_t iterations = 0;
+  double strain = 0;
+  std::vector<std::array<double, 3>> pieces;  // points, free motions, abscissa
+  std::map<std::array<long, 2>, std::array<double, 3>> state;
+};
+
+Rest at_rest(const Problem& given, StaticMethod method, Preconditioning wanted) {
+  const auto problem = own(given);
+  const auto plate = discretise(problem).plate;
+  const auto part = part_of_lattice(problem.outline, problem.discretization);
+  const auto found = solve_static(*plate, plate->total_load(), method, wanted, {1e-7, 20000, {}}).solution;
+  CHECK(found.converged);
+  Rest rest{found.iterations, plate->strain_energy(found.state), {}, {}};
+  for (const auto& piece : plate->pieces())
+    rest.pieces.push_back({double(piece.points), double(piece.free_modes), piece.position.x()});
+  for (std::uint32_t k = 0; k < plate->cloud().plate_points; ++k)
+    if (const auto cell = geometry::cell_of(plate->boundary().lattice[k]); !part || part->own.contains(cell))
+      rest.state[cell] = {found.state(0, k), found.state(1, k), found.state(2, k)};
+  return rest;
+}
+
+}  // namespace
+
+void check(const Problem& problem, bool mixed) {
+  const End whole = moved(problem, mixed), one = moved_by(1, problem, mixed);
+  REQUIRE(whole.state.size() == one.state.size());
+  CHECK(one.limit == Approx(whole.limit).epsilon(1e-9));
+  double largest = 0, apart = 0;
+  for (const auto& [cell, value] : whole.state)
+    for (std::size_t c = 0; c < 3; ++c) {
+      largest = std::max(largest, std::abs(value[c]));
+      apart = std::max(apart, std::abs(value[c] - one.state.at(cell)[c]));
+    }
+  CHECK(largest > 0);
+  CHECK(apart < (mixed ? 1e-5 : 1e-10) * largest);
+  for (const int processes : {2, 3, 4, 7}) {
+    INFO(processes << " processes");
+    const End many = moved_by(processes, problem, mixed);
+    CHECK(many.limit == one.limit);
+    CHECK(many.books == one.books);
+    CHECK((many.state == one.state));
+  }
+}
+
+void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound) {
+  const Rest whole = at_rest(problem, method, wanted);
+  Rest one;
+  for (const int processes : {1, 3, 7}) {
+    INFO(processes << " processes");
+    Rest all;
+    std::mutex one_by_one;
+    thread_ranks::run(processes, [&](const Ranks& ranks) {
+      Rest own = at_rest(problem, method, wanted);
+      const std::lock_guard guard(one_by_one);
+      all.state.merge(own.state);
+      if (ranks.rank() == 0) all.iterations = own.iterations, all.strain = own.strain, all.pieces = own.pieces;
+    });
+    REQUIRE(all.state.size() == whole.state.size());
+    CHECK((all.pieces == whole.pieces));
+    CHECK(std::abs(double(all.iterations) - double(whole.iterations)) <= 0.01 * double(whole.iterations));
+    if (processes == 1) one = all;
+    double largest = 0, apart = 0, apart_of_whole = 0;
+    for (const auto& [cell, value] : whole.state)
+      for (std::size_t c = 0; c < 3; ++c) {
+        largest = std::max(largest, std::abs(value[c]));
+        apart_of_whole = std::max(apart_of_whole, std::abs(value[c] - all.state.at(cell)[c]));
+        apart = std::max(apart, std::abs(one.state.at(cell)[c] - all.state.at(cell)[c]));
+      }
+    CAPTURE(apart / largest, apart_of_whole / largest, all.strain / one.strain - 1);
+    CHECK(largest > 0);
+    CHECK(apart <= bound * largest);
+    CHECK(apart_of_whole < 1e-7 * largest);
+    CHECK(std::abs(all.strain - one.strain) <= bound * one.strain);
+    if (bound == 0) CHECK(all.iterations == one.iterations);
+  }
+}
+
+}  // namespace parts

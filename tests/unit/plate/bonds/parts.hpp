@@ -1,0 +1,25 @@
+#pragma once
+#include <map>
+#include <vector>
+
+#include "plate/model/problem.hpp"
+#include "plate/model/solver_choices.hpp"
+
+/// Plates that threads share as processes do, against those of one.
+namespace parts {
+
+using namespace plate;
+
+Problem problem_of(geometry::Outline outline, std::vector<Support> supports, std::vector<Load> loads);
+Load pressure(double value);
+
+/// With formulas of its own: each is evaluated by one thread at a time.
+Problem own(Problem problem);
+
+/// 30 steps: 1 process against the ordinary program, any other number against 1, bit for bit.
+void check(const Problem& problem, bool mixed = false);
+
+/// `bound`: of how far apart states are for different numbers of processes, over the largest; 0: the same bits.
+void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound);
+
+}  // namespace parts
