@@ -2,7 +2,7 @@
 
 #include "cases/driver/results.hpp"
 #include "cases/studies/study.hpp"
-#include "fracture/runs/lacking.hpp"
+#include "fracture/runs/faults/lacking.hpp"
 #include "post/studies/orders.hpp"
 
 namespace cases {

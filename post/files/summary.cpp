@@ -287,9 +287,8 @@ std::string to_json(const Summary& summary) {
   json["warnings"] = summary.warnings;
   json["version"] = summary.version;
   json["digest"] = summary.digest;
-  constexpr int indent = 2;
   // a title that is not UTF-8 is no reason to lose the results: its odd bytes are replaced
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::size_t peak_memory_bytes() {

@@ -7,7 +7,7 @@ import tree
 FUNCTION, HEADER, SOURCE, FOLDER = 60, 150, 300, 25  # lines, lines, lines, files; a TEST_CASE is a function: the longest had 39
 LINES = {"cases": 5600}  # a third of it is the table of keys, which grows with what plates can carry
 TESTED = 0.84  # of the units, asked for: 0.75; cases/main.cpp is none
-LONG_HEADERS = {"plate/formulation/formulation.hpp": 153, "plate/bonds/rows/folded_row.hpp": 188, "cases/input/keys/forms.hpp": 170}
+LONG_HEADERS = {"plate/formulation/formulation.hpp": 154, "plate/bonds/rows/folded_row.hpp": 188, "cases/input/keys/forms.hpp": 170}
 
 
 def of_file(root, path):

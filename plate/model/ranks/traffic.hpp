@@ -26,6 +26,10 @@ public:
   std::vector<std::string> exchanged(std::vector<std::string> texts) const override;
   std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const override;
   std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const override { return ranks_.inverse(rows); }
+  SharedPairs largest_pairs(const SharedProduct& product, std::span<const double> start,
+                            const PairsWanted& wanted) const override {
+    return ranks_.largest_pairs(product, start, wanted);
+  }
   const Traffic* traffic() const override { return &traffic_; }
 
 private:

@@ -1,4 +1,4 @@
-#include "fracture/runs/lacking.hpp"
+#include "fracture/runs/faults/lacking.hpp"
 
 #include "cases/driver/results.hpp"
 #include "post/studies/quantity.hpp"

@@ -1,4 +1,4 @@
-#include "fracture/runs/lacking.hpp"
+#include "fracture/runs/faults/lacking.hpp"
 
 #include <fmt/format.h>
 
