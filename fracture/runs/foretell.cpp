@@ -184,8 +184,9 @@ std::string of_solution(const ForetoldRun& run, const RunPlan& plan) {
                        run.costs.iterations);
   if (plan.analysis.kind != Analysis::Kind::static_)
     return fmt::format("solution      Lanczos vectors, about {:.0f}\n", run.costs.iterations);
+  const char* each = plan.growth ? " an advance" : plan.problem.lifts_off() ? " for each try of what soil touches" : "";
   return fmt::format("solution      {}, about {:.0f} iterations{}\n", run.solver.words,
-                     std::max(1.0, run.costs.iterations), plan.growth ? " an advance" : "");
+                     std::max(1.0, run.costs.iterations), each);
 }
 
 std::string of_time(const ForetoldRun& run) {

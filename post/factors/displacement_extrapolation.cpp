@@ -118,7 +118,7 @@ DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& p
     : tip_(tip),
       scale_(scale),
       how_(how),
-      stiffness_(TipSection(scale.section.at(tip.position), tip.direction).compliance.inverse() / std::sqrt(8.0)) {
+      stiffness_(TipSection(scale.section.at(tip.position), tip.direction).stiffness() / std::sqrt(8.0)) {
   const auto& v = path.vertices;
   const double straight = tip.at_back ? (v.back() - v[v.size() - 2]).norm() : (v.front() - v[1]).norm();
   const double window = std::min(how.window, straight);

@@ -216,7 +216,7 @@ TEST_CASE("exit code 3: numbers that no longer are, and a plate that does not mo
       for (const char* number : {"nan", "inf"})
         CHECK(text_of(scratch / "results" / table).find(number) == std::string::npos);
   };
-  fails(central_crack(), {"section.young=1e-200", "discretization.formulation=galerkin"}, "is inf");
+  fails(central_crack(), {"section.young=1e-306", "discretization.formulation=galerkin"}, "not finite");
   fails(central_crack(), {"load[0].value=1e-170"}, "nothing has moved although loads act");
   fails(moving, {"load[0].value=1e170", "load[0].history=[[0, 0], [0.01, 1]]"}, "double precision holds");
   CHECK(fs::exists(scratch / "results" / "fields_0000.vtu"));  // the last good one

@@ -82,7 +82,7 @@ SeriesFit over(const TipView& plate, const TipFrame& frame, const TipSection& at
               mode, rows);
     scatter(plate, k, of_deflection(fields.deflection(place), S, frame.ahead, q, slope), plate.areas[k], 2, rows);
   }
-  const Eigen::Matrix3d factors = at.compliance.inverse() / std::numbers::pi;
+  const Eigen::Matrix3d factors = at.stiffness() / std::numbers::pi;
   SeriesFit result{{ring.inner, ring.outer, 0}, {}, Eigen::Matrix3Xd(3, 3 * Eigen::Index(rows.size()))};
   for (const auto& [k, own] : rows) {
     result.row.middleCols(3 * Eigen::Index(result.points.size()), 3) = factors * own;

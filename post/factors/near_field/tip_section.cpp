@@ -8,12 +8,21 @@
 #include <numbers>
 
 namespace post {
+namespace {
+
+/// Determinants of numbers near the ends of double precision are beyond it.
+Eigen::Matrix3d inverse(const Eigen::Matrix3d& matrix) {
+  const double size = matrix.cwiseAbs().maxCoeff();
+  return (matrix / size).inverse() / size;
+}
+
+}  // namespace
 
 Eigen::Matrix3d turned_compliance(const Eigen::Matrix3d& bending, const geometry::Point& ahead) {
   const double c = ahead.x(), s = ahead.y();
   Eigen::Matrix3d turn;  // curvatures xx, yy, 2 xy in those axes by those along x and y
   turn << c * c, s * s, c * s, s * s, c * c, -c * s, -2 * c * s, 2 * c * s, c * c - s * s;
-  return turn * bending.inverse() * turn.transpose();
+  return turn * inverse(bending) * turn.transpose();
 }
 
 std::pair<std::complex<double>, std::complex<double>> upper_roots(const Eigen::Matrix3d& a) {
@@ -41,6 +50,10 @@ TipSection::TipSection(const plate::Section& own, const geometry::Point& ahead)
   compliance(1, 1) = a(0, 0) * sum.imag();
   compliance(0, 1) = compliance(1, 0) = a(0, 0) * product.imag();
   compliance(2, 2) = 1 / std::sqrt(local.shear.determinant());
+}
+
+Eigen::Matrix3d TipSection::stiffness() const {
+  return inverse(compliance);
 }
 
 double TipSection::release(const Eigen::Vector3d& K) const {

@@ -8,7 +8,8 @@ TEST_CASE("unknown keys are named with the nearest known one") {
   expect(with_line(plain, 9, "spacing = 0.05\nspcing = 3"), ":10", "discretization.spcing", "did you mean 'spacing'?");
   expect(with_line(plain, 4, "thickness = 0.1\nhorizon_ratio = 3"), ":5", "section.horizon_ratio",
          "did you mean 'discretization.horizon_ratio'?");
-  expect(with_line(plain, 4, "thickness = 0.1\nqqqqqq = 3"), ":5", "section.qqqqqq", "known here: young, poisson");
+  expect(with_line(plain, 4, "thickness = 0.1\nqqqqqq = 3"), ":5", "section.qqqqqq",
+         "known here: orthotropic, plies, young, poisson");
   expect("titel = 1\n" + plain, ":1", "titel", "did you mean 'title'?");
 }
 

@@ -28,8 +28,8 @@ struct Moved {
 Moved moved(const plate::Ranks& all, std::size_t steps, const std::filesystem::path& folder) {
   const auto file =
       read(plain, {"discretization.spacing=0.02", "discretization.formulation=ordinary", "section.density=1",
-                   "analysis={kind=\"dynamic\",duration=1}", "output.probes={a=[0.5,0.3]}",
-                   "load[0].history={kind=\"sine\",frequency=3}", "foundation[0].modulus=5"});
+                   "analysis={kind=\"dynamic\",duration=1}", "output.probes={a=[0.5,0.3]}", "load[0].history=sine",
+                   "load[0].frequency=3", "foundation[0].modulus=5"});
   fracture::Ready ready;
   ready.plate = plate::discretise(file.content).plate;
   const double limit = plate::stable_time_step(*ready.plate, 1);
