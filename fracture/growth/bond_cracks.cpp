@@ -67,9 +67,9 @@ std::vector<std::array<geometry::Point, 2>> parted(const plate::Formulation& pla
           if (const auto& v = boundary.lattice[*j]; geometry::severs(path, u, v))
             own.push_back({u.x(), u.y(), v.x(), v.y()});
   }
+  if (const auto* all = plate::ranks()) own = plate::gathered(*all, own);
   std::vector<std::array<geometry::Point, 2>> result;
-  for (const auto& [x, y, z, t] : plate::ranks() ? plate::gathered(*plate::ranks(), own) : own)
-    result.push_back({geometry::Point(x, y), geometry::Point(z, t)});
+  for (const auto& [x, y, z, t] : own) result.push_back({geometry::Point(x, y), geometry::Point(z, t)});
   return result;
 }
 
