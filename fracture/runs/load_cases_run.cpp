@@ -53,12 +53,12 @@ public:
         recorder_(std::move(recorder)),
         probes_(probes_of(plan.probes, plate_)) {
     if (!recorder_.draws() && !recorder_.stores()) return;
+    const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
     if (shared()) {
-      drawing_ = std::make_unique<OwnDrawing>(plate_);
+      drawing_ = std::make_unique<OwnDrawing>(plate_, mesh);
       recorder_.open(drawing_->mesh());
       return;
     }
-    const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
     if (plan_.report) pictures_.open(mesh);
     recorder_.open(mesh);
   }

@@ -36,6 +36,7 @@ private:
   void observe(const Equilibrium& now);
   void frame();
   void record();
+  void store();
   post::GrowthSummary growth_summary() const;
   post::Summary finish();
 

@@ -4,6 +4,7 @@
 #include "fracture/growth/quasi_static/growing_plate.hpp"
 #include "fracture/growth/words.hpp"
 #include "fracture/runs/quasi_static_run.hpp"
+#include "fracture/runs/shared/own_drawing.hpp"
 #include "plate/model/formulation_kind.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/overlaps.hpp"
@@ -13,9 +14,7 @@ namespace fracture {
 void QuasiStaticRun::record() {
   const bool solved = state_.cols() > 0;
   if (solved && !framed_) frame();
-  if (solved && recorder_->stores())
-    recorder_->final_state(post::points_of(model_->plate()),
-                           post::frame_of(model_->plate(), double(advance_), advance_, state_, false));
+  if (solved && recorder_->stores()) store();
   if (tips_ || plan_.srif) recorder_->table("srif", srifs_);
   if (!reactions_.empty()) recorder_->table("reactions", reactions_.table());
   const auto& record = model_->record();
@@ -24,6 +23,15 @@ void QuasiStaticRun::record() {
   recorder_->table("cracks", record.crack_table());
   recorder_->cracks(record.cracks, latest_);
   if (recorder_->plots()) recorder_->picture("curves", post::picture_of_growth(plan_.title, record.growth, plan_.si()));
+}
+
+void QuasiStaticRun::store() {
+  const auto& plate = model_->plate();
+  const auto mesh = post::points_of(plate);
+  auto frame = post::frame_of(plate, double(advance_), advance_, state_, false);
+  if (const auto own = own_drawing(plate, mesh))
+    return recorder_->final_state(own->mesh(), own->frame(std::move(frame)));
+  recorder_->final_state(mesh, frame);
 }
 
 post::GrowthSummary QuasiStaticRun::growth_summary() const {

@@ -73,8 +73,11 @@ Recording shared_recording(const plate::Ranks& all, const RecordingOptions& opti
   const bool goes_on = options.goes_on && finds(keeper.get(), options);
   auto sink = lock ? cleared(options, goes_on, std::move(*lock)) : nullptr;
   wait_for_all(all);
-  return {{std::make_unique<post::Pieces>(all, options.folder, options.vtk, std::move(sink)), options.resolved,
-           options.version},
+  std::optional<post::StateFile::Options> stored;
+  if (options.hdf5)
+    stored = {options.folder / "state.h5", options.resolved, options.version, options.velocities, goes_on};
+  return {{std::make_unique<post::Pieces>(all, options.folder, options.vtk, std::move(stored), std::move(sink)),
+           options.resolved, options.version},
           std::move(keeper)};
 }
 

@@ -33,12 +33,12 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
       extremes_(plate),
       energy_gate_(plan.growth ? post::EnergyGate::Plate::grows : post::EnergyGate::Plate::moves) {
   if (!recorder_.draws() && !recorder_.stores()) return;
+  const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
   if (shared()) {
-    drawing_ = std::make_unique<OwnDrawing>(plate);
+    drawing_ = std::make_unique<OwnDrawing>(plate, mesh);
     recorder_.open(drawing_->mesh());
     return;
   }
-  const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
   if (plan_.report) pictures_.open(mesh);
   recorder_.open(mesh);
 }
@@ -82,20 +82,20 @@ void Results::frame(const plate::Instant& now) {
   auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_, &heat);
   std::optional<plate::Mesh> mesh;
   if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state, factors_.last());
+  if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);
+  const bool rates = recorder_.stores() && plan_.moves();
   if (drawing_) {
     if (mesh) drawing_ = std::make_unique<OwnDrawing>(plate_, *mesh), mesh = drawing_->mesh();
-    if (!growth_) extremes_.frame(now.time, frame.resultants);
-    recorder_.frame(drawing_->frame(std::move(frame)), std::move(mesh), {});
+    recorder_.frame(drawing_->frame(std::move(frame)), std::move(mesh),
+                    rates ? drawing_->own(now.velocity()) : plate::State(3, 0));
     return;
   }
   if (plan_.report) {
     if (mesh) pictures_.open(*mesh);
     pictures_.look(frame);
   }
-  if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);
   plate::State velocity;
-  if (recorder_.stores() && plan_.moves())
-    velocity = now.velocity().leftCols(Eigen::Index(plate_.cloud().plate_points));
+  if (rates) velocity = now.velocity().leftCols(Eigen::Index(plate_.cloud().plate_points));
   recorder_.frame(std::move(frame), std::move(mesh), std::move(velocity));
 }
 

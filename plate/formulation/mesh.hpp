@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
@@ -28,6 +29,7 @@ struct Mesh {
   };
   std::vector<Corner> corners = {};
   std::size_t others = 0;  // points at the end of `positions` that are in no cell: corners take values from them
+  std::optional<std::size_t> own = {};  // points at the beginning that no other process has; absent: one has all
 };
 
 }  // namespace plate

@@ -10,7 +10,7 @@ struct Files {
   std::string (*vtu)(const Mesh& mesh, const Frame& frame);  // the text of a file for ParaView
   std::string (*vtp)(const Cracks& cracks);
   Drawn (*read_vtu)(const std::filesystem::path& path);
-  std::unique_ptr<StateFile::Open> (*open)(StateFile::Options options, const Mesh& mesh);
+  std::unique_ptr<StateFile::Open> (*open)(StateFile::Options options, const StateFile::Points& points);
   StoredRun (*read_run)(const std::filesystem::path& path);
 };
 

@@ -6,7 +6,7 @@ namespace post {
 std::string vtu(const Mesh& mesh, const Frame& frame);
 std::string vtp(const Cracks& cracks);
 Drawn read_vtu(const std::filesystem::path& path);
-std::unique_ptr<StateFile::Open> open_state_file(StateFile::Options options, const Mesh& mesh);
+std::unique_ptr<StateFile::Open> open_state_file(StateFile::Options options, const StateFile::Points& points);
 StoredRun read_state_file(const std::filesystem::path& path);
 
 }  // namespace post

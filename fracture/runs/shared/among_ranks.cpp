@@ -101,8 +101,6 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes) {
   refuse(plan.srif && !plan.srif->window && plan.srif->window_horizons * d.horizon() > seen, "srif.window_horizons",
          "so wide a window cannot be seen");
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
-  if (plan.states)
-    result.push_back({"output.fields", "\"hdf5\" cannot be written yet by several processes: take [\"vtk\"] or []"});
   refuse(resumes && plan.growth, "--resume", "checkpoints of cracks that grow cannot be kept");
   return result;
 }

@@ -81,6 +81,9 @@ OwnDrawing::OwnDrawing(const plate::Formulation& plate) : OwnDrawing(plate, plat
 
 OwnDrawing::OwnDrawing(const plate::Formulation& plate, const plate::Mesh& whole) : plate_(plate) {
   Part part(whole);
+  for (std::uint32_t k = 0; k < plate.cloud().plate_points; ++k)
+    if (plate.boundary().owns(k)) part.take(k);
+  own_ = part.points.size();
   const auto& lattice = plate.boundary().lattice;
   const auto own = [&](const auto& cell) {  // whose the lowest of its points is, of these the one to the left
     std::optional<std::uint32_t> first;
@@ -92,28 +95,31 @@ OwnDrawing::OwnDrawing(const plate::Formulation& plate, const plate::Mesh& whole
     if (own(cell)) part.take(cell, part.mesh.quads);
   for (const auto& cell : whole.triangles)
     if (own(cell)) part.take(cell, part.mesh.triangles);
-  for (std::uint32_t k = 0; k < plate.cloud().plate_points; ++k)
-    if (plate.boundary().owns(k)) part.take(k);
   part.finish();
-  mesh_ = std::move(part.mesh), points_ = std::move(part.points);
+  mesh_ = std::move(part.mesh), points_ = std::move(part.points), mesh_.own = own_;
 }
 
 std::optional<OwnDrawing> own_drawing(const plate::Formulation& plate, const plate::Mesh& whole) {
   return plate::ranks() ? std::optional<OwnDrawing>(std::in_place, plate, whole) : std::nullopt;
 }
 
+plate::State OwnDrawing::own(const plate::State& of_plate, std::size_t count) const {
+  plate::State result(3, Eigen::Index(count));
+  for (std::size_t i = 0; i < count; ++i) result.col(Eigen::Index(i)) = of_plate.col(Eigen::Index(points_[i]));
+  return result;
+}
+
 post::Frame OwnDrawing::frame(post::Frame seen) const {
   auto& resultants = seen.resultants;
+  post::Frame result{seen.time, seen.step, own(seen.state, points_.size()), {}, {}, std::move(seen.cracks)};
+  if (resultants.von_mises.size() == 0) return result;
   fetch(plate_, resultants.moments);
   fetch(plate_, resultants.shear);
   fetch(plate_, resultants.von_mises.transpose());
-  post::Frame result{seen.time, seen.step, {}, {}, {}, std::move(seen.cracks)};
   const auto count = Eigen::Index(points_.size());
-  result.state.resize(3, count);
   result.resultants = plate::resultants_of(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto k = Eigen::Index(points_[std::size_t(i)]);
-    result.state.col(i) = seen.state.col(k);
     result.resultants.moments.col(i) = resultants.moments.col(k);
     result.resultants.shear.col(i) = resultants.shear.col(k);
     result.resultants.von_mises[i] = resultants.von_mises[k];

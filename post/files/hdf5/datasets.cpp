@@ -1,5 +1,7 @@
 #include "post/files/hdf5/datasets.hpp"
 
+#include <algorithm>
+
 namespace post::hdf5 {
 namespace {
 
@@ -17,6 +19,13 @@ Id new_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, c
   write_attribute(dataset, "unit", meaning.unit);
   write_attribute(dataset, "description", meaning.description);
   return dataset;
+}
+
+/// A part of a dataset, which begins at `start`.
+void write_part(hid_t dataset, const Sizes& start, const Sizes& count, const double* values, const std::string& name) {
+  const Id target(H5Dget_space(dataset), H5Sclose, name);
+  checked(H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name);
+  checked(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, space_of(count), target, H5P_DEFAULT, values), name);
 }
 
 }  // namespace
@@ -49,14 +58,26 @@ void write_whole_dataset(hid_t parent, const std::string& name, hid_t type, cons
   checked(dataset.release(), name);  // small ones are written here; a file that is closed knows nothing of what failed
 }
 
+void write_dataset_in_parts(hid_t parent, const std::string& name, const Sizes& sizes, const InParts& values,
+                            const Meaning& meaning) {
+  Id dataset = new_dataset(parent, name, H5T_NATIVE_DOUBLE, space_of(sizes), meaning);
+  for_each_part(std::size_t(sizes.front()), [&](std::size_t first, std::size_t count) {
+    Sizes start(sizes.size(), 0), counts = sizes;
+    start.front() = first, counts.front() = count;
+    write_part(dataset, start, counts, values(first, count).data(), name);
+  });
+  checked(dataset.release(), name);
+}
+
 Series::Series(hid_t parent, const std::string& name, Sizes sizes, hsize_t chunk, const Meaning& meaning)
     : name_(name), sizes_(std::move(sizes)) {
   sizes_.insert(sizes_.begin(), 0);
-  Sizes limits = sizes_, chunks = sizes_;
+  Sizes limits = sizes_;
   limits.front() = H5S_UNLIMITED;
-  chunks.front() = chunk;
+  chunks_ = sizes_, chunks_.front() = chunk;
+  if (chunks_.size() > 1) chunks_[1] = std::min(chunks_[1], hsize_t(points_at_once));
   const Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
-  checked(H5Pset_chunk(properties, static_cast<int>(chunks.size()), chunks.data()), name);
+  checked(H5Pset_chunk(properties, static_cast<int>(chunks_.size()), chunks_.data()), name);
   checked(H5Pset_fill_value(properties, H5T_NATIVE_DOUBLE, &missing), name);
   checked(H5Pset_shuffle(properties), name);
   checked(H5Pset_deflate(properties, 1), name);
@@ -69,6 +90,9 @@ Series::Series(hid_t parent, const std::string& name)
   sizes_.resize(std::size_t(checked(H5Sget_simple_extent_ndims(space), name)));
   checked(H5Sget_simple_extent_dims(space, sizes_.data(), nullptr), name);
   if (sizes_.empty()) throw std::runtime_error("state.h5: " + name + " has no entries");
+  const Id properties(H5Dget_create_plist(dataset_), H5Pclose, name);
+  chunks_.resize(sizes_.size());
+  checked(H5Pget_chunk(properties, static_cast<int>(chunks_.size()), chunks_.data()), name);
 }
 
 void Series::stretch(std::size_t length) {
@@ -80,35 +104,46 @@ void Series::keep(std::size_t count) {
   if (count < length()) stretch(count);
 }
 
-void Series::write(std::size_t index, const double* values) {
+void Series::write(std::size_t index, double value) {
   if (index >= length()) stretch(index + 1);
-  Sizes start(sizes_.size(), 0), count = sizes_;
-  start.front() = index;
-  count.front() = 1;
-  const Id target(H5Dget_space(dataset_), H5Sclose, name_);
-  checked(H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name_);
-  checked(H5Dwrite(dataset_, H5T_NATIVE_DOUBLE, space_of(count), target, H5P_DEFAULT, values), name_);
+  write_part(dataset_, {index}, {1}, &value, name_);
+}
+
+void Series::write(std::size_t index, const InParts& values) {
+  if (index >= length()) stretch(index + 1);
+  for_each_part(std::size_t(sizes_.at(1)), [&](std::size_t first, std::size_t count) {
+    Sizes start(sizes_.size(), 0), counts = sizes_;
+    start[0] = index, start[1] = first, counts[0] = 1, counts[1] = count;
+    write_part(dataset_, start, counts, values(first, count).data(), name_);
+  });
 }
 
 void Series::append(const Series& other, std::size_t count) {
   if (sizes_.size() == 1) {
     std::vector<double> values(other.length());
     checked(H5Dread(other.dataset_, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name_);
-    for (std::size_t i = 0; i < count; ++i) write(length(), &values[i]);
+    for (std::size_t i = 0; i < count; ++i) write(length(), values[i]);
     return;
   }
+  if (chunks_ != other.chunks_) throw std::runtime_error("state.h5: " + name_ + " is not stored alike in its parts");
   std::vector<char> chunk;
   for (std::size_t i = 0; i < count; ++i) {
-    Sizes from(sizes_.size(), 0), to(sizes_.size(), 0);
-    from.front() = i, to.front() = length();
-    hsize_t bytes = 0;
-    std::uint32_t filters = 0;
-    checked(H5Dget_chunk_storage_size(other.dataset_, from.data(), &bytes), name_);
-    chunk.resize(bytes);
-    checked(H5Dread_chunk(other.dataset_, H5P_DEFAULT, from.data(), &filters, chunk.data()), name_);
     stretch(length() + 1);
-    checked(H5Dwrite_chunk(dataset_, H5P_DEFAULT, filters, to.data(), bytes, chunk.data()), name_);
+    for (hsize_t first = 0; first < sizes_[1]; first += chunks_[1]) append_chunk(other, i, first, chunk);
   }
+}
+
+/// Of the entry `index`, as the last one here; `chunk`: room for it.
+void Series::append_chunk(const Series& other, std::size_t index, hsize_t first, std::vector<char>& chunk) {
+  Sizes from(sizes_.size(), 0), to(sizes_.size(), 0);
+  from[0] = index, to[0] = length() - 1;
+  from[1] = to[1] = first;
+  hsize_t bytes = 0;
+  std::uint32_t filters = 0;
+  checked(H5Dget_chunk_storage_size(other.dataset_, from.data(), &bytes), name_);
+  chunk.resize(bytes);
+  checked(H5Dread_chunk(other.dataset_, H5P_DEFAULT, from.data(), &filters, chunk.data()), name_);
+  checked(H5Dwrite_chunk(dataset_, H5P_DEFAULT, filters, to.data(), bytes, chunk.data()), name_);
 }
 
 }  // namespace post::hdf5

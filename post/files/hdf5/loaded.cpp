@@ -5,8 +5,34 @@
 #include "post/files/whole_file.hpp"
 
 namespace post {
+namespace {
 
-StateFile::StateFile(Options options, const Mesh& mesh) : open_(files().open(std::move(options), mesh)) {}
+/// Of numbers that follow each other, so many of every point.
+InParts parts_of(const double* values, std::size_t width) {
+  return [=](std::size_t first, std::size_t count) { return std::span(values + width * first, width * count); };
+}
+
+StateFile::Points points_of(const Mesh& mesh) {
+  const auto count = mesh.positions.size();
+  if (mesh.areas.size() != count || mesh.cut.size() != count)
+    throw std::invalid_argument("state.h5: areas or cut do not fit the positions");
+  return {count, parts_of(count > 0 ? mesh.positions.data()->data() : nullptr, 2), parts_of(mesh.areas.data(), 1),
+          parts_of(mesh.cut.data(), 1)};
+}
+
+/// Point by point, as the file has it.
+InParts parts_of(const plate::State& state, Eigen::Matrix3Xd& room) {
+  return [&](std::size_t first, std::size_t count) {
+    room = state.middleCols(Eigen::Index(first), Eigen::Index(count));
+    return std::span<const double>(room.data(), 3 * count);
+  };
+}
+
+}  // namespace
+
+StateFile::StateFile(Options options, const Mesh& mesh) : StateFile(std::move(options), points_of(mesh)) {}
+
+StateFile::StateFile(Options options, const Points& points) : open_(files().open(std::move(options), points)) {}
 
 StateFile::~StateFile() = default;
 StateFile::StateFile(StateFile&&) noexcept = default;
@@ -20,7 +46,16 @@ void StateFile::part() {
 }
 
 void StateFile::write(const Frame& frame, const plate::State* velocity) {
-  open_->write(frame, velocity);
+  const auto points = std::size_t(frame.state.cols());
+  if (velocity && velocity->cols() != frame.state.cols())
+    throw std::invalid_argument("state.h5: the velocities do not fit the state");
+  Eigen::Matrix3Xd room;
+  open_->write(
+      {frame.time, frame.step, points, parts_of(frame.state, room), velocity ? parts_of(*velocity, room) : InParts()});
+}
+
+void StateFile::write(const Motion& frame) {
+  open_->write(frame);
 }
 
 void StateFile::write(const std::string& name, const Table& table) {

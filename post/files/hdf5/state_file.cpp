@@ -11,7 +11,7 @@
 namespace post {
 namespace {
 
-using hdf5::checked, hdf5::Id, hdf5::new_group, hdf5::Series, hdf5::write_attribute, hdf5::write_whole_dataset;
+using hdf5::checked, hdf5::Id, hdf5::new_group, hdf5::Series, hdf5::write_attribute, hdf5::write_dataset_in_parts;
 
 /// Throws where the disk has no room for so many bytes. HDF5 cannot recover from a disk that is full in mid-write: the
 /// frames before would be lost too.
@@ -23,23 +23,13 @@ void require_space(const std::filesystem::path& path, std::size_t bytes) {
   throw std::filesystem::filesystem_error("cannot write", path, std::make_error_code(std::errc::no_space_on_device));
 }
 
-void write_points(hid_t file, const Mesh& mesh) {
-  const hsize_t count = mesh.positions.size();
-  if (mesh.areas.size() != count || mesh.cut.size() != count) {
-    throw std::invalid_argument("state.h5: areas or cut do not fit the positions");
-  }
+void write_points(hid_t file, const StateFile::Points& of) {
+  const hsize_t count = of.count;
   const Id points = new_group(file, "points");
-  write_whole_dataset(points, "position", H5T_NATIVE_DOUBLE, {count, 2}, mesh.positions.data(),
-                      {"length", "x, y of every point"});
-  write_whole_dataset(points, "area", H5T_NATIVE_DOUBLE, {count}, mesh.areas.data(),
-                      {"length^2", "area of the plate that the point stands for"});
-  write_whole_dataset(points, "cut", H5T_NATIVE_DOUBLE, {count}, mesh.cut.data(),
-                      {"1", "share of the full family severed by cracks and edges"});
-}
-
-/// Point by point, as the file has it.
-Eigen::Matrix3Xd by_points(const plate::State& state) {
-  return state;
+  write_dataset_in_parts(points, "position", {count, 2}, of.positions, {"length", "x, y of every point"});
+  write_dataset_in_parts(points, "area", {count}, of.areas,
+                         {"length^2", "area of the plate that the point stands for"});
+  write_dataset_in_parts(points, "cut", {count}, of.cut, {"1", "share of the full family severed by cracks and edges"});
 }
 
 /// Frames of a file that is being written: they grow one by one.
@@ -84,13 +74,13 @@ struct Frames {
 /// put together at the end.
 class OpenStateFile : public StateFile::Open {
 public:
-  OpenStateFile(StateFile::Options options, const Mesh& mesh)
-      : options_(std::move(options)), points_(mesh.positions.size()) {
+  OpenStateFile(StateFile::Options options, const StateFile::Points& points)
+      : options_(std::move(options)), points_(points.count) {
     hdf5::keep_quiet();
     if (options_.goes_on) return;
     remove_files();  // some may be links to what is somebody's
     try {
-      begin(mesh);
+      begin(points);
     } catch (...) {
       file_.release();
       remove_files();
@@ -108,7 +98,7 @@ public:
 
   void go_on(std::size_t frames) override;
   void part() override;
-  void write(const Frame& frame, const plate::State* velocity) override;
+  void write(const StateFile::Motion& frame) override;
   void write(const std::string& name, const Table& table) override;
   void close() override;
 
@@ -129,7 +119,7 @@ private:
     series_.release();
     checked(file_.release(), "closing");
   }
-  void begin(const Mesh& mesh);
+  void begin(const StateFile::Points& points);
   void remove_files() const;
   void remove_parts(std::size_t first) const;
   std::size_t last_part_of(std::size_t frames);
@@ -146,13 +136,13 @@ private:
   Frames series_;
 };
 
-void OpenStateFile::begin(const Mesh& mesh) {
+void OpenStateFile::begin(const StateFile::Points& points) {
   file_ = created(part(0));
   write_attribute(file_, "program", "PDPlate");
   write_attribute(file_, "version", options_.version);
   write_attribute(file_, "case", options_.resolved_case);
   write_attribute(file_, "format_version", H5T_NATIVE_INT, &hdf5::format_version);
-  write_points(file_, mesh);
+  write_points(file_, points);
   new_group(file_, "tables");
   series_ = Frames(file_, points_, options_.velocities);
 }
@@ -222,22 +212,19 @@ void OpenStateFile::part() {
   parts_.push_back(std::exchange(in_part_, 0));
 }
 
-void OpenStateFile::write(const Frame& frame, const plate::State* velocity) {
+void OpenStateFile::write(const StateFile::Motion& frame) {
   hdf5::keep_quiet();
-  const auto fits = [&](const plate::State& state) { return static_cast<hsize_t>(state.cols()) == points_; };
-  if (!fits(frame.state) || (velocity && !fits(*velocity))) {
+  if (frame.points != points_)
     throw std::invalid_argument(fmt::format("{}: a frame does not have {} points", options_.path.string(), points_));
-  }
   require_space(options_.path, 2 * 3 * sizeof(double) * points_);
   if (file_ < 0) {
     file_ = created(part(parts_.size()));
     series_ = Frames(file_, points_, options_.velocities);
   }
-  const auto step = static_cast<double>(frame.step);
-  series_.state.write(in_part_, by_points(frame.state).data());
-  if (velocity) series_.velocity.write(in_part_, by_points(*velocity).data());
-  series_.step.write(in_part_, &step);
-  series_.time.write(in_part_, &frame.time);
+  series_.state.write(in_part_, frame.state);
+  if (frame.velocity) series_.velocity.write(in_part_, frame.velocity);
+  series_.step.write(in_part_, static_cast<double>(frame.step));
+  series_.time.write(in_part_, frame.time);
   checked(H5Fflush(file_, H5F_SCOPE_LOCAL), options_.path);
   ++in_part_;
 }
@@ -284,8 +271,8 @@ void OpenStateFile::close() {
 
 }  // namespace
 
-std::unique_ptr<StateFile::Open> open_state_file(StateFile::Options options, const Mesh& mesh) {
-  return std::make_unique<OpenStateFile>(std::move(options), mesh);
+std::unique_ptr<StateFile::Open> open_state_file(StateFile::Options options, const StateFile::Points& points) {
+  return std::make_unique<OpenStateFile>(std::move(options), points);
 }
 
 }  // namespace post

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include "post/files/frame.hpp"
+#include "post/files/hdf5/in_parts.hpp"
 #include "post/files/table.hpp"
 
 namespace post {
@@ -18,7 +19,19 @@ public:
     bool velocities = false;  // of motions, with every frame
     bool goes_on = false;     // with the file of a run that was ended
   };
+  /// What it holds of points: x, y; area; share that is cut. They are asked for one after the other.
+  struct Points {
+    std::size_t count = 0;
+    InParts positions, areas, cut;
+  };
+  /// A frame: w, theta_x, theta_y of every point, and after that, where velocities are stored, their rates.
+  struct Motion {
+    double time = 0;
+    std::size_t step = 0, points = 0;
+    InParts state, velocity;
+  };
   StateFile(Options options, const Mesh& mesh);
+  StateFile(Options options, const Points& points);
   ~StateFile();
   StateFile(StateFile&&) noexcept;
 
@@ -27,6 +40,7 @@ public:
   /// The frames so far are what another process can go on after, from now on.
   void part();
   void write(const Frame& frame, const plate::State* velocity);
+  void write(const Motion& frame);
   /// No frame comes after a table.
   void write(const std::string& name, const Table& table);
   void close();
@@ -37,7 +51,7 @@ public:
     virtual ~Open() = default;
     virtual void go_on(std::size_t frames) = 0;
     virtual void part() = 0;
-    virtual void write(const Frame& frame, const plate::State* velocity) = 0;
+    virtual void write(const Motion& frame) = 0;
     virtual void write(const std::string& name, const Table& table) = 0;
     virtual void close() = 0;
   };

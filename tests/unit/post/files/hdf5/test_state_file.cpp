@@ -220,3 +220,21 @@ TEST_CASE("a part without frames is one to go on after") {
   CHECK(post::read_run(folder / "state.h5").times == std::vector<double>{0, 0.5});
   CHECK(folder.entries() == 1);
 }
+
+TEST_CASE("more points than are written at once: state.h5 has them all, of a run that went on, too") {
+  const TemporaryFolder folder;
+  const std::size_t points = 2 * post::points_at_once + 7;
+  post::Mesh mesh = small_run::mesh();
+  mesh.positions.resize(points, {1, 2}), mesh.positions.back() = {3, 4};
+  mesh.areas.resize(points, 5), mesh.cut.resize(points, 0.5);
+  const auto frame = [&](std::size_t step) { return small_run::frame(double(step), step, Eigen::Index(points)); };
+  post::StateFile file({folder / "state.h5", "", "1"}, mesh);
+  file.write(frame(0), nullptr);
+  file.part();
+  file.write(frame(1), nullptr);
+  file.close();
+  const post::StoredRun run = post::read_run(folder / "state.h5");
+  CHECK((run.positions == mesh.positions));
+  for (const std::size_t step : {0, 1}) CHECK((run.states.at(step) == frame(step).state));
+  CHECK((Look(folder / "state.h5").numbers("/points/area") == mesh.areas));
+}

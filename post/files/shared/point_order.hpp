@@ -1,0 +1,37 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "geometry/shape/outline.hpp"
+#include "plate/model/ranks/ranks.hpp"
+
+namespace post {
+
+/// The points of a plate that processes share, in the order in which one process has them: row by row from the lower
+/// left. Each process knows where its own stand, by stretches of a row.
+class PointOrder {
+public:
+  /// `own`: the points of the process in that order [length]; of a row of the lattice all processes have the same y.
+  /// All call it at once. `all` must outlive this.
+  PointOrder(const plate::Ranks& all, const std::vector<geometry::Point>& own);
+
+  /// Of all processes.
+  std::size_t points() const { return points_; }
+
+  /// What `count` points from `first` on have, so many numbers (`width`) of each, point by point: in the first process;
+  /// nothing in the others. `numbers(k, to)` gives those of the process's own point k. All call it at once.
+  std::vector<double> at_first(std::size_t first, std::size_t count, std::size_t width,
+                               const std::function<void(std::size_t k, double* to)>& numbers) const;
+
+private:
+  /// Own points that follow each other among all.
+  struct Stretch {
+    std::size_t first, begin, points;  // first: among all; begin: among the own
+  };
+
+  const plate::Ranks& all_;
+  std::size_t points_ = 0;
+  std::vector<Stretch> own_;
+};
+
+}  // namespace post

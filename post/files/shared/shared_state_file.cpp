@@ -1,0 +1,64 @@
+#include "post/files/shared/shared_state_file.hpp"
+
+namespace post {
+namespace {
+
+std::vector<geometry::Point> own_points(const Mesh& mesh) {
+  const auto own = std::ptrdiff_t(mesh.own.value_or(mesh.positions.size()));
+  return {mesh.positions.begin(), mesh.positions.begin() + own};
+}
+
+}  // namespace
+
+SharedStateFile::SharedStateFile(const plate::Ranks& all, StateFile::Options options, const Mesh& mesh)
+    : order_(all, own_points(mesh)) {
+  const auto one = [](const std::vector<double>& values) {
+    return [&values](std::size_t k, double* to) { *to = values[k]; };
+  };
+  const auto place = [&](std::size_t k, double* to) { to[0] = mesh.positions[k].x(), to[1] = mesh.positions[k].y(); };
+  const StateFile::Points points{order_.points(), parts(2, place), parts(1, one(mesh.areas)), parts(1, one(mesh.cut))};
+  const bool goes_on = options.goes_on;
+  if (all.rank() == 0) {
+    file_.emplace(std::move(options), points);
+  } else if (!goes_on) {  // what the first asks for
+    for (const auto& field : {points.positions, points.areas, points.cut}) for_each_part(points.count, field);
+  }
+}
+
+InParts SharedStateFile::parts(std::size_t width, Numbers numbers) {
+  return [this, width, numbers = std::move(numbers)](std::size_t first, std::size_t count) {
+    room_ = order_.at_first(first, count, width, numbers);
+    return std::span<const double>(room_);
+  };
+}
+
+InParts SharedStateFile::parts(const plate::State& state) {
+  return parts(3, [&state](std::size_t k, double* to) {
+    for (Eigen::Index c = 0; c < 3; ++c) to[c] = state(c, Eigen::Index(k));
+  });
+}
+
+void SharedStateFile::write(const Frame& frame, const plate::State& velocity) {
+  const auto state = parts(frame.state), rates = velocity.cols() > 0 ? parts(velocity) : InParts();
+  if (file_) return file_->write({frame.time, frame.step, order_.points(), state, rates});
+  for_each_part(order_.points(), state);
+  if (rates) for_each_part(order_.points(), rates);
+}
+
+void SharedStateFile::go_on(std::size_t frames) {
+  if (file_) file_->go_on(frames);
+}
+
+void SharedStateFile::part() {
+  if (file_) file_->part();
+}
+
+void SharedStateFile::write(const std::string& name, const Table& table) {
+  if (file_) file_->write(name, table);
+}
+
+void SharedStateFile::close() {
+  if (file_) file_->close();
+}
+
+}  // namespace post
