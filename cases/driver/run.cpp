@@ -23,8 +23,8 @@ std::vector<post::Srif> coarser_srifs(const CaseFile& file, std::vector<std::str
   coarse.content.discretization.spacing *= 2;
   const auto found = discretised(coarse);
   const auto methods = tip_methods(coarse, *found.plate);
-  auto factors =
-      fracture::factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors;
+  auto factors = fracture::of_all(
+      fracture::factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors);
   post::require_finite(factors, "with twice the spacing");
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
     if (!methods[tip].works())

@@ -93,7 +93,7 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
   post::require_finite(state, when);
   const plate::Settled settled(plate_, load, lift);
   const double work = post::slow_work(plate_, load, state) + settled.work(state);
-  const double strain = plate_.strain_energy(state), heated = plate::stored(heat, state);
+  const double strain = plate_.strain_energy(state), heated = plate::stored(plate_, heat, state);
   one.strain_energy = strain + heated, one.external_work = work + heated;
   const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};

@@ -47,7 +47,7 @@ Results::~Results() = default;
 
 void Results::sample(const plate::Instant& now, bool last) {
   const auto heat = plate::heat_at(plate_, now.time);
-  const double heated = plate::stored(heat, now.state);
+  const double heated = plate::stored(plate_, heat, now.state);
   strain_energy_ = now.strain_energy + heated, external_work_ = now.external_work + heated;
   post::Sample row{now.time, now.step, now.state, strain_energy_, now.kinetic_energy, external_work_, 0};
   post::EnergyGate::Books books{now.strain_energy + now.kinetic_energy, now.strain_energy + now.discrete_kinetic_energy,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include "plate/model/ranks/ranks.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -177,7 +178,7 @@ Eigen::VectorXd FamilyOperator::energies(const State& state) const {
 
 Forces force_of_curvature(const geometry::Families& families, const std::vector<BondShape>& shapes,
                           const std::vector<double>& areas, const HorizonWeights& weights,
-                          const Eigen::VectorXd& curvature) {
+                          const Eigen::VectorXd& curvature, const std::vector<char>& own_points) {
   constexpr double rounding = 1e-12;  // of bonds whose couples cancel
   Forces result = Forces::Zero(3, Eigen::Index(areas.size()));
   double largest = 0;
@@ -194,9 +195,10 @@ Forces force_of_curvature(const geometry::Families& families, const std::vector<
       const Eigen::Vector2d theta(couple * bond.mx, couple * bond.my);
       result.col(Eigen::Index(family[i].neighbour)).tail<2>() += theta;
       result.col(k).tail<2>() -= theta;
-      largest = std::max(largest, std::abs(couple));
+      if (own_points.empty() || own_points[std::size_t(k)]) largest = std::max(largest, std::abs(couple));
     }
   }
+  largest = largest_of_all(largest);
   return (result.array().abs() > rounding * largest).select(result, 0);
 }
 

@@ -79,9 +79,10 @@ private:
 };
 
 /// What a curvature kappa_0 by points of the plate, which heat would give them freely, loads the points with: minus the
-/// derivative of what the energies of their bonds have of s xi kappa_0 xi, theory (79) [3 x points].
+/// derivative of what the energies of their bonds have of s xi kappa_0 xi, theory (79) [3 x points]. `own`: points that
+/// no other process has, empty: all; processes that share the plate call it at once.
 Forces force_of_curvature(const geometry::Families& families, const std::vector<BondShape>& shapes,
                           const std::vector<double>& areas, const HorizonWeights& weights,
-                          const Eigen::VectorXd& curvature);
+                          const Eigen::VectorXd& curvature, const std::vector<char>& own);
 
 }  // namespace plate

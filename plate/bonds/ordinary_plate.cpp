@@ -199,6 +199,14 @@ void check_weights(const std::vector<BondShape>& shapes, double horizon_ratio) {
                         horizon_ratio)}});
 }
 
+/// Where processes share the plate, all have one, also those that do not see what moves.
+State lift_of(const Load& load, std::size_t number, const Boundary& boundary) {
+  auto result = boundary.constraints.lift(number, boundary.cloud.size());
+  if (ranks() && load.kind == Load::Kind::settlement && result.cols() == 0)
+    result = State::Zero(3, Eigen::Index(boundary.cloud.size()));
+  return result;
+}
+
 Discretised discretised(const Problem& problem) {
   Discretised result;
   auto& stopwatch = result.stopwatch;
@@ -235,9 +243,9 @@ Discretised discretised(const Problem& problem) {
   for (const auto& one : problem.loads) {
     layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline, boundary.own), one.history,
                             free_curvature(one, problem.section, boundary.cloud.positions, boundary.cloud.plate_points),
-                            boundary.constraints.lift(layout.loads.size(), boundary.cloud.size())});
+                            lift_of(one, layout.loads.size(), boundary)});
     if (auto& last = layout.loads.back(); last.curvature.size() > 0)
-      last.forces = force_of_curvature(families, shapes, boundary.cloud.areas, weights, last.curvature);
+      last.forces = force_of_curvature(families, shapes, boundary.cloud.areas, weights, last.curvature, boundary.own);
     if (one.moves()) layout.loads.back().moving = std::make_shared<MovingForces>(moving_forces(one, boundary.cloud));
     const double share = 1 + (problem.load_cases.empty() ? 0 : 0.1 * double(layout.loads.size()));
     load += share * layout.loads.back().forces;  // those of load cases do not act together: none takes another away

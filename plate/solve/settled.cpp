@@ -8,12 +8,25 @@
 #include "plate/formulation/inertia.hpp"
 #include "plate/model/history.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
 
+/// Is an entry of values [3 x points] of a point that no other process has?
+bool owns(const Formulation& plate, std::size_t entry) {
+  return plate.boundary().owns(entry % plate.points());
+}
+
 /// Of forces where there is stiffness, each by the displacement that it causes; as the solvers measure.
-double norm(const Forces& forces, const Forces& diagonal) {
+double norm(const Formulation& plate, const Forces& forces, const Forces& diagonal) {
+  if (ranks()) {
+    const auto of_dof = [&](std::size_t i) {
+      const double f = forces.data()[i], d = diagonal.data()[i];
+      return std::array<double, 1>{d > 0 && owns(plate, i) ? f * f / d : 0};
+    };
+    return std::sqrt(ordered_sum<1>(std::size_t(forces.size()), of_dof)[0]);
+  }
   double sum = 0;
   for (Eigen::Index i = 0; i < forces.size(); ++i)
     if (const double d = diagonal.data()[i]; d > 0) sum += forces.data()[i] * forces.data()[i] / d;
@@ -75,15 +88,20 @@ Settled::Left Settled::left(const State& state) const {
   constraints.fold(result.force);
   Forces at_first = pull();
   constraints.fold(at_first);
-  const double left = norm(result.force, folded);
-  const double size = std::max(norm(load_, diagonal), norm(reaction, diagonal));
-  if (left > rounding * norm(at_first, folded)) result.share = left / size;
+  const double left = norm(plate_, result.force, folded);
+  const double size = std::max(norm(plate_, load_, diagonal), norm(plate_, reaction, diagonal));
+  if (left > rounding * norm(plate_, at_first, folded)) result.share = left / size;
   return result;
 }
 
 double Settled::work(const State& state) const {
   if (lift_.cols() == 0) return 0;
-  return -force(state).cwiseProduct(lift_).sum() / 2;
+  const Forces whole = force(state);
+  if (!ranks()) return -whole.cwiseProduct(lift_).sum() / 2;
+  const auto of_dof = [&](std::size_t i) {
+    return std::array<double, 1>{owns(plate_, i) ? whole.data()[i] * lift_.data()[i] : 0};
+  };
+  return -ordered_sum<1>(std::size_t(whole.size()), of_dof)[0] / 2;
 }
 
 }  // namespace plate

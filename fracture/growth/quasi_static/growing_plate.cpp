@@ -124,7 +124,8 @@ void GrowingPlate::recall(plate::InArchive& archive) {
 
 double GrowingPlate::heated(double factor) const {
   const Solved& last = latest_ ? *latest_ : seen_;
-  return factor * factor * plate::stored(plate::heat_of(*last.found.plate, 1), last.state);
+  const plate::Formulation& plate = *last.found.plate;
+  return factor * factor * plate::stored(plate, plate::heat_of(plate, 1), last.state);
 }
 
 std::optional<std::vector<post::Srif>> GrowingPlate::factors(double factor) {

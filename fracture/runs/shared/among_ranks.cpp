@@ -75,26 +75,16 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes) {
     const auto& one = plan.problem.supports[i];
     const auto key = "support[" + std::to_string(i) + "]";
     refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
-    refuse(one.holds_inside() || (one.kind == plate::SupportKind::clamped && !one.points.empty()), key,
-           "lines, parts and clamped points that are held cannot be run");
   }
   for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
-    refuse(plan.problem.loads[i].kind == plate::Load::Kind::settlement, plate::key_of_load(plan.problem, i) + ".kind",
-           "settlements cannot be run");
-  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
-    refuse(plan.problem.loads[i].kind == plate::Load::Kind::temperature, plate::key_of_load(plan.problem, i) + ".kind",
-           "temperatures cannot be run");
+    refuse(moves && plan.problem.loads[i].kind == plate::Load::Kind::settlement,
+           plate::key_of_load(plan.problem, i) + ".kind", "settlements in motion cannot be run");
   for (std::size_t i = 0; i < plan.problem.foundations.size(); ++i)
     refuse(plan.problem.foundations[i].lifts_off, "foundation[" + std::to_string(i) + "].lifts_off",
            "soil that lifts off cannot be run");
-  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i) {
-    const auto& load = plan.problem.loads[i];
-    const auto key = plate::key_of_load(plan.problem, i);
-    refuse(load.table.given(), key + ".table", "tables cannot be run");
-    refuse(load.level.has_value(), key + ".level", "fluids up to a level cannot be run");
-    refuse(load.moves(), key + ".path", "loads that move cannot be run");
-  }
-  refuse(plan.srif && plan.srif->richardson, "srif.richardson", "a second spacing cannot be run");
+  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
+    refuse(plan.problem.loads[i].moves(), plate::key_of_load(plan.problem, i) + ".path",
+           "loads that move cannot be run");
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
   const double seen = plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon();
   refuse(plan.srif && plan.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");

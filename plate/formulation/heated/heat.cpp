@@ -1,10 +1,15 @@
 #include "plate/formulation/heated/heat.hpp"
 
+#include <algorithm>
+
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/resultants.hpp"
 #include "plate/model/history.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/model/ranks/exact_sum.hpp"
 #include "plate/model/section.hpp"
 
 namespace plate {
@@ -20,12 +25,6 @@ Heat heat_of(const Formulation& plate, const std::vector<double>& shares) {
     }
     result.curvature += shares[i] * load.curvature, result.forces += shares[i] * load.forces;
   }
-  if (result.none()) return result;
-  const auto& section = plate.section();
-  const auto& areas = plate.cloud().areas;
-  for (Eigen::Index k = 0; k < result.curvature.size(); ++k)
-    result.energy += areas[std::size_t(k)] * result.curvature[k] * result.curvature[k];
-  result.energy *= section.bending_stiffness() * (1 + section.poisson);
   return result;
 }
 
@@ -39,8 +38,23 @@ Heat heat_of(const Formulation& plate, double share) {
   return heat_of(plate, std::vector<double>(plate.loads().size(), share));
 }
 
-double stored(const Heat& heat, const State& state) {
-  return heat.none() ? 0 : heat.energy - heat.forces.cwiseProduct(state).sum();
+double stored(const Formulation& plate, const Heat& heat, const State& state) {
+  const auto heats = [](const Load& load) { return load.kind == Load::Kind::temperature; };
+  if (std::ranges::none_of(plate.problem().loads, heats)) return 0;
+  const double each = plate.section().bending_stiffness() * (1 + plate.section().poisson);
+  const auto held_flat = [&](Eigen::Index k) {
+    return plate.cloud().areas[std::size_t(k)] * heat.curvature[k] * heat.curvature[k];
+  };
+  if (const Ranks* all = ranks())
+    return exact_sum<1>(*all, std::size_t(state.cols()), [&](std::size_t n, const auto& add) {
+      const auto k = Eigen::Index(n);
+      if (heat.none() || !plate.boundary().owns(n)) return;
+      add(0, (k < heat.curvature.size() ? each * held_flat(k) : 0) - heat.forces.col(k).dot(state.col(k)));
+    })[0];
+  if (heat.none()) return 0;
+  double energy = 0;
+  for (Eigen::Index k = 0; k < heat.curvature.size(); ++k) energy += held_flat(k);
+  return each * energy - heat.forces.cwiseProduct(state).sum();
 }
 
 void relieve(Resultants& resultants, const Section& section, const Heat& heat) {

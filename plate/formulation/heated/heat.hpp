@@ -15,7 +15,6 @@ struct Section;
 struct Heat {
   Eigen::VectorXd curvature = {};  // kappa_0 of the points of the plate [1 / length]
   Forces forces = {};              // what it loads the plate with [3 x points]
-  double energy = 0;               // of the plate that is held flat: sum of A D (1 + nu) kappa_0^2
 
   bool none() const { return curvature.size() == 0; }
 };
@@ -28,8 +27,9 @@ Heat heat_at(const Formulation& plate, double time);
 Heat heat_of(const Formulation& plate, double share);
 
 /// What the energy of a heated plate, that of kappa - kappa_0, is more than that of kappa; the work of the loads, with
-/// what the heat puts in, is more by the same [force length].
-double stored(const Heat& heat, const State& state);
+/// what the heat puts in, is more by the same [force length]: the energy of the plate held flat, which is the sum of
+/// A D (1 + nu) kappa_0^2, less what the forces do. Processes that share the plate call it at once.
+double stored(const Formulation& plate, const Heat& heat, const State& state);
 
 /// Takes the moments D (1 + nu) kappa_0 that free curvature would have away.
 void relieve(Resultants& resultants, const Section& section, const Heat& heat);

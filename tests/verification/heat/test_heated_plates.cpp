@@ -99,7 +99,7 @@ TEST_CASE("a free plate that is heated is a paraboloid without stress or energy"
       const auto forces = resultants(*plate, u);
       CHECK(forces.moments.cwiseAbs().maxCoeff() < 1e-8 * D * kappa);
       CHECK(forces.von_mises.maxCoeff() < 1e-6 * D * kappa / (thickness * thickness));
-      const double elastic = plate->strain_energy(u) + stored(heat_of(*plate, 1), u);
+      const double elastic = plate->strain_energy(u) + stored(*plate, heat_of(*plate, 1), u);
       CHECK(std::abs(elastic) < 1e-10 * D * kappa * kappa);
     }
 }
@@ -122,7 +122,7 @@ TEST_CASE("a clamped plate that is heated does not move, and has the moments of 
       CHECK(forces.moments(2, k) == 0);
     }
     const double kappa = alpha * difference / c.section.thickness;
-    CHECK(stored(heat_of(*plate, 1), u) == Approx(-expected * kappa).epsilon(1e-12));  // on a unit area
+    CHECK(stored(*plate, heat_of(*plate, 1), u) == Approx(-expected * kappa).epsilon(1e-12));  // on a unit area
   }
 }
 

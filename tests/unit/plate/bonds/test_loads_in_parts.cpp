@@ -6,6 +6,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/heated/heat.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/refused.hpp"
@@ -60,6 +61,48 @@ TEST_CASE(
         const std::lock_guard guard(one_by_one);
         CHECK(shared == whole);
       });
+  }
+}
+
+TEST_CASE("a plate in parts: a temperature and a fluid up to a level") {
+  using enum SupportKind;
+  auto problem =
+      problem_of(geometry::rectangle(0, 0, 3, 0.7), {{clamped, {"left"}, {}}, {simply_supported, {"top"}, {}}}, {});
+  problem.section.thermal_expansion = 0.01;
+  problem.cracks = {{{2.4, 0.1}, {2.7, 0.5}}};
+  Load fluid, heat;
+  fluid.value = 3, fluid.level = 0.43;
+  heat.kind = Load::Kind::temperature, heat.formula = Formula("20 + 10 * x * y");
+  problem.loads = {fluid, heat};
+  SECTION("in motion") {
+    check(problem);
+  }
+  SECTION("at rest") {
+    check_rest(problem, StaticMethod::cg, Preconditioning::diagonal, 0);
+  }
+  SECTION("the energy that is stored") {
+    const auto energy = [&] {
+      const auto local = own(problem);
+      const auto plate = discretise(local).plate;
+      State state = State::Zero(3, Eigen::Index(plate->points()));
+      for (std::uint32_t k = 0; k < plate->cloud().plate_points; ++k) {
+        const auto& x = plate->cloud().positions[k];
+        state.col(k) << x.x() * x.x(), x.y(), std::sin(x.x());
+      }
+      plate->constraints().impose(state);
+      return stored(*plate, heat_of(*plate, 1), state);
+    };
+    const double whole = energy();
+    std::vector<double> found;
+    for (const int processes : {1, 2, 5})
+      thread_ranks::run(processes, [&](const Ranks&) {
+        const double one = energy();
+        static std::mutex one_by_one;
+        const std::lock_guard guard(one_by_one);
+        found.push_back(one);
+      });
+    CHECK(std::ranges::count(found, found.front()) == 8);
+    CHECK(found.front() == Approx(whole).epsilon(1e-12));
   }
 }
 
