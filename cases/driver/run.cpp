@@ -124,7 +124,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
 
 post::Summary run(const CaseFile& file, const RunOptions& options) {
   const Case& c = file.content;
-  require_shared(file, fracture::unshared(plan_of(c, options), options.resume));
+  require_shared(file, fracture::unshared(plan_of(c, options)));
   if (options.resume && !(c.growth && c.growth->unstable == fracture::Growth::Unstable::move))
     if (auto done = fracture::done_before(recording_options(c, options), c.output.reports())) return std::move(*done);
   try {

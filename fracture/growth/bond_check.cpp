@@ -210,11 +210,27 @@ std::vector<std::uint32_t> BondCheck::suspects(const plate::State& state) const 
   return result;
 }
 
+std::vector<std::uint32_t> BondCheck::numbers(const std::vector<std::uint32_t>& suspects) const {
+  std::vector<std::uint32_t> result;
+  for (const auto k : suspects)
+    if (boundary_.owns(k)) result.push_back(numbers_->of(k));
+  if (const auto* all = plate::ranks()) result = plate::gathered(*all, result);
+  std::ranges::sort(result);
+  return result;
+}
+
+std::vector<std::uint32_t> BondCheck::points(const std::vector<std::uint32_t>& numbers) const {
+  std::vector<std::uint32_t> result;
+  for (const auto k : all_)
+    if (std::ranges::binary_search(numbers, numbers_->of(k))) result.push_back(k);
+  return result;
+}
+
 std::vector<PointPair> BondCheck::here(const std::vector<LoadedBond>& bonds) const {
   std::vector<PointPair> result;
   for (const auto& [bond, demand] : bonds) {
     const auto k = numbers_->point(bond[0]), j = numbers_->point(bond[1]);
-    if (k && j) result.push_back({*k, *j});
+    result.push_back(k && j ? PointPair{*k, *j} : unseen);
   }
   return result;
 }

@@ -31,7 +31,11 @@ public:
   /// have.
   std::vector<std::uint32_t> suspects(const plate::State& state) const;
 
-  /// Those that this process sees.
+  /// Numbers of suspects of all processes, ascending; and those of them that this one looks at.
+  std::vector<std::uint32_t> numbers(const std::vector<std::uint32_t>& suspects) const;
+  std::vector<std::uint32_t> points(const std::vector<std::uint32_t>& numbers) const;
+
+  /// As this process has them; `unseen` where it does not.
   std::vector<PointPair> here(const std::vector<LoadedBond>& bonds) const;
 
 private:

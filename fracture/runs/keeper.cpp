@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "plate/solve/archive.hpp"
+#include "plate/solve/reduction.hpp"
 #include "post/files/shared/shared_checkpoints.hpp"
 #include "post/report/say.hpp"
 
@@ -61,9 +62,21 @@ void Keeper::keep(const Remember& remember, const post::CellValues* own) {
   write(own);
 }
 
-void Keeper::hold(const Remember& remember) {
-  if (Clock::now() - taken_ >= stretched(std::min(every_, Seconds(1)), to_take_)) take(remember);
-  if (due()) write();
+bool Keeper::agreed(bool here) const {
+  return together_ ? plate::largest_of_all(here) > 0 : here;
+}
+
+void Keeper::hold(const Remember& remember, const std::function<post::CellValues()>& own) {
+  if (agreed(Clock::now() - taken_ >= stretched(std::min(every_, Seconds(1)), to_take_))) {
+    take(remember);
+    if (own) held_points_ = std::make_shared<const post::CellValues>(own());
+  }
+  if (agreed(due())) write();
+}
+
+void Keeper::write() {
+  write(held_points_.get());
+  held_points_.reset();
 }
 
 void Keeper::write(const post::CellValues* own) {

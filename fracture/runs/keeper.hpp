@@ -39,10 +39,11 @@ public:
   bool due() const;
   /// Writes a checkpoint now, where processes share the plate with the points of this one.
   void keep(const Remember& remember, const post::CellValues* own = nullptr);
-  /// Takes the memory, about once a second, and writes it where it is time.
-  void hold(const Remember& remember);
+  /// Takes the memory, about once a second, and writes it where it is time. `own`: where processes share the plate,
+  /// makes the points of this one; nothing: none are kept.
+  void hold(const Remember& remember, const std::function<post::CellValues()>& own = {});
   /// Writes what was last taken.
-  void write() { write(nullptr); }
+  void write();
 
   /// The run has ended: nothing goes on from it.
   void done() const;
@@ -52,6 +53,8 @@ private:
   using Seconds = std::chrono::duration<double>;
   void take(const Remember& remember);
   void write(const post::CellValues* own);
+  /// Where processes share the plate, is it so in one of them? They take and write together.
+  bool agreed(bool here) const;
   /// The wanted time from one to the next that takes so long.
   Seconds stretched(Seconds wanted, Seconds cost) const;
 
@@ -61,6 +64,7 @@ private:
   Seconds every_, to_take_{0}, to_write_{0};  // the last: how long it took
   Clock::time_point written_ = Clock::now(), taken_ = {};
   std::string found_, held_;
+  std::shared_ptr<const post::CellValues> held_points_;
   bool failed_ = false;
 };
 

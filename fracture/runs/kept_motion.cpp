@@ -31,6 +31,7 @@ void KeptMotion::keep_part(Keeper& keeper, const plate::MotionMemory& now) {
       [&](plate::OutArchive& archive) {
         archive(plate::MotionMemory{now.step, {}, {}, now.loads, now.work, now.before});
         results_.remember(archive);
+        if (growth_) growth_->remember(archive);
       },
       &own);
 }
@@ -48,7 +49,7 @@ bool KeptMotion::recall(Keeper& keeper) {
 void KeptMotion::recall_part(const Keeper& keeper) {
   auto& largest = results_.state_of_largest();
   put_values(plate_.boundary(), keeper.parts(), {&memory_.state, &memory_.velocity, &largest});
-  plate_.constraints().impose(memory_.state);
+  (growth_ ? growth_->constraints() : plate_.constraints()).impose(memory_.state);
   if (largest.cols() > 0) plate_.constraints().impose(largest);
 }
 

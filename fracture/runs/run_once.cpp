@@ -180,7 +180,7 @@ void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   options.held_forces = true;
   options.whole_mass = plate::driven_mass(plate, analysis.rotary_inertia);
   KeptMotion motion(plate, results, growth);
-  if (keeper && !(growth && shared())) motion.keep_to(*keeper, options);
+  if (keeper) motion.keep_to(*keeper, options);
   plate::central_differences(growth ? growth->plate() : plate, constraints, plate.mass(analysis.rotary_inertia),
                              plate.loads(), options, observer(run, grid.steps, progress));
   summary.analysis.stop_reason = "end of the duration";

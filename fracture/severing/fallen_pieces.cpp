@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "fracture/severing/severed_memory.hpp"
 #include "plate/formulation/parts/pieces.hpp"
+#include "plate/model/ranks/gathered.hpp"
+#include "plate/solve/archive.hpp"
 #include "plate/solve/reduction.hpp"
 
 namespace fracture {
@@ -45,6 +48,50 @@ void FallenPieces::freeze(const plate::Step& now) {
     frozen_.state.col(Eigen::Index(frozen_.points.size())) = state;
     frozen_.points.push_back(k);
   }
+}
+
+std::vector<KeptPoint> FallenPieces::of_all(const Kept& kept, const PointKeys& keys) const {
+  std::vector<KeptPoint> own;
+  const auto column = [](const plate::State& of, std::size_t i) {
+    if (of.cols() == 0) return std::array<double, 3>{};
+    const auto k = Eigen::Index(i);
+    return std::array{of(0, k), of(1, k), of(2, k)};
+  };
+  for (std::size_t i = 0; i < kept.points.size(); ++i)
+    if (const auto k = kept.points[i]; boundary_.owns(k))
+      own.push_back({keys.of(k), column(kept.state, i), column(kept.velocity, i)});
+  return plate::ranks() ? plate::gathered(*plate::ranks(), own) : own;
+}
+
+FallenPieces::Kept FallenPieces::seen(const std::vector<KeptPoint>& kept, const PointKeys& keys) {
+  std::vector<std::pair<std::uint32_t, const KeptPoint*>> found;
+  for (const auto& one : kept)
+    if (const auto k = keys.point(one.point)) found.emplace_back(*k, &one);
+  std::ranges::sort(found);
+  Kept result;
+  result.state.resize(3, Eigen::Index(found.size())), result.velocity.resize(3, Eigen::Index(found.size()));
+  for (const auto& [k, one] : found) {
+    const auto i = Eigen::Index(result.points.size());
+    for (std::size_t c = 0; c < 3; ++c)
+      result.state(Eigen::Index(c), i) = one->state[c], result.velocity(Eigen::Index(c), i) = one->velocity[c];
+    result.points.push_back(k);
+  }
+  return result;
+}
+
+void FallenPieces::save(plate::OutArchive& archive) const {
+  const PointKeys keys(boundary_);
+  const bool looks = plate::largest_of_all(plate_.broken().count() > broken_) > 0;  // when it is time
+  archive(of_all(fresh_, keys), of_all(frozen_, keys), looks, falls_, fallen_, energy_);
+}
+
+void FallenPieces::load(plate::InArchive& archive) {
+  std::vector<KeptPoint> fresh, frozen;
+  bool looks = false;
+  archive(fresh, frozen, looks, falls_, fallen_, energy_);
+  const PointKeys keys(boundary_);
+  fresh_ = seen(fresh, keys), frozen_ = seen(frozen, keys);
+  broken_ = looks ? 0 : plate_.broken().count();
 }
 
 void FallenPieces::before_force(const plate::Step& now) {

@@ -4,6 +4,9 @@
 
 namespace fracture {
 
+struct KeptPoint;
+class PointKeys;
+
 /// Keeps pieces of a moving plate where they are when they are seen to have fallen off (plate::fallen), at most 50
 /// steps after it. Stands before what severs bonds.
 class FallenPieces : public plate::Changes {
@@ -17,22 +20,19 @@ public:
   /// Kinetic energy that they had.
   double energy() const { return energy_; }
 
-  template <typename Archive>
-  void serialize(Archive& archive) {
-    archive(broken_, falls_, fallen_, fresh_, frozen_, energy_);
-  }
+  /// What goes on from here, of all processes that share the plate, which call it at once.
+  void save(plate::OutArchive& archive) const;
+  /// The plate has loaded what was severed.
+  void load(plate::InArchive& archive);
 
 private:
   /// Points with their state, and their velocity half a step before.
   struct Kept {
     std::vector<std::uint32_t> points;
     plate::State state, velocity;
-
-    template <typename Archive>
-    void serialize(Archive& archive) {
-      archive(points, state, velocity);
-    }
   };
+  std::vector<KeptPoint> of_all(const Kept& kept, const PointKeys& keys) const;
+  static Kept seen(const std::vector<KeptPoint>& kept, const PointKeys& keys);
   void look(const plate::Step& now);
   void freeze(const plate::Step& now);
 

@@ -3,6 +3,7 @@
 #include "plate/bonds/resultants.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"
+#include "post/files/frame.hpp"
 
 namespace fracture {
 

@@ -144,6 +144,13 @@ void SeveredPlate::differ(std::size_t number) {
   }
 }
 
+/// `place`: among those of the severing.
+void SeveredPlate::lose(std::uint32_t k, std::size_t i, std::uint64_t place) {
+  const auto before = broken_.points();
+  broken_.set(k, i);
+  if (broken_.points() > before) first_losses_.push_back({events_, place});
+}
+
 std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, bool at_back, double piece) {
   const auto& units = boundary_.cloud.units;
   const auto lattice = geometry::to_lattice({path}, units).front();
@@ -171,8 +178,8 @@ std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, 
     result.points.push_back(k);
   }
   if (plate::largest_of_all(waits) > 0) return std::nullopt;
-  ++severings_;
-  for (const auto& [k, i] : bonds) broken_.set(k, i), change(k).severed = true;
+  ++severings_, ++events_;
+  for (const auto& [k, i] : bonds) lose(k, i, 0), change(k).severed = true;
   for (const auto k : result.points) retarget(k);
   going_.push_back(std::move(result));
   return going_.back().number;
@@ -208,10 +215,12 @@ double SeveredPlate::sum_of_all(const std::vector<std::uint32_t>& points, const 
 
 void SeveredPlate::sever(const std::vector<PointPair>& bonds, unsigned steps) {
   std::vector<std::uint32_t> touched;
-  for (const auto& [k, j] : bonds)
-    for (const auto& [from, to] : {std::pair{k, j}, {j, k}}) {
-      if (!known(from)) continue;
-      broken_.set(from, base_.families()[from].find(to));
+  ++events_;
+  for (std::size_t n = 0; n < bonds.size(); ++n)
+    for (const std::size_t end : {0, 1}) {
+      const auto from = bonds[n][end], to = bonds[n][1 - end];
+      if (bonds[n] == unseen || !known(from)) continue;
+      lose(from, base_.families()[from].find(to), 2 * n + end);
       auto& one = change(from);
       if (one.left == 0) easing_.push_back(from);
       one.left = steps;

@@ -9,17 +9,26 @@
 #include "plate/bonds/parameters/family_rule.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/tip_view.hpp"
-#include "post/files/frame.hpp"
+#include "plate/solve/archive_types.hpp"
 
 namespace plate {
 class Formulation;
+struct Mesh;
 struct Surroundings;
 }  // namespace plate
 
+namespace post {
+struct Frame;
+}
+
 namespace fracture {
+
+struct SeveredMemory;
 
 /// A bond between two points, the lower number first.
 using PointPair = std::array<std::uint32_t, 2>;
+/// One of which this process does not see both.
+constexpr PointPair unseen{std::uint32_t(-1), std::uint32_t(-1)};
 
 /// A state, and what it was a step before: state - time_step velocity.
 struct Motion {
@@ -59,7 +68,8 @@ public:
   /// mixed from the state and the one a step before (theory.md, "Growth").
   double carry_on(std::size_t number, double share, const Motion& motion);
 
-  /// Breaks bonds; the families of their ends need `steps` calls of carry_on_all to go over.
+  /// Breaks bonds, in the same order in all processes; the families of their ends need `steps` calls of carry_on_all to
+  /// go over.
   void sever(const std::vector<PointPair>& bonds, unsigned steps);
   /// Do families lose single bonds, of any process?
   bool easing() const { return easing_left_ > 0; }
@@ -79,42 +89,25 @@ public:
   double a(std::size_t k) const;
   const plate::BondWeights& weights(std::size_t k, std::size_t i) const;
 
-  /// What has been severed, and the weights that it has by now.
-  template <typename Archive>
-  void save(Archive& archive) const {
-    archive(broken_, going_, easing_, severings_);
-    for (const auto& one : changed_) {
-      archive(one.now.point, one.now.a, one.left, one.severed);
-      for (const auto& bond : one.now.bonds) archive(bond.weights.D, bond.weights.B, bond.weights.S);
-    }
-  }
+  /// What has been severed, and the weights that it has by now, of all processes that share the plate, which call it at
+  /// once.
+  void save(plate::OutArchive& archive) const;
   /// Of a plate of which nothing has been severed yet.
-  template <typename Archive>
-  void load(Archive& archive) {
-    archive(broken_, going_, easing_, severings_);
-    for (std::size_t number = 0; number < broken_.points(); ++number) {
-      std::uint32_t k = 0;
-      archive(k);
-      auto& one = change(k);
-      archive(one.now.a, one.left, one.severed);
-      for (auto& bond : one.now.bonds) archive(bond.weights.D, bond.weights.B, bond.weights.S);
-      retarget(k);
-      differ(number);
-      easing_left_ = std::max(easing_left_, one.left);
-    }
-  }
+  void load(plate::InArchive& archive);
 
 private:
   struct Severing {
     std::size_t number;
     std::vector<std::uint32_t> points;
     double share = 0;
-
-    template <typename Archive>
-    void serialize(Archive& archive) {
-      archive(number, points, share);
-    }
   };
+  /// When a point lost its first bond: in which severing, and as which there.
+  struct FirstLoss {
+    std::uint64_t event, place;
+  };
+  SeveredMemory memory() const;
+  void recall(const SeveredMemory& memory);
+  void lose(std::uint32_t k, std::size_t i, std::uint64_t place);
   Change& change(std::uint32_t k);
   /// The families without their broken bonds, and where they go.
   void retarget(std::uint32_t k);
@@ -135,6 +128,7 @@ private:
   double reach_ = 0;  // of the longest bond [spacings]
   Stiffest stiffest_;
   BrokenBonds broken_;
+  std::vector<FirstLoss> first_losses_;  // by number
   std::vector<Change> changed_;          // by number
   std::vector<Difference> differences_;  // of every change, as many as its base has bonds
   std::vector<std::size_t> first_difference_{0};
@@ -144,7 +138,8 @@ private:
   std::vector<Severing> going_;
   std::vector<std::uint32_t> easing_;  // points that lose single bonds
   unsigned easing_left_ = 0;           // steps until no process has any
-  std::size_t severings_ = 0;          // so far
+  std::size_t severings_ = 0;          // so far, of pieces of cracks
+  std::uint64_t events_ = 0;           // and of bonds
 };
 
 }  // namespace fracture

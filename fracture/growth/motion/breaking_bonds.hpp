@@ -20,8 +20,14 @@ public:
   double fracture_energy() const { return spent_; }
 
   template <typename Archive>
-  void serialize(Archive& archive) {
-    archive(suspects_, suspected_, next_search_, ended_, spent_);
+  void save(Archive& archive) const {
+    archive(check_.numbers(suspects_), suspected_, next_search_, ended_, spent_);
+  }
+  template <typename Archive>
+  void load(Archive& archive) {
+    std::vector<std::uint32_t> numbers;
+    archive(numbers, suspected_, next_search_, ended_, spent_);
+    suspects_ = check_.points(numbers);
   }
 
 private:

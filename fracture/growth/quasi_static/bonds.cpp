@@ -160,8 +160,8 @@ std::vector<double> QuasiStaticBonds::lengths() const {
 template <typename Archive, typename Self>
 void QuasiStaticBonds::memory(Archive& archive, Self& self) {
   auto& [none, iterations, residual, converged, reason] = self.solution_;
-  archive(self.record_, self.warnings_, self.plate_, self.cracks_, self.state_, self.most_, iterations, residual,
-          converged, reason, self.breaks_, self.new_lines_, self.advances_, self.spent_);
+  archive(self.record_, self.warnings_, self.plate_, self.cracks_, self.most_, iterations, residual, converged, reason,
+          self.breaks_, self.new_lines_, self.advances_, self.spent_);
 }
 
 void QuasiStaticBonds::remember(plate::OutArchive& archive) const {

@@ -37,6 +37,8 @@ public:
 
   void remember(plate::OutArchive& archive) const override;
   void recall(plate::InArchive& archive) override;
+  plate::State* of_points() override { return &state_; }
+  void recalled_points() override { plate_.constraints().impose(state_); }
 
 private:
   template <typename Archive, typename Self>

@@ -67,6 +67,10 @@ public:
   virtual void remember(plate::OutArchive& archive) const = 0;
   /// Of a model that has not been solved yet. Throws plate::NumericalError.
   virtual void recall(plate::InArchive& archive) = 0;
+  /// What else is to be remembered, of points; where processes share the plate, each keeps its own apart.
+  virtual plate::State* of_points() { return nullptr; }
+  /// Own points have theirs again.
+  virtual void recalled_points() {}
 
 protected:
   Record record_;

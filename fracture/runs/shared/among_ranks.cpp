@@ -53,11 +53,11 @@ bool speaks() {
   return !plate::ranks() || plate::ranks()->rank() == 0;
 }
 
-std::vector<Unshared> unshared(const RunPlan& plan, bool resumes) {
-  return shared() ? not_for_processes(plan, resumes) : std::vector<Unshared>();
+std::vector<Unshared> unshared(const RunPlan& plan) {
+  return shared() ? not_for_processes(plan) : std::vector<Unshared>();
 }
 
-std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes) {
+std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   std::vector<Unshared> result;
   const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
@@ -76,12 +76,12 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes) {
     const auto key = "support[" + std::to_string(i) + "]";
     refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
   }
-  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
-    refuse(moves && plan.problem.loads[i].kind == plate::Load::Kind::settlement,
-           plate::key_of_load(plan.problem, i) + ".kind", "settlements in motion cannot be run");
   for (std::size_t i = 0; i < plan.problem.foundations.size(); ++i)
     refuse(plan.problem.foundations[i].lifts_off, "foundation[" + std::to_string(i) + "].lifts_off",
            "soil that lifts off cannot be run");
+  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
+    refuse(moves && plan.problem.loads[i].kind == plate::Load::Kind::settlement,
+           plate::key_of_load(plan.problem, i) + ".kind", "settlements in motion cannot be run");
   for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
     refuse(plan.problem.loads[i].moves(), plate::key_of_load(plan.problem, i) + ".path",
            "loads that move cannot be run");
@@ -91,7 +91,6 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes) {
   refuse(plan.srif && !plan.srif->window && plan.srif->window_horizons * d.horizon() > seen, "srif.window_horizons",
          "so wide a window cannot be seen");
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
-  refuse(resumes && plan.growth, "--resume", "checkpoints of cracks that grow cannot be kept");
   return result;
 }
 

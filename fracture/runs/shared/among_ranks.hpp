@@ -26,9 +26,9 @@ bool speaks();
 struct Unshared {
   std::string key, why;
 };
-std::vector<Unshared> unshared(const RunPlan& plan, bool resumes);
+std::vector<Unshared> unshared(const RunPlan& plan);
 /// The same whatever this process is.
-std::vector<Unshared> not_for_processes(const RunPlan& plan, bool resumes);
+std::vector<Unshared> not_for_processes(const RunPlan& plan);
 
 std::vector<post::Srif> of_all(std::vector<post::Srif> own);  // all_factors.hpp
 /// Of every quantity the largest value of all processes, and its place.

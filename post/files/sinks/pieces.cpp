@@ -35,6 +35,7 @@ std::vector<double> Pieces::written() {
 
 void Pieces::go_on(const std::vector<double>& times) {
   times_ = times;
+  if (draws_ && !vtk_) vtk_.emplace(all_, folder_, Mesh{});
   if (vtk_) vtk_->go_on(times);
   if (hdf5_) hdf5_->go_on(times.size());
 }

@@ -11,6 +11,7 @@
 #include "post/files/shared/shared_checkpoints.hpp"
 #include "post/files/sinks/kept_sink.hpp"
 #include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/fracture/shared_run.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 #include "tests/unit/post/small_run.hpp"
 
@@ -24,12 +25,15 @@ struct Moved {
   bool went_on = false;
 };
 
+cases::CaseFile of_motion() {
+  return read(plain, {"discretization.spacing=0.02", "discretization.formulation=ordinary", "section.density=1",
+                      "analysis={kind=\"dynamic\",duration=1}", "output.probes={a=[0.5,0.3]}", "load[0].history=sine",
+                      "load[0].frequency=3", "foundation[0].modulus=5"});
+}
+
 /// So many steps by one of the processes; `folder`: of its checkpoints.
-Moved moved(const plate::Ranks& all, std::size_t steps, const std::filesystem::path& folder) {
-  const auto file =
-      read(plain, {"discretization.spacing=0.02", "discretization.formulation=ordinary", "section.density=1",
-                   "analysis={kind=\"dynamic\",duration=1}", "output.probes={a=[0.5,0.3]}", "load[0].history=sine",
-                   "load[0].frequency=3", "foundation[0].modulus=5"});
+Moved moved(const cases::CaseFile& file, const plate::Ranks& all, std::size_t steps,
+            const std::filesystem::path& folder) {
   fracture::Ready ready;
   ready.plate = plate::discretise(file.content).plate;
   const double limit = plate::stable_time_step(*ready.plate, 1);
@@ -46,15 +50,23 @@ Moved moved(const plate::Ranks& all, std::size_t steps, const std::filesystem::p
   return result;
 }
 
-Moved moved_by(int processes, std::size_t steps, const std::filesystem::path& folder) {
+Moved moved_by(const cases::CaseFile& file, int processes, std::size_t steps, const std::filesystem::path& folder) {
   Moved first;
   std::mutex one_by_one;
   thread_ranks::run(processes, [&](const plate::Ranks& all) {
-    auto own = moved(all, steps, folder);
+    auto own = moved(file, all, steps, folder);
     const std::lock_guard guard(one_by_one);
     if (all.rank() == 0) first = std::move(own);
   });
   return first;
+}
+
+void require_same(const post::Kept& one, const post::Kept& other) {
+  REQUIRE(one.tables.size() == other.tables.size());
+  for (std::size_t i = 0; i < one.tables.size(); ++i) {
+    CHECK(one.tables[i].first == other.tables[i].first);
+    CHECK((one.tables[i].second.rows == other.tables[i].second.rows));
+  }
 }
 
 }  // namespace
@@ -62,25 +74,52 @@ Moved moved_by(int processes, std::size_t steps, const std::filesystem::path& fo
 TEST_CASE("a motion in parts that was kept goes on by another number of processes, with the same tables") {
   constexpr std::size_t all = 30;
   const small_run::TemporaryFolder alone;
-  const auto whole = moved_by(2, all, alone.path());
+  const auto whole = moved_by(of_motion(), 2, all, alone.path());
   CHECK_FALSE(whole.went_on);
   for (const auto& [before, after, kept] : {std::array{3, 5, 20}, {4, 1, 15}, {1, 3, 25}}) {
     INFO(before << " processes, then " << after);
     const small_run::TemporaryFolder folder;
-    moved_by(before, std::size_t(kept), folder.path());
-    const auto gone_on = moved_by(after, all, folder.path());
+    moved_by(of_motion(), before, std::size_t(kept), folder.path());
+    const auto gone_on = moved_by(of_motion(), after, all, folder.path());
     CHECK(gone_on.went_on);
-    REQUIRE(gone_on.kept.tables.size() == whole.kept.tables.size());
     CHECK(whole.kept.tables.size() == 3);
-    for (std::size_t i = 0; i < whole.kept.tables.size(); ++i) {
-      CHECK(gone_on.kept.tables[i].first == whole.kept.tables[i].first);
-      CHECK((gone_on.kept.tables[i].second.rows == whole.kept.tables[i].second.rows));
-    }
+    require_same(gone_on.kept, whole.kept);
     REQUIRE(gone_on.summary.peaks.size() == whole.summary.peaks.size());
     CHECK(whole.summary.peaks.size() >= 2);
     for (std::size_t i = 0; i < whole.summary.peaks.size(); ++i) {
       const auto &one = gone_on.summary.peaks[i], &other = whole.summary.peaks[i];
       CHECK((one.value == other.value && one.time == other.time && one.position == other.position));
     }
+  }
+}
+
+TEST_CASE("cracks that grow in a motion in parts that was kept go on by another number of processes") {
+  cases::CaseFile file;
+  std::size_t all = 0;
+  std::vector<std::array<int, 3>> runs;  // processes before and after, steps between
+  SECTION("tips that run") {
+    file = shared_run::moving(shared_run::tall_plate(), 1);
+    file.content.cracks = {{{0.4, 0.51}, {0.5, 0.91}}};
+    all = 200, runs = {{2, 3, 120}, {3, 1, 160}};
+  }
+  SECTION("bonds that break, and a piece that they cut off") {
+    file = shared_run::moving(shared_run::cut_plate(), 1);
+    file.content.growth->criterion = fracture::Growth::Criterion::bond_energy;
+    file.content.growth->direction = fracture::Growth{}.direction;
+    file.content.growth->apparent_toughness = 1;
+    all = 400, runs = {{3, 2, 150}, {2, 4, 300}};
+  }
+  const small_run::TemporaryFolder alone;
+  const auto whole = moved_by(file, 2, all, alone.path());
+  CHECK(whole.summary.growth->advances > 1);
+  for (const auto& [before, after, kept] : runs) {
+    INFO(before << " processes, then " << after);
+    const small_run::TemporaryFolder folder;
+    const auto first = moved_by(file, before, std::size_t(kept), folder.path());
+    CHECK(first.summary.growth->advances > 0);
+    CHECK(first.summary.growth->advances < whole.summary.growth->advances);
+    const auto gone_on = moved_by(file, after, all, folder.path());
+    CHECK(gone_on.went_on);
+    require_same(gone_on.kept, whole.kept);
   }
 }

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "plate/bonds/mesh.hpp"
+#include "post/files/frame.hpp"
 #include "tests/unit/fracture/severing/broken_plate.hpp"
 
 using namespace fracture;

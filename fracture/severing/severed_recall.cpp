@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+
+#include "fracture/severing/severed_memory.hpp"
+#include "fracture/severing/severed_plate.hpp"
+#include "plate/solve/archive.hpp"
+
+namespace fracture {
+
+void SeveredPlate::save(plate::OutArchive& archive) const {
+  archive(memory());
+}
+
+void SeveredPlate::load(plate::InArchive& archive) {
+  SeveredMemory memory;
+  archive(memory);
+  recall(memory);
+}
+
+SeveredMemory SeveredPlate::memory() const {
+  SeveredMemory result;
+  const PointKeys keys(boundary_);
+  for (std::size_t number = 0; number < changed_.size(); ++number) {
+    const auto& [now, target, a_target, left, severed] = changed_[number];
+    if (!boundary_.owns(now.point)) continue;
+    SeveredFamily one{keys.of(now.point), first_losses_[number].event, first_losses_[number].place, now.a, left, {}};
+    for (const auto& going : going_)
+      if (severed && std::ranges::binary_search(going.points, now.point)) one.severing = going.number;
+    for (std::size_t i = 0; i < now.bonds.size(); ++i) {
+      one.broken.push_back(broken_.broken(now.point, i));
+      const auto& weights = now.bonds[i].weights;
+      one.weights.insert(one.weights.end(), {weights.D, weights.B, weights.S});
+    }
+    result.families.push_back(std::move(one));
+  }
+  result.families = of_all(std::move(result.families));
+  for (const auto& one : going_) result.going.emplace_back(one.number, one.share);
+  result.events = events_, result.severings = severings_, result.easing_left = easing_left_;
+  return result;
+}
+
+/// Families come in the order in which they lost their first bonds, as every process had them: of a piece of crack by
+/// their points, of single bonds by these.
+void SeveredPlate::recall(const SeveredMemory& memory) {
+  const PointKeys keys(boundary_);
+  std::vector<std::pair<std::uint32_t, const SeveredFamily*>> found;
+  for (const auto& one : memory.families)
+    if (const auto k = keys.point(one.point); k && known(*k)) found.emplace_back(*k, &one);
+  std::ranges::sort(found, {},
+                    [](const auto& one) { return std::tuple(one.second->event, one.second->place, one.first); });
+  for (const auto& [number, share] : memory.going) going_.push_back({number, {}, share});
+  for (const auto& [k, one] : found) {
+    if (one->broken.size() != base_.families()[k].size() || one->weights.size() != 3 * one->broken.size())
+      throw std::runtime_error("the checkpoint has other bonds than the plate");
+    events_ = one->event;
+    for (std::size_t i = 0; i < one->broken.size(); ++i)
+      if (one->broken[i]) lose(k, i, one->place);
+    auto& changed = change(k);
+    changed.now.a = one->a, changed.left = one->left, changed.severed = one->severing.has_value();
+    for (std::size_t i = 0; i < changed.now.bonds.size(); ++i)
+      changed.now.bonds[i].weights = {one->weights[3 * i], one->weights[3 * i + 1], one->weights[3 * i + 2]};
+    retarget(k);
+    differ(std::size_t(broken_.number(k)));
+    if (one->left > 0) easing_.push_back(k);
+    if (one->severing) std::ranges::find(going_, *one->severing, &Severing::number)->points.push_back(k);
+  }
+  for (auto& one : going_) std::ranges::sort(one.points);
+  events_ = memory.events, severings_ = memory.severings, easing_left_ = memory.easing_left;
+}
+
+}  // namespace fracture
