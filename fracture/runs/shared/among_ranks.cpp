@@ -10,6 +10,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/ranks/exact_sum.hpp"
+#include "plate/model/refused.hpp"
 #include "post/files/archive.hpp"
 
 namespace fracture {
@@ -41,6 +42,19 @@ bool before(const post::Peak& a, const post::Peak& b) {
     return std::array{-std::abs(peak.value), peak.time, x.y(), x.x()};
   };
   return key(a) < key(b);
+}
+
+/// Where it has too few blocks for the processes that there are.
+std::string fault_of_twice_the_spacing(const plate::Problem& problem) {
+  if (!plate::ranks() || problem.discretization.formulation != &plate::ordinary) return "";
+  auto coarse = problem.discretization;
+  coarse.spacing *= 2;
+  try {
+    plate::partition_of_lattice(problem.outline, coarse, plate::ranks()->size());
+  } catch (const plate::Refused& refused) {
+    return std::string("twice the spacing: ") + refused.what();
+  }
+  return "";
 }
 
 }  // namespace
@@ -85,6 +99,8 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
     refuse(plan.problem.loads[i].moves(), plate::key_of_load(plan.problem, i) + ".path",
            "loads that move cannot be run");
+  if (auto fault = plan.srif && plan.srif->richardson ? fault_of_twice_the_spacing(plan.problem) : ""; !fault.empty())
+    result.push_back({"srif.richardson", std::move(fault)});
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
   const double seen = plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon();
   refuse(plan.srif && plan.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
