@@ -1,0 +1,66 @@
+#include "fracture/severing/severed_memory.hpp"
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <mutex>
+
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/problem.hpp"
+#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+
+using namespace fracture;
+
+namespace {
+
+plate::Problem problem() {
+  plate::Problem result;
+  result.outline = geometry::rectangle(0, 0, 0.6, 0.5);
+  result.section = {1000, 0.3, 0.05, 5.0 / 6, 2};
+  result.supports = {{plate::SupportKind::clamped, {"left", "top"}, {}},
+                     {plate::SupportKind::simply_supported_hard, {"bottom"}, {}}};
+  result.loads = {plate::Load{}};
+  result.discretization.spacing = 0.01;
+  result.discretization.formulation = &plate::ordinary;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("point keys: every point has one of its own, fictitious ones too, the same in all processes") {
+  std::map<PointKey, std::array<double, 2>> all;  // places of own points
+  std::mutex one_by_one;
+  const auto take = [&] {
+    const auto plate = plate::discretise(problem()).plate;
+    const auto& boundary = plate->boundary();
+    const PointKeys keys(boundary);
+    const std::lock_guard guard(one_by_one);
+    for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k) {
+      const auto key = keys.of(k);
+      CHECK(keys.point(key) == k);
+      const auto& x = boundary.cloud.positions[k];
+      const auto [known, fresh] = all.try_emplace(key, std::array{x.x(), x.y()});
+      if (!fresh) CHECK((known->second == std::array{x.x(), x.y()}));
+    }
+    CHECK_FALSE(keys.point({1000, 3, 0}));
+    CHECK_FALSE(keys.point({1000, 3, 1}));
+  };
+  take();
+  const auto points = all.size();
+  CHECK(points > 60 * 50 + 2 * 3 * 50);  // with those beyond held edges
+  thread_ranks::run(3, [&](const plate::Ranks&) { take(); });
+  CHECK(all.size() == points);
+}
+
+TEST_CASE("severed families of all processes come to each of them") {
+  thread_ranks::run(3, [](const plate::Ranks& ranks) {
+    const auto number = std::uint64_t(ranks.rank());
+    SeveredFamily own{{ranks.rank(), 7, 0}, number, 2, 1.5, 3, number, {1, 0}, {1, 2, 3, 4, 5, 6}};
+    const auto all = of_all(std::vector<SeveredFamily>(number, own));
+    if (all.size() != 3) throw std::runtime_error("not all families");
+    if (all.back().point != PointKey{2, 7, 0} || all.back().weights.size() != 6 || all.back().severing != 2)
+      throw std::runtime_error("not as they were");
+  });
+  CHECK(of_all({{}, {}}).size() == 2);
+}
