@@ -1,5 +1,7 @@
 #include "plate/solve/motion/travelling_loads.hpp"
 
+#include <cmath>
+
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 
@@ -22,9 +24,10 @@ double TravellingLoads::product(double time, const State& state) const {
 template <typename Real>
 void TravellingLoads::add(double time, double time_step, const State& state, Values<Real>& force) {
   if (!any()) return;
-  const double before = begun_ ? product(time - time_step, state) : 0, now = product(time, state);
+  const double step = std::round(time / time_step);  // times to the last digit: at the end of its path a force leaves
+  const double before = begun_ ? product((step - 1) * time_step, state) : 0, now = product(time, state);
   if (begun_) work_ += (before + now - now_ - next_) / 2;
-  now_ = now, next_ = product(time + time_step, state), begun_ = true;
+  now_ = now, next_ = product((step + 1) * time_step, state), begun_ = true;
   for (const auto& one : loads_) {
     const double share = factor(one.history, time);
     one.forces->at(time, [&](std::uint32_t dof, double value) { at_dof(force, dof) += Real(share * value); });

@@ -19,7 +19,8 @@ public:
 
   bool any() const { return !loads_.empty(); }
 
-  /// Books the work up to now and adds the forces of now to the internal ones, before they are carried over.
+  /// Books the work up to now and adds the forces of now to the internal ones, before they are carried over. The time
+  /// is a whole number of steps.
   template <typename Real>
   void add(double time, double time_step, const State& state, Values<Real>& force);
   /// What energies, work and potential leave out, or have too much of as these are no internal forces.

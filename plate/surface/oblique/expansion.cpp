@@ -37,7 +37,7 @@ struct Near {
 };
 Near near_nodes(const LatticeBody& b, const std::vector<EdgeNode>& edges, const Sees& sees, int s, double radius) {
   constexpr double alike = 0.8;  // cosine between normals: values along one edge, or a curved one
-  const auto& [at, normal, length] = edges[std::size_t(s)];
+  const Point at = edges[std::size_t(s)].at, normal = edges[std::size_t(s)].normal;
   const Eigen::Array2i low = (at.array() - radius).ceil().cast<int>(), high = (at.array() + radius).floor().cast<int>();
   Near result;
   const Point eye = beside(edges[std::size_t(s)]);

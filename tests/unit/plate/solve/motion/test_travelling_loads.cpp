@@ -41,3 +41,25 @@ TEST_CASE("loads that move do the work of their forces, and go on as they were")
   later.complete(again);
   CHECK(again.external_work == seen.external_work);
 }
+
+TEST_CASE("loads that move leave at the end of their path, in their work as in their forces, whatever rounding does") {
+  const double dt = 0.01;
+  for (int last = 2; last < 60; ++last) {
+    MovingForces forces;
+    forces.stations = {{0, {{3, 2.0}}}, {last * dt, {{3, 2.0}}}};  // on point 1
+    std::vector<TimedLoad> loads(1);
+    loads[0].moving = std::make_shared<MovingForces>(forces);
+    TravellingLoads load(loads);
+    State state = State::Zero(3, 2);
+    for (int n = 0; n <= last + 2; ++n) {
+      state(0, 1) = n * dt;
+      Forces force = Forces::Zero(3, 2);
+      load.add(n * dt, dt, state, force);
+      CHECK(force(0, 1) == (n <= last ? 2 : 0));
+    }
+    Instant seen{std::size_t(last + 2), (last + 2) * dt, state, {}, 0, 0, 0};
+    load.complete(seen);
+    INFO(last);
+    CHECK(seen.external_work == Approx(2 * (last + 0.5) * dt));  // the last step has the mean of 2 and 0
+  }
+}
