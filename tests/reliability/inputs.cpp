@@ -11,12 +11,16 @@
 #include <string_view>
 
 #include "cases/driver/prepared.hpp"
+#include "cases/driver/run.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
 #include "geometry/shape/outline.hpp"
+#include "plate/model/loading/pressure_table.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/sinks/checkpoint.hpp"
+#include "post/files/sinks/kept.hpp"
+#include "post/files/summary.hpp"
 #include "post/studies/compare.hpp"
 #include "post/studies/scratch_folder.hpp"
 #include "tests/reliability/mutated.hpp"
@@ -54,6 +58,8 @@ const fs::path& folder() {
   static const bool filled = [] {
     write(scratch.path() / "case.toml", small_case);
     write(scratch.path() / "case.resolved.toml", small_case);
+    for (const char* name : {"case", "table"}) fs::create_directory(scratch.path() / name);
+    write(scratch.path() / "table/triangles.csv", "x,y,pressure\n-1,-1,0\n1,-1,1\n-1,1,2\n1,1,3\n0.2,0.1,1.5\n");
     write(scratch.path() / "reference.csv", "t,w\n0,0\n1,2\n");
     write(scratch.path() / "probes.csv", "time,probe,x,y,w,theta_x,theta_y\n0,tip,0,0,0,0,0\n1,tip,0,0,2,0,0\n");
     return true;
@@ -76,15 +82,57 @@ bool small(const cases::Case& c) {
          c.cracks.size() < 20 && c.output.probes.size() < 100 && !(c.srif && c.srif->accuracy);
 }
 
+/// The case as if it stood beside the folder of the table that it may name.
+cases::CaseFile case_of(const std::string& bytes) {
+  return cases::read_case_text(bytes, (folder() / "case/case.toml").string(), {});
+}
+
 /// A case that is read says the same when it is written and read again; a small one is discretised.
 void read_a_case(const std::string& bytes) {
   try {
-    auto file = cases::read_case_text(bytes, "case.toml", {});
+    auto file = case_of(bytes);
     const auto text = cases::resolved_toml(file.content);
-    if (cases::resolved_toml(cases::read_case_text(text, "case.resolved.toml", {}).content) != text) std::abort();
+    if (cases::resolved_toml(case_of(text).content) != text) std::abort();
     if (small(file.content)) const cases::Prepared prepared(std::move(file));
   } catch (const cases::CaseError&) {
   } catch (const plate::NumericalError&) {
+  }
+}
+
+/// Shortens what would take long.
+void curb(cases::Case& c) {
+  c.analysis.max_iterations = std::min<std::size_t>(c.analysis.max_iterations, 1000);
+  c.analysis.modes = std::min<std::size_t>(c.analysis.modes, 5);
+  if (c.growth) c.growth->max_advances = std::min<std::size_t>(c.growth->max_advances, 2);
+  if (c.growth) c.growth->unstable = fracture::Growth::Unstable::jump;
+  if (c.srif) c.srif->second_formulation = false;
+}
+
+/// A small case runs, and ends as runs may: whatever else is thrown is a fault.
+void run_a_case(const std::string& bytes) {
+  try {
+    auto file = case_of(bytes);
+    if (!small(file.content)) return;
+    curb(file.content);
+    constexpr std::size_t steps = 200, rows = 50;
+    if (file.content.analysis.kind == plate::Analysis::Kind::dynamic) {
+      const cases::Prepared prepared(file);
+      const auto& grid = prepared.steps->grid;
+      if (grid.steps > steps || grid.steps > rows * grid.steps_per_row) return;
+    }
+    post::Kept kept;
+    cases::run(file, {folder() / "results", true, &kept});
+  } catch (const cases::CaseError&) {
+  } catch (const plate::NumericalError&) {
+  }
+}
+
+void read_a_table(const std::string& bytes) {
+  try {
+    const plate::PressureTable table(file_of("pressure.csv", bytes));
+    for (const auto& x : {geometry::Point(0, 0), geometry::Point(0.3, 0.7), geometry::Point(1e9, -1e9)})
+      if (!std::isfinite(table(x)) && table.reaches(x)) std::abort();
+  } catch (const std::invalid_argument&) {
   }
 }
 
@@ -124,17 +172,19 @@ void read_a_state(const std::string& bytes) {
 }
 
 struct Target {
-  std::string_view name;
+  std::string_view name, inputs;  // inputs: the folder of its inputs
   void (*read)(const std::string& bytes);
-  bool text;  // of lines "key = value"
+  unsigned changed;  // of each input, which has lines "key = value", that are replayed beside it; 0: no such lines
 };
 constexpr std::array targets{
-    Target{"case", read_a_case, true},
-    Target{"study", read_a_study, true},
-    Target{"extremes", read_extremes, true},
-    Target{"reference", read_a_reference, false},
-    Target{"checkpoint", read_a_checkpoint, false},
-    Target{"state", read_a_state, false},
+    Target{"case", "case", read_a_case, 5},
+    Target{"run", "case", run_a_case, 1},
+    Target{"table", "table", read_a_table, 0},
+    Target{"study", "study", read_a_study, 5},
+    Target{"extremes", "extremes", read_extremes, 5},
+    Target{"reference", "reference", read_a_reference, 0},
+    Target{"checkpoint", "checkpoint", read_a_checkpoint, 0},
+    Target{"state", "state", read_a_state, 0},
 };
 
 }  // namespace
@@ -147,7 +197,7 @@ const Target& chosen() {
     const char* name = std::getenv("PDPLATE_TARGET");
     const auto found = std::ranges::find(targets, std::string_view(name ? name : ""), &Target::name);
     if (found == targets.end()) {
-      fmt::print(stderr, "PDPLATE_TARGET: one of case, study, extremes, reference, checkpoint, state\n");
+      fmt::print(stderr, "PDPLATE_TARGET: one of case, run, table, study, extremes, reference, checkpoint, state\n");
       std::exit(2);
     }
     return *found;
@@ -159,7 +209,7 @@ const Target& chosen() {
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
-  if (!chosen().text || seed % 3 == 0) return LLVMFuzzerMutate(data, size, most);
+  if (chosen().changed == 0 || seed % 3 == 0) return LLVMFuzzerMutate(data, size, most);
   const auto text = mutated({reinterpret_cast<const char*>(data), size}, seed).substr(0, most);
   std::ranges::copy(text, data);
   return text.size();
@@ -175,15 +225,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 int main(int count, char** arguments) {
   if (count != 2) return fmt::print(stderr, "inputs FOLDER: with a folder for each target\n"), 2;
   std::size_t replayed = 0, altered = 0;
-  for (const auto& [name, read, text] : targets) {
+  for (const auto& [name, inputs, read, changed] : targets) {
     std::size_t of_target = 0;
-    for (const auto& entry : fs::directory_iterator(fs::path(arguments[1]) / name)) {
+    for (const auto& entry : fs::directory_iterator(fs::path(arguments[1]) / inputs)) {
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-      fmt::print(stderr, "{}\n", entry.path().string());  // the last one is what ended it
+      fmt::print(stderr, "{} {}\n", name, entry.path().string());  // the last one is what ended it
       read(bytes), ++of_target;
-      constexpr unsigned seeds = 5;
-      for (unsigned seed = 0; text && seed < seeds; ++seed, ++altered) read(mutated(bytes, seed));
+      for (unsigned seed = 0; seed < changed; ++seed, ++altered) read(mutated(bytes, seed));
     }
     if (of_target == 0) return fmt::print(stderr, "no inputs for {}\n", name), 1;
     replayed += of_target;
