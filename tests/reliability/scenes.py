@@ -31,12 +31,15 @@ SCENES = [
     ("bonds that break quasi-statically", "growth/breaking_strip", True, ["discretization.spacing=0.05"]),
 ]
 
-# What plates have beside: small inputs of the tests. The motions and the growth are killed, too.
+# What plates have beside: small inputs of the tests. The motions and the growth are killed, too, and take longer.
 INPUTS = "../tests/reliability/inputs/case"
+LONGER = ["discretization.spacing=0.03125"]
 KEPT = ("moving_ground", "moving_loads", "moving_loads_galerkin", "soil_that_lifts_off_in_motion", "temperature_in_motion", "growth_on_soil")
-FEATURES = [(name.replace("_", " "), f"{INPUTS}/{name}", name in KEPT, []) for name in (
-    "orthotropic", "plies_stiffened", "regions_and_factors", "temperature", "settlements", "supports_inside", "soil_that_lifts_off",
-    "table_and_level", "load_cases", "surface_nodes", "fictitious_nodes", "oblique_surface_nodes", "frequencies_on_springs", *KEPT)]
+FEATURES = [(name.replace("_", " "), f"{INPUTS}/{name}", name in KEPT, LONGER if name in KEPT else [])
+            for name in (
+                "orthotropic", "plies_stiffened", "regions_and_factors", "temperature", "settlements", "supports_inside",
+                "soil_that_lifts_off", "table_and_level", "load_cases", "surface_nodes", "fictitious_nodes", "oblique_surface_nodes",
+                "frequencies_on_springs", *KEPT)]
 
 
 def command(program, case, overrides):

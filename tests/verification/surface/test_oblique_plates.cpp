@@ -106,7 +106,7 @@ TEST_CASE("surface plate, oblique edges: no motion grows at rest within what the
   using enum SupportKind;
   double lowest = 1;
   for (const auto& outline : {turned(square, 22), turned(ell, 17.3), polygon(20)})
-    for (const auto& [kind, ratio] : {std::pair{free, 0.3},
+    for (const auto& [held, ratio] : {std::pair{free, 0.3},
                                       {free, 1.0},
                                       {clamped, 0.3},
                                       {clamped, 3.0},
@@ -114,6 +114,7 @@ TEST_CASE("surface plate, oblique edges: no motion grows at rest within what the
                                       {simply_supported, 2.0},
                                       {simply_supported_hard, 0.3},
                                       {simply_supported_hard, 3.0}}) {
+      const auto kind = held;
       const double h = 0.3 / ratio;
       const auto s = plate::spectrum(
           made(outline, h), [&](const Point&, const Point&) { return plate::edge_condition(kind); }, h);
