@@ -19,7 +19,8 @@ public:
   explicit Patch(const Hole& shape);
 
   /// Counter-clockwise.
-  const std::vector<Point>& ring() const { return ring_; }
+  const std::vector<Point>& ring() const& { return ring_; }
+  std::vector<Point> ring() && { return std::move(ring_); }
 
   /// What it has in common with a convex cell, counter-clockwise: the ring of the cell, none, or what is left of the
   /// patch's (Sutherland, Hodgman 1974; parts that such clipping leaves connected are joined by lines without area).
