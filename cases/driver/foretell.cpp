@@ -20,11 +20,16 @@ CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const
   if (const auto edges = c.discretization.boundary; edges != EdgeMethod::images && edges != EdgeMethod::layer)
     c.section.thicken(less.wider);  // they ask for points that are close for it
   c.analysis = fracture::sampled(c.analysis, solver, less, c.growth.has_value());
-  for (auto& load : c.loads) load.history = {};             // some start from nothing, and nothing would move
+  for (auto& load : c.loads) {
+    load.history = {};  // some start from nothing, and nothing would move
+    if (load.kind == plate::Load::Kind::settlement && c.analysis.kind == Analysis::Kind::dynamic)
+      load.history.kind = plate::History::Kind::ramp, load.history.rise_time = c.analysis.duration;  // none jumps
+  }
   for (auto& soil : c.foundations) soil.lifts_off = false;  // few and wide points may tip where the plate does not
   c.output.history_every = c.analysis.duration / std::clamp(less.steps / 8, 1.0, 8.0);
   c.output.every.reset(), c.output.probes.clear();
   if (!less.factors) c.srif.reset();
+  if (c.impact) c.impact->stiffness *= 1e-9;
   if (c.srif) c.srif->second_formulation = c.srif->richardson = false;
   if (c.growth) c.growth->max_advances = 1, c.growth->unstable = fracture::Growth::Unstable::jump;
   return result;

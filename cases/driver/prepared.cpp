@@ -6,6 +6,7 @@
 #include "cases/driver/results.hpp"
 #include "cases/input/refused.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/solve/motion/begin.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace cases {
@@ -25,6 +26,16 @@ void settle_free_motion(CaseFile& file, const plate::Formulation& plate) {
   file.content.analysis.method = Analysis::Method::central_difference;
 }
 
+plate::BeginOfMotion begin_of(const CaseFile& file, const plate::Formulation& plate) {
+  try {
+    return plate::begin_of_motion(plate, file.content.analysis.rotary_inertia);
+  } catch (const plate::FormulaError& error) {
+    const bool bent = file.content.initial->deflection.text() == error.formula();
+    const std::string key = bent ? "initial.deflection" : "initial.velocity";
+    throw CaseError({{file.place(key), key, error.what()}});
+  }
+}
+
 }  // namespace
 
 Prepared::Prepared(CaseFile wanted) : file(std::move(wanted)) {
@@ -32,12 +43,14 @@ Prepared::Prepared(CaseFile wanted) : file(std::move(wanted)) {
   plate = std::move(found.plate), warnings = std::move(found.warnings), stopwatch = found.stopwatch;
   const Case& c = file.content;
   if (c.analysis.kind == Analysis::Kind::dynamic) {
+    begin = begin_of(file, *plate);
     check_growing_tips(file, *plate, warnings);
     if (c.analysis.method == Analysis::Method::lanczos) settle_free_motion(file, *plate);
     if (c.analysis.method == Analysis::Method::lanczos) {
       steps = {0, unless_refused(file, [&] { return plate::row_grid(fracture::grid_options(plan_of(c, {}))); })};
     } else {
-      const double limit = plate::stable_time_step(*plate, c.analysis.rotary_inertia);
+      const double free = plate::stable_time_step(*plate, c.analysis.rotary_inertia);
+      const double limit = plate::stable_step(free, *plate, c.analysis, begin);
       steps = {limit, time_grid(file, limit)};
     }
     stopwatch.lap("solve");

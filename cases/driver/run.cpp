@@ -7,6 +7,7 @@
 #include "cases/driver/second_formulation.hpp"
 #include "fracture/runs/load_cases_run.hpp"
 #include "fracture/runs/quasi_static_run.hpp"
+#include "fracture/runs/response/response_run.hpp"
 #include "fracture/runs/run_once.hpp"
 #include "fracture/runs/shared/among_ranks.hpp"
 #include "fracture/runs/trial.hpp"
@@ -102,6 +103,8 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
   auto [recorder, keeper] = recording_of(prepared.file.content, options);
   if (!c.load_cases.empty())
     return fracture::run_load_cases(prepared, plan_of(c, options), std::move(recorder), stopwatch);
+  if (c.analysis.kind == Analysis::Kind::harmonic)
+    return fracture::run_response(prepared, plan_of(c, options), std::move(recorder), stopwatch);
   auto results = results_of(prepared, options, std::move(recorder));
   const plate::StopOnSignals signals;
   stopwatch.lap("output");

@@ -85,6 +85,7 @@ void check_analysis(const Case& content, Reading& reading) {
   if (reading.sound("section") && reading.sound("geometry"))
     complain(fracture::faults_of_section(content, growth.has_value(), srif));
   complain(fracture::faults_of_motion(content, analysis, growth.has_value(), given));
+  complain(fracture::faults_of_response(content, analysis));
   complain(fracture::faults_beside_settlements(content, analysis, growth.has_value()));
   complain(fracture::faults_beside_contact(content, analysis, growth.has_value()));
 }
@@ -106,7 +107,8 @@ void snap_cracks(Case& content, Reading& reading) {
 }
 
 void check_case(const Case& content, Reading& reading) {
-  if (content.loads.empty() && content.load_cases.empty() && reading.kind != Analysis::Kind::frequencies &&
+  const bool begins = content.initial || content.impact;
+  if (content.loads.empty() && content.load_cases.empty() && reading.kind != Analysis::Kind::frequencies && !begins &&
       reading.sound("load"))
     reading.complain("load", "nothing loads the plate: give at least one [[load]]");
   check_formulation(content, reading);

@@ -130,9 +130,10 @@ void settle_method(Case& content, const Reading& reading) {
   if (analysis.kind == Analysis::Kind::static_ && !plate::formulation_of(d).offers(Feature::symmetry))
     analysis.method = Analysis::Method::direct;
   const bool graded = d.tip_spacing || d.hole_spacing || reading.finds_spacing;
-  const bool needs_steps = content.lifts_off() || std::ranges::any_of(content.loads, [](const auto& load) {
-                             return load.kind == plate::Load::Kind::settlement || load.moves();
-                           });
+  const bool needs_steps =
+      content.impact || content.lifts_off() || std::ranges::any_of(content.loads, [](const auto& load) {
+        return load.kind == plate::Load::Kind::settlement || load.moves();
+      });
   const bool steps_asked = analysis.time_step || reading.given("analysis.safety") || needs_steps;
   if (analysis.kind == Analysis::Kind::dynamic && d.formulation->offers(Feature::lanczos) && graded && !steps_asked)
     analysis.method = Analysis::Method::lanczos;

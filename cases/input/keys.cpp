@@ -37,7 +37,7 @@ const Fields<Case>& case_fields() {
     return problem_of(content);
   };
   const auto loads_of = [](auto& content) -> decltype(auto) { return own_loads(content); };
-  static const Kinds loaded{Analysis::Kind::static_, Analysis::Kind::dynamic};
+  static const Kinds loaded{Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::harmonic};
   static const Fields<Case> fields{
       text("title", &Case::title, "the file's name", "title of the case"),
       text("source", &Case::source, "\"\"", "where the case comes from"),
@@ -54,8 +54,11 @@ const Fields<Case>& case_fields() {
       tables<Case, plate::Load>("load", Layout::block, loads_of, load_fields(), check_load).used_in(loaded),
       tables<Case, plate::LoadCase>("case", Layout::block, &Case::load_cases, load_case_fields()),
       tables<Case, plate::Combination>("combination", Layout::block, &Case::combinations, combination_fields()),
+      table<Case, plate::Initial>("initial", Layout::block, &Case::initial, initial_fields()).in_dynamics(),
+      table<Case, plate::Impact>("impact", Layout::block, &Case::impact, impact_fields()).in_dynamics(),
       table<Case, Analysis>("analysis", Layout::block, &Case::analysis, analysis_fields(), check_analysis),
-      table<Case, fracture::Growth>("growth", Layout::block, &Case::growth, growth_fields()).used_in(loaded),
+      table<Case, fracture::Growth>("growth", Layout::block, &Case::growth, growth_fields())
+          .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       table<Case, post::SrifOptions>("srif", Layout::block, &Case::srif, srif_fields(), check_srif).used_in(loaded),
       table<Case, Output>("output", Layout::block, &Case::output, output_fields()),
   };

@@ -8,15 +8,19 @@ struct Growth;
 
 namespace plate {
 struct Combination;
+struct Damping;
 struct Discretization;
 class Formula;
 struct Foundation;
+struct Impact;
+struct Initial;
 struct Load;
 struct LoadCase;
 struct Problem;
 struct Section;
 struct Spring;
 struct Stiffener;
+struct Sweep;
 struct Support;
 }  // namespace plate
 
@@ -47,6 +51,12 @@ Fields<plate::Combination> combination_fields();
 Fields<plate::Foundation> foundation_fields();
 Fields<plate::Spring> spring_fields();
 Fields<plate::Stiffener> stiffener_fields();
+Fields<plate::Initial> initial_fields();
+Fields<plate::Impact> impact_fields();
+Fields<plate::Sweep> sweep_fields();
+void check_sweep(const Value& given, plate::Sweep& content);
+Fields<plate::Damping> damping_fields();
+void check_damping(const Value& damping, plate::Damping& content);
 Fields<Analysis> analysis_fields();
 Fields<fracture::Growth> growth_fields();
 Fields<post::SrifOptions> srif_fields();

@@ -19,6 +19,14 @@ using plate::Analysis;
 // points of a larger sample: for factors; coarser plates begin above 4,000; threads hide the cost of a step below
 constexpr double few = 1500, some = 4500, many = 16000;
 
+constexpr double frames_of_period = 8;      // of a harmonic response
+constexpr std::size_t few_frequencies = 8;  // of its samples
+
+/// Does the plate move, however?
+bool swings(const Analysis& analysis) {
+  return analysis.kind == Analysis::Kind::dynamic || analysis.kind == Analysis::Kind::harmonic;
+}
+
 /// How much wider the points of a sample are: near to `wanted`, and so that they divide the plate as its own do.
 double wider_points(const plate::Problem& problem, double wanted) {
   constexpr double least = 4;  // points across the plate
@@ -70,6 +78,7 @@ std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run_s
       const double time_step = *result.large.summary.analysis.time_step_limit;
       if (!(result.longer = run({wider, plan.srif.has_value(), enough, time_step}))) return {};
     }
+    if (plan.analysis.sweep && plan.srif) result.longer = run({wider, true, 3 * double(few_frequencies)});
   } catch (const plate::NumericalError&) {
     if (wider == 1) throw;
     return {};
@@ -88,13 +97,29 @@ double advances_of(const plate::Problem& problem, const Growth& growth) {
   return std::min(advances, double(growth.max_advances));
 }
 
+/// The stable step of the plate, with the damping and the contact that samples are without.
+double whole_step(double free, const RunPlan& plan) {
+  const auto& [problem, analysis] = std::tie(plan.problem, plan.analysis);
+  if (const auto& impact = problem.impact) {
+    const double spacing = problem.discretization.spacing_at_tips();
+    const double point = problem.section.density * problem.section.thickness * spacing * spacing;
+    const double square = impact->stiffness * (1 / impact->mass + 1 / point);
+    free = std::min(2 / std::sqrt(4 / (free * free) + square), 0.1 / std::sqrt(square));
+  }
+  return analysis.damping ? plate::stable_step(free, *analysis.damping) : free;
+}
+
 void set_motion(const RunPlan& plan, ForetoldRun& result, const post::Samples& found) {
   const auto& analysis = plan.analysis;
   auto& whole = result.whole;
+  if (analysis.sweep) {
+    whole.rows = double(analysis.sweep->count), whole.frames = frames_of_period;
+    return;
+  }
   if (analysis.method == Analysis::Method::lanczos) {
     whole.rows = double(plate::row_grid(grid_options(plan)).steps);
   } else {
-    result.time_limit = post::whole_time_step(found);
+    result.time_limit = whole_step(post::whole_time_step(found), plan);
     const auto grid = plate::time_grid(grid_options(plan), result.time_limit);
     result.time_step = grid.time_step, whole.steps = double(grid.steps);
     whole.rows = whole.steps / double(grid.steps_per_row);
@@ -116,8 +141,12 @@ plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solv
     analysis.preconditioner = solver.preconditioner;
     if (solver.method == plate::StaticMethod::direct) analysis.method = Analysis::Method::direct;
   }
-  if (!less.solves && analysis.kind != Analysis::Kind::dynamic && !grows) analysis.tolerance = 0.1;
+  if (!less.solves && !swings(analysis) && !grows) analysis.tolerance = 0.1;
   analysis.time_step.reset();
+  if (analysis.sweep)
+    analysis.sweep->count = std::min(analysis.sweep->count, std::max(few_frequencies, std::size_t(less.steps)));
+  if (analysis.damping && analysis.kind == Analysis::Kind::dynamic)
+    analysis.damping->stiffness *= 1e-9;  // as dear, without its stable step
   if (analysis.method == Analysis::Method::central_difference)
     analysis.duration = less.time_step > 0 ? less.steps * less.time_step : 1e-9 * analysis.duration;
   return analysis;
@@ -129,6 +158,8 @@ post::SampleRun sample_run(const RunPlan& sample, post::Summary summary, double 
   if (sample.moves()) {
     result.rows = 1 + std::round(analysis.duration / *sample.rows_every);
     result.frames = 2;
+  } else if (analysis.sweep) {
+    result.rows = double(analysis.sweep->count), result.frames = frames_of_period;
   } else {
     result.frames = analysis.kind == Analysis::Kind::frequencies ? double(analysis.modes) : sample.growth ? 2 : 1;
   }
@@ -146,7 +177,7 @@ ForetoldRun foretell(const RunPlan& plan, const RunSample& run) {
   result.solver = plate::usual_solver(problem, modes ? plate::StaticMethod::cg : analysis.static_method(),
                                       modes ? of_modes : analysis.preconditioner, all);
   const bool steps = analysis.method == Analysis::Method::central_difference;
-  const bool moves = analysis.kind == Analysis::Kind::dynamic;
+  const bool moves = swings(analysis);
   const bool slow = !moves && (result.solver.method != plate::StaticMethod::cg || (modes && of_modes == diagonal));
   std::optional<post::Samples> found;
   const bool adr = slow && result.solver.method == plate::StaticMethod::adr;

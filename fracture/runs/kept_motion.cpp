@@ -12,6 +12,7 @@
 
 namespace fracture {
 void KeptMotion::keep_to(Keeper& keeper, plate::DynamicOptions& options) {
+  remembers_force_ = options.stiffness_damping > 0;
   options.due = [&] { return plate::largest_of_all(keeper.due()) > 0; };
   options.keep = [&](const plate::MotionMemory& now) { shared() ? keep_part(keeper, now) : keep(keeper, now); };
   if (recall(keeper)) options.from = &memory_;
@@ -26,10 +27,15 @@ void KeptMotion::keep(Keeper& keeper, const plate::MotionMemory& now) {
 }
 
 void KeptMotion::keep_part(Keeper& keeper, const plate::MotionMemory& now) {
-  const auto own = own_values(plate_.boundary(), {&now.state, &now.velocity, &results_.state_of_largest()});
+  std::vector<const plate::State*> states{&now.state, &now.velocity};
+  if (remembers_force_) states.push_back(&now.force);
+  states.push_back(&results_.state_of_largest());
+  const auto own = own_values(plate_.boundary(), states);
+  plate::MotionMemory common{now.step, {}, {}, now.loads, now.work, now.before};
+  common.given = now.given, common.dissipated = now.dissipated;
   keeper.keep(
       [&](plate::OutArchive& archive) {
-        archive(plate::MotionMemory{now.step, {}, {}, now.loads, now.work, now.before});
+        archive(common);
         results_.remember(archive);
         if (growth_) growth_->remember(archive);
       },
@@ -48,7 +54,10 @@ bool KeptMotion::recall(Keeper& keeper) {
 
 void KeptMotion::recall_part(const Keeper& keeper) {
   auto& largest = results_.state_of_largest();
-  put_values(plate_.boundary(), keeper.parts(), {&memory_.state, &memory_.velocity, &largest});
+  std::vector<plate::State*> states{&memory_.state, &memory_.velocity};
+  if (remembers_force_) states.push_back(&memory_.force);
+  states.push_back(&largest);
+  put_values(plate_.boundary(), keeper.parts(), states);
   (growth_ ? growth_->constraints() : plate_.constraints()).impose(memory_.state);
   if (largest.cols() > 0) plate_.constraints().impose(largest);
 }

@@ -19,6 +19,7 @@ struct Ready {
   std::vector<std::string> warnings;
   std::vector<post::TipMethods> tip_methods;
   std::optional<Steps> steps;  // of a motion; without a limit where it takes no steps but rows
+  plate::BeginOfMotion begin;
   // of a plate that has been solved already:
   std::optional<plate::StaticResult> solution;
   std::optional<plate::LanczosMotion> motion;

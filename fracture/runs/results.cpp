@@ -29,7 +29,8 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
       recorder_(std::move(recorder)),
       probes_(probes_of(plan.probes, plate)),
       factors_(plan.problem.section.thickness),
-      reactions_(plate, plan.analysis.rotary_inertia, plan.analysis.method == plate::Analysis::Method::lanczos),
+      reactions_(plate, plan.analysis.rotary_inertia, plan.analysis.method == plate::Analysis::Method::lanczos,
+                 plan.analysis.damping.value_or(plate::Damping{}).mass),
       extremes_(plate),
       energy_gate_(plan.growth ? post::EnergyGate::Plate::grows : post::EnergyGate::Plate::moves) {
   if (!recorder_.draws() && !recorder_.stores()) return;
@@ -50,9 +51,11 @@ void Results::sample(const plate::Instant& now, bool last) {
   const double heated = plate::stored(plate_, heat, now.state);
   strain_energy_ = now.strain_energy + heated, external_work_ = now.external_work + heated;
   post::Sample row{now.time, now.step, now.state, strain_energy_, now.kinetic_energy, external_work_, 0};
-  post::EnergyGate::Books books{now.strain_energy + now.kinetic_energy, now.strain_energy + now.discrete_kinetic_energy,
-                                now.external_work};
+  post::EnergyGate::Books books{now.strain_energy + now.kinetic_energy + now.dissipated,
+                                now.strain_energy + now.discrete_kinetic_energy + now.dissipated, now.external_work};
   row.discrete_energy = books.kept + now.potential;
+  if (plan_.analysis.damping) row.dissipated_energy = now.dissipated;
+  if (now.blow) blows_.rows.push_back({now.time, now.blow->place, now.blow->velocity, now.blow->force});
   if (growth_) {
     row.fracture_energy = growth_->fracture_energy();
     books.energy += row.fracture_energy + growth_->frozen_energy();
@@ -134,6 +137,7 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   const auto cracks = growth_ ? finish_growth(summary) : post::given_cracks(plate_.paths());
   if (growth_ || !cracks.lines.empty()) recorder_.cracks(cracks, factors_.last());
   if (!reactions_.empty()) recorder_.table("reactions", reactions_.table());
+  if (!blows_.rows.empty()) recorder_.table("impact", blows_);
   const auto& history = recorder_.history();
   if (plan_.moves() && recorder_.plots())
     recorder_.picture("curves",
@@ -160,7 +164,7 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
 template <typename Archive>
 void Results::memory(Archive& archive) {
   archive(factors_, reactions_, extremes_, pictures_, times_, residual_, energy_gate_, strain_energy_, external_work_,
-          next_frame_);
+          next_frame_, blows_);
 }
 
 void Results::remember(plate::OutArchive& archive) {

@@ -88,6 +88,7 @@ private:
   post::ReactionRows reactions_;
   post::Extremes extremes_;
   post::EnergyGate energy_gate_;
+  post::Table blows_{{"time", "position", "velocity", "force"}, {}};
   std::vector<double> times_;
   std::vector<post::Frequency> frequencies_;
   std::optional<post::AccuracySummary> accuracy_;

@@ -130,6 +130,7 @@ std::function<void(const plate::Instant&)> observer(const Going& run, std::size_
                       {"kinetic", now.kinetic_energy},
                       {"external_work", results.external_work()}};
     book_attached(*ready.plate, now.state, summary);
+    if (run.analysis().damping) summary.energy.emplace_back("dissipated", now.dissipated);
     if (is_last && !post::moves(now.state, now.external_work))
       post::require_motion(*ready.plate, post::forces_of(*ready.plate), now.state, now.external_work, summary.warnings);
   };
@@ -175,6 +176,10 @@ void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   post::Progress progress(run.plan().quiet, "central differences");
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
   if (analysis.start == Analysis::Start::equilibrium) options.start = plate::start_of(plate, analysis);
+  if (const auto& begin = ready.begin; begin.deflected.size() > 0) options.start = begin.deflected, options.bent = true;
+  options.velocity = ready.begin.velocity, options.impact = ready.begin.impact, options.given = ready.begin.given;
+  if (const auto& damping = analysis.damping)
+    options.mass_damping = damping->mass, options.stiffness_damping = damping->stiffness;
   if (analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
   if (growth) options.changes = &growth->changes();
   options.held_forces = true;
@@ -228,6 +233,8 @@ void solve(const Going& run, MovingGrowth* growth, Keeper* keeper) {
                                                                 : solve_dynamic(run, growth, keeper);
     case Analysis::Kind::frequencies:
       return solve_frequencies(run);
+    case Analysis::Kind::harmonic:
+      throw std::logic_error("harmonic analyses are run by run_response()");
   }
 }
 

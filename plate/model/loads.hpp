@@ -50,4 +50,17 @@ struct Load {
   }
 };
 
+/// How a motion begins: deflection [length] and velocity along w [length/time] at time 0, with the rotations of a thin
+/// plate, psi = grad w. Not given: zero.
+struct Initial {
+  Formula deflection, velocity;
+};
+
+/// A mass that meets the plate at time 0, and presses on it by a spring that does not pull.
+struct Impact {
+  geometry::Point position{0, 0};  // [length]
+  double mass = 0, velocity = 0;   // velocity along w [length/time]
+  double stiffness = 0;            // of the contact [force/length]
+};
+
 }  // namespace plate

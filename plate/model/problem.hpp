@@ -25,6 +25,8 @@ struct Problem {
   std::vector<Stiffener> stiffeners = {};
   std::vector<LoadCase> load_cases = {};  // in statics; their loads stand behind the others in `loads` (join_loads)
   std::vector<Combination> combinations = {};
+  std::optional<Initial> initial = {};  // of a motion
+  std::optional<Impact> impact = {};    // likewise
 
   /// Is there soil that lets the plate lift off?
   bool lifts_off() const {

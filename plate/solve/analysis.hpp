@@ -8,7 +8,7 @@ namespace plate {
 
 /// What is sought of a plate, and how.
 struct Analysis {
-  enum class Kind { static_, dynamic, frequencies };
+  enum class Kind { static_, dynamic, frequencies, harmonic };
   enum class Method { adr, cg, direct, central_difference, lanczos };
   enum class Precision { double_, mixed };
   enum class Start { undeformed, equilibrium };
@@ -24,6 +24,8 @@ struct Analysis {
   double rotary_inertia = 1;                 // dynamic: over that of the plate
   Precision precision = Precision::double_;  // dynamic; mixed: internal forces in single
   double safety = 0.95;                      // dynamic: share of the stable step that is used
+  std::optional<Damping> damping = {};       // dynamic, harmonic
+  std::optional<Sweep> sweep = {};           // harmonic
 
   /// In statics; in dynamics conjugate gradients.
   StaticMethod static_method() const {
@@ -33,13 +35,23 @@ struct Analysis {
   }
   /// Is an equilibrium wanted, for itself or to start from?
   bool finds_equilibrium() const {
-    return kind == Kind::static_ || (kind == Kind::dynamic && start == Start::equilibrium);
+    return kind == Kind::static_ || kind == Kind::harmonic || (kind == Kind::dynamic && start == Start::equilibrium);
   }
 };
 
 /// As in case files.
 inline const char* name_of(Analysis::Kind kind) {
-  return kind == Analysis::Kind::static_ ? "static" : kind == Analysis::Kind::dynamic ? "dynamic" : "frequencies";
+  switch (kind) {
+    case Analysis::Kind::static_:
+      return "static";
+    case Analysis::Kind::dynamic:
+      return "dynamic";
+    case Analysis::Kind::frequencies:
+      return "frequencies";
+    case Analysis::Kind::harmonic:
+      break;
+  }
+  return "harmonic";
 }
 
 }  // namespace plate

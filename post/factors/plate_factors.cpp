@@ -57,6 +57,7 @@ double clear_distance(const plate::Problem& c, const std::vector<geometry::Crack
   }
   for (const auto& stiffener : c.stiffeners)
     if (!stiffener.along.empty()) clear = std::min(clear, geometry::distance(stiffener.along, tip.position));
+  if (c.impact) clear = std::min(clear, (c.impact->position - tip.position).norm());
   for (const auto& support : c.supports) {
     for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
     if (!support.along.empty()) clear = std::min(clear, geometry::distance(support.along, tip.position));

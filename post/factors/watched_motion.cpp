@@ -3,6 +3,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/preconditioner.hpp"
+#include "plate/solve/motion/begin.hpp"
 #include "plate/solve/solution.hpp"
 #include "post/factors/tip_methods.hpp"
 
@@ -18,6 +19,9 @@ plate::LanczosMotion lanczos_motion(const plate::Analysis& analysis, const plate
   options.watched_tolerance = truncation;
   options.told = {reactions};
   options.progress = progress;
+  options.damping = analysis.damping.value_or(plate::Damping{});
+  auto begin = plate::begin_of_motion(plate, analysis.rotary_inertia);
+  options.deflected = std::move(begin.deflected), options.velocity = std::move(begin.velocity);
   const auto& constraints = plate.constraints();
   const auto inertia = plate.inertia(analysis.rotary_inertia);
   return {plate, constraints, inertia, plate.loads(), *plate::inverse_of(plate), options};

@@ -80,6 +80,10 @@ void Recorder::row(const Sample& s, const std::vector<Probe>& probes, std::size_
                            plate::largest_of_all(s.state.row(0).head(Eigen::Index(plate_points)).cwiseAbs().maxCoeff()),
                            cell(s.discrete_energy), cell(s.energy_residual), cell(s.released_energy),
                            cell(s.load_factor), cell(s.displacement)});
+  if (s.dissipated_energy) {
+    if (history_.rows.size() == 1) history_.columns.emplace_back("dissipated_energy");
+    history_.rows.back().emplace_back(*s.dissipated_energy);
+  }
   for (const auto& [name, x, shares] : probes) {
     Eigen::Vector3d u = Eigen::Vector3d::Zero();
     for (const auto& share : shares) u += share.weight * s.state.col(share.point);
@@ -114,10 +118,10 @@ void Recorder::recall(plate::InArchive& archive) {
 
 Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
   Sink::Tables tables;
-  if (frequencies_.rows.empty() && summary.analysis.kind != "frequencies")
+  const auto& kind = summary.analysis.kind;
+  if (frequencies_.rows.empty() && kind != "frequencies" && kind != "harmonic")
     tables.emplace_back("history", &history_);
-  else
-    tables.emplace_back("frequencies", &frequencies_);
+  if (!frequencies_.rows.empty() || kind == "frequencies") tables.emplace_back("frequencies", &frequencies_);
   if (!probes_.rows.empty()) tables.emplace_back("probes", &probes_);
   for (const auto& [name, table] : tables_) tables.emplace_back(name, &table);
   sink_->tables(tables);

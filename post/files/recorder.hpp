@@ -22,6 +22,7 @@ struct Sample {
   const plate::State& state;
   double strain_energy, kinetic_energy, external_work, fracture_energy;
   std::optional<double> discrete_energy = {}, energy_residual = {};                 // in motion
+  std::optional<double> dissipated_energy = {};                                     // of a damped motion
   std::optional<double> released_energy = {}, load_factor = {}, displacement = {};  // of a quasi-static growth
 };
 

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "plate/solve/statics.hpp"
 #include "post/files/shared/processes.hpp"
 #include "post/files/table.hpp"
 
@@ -224,6 +223,13 @@ Json json_of(const EnvelopeEntry& one) {
   return json;
 }
 
+Json json_of(const ResponsePeak& one) {
+  Json json{
+      {"place", one.place}, {"quantity", one.quantity}, {"amplitude", one.amplitude}, {"frequency", one.frequency}};
+  add(json, "estimated_error", one.error);
+  return json;
+}
+
 }  // namespace
 
 Wrench& Wrench::operator+=(const Wrench& other) {
@@ -235,15 +241,6 @@ Wrench Balance::sum() const {
   Wrench result;
   for (const auto& one : supports) result += one;
   return result;
-}
-
-void describe(Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
-              double tolerance) {
-  analysis.method = method;
-  analysis.iterations = solution.iterations;
-  analysis.residual = solution.residual;
-  analysis.tolerance = tolerance;
-  analysis.stop_reason = solution.stop_reason;
 }
 
 std::string to_json(const Summary& summary) {
@@ -281,6 +278,8 @@ std::string to_json(const Summary& summary) {
   if (summary.multipliers) json["multipliers"] = *summary.multipliers;
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);
   if (summary.analysis.kind == "frequencies") json["frequencies"] = list_of(summary.frequencies);
+  for (const auto& one : summary.response) json["response"].push_back(json_of(one));
+  if (!summary.resonances.empty()) json["resonances"] = summary.resonances;
   if (summary.growth) json["growth"] = json_of(*summary.growth);
   json["energy"] = json_of(summary.energy);
   json["scene"] = list_of(summary.scene);

@@ -7,10 +7,6 @@
 #include "post/factors/accuracy.hpp"
 #include "post/files/balances.hpp"
 
-namespace plate {
-struct StaticSolution;
-}
-
 namespace post {
 
 struct ProcessesSummary;
@@ -71,6 +67,13 @@ struct EnvelopeEntry {
   std::string of;
 };
 
+/// The largest amplitude of a quantity at a place, of a response over frequencies.
+struct ResponsePeak {
+  std::string place, quantity;
+  double amplitude, frequency;  // [1/time]
+  std::optional<double> error;  // estimated, of the amplitude
+};
+
 /// How a growth of cracks ended.
 struct GrowthSummary {
   std::string outcome;
@@ -127,15 +130,13 @@ struct Summary {
   std::optional<double> multipliers;                   // the forces that they add, over the loads
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it
   std::vector<Frequency> frequencies;                  // of a frequency analysis
+  std::vector<ResponsePeak> response;                  // of a harmonic analysis
+  std::vector<double> resonances;                      // likewise, within the sweep [1/time]
   std::optional<GrowthSummary> growth;                 // of a case with growth
   std::vector<std::pair<std::string, double>> energy;  // strain, kinetic, external_work, fracture
   std::vector<ScenePart> scene;
   std::vector<std::string> warnings;
 };
-
-/// What a summary says of a static solution.
-void describe(Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
-              double tolerance);
 
 std::string to_json(const Summary& summary);
 

@@ -47,7 +47,7 @@ Json of_value(const std::string& text) {
   if (begins("[[x, y]")) return list(numbers(2));
   if (begins("[xmin")) return numbers(4);
   if (begins("[x, y, radius]") || begins("[Mxx")) return numbers(3);
-  if (begins("[x, y]")) return numbers(2);
+  if (begins("[x, y]") || begins("[a, b]")) return numbers(2);
   if (begins("{ name = factor")) return {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
   if (begins("{ name")) return {{"type", "object"}, {"additionalProperties", numbers(2)}};
   if (begins("a list of \"")) return list({{"enum", quoted(text)}});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "plate/solve/statics.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/report/peaks.hpp"
@@ -34,6 +35,15 @@ void warn_of(const ReactionSummary& reactions, std::vector<std::string>& warning
 }
 
 }  // namespace
+
+void describe(Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
+              double tolerance) {
+  analysis.method = method;
+  analysis.iterations = solution.iterations;
+  analysis.residual = solution.residual;
+  analysis.tolerance = tolerance;
+  analysis.stop_reason = solution.stop_reason;
+}
 
 void conclude(Summary& summary, Found found) {
   summary.srif = std::move(found.factors);

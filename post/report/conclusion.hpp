@@ -11,6 +11,7 @@ class Formulation;
 struct Heat;
 struct Instant;
 struct Resultants;
+struct StaticSolution;
 }  // namespace plate
 
 namespace post {
@@ -58,6 +59,10 @@ private:
   plate::State state_;
   std::optional<double> seen_;  // time of the last frame
 };
+
+/// What a summary says of a static solution.
+void describe(Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
+              double tolerance);
 
 /// What a run has found.
 struct Found {

@@ -13,6 +13,7 @@
 #include "post/files/summary.hpp"
 #include "post/report/conclusion.hpp"
 #include "post/report/load_cases.hpp"
+#include "post/report/response.hpp"
 
 namespace post {
 namespace {
@@ -210,6 +211,8 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
     fmt::format_to(out, "{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");
   for (const auto& f : summary.frequencies)
     fmt::format_to(out, "{:>4} {:>13.6f} {:>13.5f} {:>9.1e}\n", f.mode, f.frequency, f.omega, f.residual);
+  text += printed_responses(summary.response, si);
+  if (!summary.resonances.empty()) fmt::format_to(out, "resonances: {:.6g}\n", fmt::join(summary.resonances, ", "));
   if (summary.growth) growth(out, *summary.growth);
   if (const auto share = summary.deflection_over_thickness; share && !si && *share > small_deflection)
     fmt::format_to(

@@ -40,6 +40,12 @@ std::function<plate::Forces(const plate::State&)> inertial_force(const plate::Fo
   };
 }
 
+plate::Forces pressing(const plate::Blow& blow, Eigen::Index points) {
+  plate::Forces result = plate::Forces::Zero(3, points);
+  for (const auto& [point, weight] : blow.shares) result(0, point) += weight * blow.force;
+  return result;
+}
+
 }  // namespace
 
 struct ReactionRows::Moving {
@@ -53,8 +59,8 @@ struct ReactionRows::Moving {
   }
 };
 
-ReactionRows::ReactionRows(const plate::Formulation& plate, double rotary, bool mass_of_cells)
-    : supports_(supports_of(plate)), plate_(&plate), rotary_(rotary), mass_of_cells_(mass_of_cells) {}
+ReactionRows::ReactionRows(const plate::Formulation& plate, double rotary, bool mass_of_cells, double drag)
+    : supports_(supports_of(plate)), plate_(&plate), rotary_(rotary), drag_(drag), mass_of_cells_(mass_of_cells) {}
 
 void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces) {
   if (supports_.empty()) return;
@@ -67,9 +73,14 @@ void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces)
     const double factor = plate::factor(one.history, now.time);
     loads.add(factor, one.moving ? supports.applied(one.moving->whole(now.time, plate_->points())) : each[i]);
   }
-  const auto inertia = supports.applied(inertial_force(now.acceleration()));
-  const auto internal = now.held_force ? *now.held_force : on_held(*plate_, forces, now.state);
-  balances_.emplace_back(now.time, supports.balance(internal, loads, &inertia, now.state));
+  if (now.blow) loads.add(1, supports.applied(pressing(*now.blow, now.state.cols())));
+  plate::State acceleration = now.acceleration();
+  if (drag_ > 0) acceleration += drag_ * now.velocity();
+  const auto inertia = supports.applied(inertial_force(acceleration));
+  const plate::State strained = now.strained ? now.strained() : plate::State();
+  const plate::State& state = now.strained ? strained : now.state;
+  const auto internal = now.held_force ? *now.held_force : on_held(*plate_, forces, state);
+  balances_.emplace_back(now.time, supports.balance(internal, loads, &inertia, state));
 }
 
 void ReactionRows::add(double time, const plate::Formulation& plate, const plate::Operator& forces,

@@ -21,8 +21,8 @@ public:
   /// Of plates that change from row to row.
   ReactionRows() = default;
   /// Of one plate, which must outlive this. `rotary`: factor of the rotary inertia; `mass_of_cells`: Lanczos vectors
-  /// move it.
-  ReactionRows(const plate::Formulation& plate, double rotary, bool mass_of_cells);
+  /// move it; `drag`: alpha of its damping, whose forces count as inertia.
+  ReactionRows(const plate::Formulation& plate, double rotary, bool mass_of_cells, double drag = 0);
 
   /// Of that plate: under all of its loads where nothing moves. `forces`: the plate as it is now, where bonds may have
   /// broken.
@@ -57,7 +57,7 @@ private:
   std::optional<double> truncation_;
   // of one plate:
   const plate::Formulation* plate_ = nullptr;
-  double rotary_ = 1;
+  double rotary_ = 1, drag_ = 0;
   bool mass_of_cells_ = false;
   std::shared_ptr<const Moving> moving_;  // once it does
 };

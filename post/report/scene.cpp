@@ -30,7 +30,7 @@ std::vector<ScenePart> scene(const plate::Formulation& plate, const plate::Analy
     parts.push_back({"adaptive dynamic relaxation: 7 vectors", "solve", 7 * vector_bytes * all / points, 0});
   else if (method == cg || method == direct)
     parts.push_back({"conjugate gradients: 6 vectors, without a factor", "solve", 6 * vector_bytes * all / points, 0});
-  else if (analysis.kind == plate::Analysis::Kind::dynamic)
+  else if (analysis.kind != plate::Analysis::Kind::frequencies)
     parts.push_back({"72 Lanczos vectors, their forces and modes, without a factor", "solve",
                      3 * 72 * vector_bytes * all / points, 0});
   else

@@ -1,6 +1,7 @@
 #include "cases/input/keys.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
+#include "plate/solve/response/harmonic.hpp"
 
 namespace cases {
 namespace {
@@ -58,7 +59,8 @@ Fields<Analysis> analysis_fields() {
     return field;
   };
   return {
-      choice<A, A::Kind>("kind", &A::kind, analysis_kinds(), "what is sought: rest, motion, eigenfrequencies")
+      choice<A, A::Kind>("kind", &A::kind, analysis_kinds(),
+                         "what is sought: rest, motion, eigenfrequencies, what loads that swing for ever do")
           .required(),
       choice<A, A::Method>("method", &A::method, methods,
                            "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; dynamic: "
@@ -71,11 +73,13 @@ Fields<Analysis> analysis_fields() {
           "of cg: the diagonal; the factor of a plate with a horizon of 1.5 spacings; the same on every "
           "second point each way; or what is likely to be fastest of first and last (theory.md, \"Statics\")")
           .in({A::Kind::static_}),
-      unless(number<A>("tolerance", "-", &A::tolerance, {1e-14, 0.1},
-                       "static: residual / load at which a solution is accepted; frequencies: of the eigenpairs; "
-                       "dynamic, with lanczos: of "
-                       "the motion, rms over the mass, relative to the largest")
-                 .standard("static: 1e-06; frequencies: 0.0001; dynamic: 0.0003"),
+      unless(number<A>(
+                 "tolerance", "-", &A::tolerance, {1e-14, 0.1},
+                 "static: residual / load at which a solution is accepted; frequencies: of the eigenpairs; "
+                 "dynamic, with lanczos: of "
+                 "the motion, rms over the mass, relative to the largest; harmonic: likewise, of the response at every "
+                 "frequency, and of factors")
+                 .standard("static: 1e-06; frequencies: 0.0001; dynamic, harmonic: 0.0003"),
              A::Method::central_difference),
       number<A>("max_iterations", "-", &A::max_iterations, {1, 1e9}, "limit of iterations of each solution")
           .in(iterative),
@@ -85,6 +89,9 @@ Fields<Analysis> analysis_fields() {
       choice<A, A::Start>("start", &A::start, starts,
                           "the plate at time 0: without deformation, or in equilibrium with the loads of that time")
           .in({A::Kind::dynamic}),
+      table<A, plate::Damping>("damping", Layout::inline_, &A::damping, damping_fields(), check_damping)
+          .in({A::Kind::dynamic, A::Kind::harmonic}),
+      table<A, plate::Sweep>("sweep", Layout::inline_, &A::sweep, sweep_fields(), check_sweep).in({A::Kind::harmonic}),
       unless(time_step().in_dynamics(), A::Method::lanczos),
       number<A>("rotary_inertia", "-", &A::rotary_inertia, {1, 1e6},
                 "factor of the rotary inertia: above 1 thin plates take longer steps, and short waves run slower")
@@ -104,13 +111,19 @@ void check_analysis(const Value& given, Analysis& analysis) {
   if (!kind) return;
   std::vector<Analysis::Method> possible{cg, adr, direct};
   if (*kind == Analysis::Kind::dynamic) possible = {central_difference, lanczos};
-  if (*kind == Analysis::Kind::frequencies) possible = {lanczos};
+  if (*kind == Analysis::Kind::frequencies || *kind == Analysis::Kind::harmonic) possible = {lanczos};
   const std::string key = given.below("method");
   if (!given.reading().given(key)) analysis.method = possible.front();
   if (!given.reading().given(given.below("tolerance"))) {
     if (*kind == Analysis::Kind::frequencies) analysis.tolerance = plate::FrequencyOptions{}.tolerance;
     if (*kind == Analysis::Kind::dynamic) analysis.tolerance = plate::LanczosOptions{}.tolerance;
+    if (*kind == Analysis::Kind::harmonic) analysis.tolerance = plate::HarmonicOptions{}.tolerance;
   }
+  for (const char* name : {"damping", "sweep"})
+    if (*kind == Analysis::Kind::harmonic && !given.reading().given(given.below(name)))
+      given.complain(fmt::format("'{}' is missing, {}", name,
+                                 name[0] == 'd' ? "without it nothing limits a resonance"
+                                                : "the frequencies of the loads: { from, to, count }"));
   if (!given.reading().sound(key) || std::find(possible.begin(), possible.end(), analysis.method) != possible.end())
     return;
   std::vector<std::string> names;

@@ -7,9 +7,10 @@ namespace cases {
 std::string analyses(const Kinds& kinds) {
   std::vector<std::string> names;
   for (const auto kind : kinds)
-    names.push_back(kind == Analysis::Kind::static_   ? "statics"
-                    : kind == Analysis::Kind::dynamic ? "dynamics"
-                                                      : "frequencies");
+    names.push_back(kind == Analysis::Kind::static_       ? "statics"
+                    : kind == Analysis::Kind::dynamic     ? "dynamics"
+                    : kind == Analysis::Kind::frequencies ? "frequencies"
+                                                          : "harmonic analyses");
   return fmt::format("{}", fmt::join(names, " and "));
 }
 

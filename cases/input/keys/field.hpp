@@ -17,7 +17,8 @@ using plate::Analysis;
 using Key = post::ManualKey;
 
 using Kinds = std::set<Analysis::Kind>;
-inline const Kinds any_kind{Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::frequencies};
+inline const Kinds any_kind{Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::frequencies,
+                            Analysis::Kind::harmonic};
 
 /// "statics and frequencies"
 std::string analyses(const Kinds& kinds);

@@ -130,7 +130,7 @@ Fields<Section> section_fields() {
                       "strain per temperature, of loads of kind = temperature"),
       number<Section>("density", "mass/length^3", &Section::density, positive,
                       "mass density; in statics of own weight alone")
-          .required({Analysis::Kind::dynamic, Analysis::Kind::frequencies}),
+          .required({Analysis::Kind::dynamic, Analysis::Kind::frequencies, Analysis::Kind::harmonic}),
       factor("thickness_factor", &Section::thickness_factor, "thickness").with(of_one),
       factor("young_factor", &Section::young_factor, "young").with(isotropic),
       tables<Section, SectionRegion>("regions", Layout::inline_, &Section::regions, region_fields(), check_region)

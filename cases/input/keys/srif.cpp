@@ -70,7 +70,8 @@ Fields<SrifOptions> srif_fields() {
           .in({Analysis::Kind::static_}),
       boolean("second_formulation", &S::second_formulation,
               "also run the case in the other formulation, into a folder of its name within the results; the "
-              "difference counts in the estimated error"),
+              "difference counts in the estimated error")
+          .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       number<S>("accuracy", "-", &S::accuracy, {1e-5, 0.2},
                 "find the discretisation by which every factor is known to this share of the largest of K1, K2, K3 "
                 "thickness; "

@@ -8,6 +8,7 @@
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/history.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/wording.hpp"
 #include "plate/solve/analysis.hpp"
 #include "post/factors/srif.hpp"
 
@@ -15,11 +16,68 @@ namespace fracture {
 
 using plate::Analysis;
 
+namespace {
+
+using Refuse = std::function<void(const std::string& key, const std::string& what)>;
+
+void check_impact(const plate::Problem& problem, const Analysis& analysis, const Refuse& refuse) {
+  const auto& impact = problem.impact;
+  if (!impact) return;
+  if (analysis.method == Analysis::Method::lanczos)
+    refuse("analysis.method",
+           "\"lanczos\" moves linear plates, and a mass that lifts off is none; choose \"central_difference\"");
+  if (impact->velocity == 0) refuse("impact.velocity", "0 given: the mass would stay where it is");
+  if (!geometry::contains(problem.outline, impact->position))
+    refuse("impact.position", plate::text_of(impact->position) + " given, must lie inside the plate");
+}
+
+/// What begins or damps a motion beside its loads.
+void check_beside(const plate::Problem& problem, const Analysis& analysis, bool grows, const Refuse& refuse) {
+  const bool mixed = analysis.precision == Analysis::Precision::mixed;
+  const bool settles =
+      std::ranges::any_of(problem.loads, [](const auto& load) { return load.kind == plate::Load::Kind::settlement; });
+  const auto alone = [&](bool given, const std::string& key) {
+    if (given && mixed) refuse("analysis.precision", "\"mixed\" given: " + key + " needs \"double\"");
+    if (given && grows) refuse(key, "is not available where cracks grow in motion: remove it or [growth]");
+    if (given && settles) refuse(key, "is not available beside supports that settle: remove it or the settlement");
+  };
+  alone(analysis.damping.has_value(), "analysis.damping");
+  alone(problem.initial.has_value(), "initial");
+  alone(problem.impact.has_value(), "impact");
+  if (problem.lifts_off() && analysis.damping && analysis.damping->stiffness > 0)
+    refuse("analysis.damping",
+           "the stiffness of a plate on soil that lifts off changes, and cannot damp: give mass alone");
+  if (analysis.start != Analysis::Start::equilibrium) return;
+  if (problem.initial && problem.initial->deflection.given())
+    refuse("initial.deflection", "is given beside start = \"equilibrium\", which is another deflection: remove one");
+  if (problem.loads.empty()) refuse("analysis.start", "\"equilibrium\" given, but nothing loads the plate: remove it");
+}
+
+}  // namespace
+
+std::vector<KeyFault> faults_of_response(const plate::Problem& problem, const Analysis& analysis) {
+  std::vector<KeyFault> result;
+  if (analysis.kind != Analysis::Kind::harmonic) return result;
+  const auto refuse = [&](const std::string& key, const std::string& what) { result.push_back({key, what}); };
+  if (const auto& kind = plate::formulation_of(problem.discretization); !kind.offers(plate::Feature::lanczos))
+    refuse("analysis.kind", "\"harmonic\" given, which takes Lanczos vectors: " +
+                                kind.lacks.at(plate::Feature::lanczos) + "; choose formulation = \"galerkin\"");
+  if (problem.lifts_off())
+    refuse("foundation", "soil that lifts off has no harmonic response, as it is not linear: remove lifts_off");
+  for (std::size_t i = 0; i < problem.loads.size(); ++i)
+    if (problem.loads[i].kind == plate::Load::Kind::settlement)
+      refuse(plate::key_of_load(problem, i) + ".kind",
+             "\"settlement\" given: supports that swing are of analysis.kind = \"dynamic\"");
+  return result;
+}
+
 std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const Analysis& analysis, bool grows,
                                        const std::function<bool(const std::string&)>& given) {
   std::vector<KeyFault> result;
   const auto refuse = [&](const std::string& key, const std::string& what) { result.push_back({key, what}); };
   if (analysis.kind != Analysis::Kind::dynamic) return result;
+  check_beside(problem, analysis, grows, refuse);
+  check_impact(problem, analysis, refuse);
   if (analysis.method != Analysis::Method::lanczos) {
     if (given("analysis.tolerance"))
       refuse("analysis.tolerance", "is of method = \"lanczos\"; steps have analysis.time_step: remove it");

@@ -22,6 +22,9 @@ using plate::KeyFault;
 std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const plate::Analysis& analysis, bool grows,
                                        const std::function<bool(const std::string&)>& given);
 
+/// What has no harmonic response.
+std::vector<KeyFault> faults_of_response(const plate::Problem& problem, const plate::Analysis& analysis);
+
 /// Settlements where they cannot go: growth, Lanczos vectors, frequencies, and in motion a support that is moved at
 /// once.
 std::vector<KeyFault> faults_beside_settlements(const plate::Problem& problem, const plate::Analysis& analysis,

@@ -14,6 +14,8 @@ std::string lacking_whole(const RunPlan& plan, const std::string& name) {
   if (name == "frequency") return modes ? "" : "the case has no frequencies";
   if (!plan.problem.load_cases.empty()) return "the case has load cases: envelope.csv and srif.csv have their factors";
   if (modes) return "the case has frequencies only";
+  if (plan.analysis.kind == plate::Analysis::Kind::harmonic)
+    return "the case has a response over frequencies: response.csv has it";
   if (name.ends_with("_peak") && (!plan.moves() || plan.growth))
     return "peaks in time are of dynamic cases without growth";
   if (name == "crack_length" && !plan.growth) return "the case has no [growth]";

@@ -79,6 +79,7 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   const auto& d = plan.problem.discretization;
   using enum plate::Analysis::Method;
   const bool moves = plan.analysis.kind == plate::Analysis::Kind::dynamic;
+  refuse(plan.analysis.kind == plate::Analysis::Kind::harmonic, "analysis.kind", "\"harmonic\" cannot be run");
   refuse(moves && plan.analysis.method == lanczos, "analysis.method", "\"lanczos\" cannot be run");
   refuse(plan.analysis.method == direct, "analysis.method", "\"direct\" cannot be run");
   refuse(plan.analysis.preconditioner == plate::Preconditioning::local, "analysis.preconditioner",
@@ -99,6 +100,8 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
     refuse(plan.problem.loads[i].moves(), plate::key_of_load(plan.problem, i) + ".path",
            "loads that move cannot be run");
+  refuse(plan.problem.initial.has_value(), "initial", "motions cannot begin so");
+  refuse(plan.problem.impact.has_value(), "impact", "impacts cannot be run");
   if (auto fault = plan.srif && plan.srif->richardson ? fault_of_twice_the_spacing(plan.problem) : ""; !fault.empty())
     result.push_back({"srif.richardson", std::move(fault)});
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");

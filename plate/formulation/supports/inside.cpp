@@ -132,6 +132,7 @@ std::vector<Point> own_places(const Problem& c, const std::vector<geometry::Crac
     if (load.kind == Load::Kind::point_force && !load.moves()) points.push_back(load.position);
   for (const auto& spring : c.springs)
     if (spring.position) points.push_back(*spring.position);
+  if (c.impact) points.push_back(c.impact->position);
   for (const auto& x : places_inside(c.supports, c.outline, paths, spacing)) points.push_back(x);
   return points;
 }

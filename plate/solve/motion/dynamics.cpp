@@ -4,180 +4,107 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "plate/formulation/constraints.hpp"
-#include "plate/model/history.hpp"
-#include "plate/model/nodal_forces.hpp"
+#include "plate/model/solver_choices.hpp"
 #include "plate/solve/finite.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/driven_supports.hpp"
+#include "plate/solve/motion/impact.hpp"
+#include "plate/solve/motion/masses.hpp"
 #include "plate/solve/motion/travelling_loads.hpp"
-#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
 
-using Triple = std::array<double, 3>;  // per component of a State
-
-/// Mass and loads of a point; lattices have few different ones.
-struct PointClass {
-  Triple mass, inverse_mass, load;  // load: the sum at the time in hand
-  std::vector<Triple> loads;        // of every load, at factor 1
-};
-
-/// Points that follow each other in one class.
-struct Run {
-  std::uint32_t first, length, point_class;
-};
-
-/// Mass and loads of all points, and what they do: a table in place of arrays by point. Points without either, as those
-/// of other processes, are left out: they stay where they are.
-class Masses {
+/// What acts in steps beside loads and stiffness: damping, of the mass with the mean velocity of both halves of a step,
+/// of the stiffness with that of the half before, and the contact with a mass (theory (84, 85)).
+class Beside {
 public:
-  Masses(const Forces& mass, std::vector<TimedLoad> loads, const Constraints& constraints) {
-    constexpr std::uint32_t longest = 1024;  // runs are shared out among threads
-    for (auto& load : loads) {
-      constraints.fold(load.forces);
-      histories_.push_back(load.history);
-      varies_ = varies_ || !load.history.constant();
+  Beside(const DynamicOptions& options, const State& state)
+      : damping_{options.mass_damping, options.stiffness_damping},
+        time_step_(options.time_step),
+        impact_(options.impact.has_value()) {
+    const auto* from = options.from;
+    if (from) before_ = from->force, dissipated_ = from->dissipated;
+    if (impact_) contact_ = from ? Contact(*options.impact, from->striker) : Contact(*options.impact, state);
+  }
+
+  bool acts() const { return impact_ || !damping_.none(); }
+  bool damps() const { return !damping_.none(); }
+  const Damping& damping() const { return damping_; }
+  const std::optional<Contact>& contact() const { return contact_; }
+  /// Of damping by the stiffness alone, and with the contact; folded.
+  double viscous(Eigen::Index i) const { return viscous_.size() > 0 ? viscous_.data()[i] : 0; }
+  double force(Eigen::Index i) const { return viscous(i) + (pressed_.size() > 0 ? pressed_.data()[i] : 0); }
+  double dissipated() const { return dissipated_; }
+
+  /// `force`: internal, not folded. `first`: that of the velocity at the begin.
+  void find(const State& state, const Forces& force, const std::function<Forces()>& first) {
+    if (damping_.stiffness > 0) {
+      if (before_.size() == 0) before_ = force - time_step_ * first();
+      viscous_ = damping_.stiffness / time_step_ * (force - before_);
+      before_ = force;
     }
-    last_.assign(loads.size(), {0, 0});
-    work_.assign(loads.size(), 0), before_.assign(loads.size(), 0);
-    std::map<std::vector<double>, std::uint32_t> known;
-    std::vector<double> key, before;
-    for (Eigen::Index k = 0; k < mass.cols(); ++k) {
-      key.assign(mass.col(k).begin(), mass.col(k).end());
-      for (const auto& load : loads) key.insert(key.end(), load.forces.col(k).begin(), load.forces.col(k).end());
-      if (std::ranges::all_of(key, [](double value) { return value == 0; })) {
-        before.clear();
-        continue;
-      }
-      if (key == before && runs_.back().length < longest) {
-        ++runs_.back().length;
-        continue;
-      }
-      const auto [entry, fresh] = known.try_emplace(key, std::uint32_t(known.size()));
-      if (fresh) classes_.push_back(class_of(key));
-      runs_.push_back({std::uint32_t(k), 1, entry->second});
-      before = key;
-    }
-    at(0);
+    if (!contact_) return;
+    pressed_.setZero(3, force.cols());
+    contact_->press(state, pressed_);
   }
-
-  bool varies() const { return varies_; }
-
-  void at(double time) {
-    for (auto& one : classes_) {
-      one.load = {0, 0, 0};
-      for (std::size_t i = 0; i < histories_.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) one.load[c] += factor(histories_[i], time) * one.loads[i][c];
-    }
+  void add_on_held(const Constraints& constraints, Eigen::VectorXd& held) const {
+    if (viscous_.size() > 0) held += constraints.on_held(viscous_);
   }
-
-  /// visit(class, component, index of the first value, number of values) for all points, from several threads.
-  template <typename Visit>
-  void for_each(Eigen::Index points, const Visit& visit) const {
-#pragma omp parallel for schedule(static)
-    for (std::size_t r = 0; r < runs_.size(); ++r)
-      for (std::size_t c = 0; c < 3; ++c)
-        visit(classes_[runs_[r].point_class], c, Eigen::Index(c) * points + runs_[r].first, runs_[r].length);
+  void fold(const Constraints& constraints) {
+    if (viscous_.size() > 0) constraints.fold(viscous_);
+    if (pressed_.size() > 0) constraints.fold(pressed_);
   }
-
-  /// Sums of term(class, component, index) -> std::array<double, N>, in one order for any number of threads.
-  template <std::size_t N, typename Term>
-  std::array<double, N> sum(Eigen::Index points, const Term& term) const {
-    const auto visit = [&](std::size_t r, const auto& add) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto& one = classes_[runs_[r].point_class];
-        const Eigen::Index begin = Eigen::Index(c) * points + runs_[r].first;
-        for (Eigen::Index i = begin; i < begin + runs_[r].length; ++i) add(term(one, c, i));
-      }
-    };
-    if (const Ranks* all = ranks())
-      return exact_sum<N>(*all, runs_.size(), [&](std::size_t r, const auto& add) {
-        visit(r, [&](const std::array<double, N>& value) {
-          for (std::size_t n = 0; n < N; ++n) add(n, value[n]);
-        });
-      });
-    std::vector<std::array<double, N>> partial(runs_.size());
-#pragma omp parallel for schedule(static)
-    for (std::size_t r = 0; r < runs_.size(); ++r) {
-      std::array<double, N> part{};
-      visit(r, [&part](const std::array<double, N>& value) {
-        for (std::size_t n = 0; n < N; ++n) part[n] += value[n];
-      });
-      partial[r] = part;
-    }
-    std::array<double, N> total{};
-    for (const auto& part : partial)
-      for (std::size_t n = 0; n < N; ++n) total[n] += part[n];
-    return total;
+  void lose(double energy) { dissipated_ += energy; }
+  void move(double share) {
+    if (contact_) contact_->move(share, time_step_);
   }
-
-  /// Loads have grown slowly to what they are at time 0, where this is the state.
-  void start(const State& state) {
-    work(0, state);
-    for (std::size_t l = 0; l < histories_.size(); ++l)
-      if (histories_[l].constant()) before_[l] = -last_[l].first * last_[l].second / 2;
-  }
-
-  /// Work of the loads up to now. A load that varies needs a call each step (trapezoidal rule), a constant one does
-  /// not.
-  double work(double time, const State& state) {
-    double all = 0;
-    for (std::size_t l = 0; l < histories_.size(); ++l) {
-      const auto [share] = sum<1>(state.cols(), [&](const PointClass& one, std::size_t c, Eigen::Index i) {
-        return std::array<double, 1>{one.loads[l][c] * state.data()[i]};
-      });
-      const double now = factor(histories_[l], time);
-      auto& [share_before, factor_before] = last_[l];
-      work_[l] =
-          histories_[l].constant() ? share + before_[l] : work_[l] + (now + factor_before) / 2 * (share - share_before);
-      last_[l] = {share, now};
-      all += work_[l];
-    }
-    return all;
-  }
-
   void remember(MotionMemory& memory) const {
-    memory.loads = last_, memory.work = work_, memory.before = before_;
-  }
-  void recall(const MotionMemory& memory) {
-    last_ = memory.loads, work_ = memory.work, before_ = memory.before;
+    memory.force = before_, memory.dissipated = dissipated_;
+    if (contact_) memory.striker = contact_->striker();
   }
 
 private:
-  /// `key`: mass, then every load.
-  static PointClass class_of(const std::vector<double>& key) {
-    PointClass result{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      result.mass[c] = key[c];
-      result.inverse_mass[c] = key[c] > 0 ? 1 / key[c] : 0;
-    }
-    for (std::size_t i = 3; i < key.size(); i += 3) result.loads.push_back({key[i], key[i + 1], key[i + 2]});
-    return result;
-  }
-
-  std::vector<PointClass> classes_;
-  std::vector<Run> runs_;
-  std::vector<History> histories_;
-  std::vector<std::pair<double, double>> last_;  // F . u and factor of the call before
-  std::vector<double> work_, before_;            // before: of constant loads, less than their work at once
-  bool varies_ = false;
+  Damping damping_;
+  double time_step_;
+  bool impact_;
+  std::optional<Contact> contact_;
+  Forces before_, viscous_, pressed_;
+  double dissipated_ = 0;
 };
+
+/// Acceleration of a degree of freedom whose velocity is `half` a step before.
+template <typename Real>
+auto acceleration_of(const Values<Real>& force, const State& velocity, const Beside& beside, double half) {
+  const double alpha = beside.damping().mass;
+  return [&force, &velocity, &beside, alpha, half](const PointClass& one, std::size_t c, Eigen::Index i) {
+    const double free = (double(force.data()[i]) + beside.force(i) + one.load[c]) * one.inverse_mass[c];
+    return alpha > 0 ? (free - alpha * velocity.data()[i]) / (1 + alpha * half) : free;
+  };
+}
+
+/// What damping takes in the half steps before and after a step [energy].
+template <typename Real>
+std::array<double, 2> losses(const Step& now, const Values<Real>& force, const Masses& masses, const Beside& beside) {
+  const double dt = now.time_step, half = now.step == 0 ? 0 : dt / 2, alpha = beside.damping().mass;
+  const auto acceleration = acceleration_of(force, now.velocity, beside, half);
+  return masses.sum<2>(now.state.cols(), [&](const PointClass& one, std::size_t c, Eigen::Index i) {
+    const double a = acceleration(one, c, i), v = now.velocity.data()[i], after = v + (now.step == 0 ? dt / 2 : dt) * a;
+    const double drag = alpha * one.mass[c] * (v + half * a) - beside.viscous(i);
+    return std::array<double, 2>{now.step == 0 ? 0 : dt / 2 * drag * v, dt / 2 * drag * after};
+  });
+}
 
 /// What those who observe see of a step; all that is given must outlive it. `force`: folded.
 template <typename Real>
 Instant seen(const Step& now, const Values<Real>& force, double work, const Masses& masses,
-             const Constraints& constraints) {
+             const Constraints& constraints, const Beside& beside) {
   const Eigen::Index points = now.state.cols();
   const double dt = now.time_step;
   // velocity at the full step: half a step on from the one before, none at the start
   const double half = now.step == 0 ? 0 : dt / 2;
-  const auto acceleration = [&force](const PointClass& one, std::size_t c, Eigen::Index i) {
-    return (double(force.data()[i]) + one.load[c]) * one.inverse_mass[c];
-  };
+  const auto acceleration = acceleration_of(force, now.velocity, beside, half);
   const auto [kinetic, product, potential,
               strain] = masses.sum<4>(points, [&](const PointClass& one, std::size_t c, Eigen::Index i) {
     const double a = acceleration(one, c, i), v = now.velocity.data()[i] + half * a, change = dt / 2 * a;
@@ -192,12 +119,24 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
     constraints.impose(first);
     return first;
   };
-  return {now.step,   now.time,
-          now.state,  [combined, &velocity = now.velocity, half] { return combined(velocity, half); },
-          kinetic,    work,
-          strain,     product,
-          -potential, [combined, points] { return combined(State::Zero(3, points), 1); },
-          {}};
+  Instant result{now.step,   now.time,
+                 now.state,  [combined, &velocity = now.velocity, half] { return combined(velocity, half); },
+                 kinetic,    work,
+                 strain,     product,
+                 -potential, [combined, points] { return combined(State::Zero(3, points), 1); },
+                 {}};
+  if (const auto& contact = beside.contact()) {
+    result.kinetic_energy += contact->kinetic(half), result.strain_energy += contact->spring();
+    result.discrete_kinetic_energy += contact->discrete_kinetic(half, dt);
+    result.blow = contact->blow(half);
+  }
+  if (const double beta = beside.damping().stiffness; beta > 0)
+    result.strained = [&constraints, &now_state = now.state, &velocity = now.velocity, beta] {
+      State change = velocity;
+      constraints.impose(change);
+      return State(now_state + beta * change);
+    };
+  return result;
 }
 
 /// Processes that share the plate stop together, at a row.
@@ -206,24 +145,91 @@ bool stops_at(bool row) {
   return row && largest_of_all(stop_is_asked()) > 0;
 }
 
+/// As a motion begins, or goes on.
+struct Begin {
+  State state, velocity;  // velocity: half a step before, at step 0 that of time 0
+  std::size_t step = 0;
+
+  Begin(const DynamicOptions& options, Masses& masses, Eigen::Index points)
+      : state(State::Zero(3, points)), velocity(State::Zero(3, points)) {
+    if (const auto* from = options.from) {
+      state = from->state, velocity = from->velocity, step = from->step;
+      masses.recall(*from);
+      return;
+    }
+    if (options.velocity.size() > 0) velocity = options.velocity;
+    if (options.start.size() > 0) state = options.start;
+    if (options.start.size() > 0) options.bent ? masses.bent(state) : masses.start(state);
+    masses.give(options.given);
+  }
+};
+
+/// Goes on by a step.
+template <typename Real>
+void move(const Step& now, const Values<Real>& force, const Masses& masses, const Beside& beside) {
+  const double dt = now.time_step, share = now.step == 0 ? dt / 2 : dt;
+  if (beside.acts()) {
+    const auto acceleration = acceleration_of(force, now.velocity, beside, now.step == 0 ? 0 : dt / 2);
+    masses.for_each(now.state.cols(),
+                    [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
+                      for (Eigen::Index i = first; i < first + length; ++i) {
+                        now.velocity.data()[i] += share * acceleration(one, c, i);
+                        now.state.data()[i] += dt * now.velocity.data()[i];
+                      }
+                    });
+    return;
+  }
+  masses.for_each(now.state.cols(),
+                  [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
+                    const double per_force = share * one.inverse_mass[c], load = one.load[c];
+                    double* const v = now.velocity.data() + first;
+                    double* const u = now.state.data() + first;
+                    const Real* const f = force.data() + first;
+#pragma omp simd
+                    for (std::uint32_t i = 0; i < length; ++i) {
+                      v[i] += per_force * (double(f[i]) + load);
+                      u[i] += dt * v[i];
+                    }
+                  });
+}
+
+/// Internal forces of a step and those beside them, not folded; on what is held, where that is wanted.
+template <typename Real, typename InternalForce>
+std::optional<Eigen::VectorXd> find_forces(const InternalForce& internal_force, const Constraints& constraints,
+                                           const Step& now, bool on_held, Values<Real>& force, Beside& beside) {
+  internal_force(now.state, force);
+  if constexpr (std::is_same_v<Real, double>)
+    if (beside.acts())
+      beside.find(now.state, force, [&] {
+        State velocity = now.velocity;
+        constraints.impose(velocity);
+        Forces result;
+        internal_force(velocity, result);
+        return result;
+      });
+  std::optional<Eigen::VectorXd> held;
+  if (on_held) held = constraints.on_held(force), beside.add_on_held(constraints, *held);
+  return held;
+}
+
 /// `internal_force(state, force)` in the number Real.
 template <typename Real, typename InternalForce>
 void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, DrivenSupports driven,
            TravellingLoads travelling, Eigen::Index points, const DynamicOptions& options,
            const std::function<void(const Instant&)>& observe) {
   const double dt = options.time_step;
-  const auto* const from = options.from;
-  State state = from ? from->state : options.start.size() > 0 ? options.start : State(State::Zero(3, points));
-  State velocity = from ? from->velocity : State(State::Zero(3, points));  // at half steps
-  if (from) masses.recall(*from), driven.recall(from->driven), travelling.recall(from->travelling);
-  if (!from && options.start.size() > 0) masses.start(state), driven.start();
+  auto [state, velocity, begin] = Begin(options, masses, points);
+  Beside beside(options, state);
+  if (const auto* from = options.from) driven.recall(from->driven), travelling.recall(from->travelling);
+  if (!options.from && options.start.size() > 0 && !options.bent) driven.start();
   Values<Real> force;
-  for (std::size_t step = from ? from->step : 0;; ++step) {
+  for (std::size_t step = begin;; ++step) {
     const bool row = step % options.observe_every == 0 || step == options.steps;
     const bool stops = stops_at(row);
     if (options.keep && (stops || ((row || !ranks()) && options.due()))) {
       MotionMemory memory{step, state, velocity, {}, {}, {}};
-      masses.remember(memory), memory.driven = driven.memory(), memory.travelling = travelling.memory();
+      masses.remember(memory), beside.remember(memory);
+      memory.driven = driven.memory(), memory.travelling = travelling.memory();
       options.keep(memory);
     }
     const double time = static_cast<double>(step) * dt;
@@ -231,19 +237,19 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     if (options.changes) options.changes->before_force(now);
     const bool observed = row || stops;
     driven.at(time, dt, step == 0);
-    internal_force(state, force);
-    std::optional<Eigen::VectorXd> held_force;
-    if (observed && options.held_forces) held_force = constraints.on_held(force);
+    auto held_force = find_forces(internal_force, constraints, now, observed && options.held_forces, force, beside);
     driven.take(force), travelling.add(time, dt, state, force);
-    constraints.fold(force);
+    constraints.fold(force), beside.fold(constraints);
     if constexpr (std::is_same_v<Real, double>)
       if (options.changes) options.changes->after_force(now, force);
     if (masses.varies()) masses.at(time);
     const double work = observed || masses.varies() ? masses.work(time, state) : 0;
     driven.book(state, velocity, force, step == 0 ? 0 : dt / 2);
+    const auto [before, after] = beside.damps() ? losses(now, force, masses, beside) : std::array<double, 2>{0, 0};
     if (observed) {
       require_finite(state, fmt::format("at step {}, time {:g}", step, time));
-      auto instant = seen(now, force, work, masses, constraints);
+      auto instant = seen(now, force, work, masses, constraints, beside);
+      instant.dissipated = beside.dissipated() + before;
       driven.complete(instant), travelling.complete(instant);
       instant.held_force = std::move(held_force);
       instant.interrupted = stops;
@@ -251,18 +257,8 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     }
     if (step == options.steps) return;
     if (stops) throw Interrupted(fmt::format("asked to stop at step {}, time {:g}", step, time));
-    const double share = step == 0 ? dt / 2 : dt;
-    masses.for_each(points, [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
-      const double per_force = share * one.inverse_mass[c], load = one.load[c];
-      double* const v = velocity.data() + first;
-      double* const u = state.data() + first;
-      const Real* const f = force.data() + first;
-#pragma omp simd
-      for (std::uint32_t i = 0; i < length; ++i) {
-        v[i] += per_force * (double(f[i]) + load);
-        u[i] += dt * v[i];
-      }
-    });
+    move(now, force, masses, beside);
+    beside.lose(before + after), beside.move(step == 0 ? dt / 2 : dt);
     constraints.impose(state);
     driven.place_next(state);
   }

@@ -24,6 +24,33 @@ std::optional<State> start_by_place(const Formulation& plate);
 /// Mass per degree of freedom, held or not, of a plate whose supports move; nothing of others.
 Forces driven_mass(const Formulation& plate, double rotary);
 
+/// A mass that meets the plate at time 0 at a place of it, and presses on it by a spring that does not pull.
+struct Impactor {
+  std::vector<std::pair<std::uint32_t, double>> shares;  // of the points about the place
+  double mass = 0;                                       // [mass]
+  double velocity = 0;                                   // along w [length/time]; its sign tells the side
+  double stiffness = 0;                                  // of the contact [force/length]
+};
+
+/// Where the mass is: along w, and half a step before how fast.
+struct Striker {
+  double place = 0, velocity = 0;
+};
+
+/// What the mass does at an instant.
+struct Blow {
+  double place, velocity;  // along w [length, length/time]
+  double force;            // that it presses with, on the plate along w [force]
+  std::vector<std::pair<std::uint32_t, double>> shares;
+};
+
+/// How a plate begins to move, beside loads: what its case gives, on all of its points.
+struct BeginOfMotion {
+  State deflected = {}, velocity = {};  // empty: zero
+  std::optional<Impactor> impact = {};
+  double given = 0;  // strain and kinetic energy of it [energy]
+};
+
 /// What the observer of a dynamic run sees.
 struct Instant {
   std::size_t step;
@@ -40,6 +67,10 @@ struct Instant {
   /// Internal force on what is held (Constraints::on_held()), where it is at hand.
   std::optional<Eigen::VectorXd> held_force = {};
   bool interrupted = false;  // a signal ends the motion after it
+  double dissipated = 0;     // by damping until then [energy]
+  /// The state to which the stiffness answers: u + beta v; where it does not damp, none.
+  std::function<State()> strained = {};
+  std::optional<Blow> blow = {};
 };
 
 /// A step of a motion, as those who change the plate see it. Before the force they may change state and velocity too.
@@ -66,10 +97,15 @@ struct MotionMemory {
   std::vector<std::pair<double, double>> loads;      // of every load: F . u and factor when its work was last counted
   std::vector<double> work, before;                  // of every load [energy]
   std::vector<double> driven = {}, travelling = {};  // of supports that move, of loads that do
+  double given = 0;                                  // what else began the motion [energy]
+  State force = {};                                  // of the step before, where the stiffness damps
+  double dissipated = 0;
+  Striker striker = {};
 
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(step, state, velocity, loads, work, before, driven, travelling);
+    archive(given, force, dissipated, striker.place, striker.velocity);
   }
 };
 
@@ -85,6 +121,12 @@ struct DynamicOptions {
   Forces whole_mass = Forces(3, 0);  // driven_mass()
   /// At rest at time 0, under loads that have grown slowly: their work until then counts. Empty: zero.
   State start = {};
+  bool bent = false;    // something else than the loads has brought the plate there
+  State velocity = {};  // at time 0, what is held at rest; empty: at rest
+  double given = 0;     // what it took to begin with, beside the work of the loads [energy]
+  /// alpha and beta of a damping, in double precision, of plates that do not change [1/time, time].
+  double mass_damping = 0, stiffness_damping = 0;
+  std::optional<Impactor> impact = {};  // likewise
   /// Goes on from here instead, with the numbers that it would have had.
   const MotionMemory* from = nullptr;
   /// Asked before every step, by processes that share the plate at every row: is the memory to be kept now? It is, too,

@@ -33,7 +33,7 @@ struct Solved {
   double largest_square;
 };
 
-Solved solved(const LanczosSpace& space, const std::vector<TimedLoad>& loads, bool from_equilibrium) {
+Solved solved(const LanczosSpace& space, const std::vector<TimedLoad>& loads, const LanczosOptions& options) {
   if (space.size() == 0) return {{}, MovingModes({}, MatrixXd(0, Index(loads.size())), loads), 0};
   const Eigenpairs eigen = eigenpairs(space.stiffness());
   const VectorXd& squares = eigen.values;
@@ -41,8 +41,17 @@ Solved solved(const LanczosSpace& space, const std::vector<TimedLoad>& loads, bo
   MatrixXd shares(space.size(), Index(loads.size()));
   for (std::size_t l = 0; l < loads.size(); ++l)
     shares.col(Index(l)) = space.vectors().transpose() * flat(loads[l].forces);
-  Solved result{eigen.vectors, MovingModes(squares, eigen.vectors.transpose() * shares, loads), squares.tail<1>()[0]};
-  if (from_equilibrium) result.modes.rest();
+  Solved result{eigen.vectors, MovingModes(squares, eigen.vectors.transpose() * shares, loads, options.damping),
+                squares.tail<1>()[0]};
+  if (options.from_equilibrium) result.modes.rest();
+  if (options.deflected.size() > 0 || options.velocity.size() > 0) {
+    const auto in_modes = [&](const State& state) -> VectorXd {
+      return state.size() > 0 ? VectorXd(eigen.vectors.transpose() * space.coordinates(state))
+                              : VectorXd::Zero(squares.size());
+    };
+    const VectorXd at = result.modes.amplitudes(), moves = result.modes.velocities();
+    result.modes.begin(at + in_modes(options.deflected), moves + in_modes(options.velocity));
+  }
   return result;
 }
 
@@ -59,7 +68,7 @@ public:
 
   Change look(const LanczosSpace& space) {
     constexpr Index times = 100;  // however few rows are wanted
-    Solved now = solved(space, loads_, options_.from_equilibrium);
+    Solved now = solved(space, loads_, options_);
     const auto time = [&](Index n) { return options_.duration * double(n) / double(times); };
     MatrixXd found(space.size(), times);
     for (Index n = 0; n < times; ++n) {
@@ -112,6 +121,8 @@ private:
 /// Adds vectors until they change the motion, and what is watched, no more.
 Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const LanczosOptions& options) {
   for (const auto& load : loads) space.add(load.forces);
+  for (const auto* state : {&options.deflected, &options.velocity})
+    if (state->size() > 0) space.add_state(*state);
   Watch watch(loads, options);
   constexpr Index least = 24;
   Index most = 0;  // for what is watched
@@ -142,11 +153,11 @@ Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const Lanc
 LanczosMotion::LanczosMotion(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
                              const std::vector<TimedLoad>& loads, const Preconditioner& inverse,
                              const LanczosOptions& options)
-    : duration_(options.duration), points_(Index(plate.points())), start_({}, {}, loads) {
+    : duration_(options.duration), points_(Index(plate.points())), damping_(options.damping), start_({}, {}, loads) {
   LanczosSpace space(plate, constraints, inertia, inverse);
   auto change = fill(space, loads, options);
   change_ = change.motion, truncated_ = std::move(change.watched), truncated_told_ = std::move(change.told);
-  Solved motion = solved(space, loads, options.from_equilibrium);
+  Solved motion = solved(space, loads, options);
   largest_frequency_ = std::sqrt(motion.largest_square) / (2 * std::numbers::pi);
   shapes_ = space.size() > 0 ? MatrixXd(space.vectors() * motion.shapes) : MatrixXd(3 * points_, 0);
   start_ = std::move(motion.modes);
@@ -178,8 +189,20 @@ void LanczosMotion::observe(std::size_t rows, const std::function<void(const Ins
       };
       const auto velocity = [&] { return combined(then.velocities()); };
       const auto acceleration = [&] { return combined(then.accelerations(time)); };
-      see({first + std::size_t(i), time, state, velocity, then.kinetic_energy(), then.work(), then.strain_energy(),
-           then.kinetic_energy(), then.potential(time), acceleration});
+      Instant now{first + std::size_t(i),
+                  time,
+                  state,
+                  velocity,
+                  then.kinetic_energy(),
+                  then.work(),
+                  then.strain_energy(),
+                  then.kinetic_energy(),
+                  then.potential(time),
+                  acceleration};
+      now.dissipated = then.dissipated();
+      if (damping_.stiffness > 0)
+        now.strained = [&] { return combined(then.amplitudes() + damping_.stiffness * then.velocities()); };
+      see(now);
     }
   }
 }

@@ -21,6 +21,9 @@ struct LanczosOptions {
   double watched_tolerance = std::numeric_limits<double>::infinity();
   std::vector<Eigen::MatrixXd> told = {};  // likewise, but however large it is
   std::function<void(std::size_t vectors, double change)> progress = {};
+  Damping damping = {};
+  /// At time 0, instead of at rest: what brought the plate there counts as work. Empty: zero.
+  State deflected = {}, velocity = {};
 };
 
 /// The linear motion of a held plate in the space of load-dependent Lanczos vectors K^-1 F, (K^-1 M) K^-1 F, ...
@@ -51,6 +54,7 @@ public:
 private:
   double duration_;
   Eigen::Index points_;
+  Damping damping_;
   Eigen::MatrixXd shapes_;  // of the modes: columns, each a state flattened
   MovingModes start_;
   double change_ = 0, largest_frequency_ = 0;

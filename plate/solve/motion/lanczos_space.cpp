@@ -33,6 +33,10 @@ bool LanczosSpace::add_after(Index i) {
   return add_state(answer);
 }
 
+VectorXd LanczosSpace::coordinates(const State& state) const {
+  return vectors().transpose() * flat(inertia_(state));
+}
+
 MatrixXd LanczosSpace::stiffness() const {
   const MatrixXd K = vectors().transpose() * forces_.leftCols(size_);
   return (K + K.transpose()) / 2;

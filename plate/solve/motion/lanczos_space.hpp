@@ -19,6 +19,11 @@ public:
   /// The next vector of the sequence of vector `i`: what the inverse makes of it need not be exact.
   bool add_after(Eigen::Index i);
 
+  /// A state as a new vector; false where it is in the space already.
+  bool add_state(const State& answer);
+  /// The state of the space that is nearest to a state in the measure of the mass.
+  Eigen::VectorXd coordinates(const State& state) const;
+
   Eigen::Index size() const { return size_; }
   /// Columns, each a state flattened.
   auto vectors() const { return vectors_.leftCols(size_); }
@@ -26,7 +31,6 @@ public:
   Eigen::MatrixXd stiffness() const;
 
 private:
-  bool add_state(const State& answer);
   double norm(const Eigen::VectorXd& u) const;
   State state_of(const Eigen::VectorXd& u) const;
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "plate/model/refused.hpp"
+#include "plate/model/solver_choices.hpp"
 
 namespace plate {
 namespace {
@@ -71,6 +72,11 @@ TimeGrid time_grid(const GridOptions& options, double limit) {
   const double steps = std::max(1.0, std::ceil(between / (std::min(options.safety, options.most) * limit)));
   check_count(duration, Subject::duration, between / steps);
   return {between / steps, static_cast<std::size_t>(rows * steps), static_cast<std::size_t>(steps)};
+}
+
+double stable_step(double undamped, const Damping& damping) {
+  const double beta = damping.stiffness;
+  return undamped * undamped / (std::hypot(beta, undamped) + beta);
 }
 
 }  // namespace plate

@@ -42,6 +42,23 @@ function probe_plots() {
   return [plot({ title: "Deflection of the probes", x: steps, y: { label: "w", quantity: "w" }, lines })];
 }
 
+/** Amplitudes over the frequency of a load that swings for ever. */
+function response_plots() {
+  const response = tables.response;
+  if (!response?.amplitude) return [];
+  const rows = response.frequency.map((_, i) => i), h = data.plate.section.thickness;
+  const most = name => largest(rows.filter(i => response.quantity[i] === name).map(i => response.amplitude[i]));
+  const least = { K1: 1e-3 * Math.max(most("K1"), most("K2"), h * most("K3")), w: 0 };
+  least.K2 = least.K1, least.K3 = least.K1 / h;
+  return ["w", "K1", "K2", "K3"].map(name => {
+    const own = rows.filter(i => response.quantity[i] === name && Number.isFinite(response.amplitude[i]));
+    const lines = [...grouped(own.map(i => response.place[i]), place => place)].map(([place, which]) => ({
+      label: String(place), x: which.map(n => response.frequency[own[n]]), y: which.map(n => response.amplitude[own[n]]),
+    })).filter(line => line.x.length > 1 && largest(line.y) > least[name]);
+    return lines.length === 0 ? null : plot({ title: `${name === "w" ? "Deflection of the probes" : name}: amplitude`, x: { label: "frequency", quantity: "frequency" }, y: { label: name, quantity: name, log: true }, lines });
+  });
+}
+
 function growth_plots() {
   const growth = tables.growth;
   if (!growth?.crack_length || growth.crack_length.length < 2) return [];
@@ -70,12 +87,12 @@ function curves() {
   const h = data.plate.section.thickness, most = Math.max(largest(tables.srif?.K1), largest(tables.srif?.K2), h * largest(tables.srif?.K3));
   const noise = { K1: 1e-3 * most, K2: 1e-3 * most, K3: (1e-3 * most) / h }; // less is no more than that of a symmetric plate
   const drawn_plots = [
-    ...growth_plots(),
+    ...response_plots(), ...growth_plots(),
     ...["K1", "K2", "K3"].map(name => factor_plot(name, noise[name])),
     moves ? history_plot("Largest deflection", { label: "largest |w|", quantity: "w" }, [["max_abs_w", "largest |w|"]]) : null,
     ...probe_plots(), reaction_plot(),
     moves ? history_plot("Energies", { label: "energy", quantity: "energy" },
-      [["external_work", "work of the loads"], ["strain_energy", "strain"], ["kinetic_energy", "kinetic"], ["fracture_energy", "fracture"]]) : null,
+      [["external_work", "work of the loads"], ["strain_energy", "strain"], ["kinetic_energy", "kinetic"], ["dissipated_energy", "taken by damping"], ["fracture_energy", "fracture"]]) : null,
     moves ? history_plot("Balance of the energies", { label: "energy", quantity: "energy" }, [["energy_residual", "not accounted for"]]) : null,
   ];
   return drawn_plots;

@@ -225,6 +225,7 @@ function plate_words() {
     ...plate.stiffeners.map(one => ["Stiffener", `${["bending", "torsion", "mass"].filter(key => one[key]).map(key => `${key} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.along ? " along a line" : ""}`]),
     ...plate.springs.map(one => ["Springs", `${["deflection", "rotation_normal", "rotation_tangential", "rotation"].filter(key => one[key]).map(key => `${spaced(key)} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.position ? ` at (${one.position.map(x => shown(x)).join(", ")})` : ""}${one.along ? " along a line" : ""}`]),
     ["Loads", plate.loads.length ? plate.loads.map(load).join("; ") : "none"],
+    ...(plate.beginning ? [["Beginning", plate.beginning]] : []),
     ["Cracks", plate.cracks.length ? `${plate.cracks.length}${grows ? ` at the start (bold), ${cracks_at_end().length} at the end` : ""}` : "none"],
     ["Tips", [...tips()].map(([number, [x, y]]) => `${number} at (${shown(x, 4)}, ${shown(y, 4)})`).slice(0, 8).join("; ")],
   ]);

@@ -1,6 +1,7 @@
 #include "post/report/html/plate_json.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 
@@ -171,6 +172,20 @@ std::string text_of(const plate::Section& s) {
   return json_object(members);
 }
 
+/// What begins a motion beside loads, in words.
+std::string beginning_of(const plate::Problem& problem) {
+  std::vector<std::string> words;
+  if (const auto& initial = problem.initial) {
+    if (initial->deflection.given()) words.push_back("deflection " + initial->deflection.text());
+    if (initial->velocity.given()) words.push_back("velocity " + initial->velocity.text());
+  }
+  if (const auto& impact = problem.impact)
+    words.push_back(fmt::format("a mass of {:g} hits ({:g}, {:g}) with the velocity {:g}, contact stiffness {:g}",
+                                impact->mass, impact->position.x(), impact->position.y(), impact->velocity,
+                                impact->stiffness));
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
 template <typename Element, typename Text>
 std::string list_of(const std::vector<Element>& elements, const Text& text) {
   std::vector<std::string> texts;
@@ -199,6 +214,7 @@ std::string plate_json(const plate::Problem& problem) {
                       {"springs", list_of(problem.springs, [](const auto& one) { return text_of(one); })},
                       {"stiffeners", list_of(problem.stiffeners, [](const auto& one) { return text_of(one); })},
                       {"loads", list_of(problem.loads, [](const auto& load) { return text_of(load); })},
+                      {"beginning", json_text(beginning_of(problem))},
                       {"section", text_of(problem.section)}});
 }
 

@@ -24,6 +24,7 @@ std::string tables(const fs::path& folder) {
   add("history", whole);
   add("probes", whole);
   add("growth", whole);
+  add("response", whole);
   add("reactions", [](const Table& table) { return columns_of(table, {"time", "support", "force"}); });
   add("cracks", whole);
   add("srif", [](const Table& table) {

@@ -30,7 +30,7 @@ function plate_section() {
 }
 
 const energy_names = {
-  strain: "strain energy", attached: "of it in foundations, springs and stiffeners", kinetic: "kinetic energy", external_work: "work of the loads", fracture: "fracture energy", released: "released as the crack ran",
+  strain: "strain energy", attached: "of it in foundations, springs and stiffeners", kinetic: "kinetic energy", external_work: "work of the loads", dissipated: "taken by damping", fracture: "fracture energy", released: "released as the crack ran",
   residual: "not accounted for", frozen: "left in pieces without bonds",
 };
 

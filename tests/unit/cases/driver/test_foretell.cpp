@@ -44,6 +44,13 @@ TEST_CASE("check tells the steps of a motion", "[foretell]") {
   CHECK(told.whole.steps == Approx(double(*found.analysis.steps)).epsilon(0.1));
 }
 
+TEST_CASE("check foretells a motion whose supports move from the first step on", "[foretell]") {
+  const auto file = case_text::read(
+      case_text::plain, {"discretization.spacing=0.1", "section.density=1", "analysis={kind=\"dynamic\", duration=0.3}",
+                         "load=[{kind=\"settlement\", support=0, value=0.01, history=\"sine\", frequency=2}]"});
+  CHECK(cases::foretell(file).whole.steps > 1);
+}
+
 TEST_CASE("check refuses at once what the machine has no memory for", "[foretell]") {
   for (const char* spacing : {"2e-5", "4e-4"}) {
     const auto file =

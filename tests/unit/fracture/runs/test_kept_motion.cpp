@@ -73,14 +73,19 @@ void require_same(const post::Kept& one, const post::Kept& other) {
 
 TEST_CASE("a motion in parts that was kept goes on by another number of processes, with the same tables") {
   constexpr std::size_t all = 30;
+  auto file = of_motion();
+  SECTION("without damping") {}
+  SECTION("with a damping of mass and stiffness") {
+    file.content.analysis.damping = plate::Damping{0.5, 1e-5};
+  }
   const small_run::TemporaryFolder alone;
-  const auto whole = moved_by(of_motion(), 2, all, alone.path());
+  const auto whole = moved_by(file, 2, all, alone.path());
   CHECK_FALSE(whole.went_on);
   for (const auto& [before, after, kept] : {std::array{3, 5, 20}, {4, 1, 15}, {1, 3, 25}}) {
     INFO(before << " processes, then " << after);
     const small_run::TemporaryFolder folder;
-    moved_by(of_motion(), before, std::size_t(kept), folder.path());
-    const auto gone_on = moved_by(of_motion(), after, all, folder.path());
+    moved_by(file, before, std::size_t(kept), folder.path());
+    const auto gone_on = moved_by(file, after, all, folder.path());
     CHECK(gone_on.went_on);
     CHECK(whole.kept.tables.size() == 3);
     require_same(gone_on.kept, whole.kept);

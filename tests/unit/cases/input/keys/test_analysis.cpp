@@ -15,7 +15,7 @@ TEST_CASE("mixed precision is for motions, and not for plates so thin that round
 TEST_CASE("a frequency analysis needs a density and no load") {
   const std::string kind = with_line(plain, 17, "kind = \"frequencies\"");
   const std::string dense = with_line(kind, 4, "thickness = 0.1\ndensity = 1");
-  expect(dense, ":14", "load", "is used in statics and dynamics only");
+  expect(dense, ":14", "load", "is used in statics and dynamics and harmonic analyses only");
   const std::string frequencies = with_line(with_line(with_line(dense, 14, ""), 15, ""), 16, "");
   CHECK(problems(frequencies).empty());
   expect(with_line(frequencies, 5, ""), ":1", "section.density", "is missing");
@@ -24,9 +24,9 @@ TEST_CASE("a frequency analysis needs a density and no load") {
   expect(frequencies, "--set analysis.duration", "analysis.duration", "in dynamics only", {"analysis.duration=1"});
   expect(frequencies, "--set analysis.modes", "analysis.modes", "an integer in [1, 1000]", {"analysis.modes=0"});
   expect(frequencies, "--set output.every", "output.every", "in dynamics only", {"output.every=1"});
-  expect(frequencies, "--set output.probes", "output.probes", "in statics and dynamics only",
+  expect(frequencies, "--set output.probes", "output.probes", "in statics and dynamics and harmonic analyses only",
          {"output.probes={a=[0, 0.5]}"});
-  expect(frequencies, "--set srif.skip", "srif", "in statics and dynamics only", {"srif.skip=1"});
+  expect(frequencies, "--set srif.skip", "srif", "in statics and dynamics and harmonic analyses only", {"srif.skip=1"});
 }
 
 TEST_CASE("keys of the other kind of analysis are refused") {

@@ -1,0 +1,61 @@
+#include "plate/solve/motion/begin.hpp"
+
+#include <cmath>
+
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/formulation/interpolation.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/solve/analysis.hpp"
+#include "plate/solve/motion/impact.hpp"
+#include "plate/solve/motion/time_grid.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+/// w with psi = grad w, by differences of the fourth order.
+State bent(const Formulation& plate, const Formula& formula) {
+  if (!formula.given()) return {};
+  const double step = 1e-3 * plate.discretization().spacing_at_tips();
+  const auto& positions = plate.cloud().positions;
+  State result = State::Zero(3, Eigen::Index(positions.size()));
+  for (std::size_t k = 0; k < plate.cloud().plate_points; ++k) {
+    const Point& x = positions[k];
+    const auto slope = [&](const Point& along) {
+      const auto at = [&](double n) { return formula(x + n * step * along); };
+      return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step);
+    };
+    const Eigen::Vector3d u(formula(x), slope({0, 1}), -slope({1, 0}));  // psi = (-theta_y, theta_x)
+    if (!u.allFinite()) throw FormulaError(formula, x);
+    result.col(Eigen::Index(k)) = u;
+  }
+  plate.constraints().impose(result);
+  return result;
+}
+
+}  // namespace
+
+BeginOfMotion begin_of_motion(const Formulation& plate, double rotary) {
+  const auto& problem = plate.problem();
+  const auto initial = problem.initial.value_or(Initial{});
+  BeginOfMotion result{bent(plate, initial.deflection), bent(plate, initial.velocity)};
+  if (result.deflected.size() > 0) result.given += plate.strain_energy(result.deflected);
+  if (result.velocity.size() > 0)
+    result.given += plate.mass(rotary).cwiseProduct(result.velocity.cwiseAbs2()).sum() / 2;
+  if (const auto& impact = problem.impact) {
+    result.impact = {{}, impact->mass, impact->velocity, impact->stiffness};
+    for (const auto& share : plate.interpolation(impact->position))
+      result.impact->shares.emplace_back(share.point, share.weight);
+    result.given += impact->mass * impact->velocity * impact->velocity / 2;
+  }
+  return result;
+}
+
+double stable_step(double free, const Formulation& plate, const Analysis& analysis, const BeginOfMotion& begin) {
+  if (begin.impact) free = stable_step(free, *begin.impact, plate.constraints(), plate.mass(analysis.rotary_inertia));
+  return analysis.damping ? stable_step(free, *analysis.damping) : free;
+}
+
+}  // namespace plate

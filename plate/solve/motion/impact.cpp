@@ -1,0 +1,66 @@
+#include "plate/solve/motion/impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plate/formulation/constraints.hpp"
+
+namespace plate {
+namespace {
+
+double deflection(const std::vector<std::pair<std::uint32_t, double>>& shares, const State& state) {
+  double sum = 0;
+  for (const auto& [point, weight] : shares) sum += weight * state(0, point);
+  return sum;
+}
+
+}  // namespace
+
+Contact::Contact(const Impactor& impactor, const State& state)
+    : impactor_(impactor), striker_{deflection(impactor.shares, state), impactor.velocity} {}
+
+void Contact::press(const State& state, Forces& forces) {
+  const double towards = impactor_.velocity < 0 ? -1 : 1;
+  overlap_ = std::max(0.0, towards * (striker_.place - deflection(impactor_.shares, state)));
+  force_ = towards * impactor_.stiffness * overlap_;
+  for (const auto& [point, weight] : impactor_.shares) forces(0, point) += weight * force_;
+}
+
+Blow Contact::blow(double half) const {
+  return {striker_.place, striker_.velocity + half * acceleration(), force_, impactor_.shares};
+}
+
+double Contact::spring() const {
+  return impactor_.stiffness * overlap_ * overlap_ / 2;
+}
+
+double Contact::kinetic(double half) const {
+  const double v = striker_.velocity + half * acceleration();
+  return impactor_.mass * v * v / 2;
+}
+
+double Contact::discrete_kinetic(double half, double time_step) const {
+  const double change = time_step / 2 * acceleration();
+  return kinetic(half) - impactor_.mass * change * change / 2;
+}
+
+void Contact::move(double share, double time_step) {
+  striker_.velocity += share * acceleration();
+  striker_.place += time_step * striker_.velocity;
+}
+
+/// The largest eigenvalue of a sum is at most the sum of theirs. A step on the way into the contact may book too much
+/// by (dt Omega)^2 of the energy there, Omega^2 = k (1 / m + b M^-1 b): at most a hundredth.
+double stable_step(double free, const Impactor& impactor, const Constraints& constraints, const Forces& mass) {
+  Forces unit = Forces::Zero(3, mass.cols());
+  for (const auto& [point, weight] : impactor.shares) unit(0, point) += weight;
+  constraints.fold(unit);
+  double inverse = 1 / impactor.mass;
+  for (Eigen::Index i = 0; i < unit.size(); ++i)
+    if (mass.data()[i] > 0) inverse += unit.data()[i] * unit.data()[i] / mass.data()[i];
+  constexpr double of_contact = 0.1;
+  const double square = impactor.stiffness * inverse;
+  return std::min(2 / std::sqrt(4 / (free * free) + square), of_contact / std::sqrt(square));
+}
+
+}  // namespace plate

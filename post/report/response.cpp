@@ -1,0 +1,125 @@
+#include "post/report/response.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "post/files/recorder.hpp"
+#include "post/files/table.hpp"
+
+namespace post {
+namespace {
+
+constexpr std::array factors{"K1", "K2", "K3"};
+
+/// Of each tip the recommended one, which is its first.
+std::vector<const Srif*> recommended(const std::vector<Srif>& all) {
+  std::vector<const Srif*> result;
+  for (const auto& one : all)
+    if (result.empty() || result.back()->tip != one.tip) result.push_back(&one);
+  return result;
+}
+
+bool is_factor(const std::string& quantity) {
+  return quantity.starts_with('K');
+}
+
+/// In the units of K1, for comparison of the three.
+double size_of(const std::string& quantity, double amplitude, double thickness) {
+  return quantity == "K3" ? amplitude * thickness : amplitude;
+}
+
+}  // namespace
+
+std::vector<Response> responses_of(double frequency, const std::vector<Srif>& in_phase,
+                                   const std::vector<Srif>& quadrature) {
+  const auto real = recommended(in_phase), imaginary = recommended(quadrature);
+  std::vector<Response> result;
+  for (std::size_t t = 0; t < real.size(); ++t)
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+      double values[2]{}, error = 0;
+      bool known = true;
+      for (const auto* part : {real[t], imaginary.at(t)}) {
+        const double value = std::array{part->K1, part->K2, part->K3}[k];
+        if (part->resolved[k]) values[part == imaginary[t]] = value;
+        known = known && part->errors[k];
+        error = std::hypot(error, part->errors[k].value_or(0) + (part->resolved[k] ? 0 : std::abs(value)));
+      }
+      const std::complex value(values[0], values[1]);
+      const bool resolved = std::abs(value) > 0 && error < std::abs(value);
+      result.push_back({frequency, fmt::format("tip {}", real[t]->tip), factors[k], value,
+                        known ? std::optional(error) : std::nullopt, resolved});
+    }
+  return result;
+}
+
+std::vector<Response> responses_of(double frequency, const Probe& probe, const plate::State& in_phase,
+                                   const plate::State& quadrature) {
+  const auto at = [&](const plate::State& state) {
+    Eigen::Vector3d u = Eigen::Vector3d::Zero();
+    for (const auto& share : probe.shares) u += share.weight * state.col(share.point);
+    return u;
+  };
+  const Eigen::Vector3d a = at(in_phase), b = at(quadrature);
+  std::vector<Response> result;
+  for (Eigen::Index c = 0; c < 3; ++c)
+    result.push_back({frequency, probe.name, std::array{"w", "theta_x", "theta_y"}[std::size_t(c)], {a[c], b[c]}, {}});
+  return result;
+}
+
+Table response_table(const std::vector<Response>& all) {
+  Table table{{"frequency", "place", "quantity", "amplitude", "phase", "estimated_error"}, {}};
+  for (const auto& one : all) {
+    const double degrees = std::arg(one.value) * 180 / std::numbers::pi;
+    table.rows.push_back({one.frequency, one.place, one.quantity, one.resolved ? Cell(std::abs(one.value)) : Cell(),
+                          one.resolved ? Cell(degrees) : Cell(), one.error ? Cell(*one.error) : Cell()});
+  }
+  return table;
+}
+
+std::vector<ResponsePeak> largest_responses(const std::vector<Response>& all, double thickness) {
+  constexpr double nothing = 1e-6;
+  std::vector<ResponsePeak> result;
+  for (const auto& one : all) {
+    if (!one.resolved) continue;
+    const double amplitude = std::abs(one.value);
+    const auto same = std::ranges::find_if(
+        result, [&](const ResponsePeak& peak) { return peak.place == one.place && peak.quantity == one.quantity; });
+    const ResponsePeak peak{one.place, one.quantity, amplitude, one.frequency, one.error};
+    if (same == result.end())
+      result.push_back(peak);
+    else if (amplitude > same->amplitude)
+      *same = peak;
+  }
+  const auto most = [&](const ResponsePeak& peak) {
+    double largest = 0;
+    for (const auto& other : result)
+      if (is_factor(other.quantity) == is_factor(peak.quantity) &&
+          (is_factor(peak.quantity) || (other.quantity == "w") == (peak.quantity == "w")))
+        largest = std::max(largest, size_of(other.quantity, other.amplitude, thickness));
+    return largest;
+  };
+  std::vector<ResponsePeak> felt;
+  for (const auto& peak : result)
+    if (size_of(peak.quantity, peak.amplitude, thickness) > nothing * most(peak)) felt.push_back(peak);
+  return felt;
+}
+
+std::string printed_responses(const std::vector<ResponsePeak>& peaks, bool si) {
+  std::string text;
+  if (!peaks.empty()) text += "largest amplitudes:\n";
+  const auto unit = [&](const std::string& quantity) {
+    if (!si || quantity.starts_with("theta")) return "";
+    return quantity == "w" ? " m" : quantity == "K3" ? " N m^-1/2" : " N m^1/2";
+  };
+  for (const auto& one : peaks)
+    fmt::format_to(std::back_inserter(text), "{:>12} {:<8} {:>13.6g}{} at the frequency {:.6g}{}\n", one.place,
+                   one.quantity, one.amplitude, unit(one.quantity), one.frequency,
+                   one.error ? fmt::format(" +- {:.2g}", *one.error) : "");
+  return text;
+}
+
+}  // namespace post

@@ -1,0 +1,147 @@
+#include "plate/solve/motion/damping.hpp"
+
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/inertia.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/model/numerical_error.hpp"
+#include "plate/solve/motion/lanczos_motion.hpp"
+#include "plate/solve/motion/time_grid.hpp"
+#include "tests/unit/plate/solve/motion/chain.hpp"
+
+using namespace plate;
+using spring_chain::Chain, spring_chain::Inverse;
+
+namespace {
+
+/// One point between two springs: omega^2 = 2 / mass.
+struct Single {
+  Chain chain{1};
+  Inverse inverse{chain};
+  Constraints constraints;
+  Forces mass = Forces::Zero(3, 1);
+  State at = State::Zero(3, 1), moving = at;
+
+  Single() {
+    mass(0, 0) = 0.5, at(0, 0) = 0.3, moving(0, 0) = -0.7;  // omega = 2
+    constraints.fix(1), constraints.fix(2);
+    constraints.resolve();
+  }
+};
+
+/// y of y'' + drag y' + 4 y = 0 by tiny steps of fourth order, and the integral of mass drag y'^2.
+std::array<double, 2> integrated(double drag, double end) {
+  constexpr int steps = 200000;
+  const double dt = end / steps;
+  std::array<double, 3> s{0.3, -0.7, 0};
+  const auto rate = [&](const std::array<double, 3>& x) {
+    return std::array<double, 3>{x[1], -drag * x[1] - 4 * x[0], 0.5 * drag * x[1] * x[1]};
+  };
+  const auto plus = [](std::array<double, 3> a, const std::array<double, 3>& b, double f) {
+    for (std::size_t i = 0; i < 3; ++i) a[i] += f * b[i];
+    return a;
+  };
+  for (int n = 0; n < steps; ++n) {
+    const auto a = rate(s), b = rate(plus(s, a, dt / 2)), c = rate(plus(s, b, dt / 2)), d = rate(plus(s, c, dt));
+    for (std::size_t i = 0; i < 3; ++i) s[i] += dt / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+  }
+  return {s[0], s[2]};
+}
+
+}  // namespace
+
+TEST_CASE("damping: of ratios at two frequencies") {
+  const auto d = damping_of({0.02, 0.05}, {3, 11});
+  const auto ratio = [&](double f) {
+    const double omega = 2 * std::numbers::pi * f;
+    return d.mass / (2 * omega) + d.stiffness * omega / 2;
+  };
+  CHECK(ratio(3) == Approx(0.02).epsilon(1e-12));
+  CHECK(ratio(11) == Approx(0.05).epsilon(1e-12));
+}
+
+TEST_CASE("damping: modes move exactly, below, at and beyond the critical damping, and steps nearly so") {
+  const Single s;
+  for (const auto& [alpha, beta] : std::vector<std::array<double, 2>>{
+           {0.2, 0}, {0, 0.05}, {0.3, 0.1}, {4, 0}, {0, 1}, {11, 0}, {3.9999999, 0}, {900, 0}}) {
+    const double drag = alpha + 4 * beta;
+    const auto [y, lost] = integrated(drag, 2.5);
+    CAPTURE(alpha, beta);
+    LanczosOptions modes{2.5, 1e-10};
+    modes.damping = {alpha, beta}, modes.deflected = s.at, modes.velocity = s.moving;
+    double last = 0, dissipated = 0, strained = 0;
+    LanczosMotion(s.chain, s.constraints, Inertia(s.mass), {}, s.inverse, modes).observe(7, [&](const Instant& now) {
+      last = now.state(0, 0), dissipated = now.dissipated;
+      if (now.strained) strained = now.strained()(0, 0) - now.state(0, 0) - beta * now.velocity()(0, 0);
+    });
+    CHECK(last == Approx(y).epsilon(1e-8).margin(1e-10));
+    CHECK(dissipated == Approx(lost).epsilon(1e-6));
+    CHECK(std::abs(strained) < 1e-14);
+
+    if (drag > 100) continue;
+    constexpr std::size_t steps = 20000;
+    DynamicOptions options{2.5 / steps, steps, steps / 4};
+    options.mass_damping = alpha, options.stiffness_damping = beta;
+    options.start = s.at, options.bent = true, options.velocity = s.moving;
+    options.given = 0.3 * 0.3 + 0.25 * 0.49;  // u K u / 2, m v^2 / 2
+    std::vector<double> books;
+    central_differences(s.chain, s.constraints, s.mass, {}, options, [&](const Instant& now) {
+      last = now.state(0, 0), dissipated = now.dissipated;
+      books.push_back(now.strain_energy + now.discrete_kinetic_energy + now.dissipated - now.external_work);
+    });
+    CHECK(last == Approx(y).epsilon(1e-3).margin(1e-5));
+    CHECK(dissipated == Approx(lost).epsilon(1e-3));
+    for (const double book : books) CHECK(std::abs(book - books[0]) < 1e-11);  // exact but for rounding
+  }
+}
+
+TEST_CASE("damping: the stable step of steps whose stiffness damps, and no longer one") {
+  const Single s;
+  const double undamped = 1;  // 2 / omega
+  for (const double beta : {0.01, 0.3, 4.0})
+    for (const double share : {0.99, 1.01}) {
+      DynamicOptions options{share * stable_step(undamped, {0.1, beta}), 4000, 4000};
+      options.mass_damping = 0.1, options.stiffness_damping = beta, options.start = s.at, options.bent = true;
+      double last = 0;
+      const auto run = [&] {
+        central_differences(s.chain, s.constraints, s.mass, {}, options,
+                            [&](const Instant& now) { last = std::abs(now.state(0, 0)); });
+      };
+      if (share < 1) {
+        run();
+        CHECK(last < 0.3);
+        continue;
+      }
+      try {
+        run();
+        CHECK(last > 1);
+      } catch (const NumericalError&) {
+        SUCCEED("beyond what numbers hold");
+      }
+    }
+}
+
+TEST_CASE("damping: a motion that goes on from what it remembers has the same numbers") {
+  const Single s;
+  DynamicOptions options{0.05, 60, 10};
+  options.mass_damping = 0.1, options.stiffness_damping = 0.2, options.velocity = s.moving, options.given = 0.1;
+  std::vector<std::array<double, 4>> whole, rest;
+  std::optional<MotionMemory> kept;
+  std::size_t asked = 0;
+  options.due = [&] { return ++asked == 24; };
+  options.keep = [&](const MotionMemory& memory) { kept = memory; };
+  const auto see = [](auto& into) {
+    return [&into](const Instant& now) {
+      into.push_back({now.state(0, 0), now.dissipated, now.external_work, now.kinetic_energy});
+    };
+  };
+  central_differences(s.chain, s.constraints, s.mass, {}, options, see(whole));
+  REQUIRE(kept);
+  auto again = options;
+  again.from = &*kept, again.keep = {}, again.due = {};
+  central_differences(s.chain, s.constraints, s.mass, {}, again, see(rest));
+  REQUIRE(rest.size() < whole.size());
+  for (std::size_t i = 0; i < rest.size(); ++i) CHECK(rest[i] == whole[whole.size() - rest.size() + i]);
+}
