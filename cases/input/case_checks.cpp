@@ -110,7 +110,8 @@ void check_case(const Case& content, Reading& reading) {
   const bool begins = content.initial || content.impact;
   if (content.loads.empty() && content.load_cases.empty() && reading.kind != Analysis::Kind::frequencies && !begins &&
       reading.sound("load"))
-    reading.complain("load", "nothing loads the plate: give at least one [[load]]");
+    reading.complain("load", std::string("nothing loads the plate: give at least one [[load]]") +
+                                 (reading.kind == Analysis::Kind::dynamic ? ", [initial] or [impact]" : ""));
   check_formulation(content, reading);
   check_load_cases(content, reading);
   if (!check_geometry(content, reading)) return;

@@ -12,7 +12,6 @@
 
 namespace fracture {
 void KeptMotion::keep_to(Keeper& keeper, plate::DynamicOptions& options) {
-  remembers_force_ = options.stiffness_damping > 0;
   options.due = [&] { return plate::largest_of_all(keeper.due()) > 0; };
   options.keep = [&](const plate::MotionMemory& now) { shared() ? keep_part(keeper, now) : keep(keeper, now); };
   if (recall(keeper)) options.from = &memory_;
@@ -27,10 +26,7 @@ void KeptMotion::keep(Keeper& keeper, const plate::MotionMemory& now) {
 }
 
 void KeptMotion::keep_part(Keeper& keeper, const plate::MotionMemory& now) {
-  std::vector<const plate::State*> states{&now.state, &now.velocity};
-  if (remembers_force_) states.push_back(&now.force);
-  states.push_back(&results_.state_of_largest());
-  const auto own = own_values(plate_.boundary(), states);
+  const auto own = own_values(plate_.boundary(), {&now.state, &now.velocity, &results_.state_of_largest()});
   plate::MotionMemory common{now.step, {}, {}, now.loads, now.work, now.before};
   common.given = now.given, common.dissipated = now.dissipated;
   keeper.keep(
@@ -54,10 +50,7 @@ bool KeptMotion::recall(Keeper& keeper) {
 
 void KeptMotion::recall_part(const Keeper& keeper) {
   auto& largest = results_.state_of_largest();
-  std::vector<plate::State*> states{&memory_.state, &memory_.velocity};
-  if (remembers_force_) states.push_back(&memory_.force);
-  states.push_back(&largest);
-  put_values(plate_.boundary(), keeper.parts(), states);
+  put_values(plate_.boundary(), keeper.parts(), {&memory_.state, &memory_.velocity, &largest});
   (growth_ ? growth_->constraints() : plate_.constraints()).impose(memory_.state);
   if (largest.cols() > 0) plate_.constraints().impose(largest);
 }

@@ -31,7 +31,6 @@ private:
   Results& results_;
   MovingGrowth* growth_;
   plate::MotionMemory memory_;  // to go on from
-  bool remembers_force_ = false;
 };
 
 }  // namespace fracture

@@ -55,7 +55,10 @@ void Results::sample(const plate::Instant& now, bool last) {
                                 now.strain_energy + now.discrete_kinetic_energy + now.dissipated, now.external_work};
   row.discrete_energy = books.kept + now.potential;
   if (plan_.analysis.damping) row.dissipated_energy = now.dissipated;
-  if (now.blow) blows_.rows.push_back({now.time, now.blow->place, now.blow->velocity, now.blow->force});
+  if (now.blow) {
+    const auto& blow = *now.blow;
+    blows_.rows.push_back({now.time, blow.place, blow.velocity, blow.force, blow.largest, blow.touching});
+  }
   if (growth_) {
     row.fracture_energy = growth_->fracture_energy();
     books.energy += row.fracture_energy + growth_->frozen_energy();

@@ -88,7 +88,7 @@ private:
   post::ReactionRows reactions_;
   post::Extremes extremes_;
   post::EnergyGate energy_gate_;
-  post::Table blows_{{"time", "position", "velocity", "force"}, {}};
+  post::Table blows_{{"time", "position", "velocity", "force", "largest_force", "contact_time"}, {}};
   std::vector<double> times_;
   std::vector<post::Frequency> frequencies_;
   std::optional<post::AccuracySummary> accuracy_;

@@ -44,9 +44,10 @@ std::vector<Response> responses_of(double frequency, const std::vector<Srif>& in
       bool known = true;
       for (const auto* part : {real[t], imaginary.at(t)}) {
         const double value = std::array{part->K1, part->K2, part->K3}[k];
-        if (part->resolved[k]) values[part == imaginary[t]] = value;
+        values[part == imaginary[t]] = value;
         known = known && part->errors[k];
-        error = std::hypot(error, part->errors[k].value_or(0) + (part->resolved[k] ? 0 : std::abs(value)));
+        const double own = part->errors[k].value_or(0);
+        error = std::hypot(error, part->resolved[k] ? own : std::max(own, std::abs(value)));
       }
       const std::complex value(values[0], values[1]);
       const bool resolved = std::abs(value) > 0 && error < std::abs(value);
@@ -57,16 +58,35 @@ std::vector<Response> responses_of(double frequency, const std::vector<Srif>& in
 }
 
 std::vector<Response> responses_of(double frequency, const Probe& probe, const plate::State& in_phase,
-                                   const plate::State& quadrature) {
+                                   const plate::State& quadrature, double change, double thickness) {
   const auto at = [&](const plate::State& state) {
     Eigen::Vector3d u = Eigen::Vector3d::Zero();
     for (const auto& share : probe.shares) u += share.weight * state.col(share.point);
     return u;
   };
   const Eigen::Vector3d a = at(in_phase), b = at(quadrature);
+  double largest = 0;
+  for (Eigen::Index c = 0; c < 3; ++c) largest = std::max(largest, std::hypot(a[c], b[c]) * (c == 0 ? 1 : thickness));
   std::vector<Response> result;
-  for (Eigen::Index c = 0; c < 3; ++c)
-    result.push_back({frequency, probe.name, std::array{"w", "theta_x", "theta_y"}[std::size_t(c)], {a[c], b[c]}, {}});
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    const double error = change * largest / (c == 0 ? 1 : thickness);
+    const std::complex value(a[c], b[c]);
+    result.push_back({frequency,
+                      probe.name,
+                      std::array{"w", "theta_x", "theta_y"}[std::size_t(c)],
+                      value,
+                      {},
+                      error < std::abs(value) || error == 0});
+  }
+  return result;
+}
+
+Eigen::MatrixXd functionals(const Probe& probe, std::size_t points, double thickness) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 3 * Eigen::Index(points));
+  const plate::State columns(3, Eigen::Index(points));  // for the order of its numbers alone
+  for (const auto& share : probe.shares)
+    for (Eigen::Index c = 0; c < 3; ++c)
+      result(c, &columns(c, share.point) - columns.data()) = share.weight * (c == 0 ? 1 : thickness);
   return result;
 }
 

@@ -81,8 +81,10 @@ Fields<SrifOptions> srif_fields() {
                 "with accuracy: no finer discretisation is begun that would be expected to end later")
           .in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       number<S>("toughness", "stress length^(1/2)", &S::toughness, positive,
-                "K_Ic, as K at the faces: how much of it every tip uses"),
-      table<S, Normalization>("normalize", Layout::inline_, &S::normalize, normalization_fields(), check_normalization),
+                "K_Ic, as K at the faces: how much of it every tip uses")
+          .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
+      table<S, Normalization>("normalize", Layout::inline_, &S::normalize, normalization_fields(), check_normalization)
+          .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       number<S>("half_length", "length", &S::half_length, positive,
                 "the a of the normalisation; required with normalize"),
   };

@@ -27,8 +27,15 @@ void check_impact(const plate::Problem& problem, const Analysis& analysis, const
     refuse("analysis.method",
            "\"lanczos\" moves linear plates, and a mass that lifts off is none; choose \"central_difference\"");
   if (impact->velocity == 0) refuse("impact.velocity", "0 given: the mass would stay where it is");
+  const auto given = plate::text_of(impact->position) + " given, ";
   if (!geometry::contains(problem.outline, impact->position))
-    refuse("impact.position", plate::text_of(impact->position) + " given, must lie inside the plate");
+    refuse("impact.position", given + "must lie inside the plate");
+  const double near = problem.discretization.spacing_at_tips() / 2;
+  for (std::size_t i = 0; i < problem.cracks.size(); ++i)
+    if (geometry::distance(problem.cracks[i], impact->position) < near)
+      refuse("impact.position", fmt::format("{}lies on crack {}, or within half a spacing of it: move it to the face "
+                                            "that it hits",
+                                            given, i));
 }
 
 /// What begins or damps a motion beside its loads.
@@ -135,6 +142,11 @@ std::vector<KeyFault> faults_beside_contact(const plate::Problem& problem, const
   refuse(lanczos && (moves || lifts), "analysis.method",
          std::string("\"lanczos\" given: ") + (moves ? "loads that move" : "soil that lifts off") +
              " need steps; choose \"central_difference\"");
+  const bool pushes = std::ranges::any_of(
+      problem.loads, [](const auto& load) { return load.moves() && plate::factor(load.history, 0) != 0; });
+  refuse(
+      pushes && analysis.start == Analysis::Start::equilibrium, "analysis.start",
+      "\"equilibrium\" given, which a load that moves is no part of: let its history begin at 0, or begin undeformed");
   refuse(moves && grows, "growth", "cracks do not grow yet under loads that move: remove it, or the path");
   refuse(moves && settles, "load",
          "loads that move cannot be run yet beside settlements: give them to cases of their own");

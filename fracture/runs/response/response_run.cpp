@@ -57,9 +57,9 @@ private:
   post::Pictures pictures_;
   std::vector<post::Probe> probes_;
   std::vector<post::Response> found_;
-  std::vector<double> unknown_;  // of every tip, what the vectors leave of its factors
-  double largest_ = -1;          // deflection of all frequencies
-  double where_ = 0;             // its frequency
+  std::vector<std::vector<double>> unknown_;  // of every tip and of every probe, what the vectors leave, relative
+  double largest_ = -1;                       // deflection of all frequencies
+  double where_ = 0;                          // its frequency
 };
 
 plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
@@ -68,7 +68,10 @@ plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
   for (const auto& one : plate_.loads()) load += one.forces;
   plate::HarmonicOptions options;
   options.sweep = *analysis.sweep, options.tolerance = analysis.tolerance, options.damping = *analysis.damping;
-  for (const auto& tip : ready_.tip_methods) options.watched.push_back(tip.functionals());
+  options.watched.resize(2);  // factors, probes
+  for (const auto& tip : ready_.tip_methods) options.watched[0].push_back(tip.functionals());
+  for (const auto& probe : probes_)
+    options.watched[1].push_back(post::functionals(probe, plate_.points(), plate_.section().thickness));
   options.progress = [&](std::size_t vectors, double change) {
     progress.update(std::min(0.5, double(vectors) / 200), fmt::format("{} vectors, change {:.1e}", vectors, change));
   };
@@ -90,13 +93,15 @@ void ResponseRun::look(double frequency, const std::pair<plate::State, plate::St
   const auto when = fmt::format("at the frequency {:g}", frequency);
   const auto& [in_phase, quadrature] = parts;
   post::require_finite(in_phase, when), post::require_finite(quadrature, when);
-  for (const auto& probe : probes_)
-    std::ranges::move(post::responses_of(frequency, probe, in_phase, quadrature), std::back_inserter(found_));
+  for (std::size_t i = 0; i < probes_.size(); ++i)
+    std::ranges::move(
+        post::responses_of(frequency, probes_[i], in_phase, quadrature, unknown_[1][i], plate_.section().thickness),
+        std::back_inserter(found_));
   auto first = factors(in_phase, plate::heat_of(plate_, 1.0)), second = factors(quadrature, plate::Heat{});
   post::require_finite(first, when), post::require_finite(second, when);
   const double h = plate_.section().thickness;
   for (auto* all : {&first, &second})
-    for (auto& srif : *all) post::widen(srif, unknown_[srif.tip] * post::largest_factor(srif, h), h);
+    for (auto& srif : *all) post::widen(srif, unknown_[0][srif.tip] * post::largest_factor(srif, h), h);
   std::ranges::move(post::responses_of(frequency, first, second), std::back_inserter(found_));
 }
 

@@ -100,6 +100,8 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
     refuse(plan.problem.loads[i].moves(), plate::key_of_load(plan.problem, i) + ".path",
            "loads that move cannot be run");
+  refuse(plan.analysis.damping && plan.analysis.damping->stiffness > 0, "analysis.damping.stiffness",
+         "damping by the stiffness cannot be run (mass can)");
   refuse(plan.problem.initial.has_value(), "initial", "motions cannot begin so");
   refuse(plan.problem.impact.has_value(), "impact", "impacts cannot be run");
   if (auto fault = plan.srif && plan.srif->richardson ? fault_of_twice_the_spacing(plan.problem) : ""; !fault.empty())

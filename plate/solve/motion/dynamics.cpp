@@ -74,10 +74,10 @@ private:
   double dissipated_ = 0;
 };
 
-/// Acceleration of a degree of freedom whose velocity is `half` a step before.
+/// Acceleration of a degree of freedom whose velocity is half a step before, or that of time 0.
 template <typename Real>
-auto acceleration_of(const Values<Real>& force, const State& velocity, const Beside& beside, double half) {
-  const double alpha = beside.damping().mass;
+auto acceleration_of(const Values<Real>& force, const State& velocity, const Beside& beside, double time_step) {
+  const double alpha = beside.damping().mass, half = time_step / 2;
   return [&force, &velocity, &beside, alpha, half](const PointClass& one, std::size_t c, Eigen::Index i) {
     const double free = (double(force.data()[i]) + beside.force(i) + one.load[c]) * one.inverse_mass[c];
     return alpha > 0 ? (free - alpha * velocity.data()[i]) / (1 + alpha * half) : free;
@@ -87,11 +87,11 @@ auto acceleration_of(const Values<Real>& force, const State& velocity, const Bes
 /// What damping takes in the half steps before and after a step [energy].
 template <typename Real>
 std::array<double, 2> losses(const Step& now, const Values<Real>& force, const Masses& masses, const Beside& beside) {
-  const double dt = now.time_step, half = now.step == 0 ? 0 : dt / 2, alpha = beside.damping().mass;
-  const auto acceleration = acceleration_of(force, now.velocity, beside, half);
+  const double dt = now.time_step, alpha = beside.damping().mass;
+  const auto acceleration = acceleration_of(force, now.velocity, beside, dt);
   return masses.sum<2>(now.state.cols(), [&](const PointClass& one, std::size_t c, Eigen::Index i) {
     const double a = acceleration(one, c, i), v = now.velocity.data()[i], after = v + (now.step == 0 ? dt / 2 : dt) * a;
-    const double drag = alpha * one.mass[c] * (v + half * a) - beside.viscous(i);
+    const double drag = alpha * one.mass[c] * (v + dt / 2 * a) - beside.viscous(i);
     return std::array<double, 2>{now.step == 0 ? 0 : dt / 2 * drag * v, dt / 2 * drag * after};
   });
 }
@@ -104,7 +104,7 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
   const double dt = now.time_step;
   // velocity at the full step: half a step on from the one before, none at the start
   const double half = now.step == 0 ? 0 : dt / 2;
-  const auto acceleration = acceleration_of(force, now.velocity, beside, half);
+  const auto acceleration = acceleration_of(force, now.velocity, beside, dt);
   const auto [kinetic, product, potential,
               strain] = masses.sum<4>(points, [&](const PointClass& one, std::size_t c, Eigen::Index i) {
     const double a = acceleration(one, c, i), v = now.velocity.data()[i] + half * a, change = dt / 2 * a;
@@ -169,7 +169,7 @@ template <typename Real>
 void move(const Step& now, const Values<Real>& force, const Masses& masses, const Beside& beside) {
   const double dt = now.time_step, share = now.step == 0 ? dt / 2 : dt;
   if (beside.acts()) {
-    const auto acceleration = acceleration_of(force, now.velocity, beside, now.step == 0 ? 0 : dt / 2);
+    const auto acceleration = acceleration_of(force, now.velocity, beside, dt);
     masses.for_each(now.state.cols(),
                     [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
                       for (Eigen::Index i = first; i < first + length; ++i) {

@@ -32,15 +32,17 @@ struct Impactor {
   double stiffness = 0;                                  // of the contact [force/length]
 };
 
-/// Where the mass is: along w, and half a step before how fast.
+/// Where the mass is: along w, and half a step before how fast; how it has pressed so far.
 struct Striker {
   double place = 0, velocity = 0;
+  double largest = 0, touching = 0;  // force, with its sign [force]; for how long [time]
 };
 
 /// What the mass does at an instant.
 struct Blow {
-  double place, velocity;  // along w [length, length/time]
-  double force;            // that it presses with, on the plate along w [force]
+  double place, velocity;    // along w [length, length/time]
+  double force;              // that it presses with, on the plate along w [force]
+  double largest, touching;  // of all steps so far: force, how long it presses [time]
   std::vector<std::pair<std::uint32_t, double>> shares;
 };
 
@@ -105,7 +107,7 @@ struct MotionMemory {
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(step, state, velocity, loads, work, before, driven, travelling);
-    archive(given, force, dissipated, striker.place, striker.velocity);
+    archive(given, force, dissipated, striker.place, striker.velocity, striker.largest, striker.touching);
   }
 };
 

@@ -23,11 +23,13 @@ void Contact::press(const State& state, Forces& forces) {
   const double towards = impactor_.velocity < 0 ? -1 : 1;
   overlap_ = std::max(0.0, towards * (striker_.place - deflection(impactor_.shares, state)));
   force_ = towards * impactor_.stiffness * overlap_;
+  if (std::abs(force_) > std::abs(striker_.largest)) striker_.largest = force_;
   for (const auto& [point, weight] : impactor_.shares) forces(0, point) += weight * force_;
 }
 
 Blow Contact::blow(double half) const {
-  return {striker_.place, striker_.velocity + half * acceleration(), force_, impactor_.shares};
+  return {striker_.place,  striker_.velocity + half * acceleration(), force_, striker_.largest, striker_.touching,
+          impactor_.shares};
 }
 
 double Contact::spring() const {
@@ -47,6 +49,7 @@ double Contact::discrete_kinetic(double half, double time_step) const {
 void Contact::move(double share, double time_step) {
   striker_.velocity += share * acceleration();
   striker_.place += time_step * striker_.velocity;
+  if (force_ != 0) striker_.touching += time_step;
 }
 
 /// The largest eigenvalue of a sum is at most the sum of theirs. A step on the way into the contact may book too much

@@ -75,8 +75,8 @@ TimeGrid time_grid(const GridOptions& options, double limit) {
 }
 
 double stable_step(double undamped, const Damping& damping) {
-  const double beta = damping.stiffness;
-  return undamped * undamped / (std::hypot(beta, undamped) + beta);
+  const double beta = damping.stiffness, stable = undamped * undamped / (std::hypot(beta, undamped) + beta);
+  return damping.mass > 0 ? std::min(stable, 0.1 / damping.mass) : stable;
 }
 
 }  // namespace plate

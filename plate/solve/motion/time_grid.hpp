@@ -28,7 +28,8 @@ TimeGrid time_grid(const GridOptions& options, double limit);
 TimeGrid row_grid(const GridOptions& options);
 
 /// The stable step of central differences whose stiffness damps with the velocity half a step before, of a plate whose
-/// own is `undamped`: omega^2 (dt^2 + 2 beta dt) = 4 (theory (84)).
+/// own is `undamped`: omega^2 (dt^2 + 2 beta dt) = 4 (theory (84)). With alpha dt at most 0.1: the first half step
+/// of a plate that begins with a velocity takes (alpha dt / 2)^2 of its energy without booking it.
 double stable_step(double undamped, const Damping& damping);
 
 }  // namespace plate

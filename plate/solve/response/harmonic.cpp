@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "plate/formulation/constraints.hpp"
@@ -33,23 +34,39 @@ struct Modes {
     shapes = std::move(eigen.vectors), squares = std::move(eigen.values), shares = shapes.transpose() * load;
   }
 
-  std::vector<double> resonances(double from, double to) const {
+  double drag(Index i, const Damping& damping) const {
+    return std::sqrt(squares[i]) * (damping.mass + damping.stiffness * squares[i]);
+  }
+
+  /// Those that fewer vectors have too, and that the load excites.
+  std::vector<double> resonances(double from, double to, const Modes& fewer, const Damping& damping) const {
+    constexpr double same = 1e-5, felt = 1e-3;
     std::vector<double> result;
-    for (const double square : squares)
-      if (const double f = std::sqrt(square) / turn; f >= from && f <= to) result.push_back(f);
+    for (Index i = 0; i < squares.size(); ++i) {
+      const double f = std::sqrt(squares[i]) / turn;
+      if (!(f >= from && f <= to)) continue;
+      const bool known = (fewer.squares.array() / squares[i] - 1).abs().minCoeff() < 2 * same;
+      const double own = std::abs(shares[i]) / drag(i, damping);
+      if (known && own > felt * amplitudes({f}, damping).norm()) result.push_back(f);
+    }
+    return result;
+  }
+
+  /// At every frequency.
+  MatrixXcd amplitudes(const std::vector<double>& frequencies, const Damping& damping) const {
+    MatrixXcd result(squares.size(), Index(frequencies.size()));
+    for (Index n = 0; n < result.cols(); ++n) {
+      const double omega = turn * frequencies[std::size_t(n)];
+      for (Index i = 0; i < squares.size(); ++i)
+        result(i, n) = shares[i] / std::complex(squares[i] - omega * omega,
+                                                omega * (damping.mass + damping.stiffness * squares[i]));
+    }
     return result;
   }
 
   /// Coordinates in the vectors at every frequency.
   MatrixXcd answer(const std::vector<double>& frequencies, const Damping& damping) const {
-    MatrixXcd amplitudes(squares.size(), Index(frequencies.size()));
-    for (Index n = 0; n < amplitudes.cols(); ++n) {
-      const double omega = turn * frequencies[std::size_t(n)];
-      for (Index i = 0; i < squares.size(); ++i)
-        amplitudes(i, n) = shares[i] / std::complex(squares[i] - omega * omega,
-                                                    omega * (damping.mass + damping.stiffness * squares[i]));
-    }
-    return shapes.cast<std::complex<double>>() * amplitudes;
+    return shapes.cast<std::complex<double>>() * amplitudes(frequencies, damping);
   }
 };
 
@@ -60,34 +77,34 @@ std::vector<double> merged(std::vector<double> frequencies, const std::vector<do
   return frequencies;
 }
 
-/// The largest of `parts` over what is there at the same frequency, which counts as a hundredth of the largest of all
-/// where it is less: factors may vanish at a frequency.
-double largest_share(const Eigen::ArrayXd& parts, const Eigen::ArrayXd& wholes) {
-  const double most = wholes.maxCoeff();
-  return most > 0 ? (parts / wholes.max(0.01 * most)).maxCoeff() : 0;
-}
-
-/// Of the answer, over the mass.
+/// Of the answer at every frequency, over the mass; the largest.
 double change_of(const MatrixXcd& now, const MatrixXcd& before) {
   MatrixXcd difference = now;
   difference.topRows(before.rows()) -= before;
-  return largest_share(difference.colwise().norm().transpose(), now.colwise().norm().transpose());
+  const Eigen::ArrayXd size = now.colwise().norm().transpose();
+  return (difference.colwise().norm().transpose().array() / size.max(std::numeric_limits<double>::min())).maxCoeff();
 }
 
-/// Of every group, by its largest functional.
-std::vector<double> changes_of(const std::vector<MatrixXd>& groups, const LanczosSpace& space, const MatrixXcd& now,
+/// Of every group of a family, by its largest functional.
+std::vector<double> changes_of(const std::vector<MatrixXd>& family, const LanczosSpace& space, const MatrixXcd& now,
                                const MatrixXcd& before) {
-  std::vector<double> result;
-  for (const auto& group : groups) {
-    if (group.rows() == 0) {
-      result.push_back(0);
-      continue;
-    }
+  const Eigen::ArrayXd size = now.colwise().norm().transpose().array().max(std::numeric_limits<double>::min());
+  std::vector<Eigen::ArrayXd> values, changes;
+  double most = 0;  // for an answer of size 1
+  for (const auto& group : family) {
     const MatrixXd of_vectors = group * space.vectors();
-    const MatrixXcd values = of_vectors * now, earlier = of_vectors.leftCols(before.rows()) * before;
-    result.push_back(largest_share((values - earlier).cwiseAbs().colwise().maxCoeff().transpose(),
-                                   values.cwiseAbs().colwise().maxCoeff().transpose()));
+    const MatrixXcd found = of_vectors * now, earlier = of_vectors.leftCols(before.rows()) * before;
+    const auto largest = [&](const MatrixXcd& all) -> Eigen::ArrayXd {
+      if (all.rows() == 0) return Eigen::ArrayXd::Zero(now.cols());
+      return all.cwiseAbs().colwise().maxCoeff().transpose();
+    };
+    values.push_back(largest(found)), changes.push_back(largest(found - earlier));
+    most = std::max(most, (values.back() / size).maxCoeff());
   }
+  constexpr double nothing = 0.01;
+  std::vector<double> result(family.size(), 0.0);
+  for (std::size_t g = 0; g < family.size() && most > 0; ++g)
+    result[g] = (changes[g] / values[g].max(nothing * most * size)).maxCoeff();
   return result;
 }
 
@@ -119,18 +136,20 @@ HarmonicResponse::HarmonicResponse(const Operator& plate, const Constraints& con
     const MatrixXd stiffness = space.stiffness();
     const VectorXd shares = space.vectors().transpose() * flat(folded);
     const Modes now(stiffness, shares);
-    resonances_ = now.resonances(asked.front(), asked.back());
+    const Index fewer = exhausted ? space.size() : std::max<Index>(before, 1);
+    const Modes earlier(stiffness.topLeftCorner(fewer, fewer), shares.head(fewer));
+    resonances_ = now.resonances(asked.front(), asked.back(), earlier, options.damping);
     frequencies_ = merged(asked, resonances_);
     coordinates_ = now.answer(frequencies_, options.damping);
-    change_ = exhausted ? 0 : 1, watched_.assign(options.watched.size(), change_);
-    if (before > 0 && !exhausted) {
-      const Modes earlier(stiffness.topLeftCorner(before, before), shares.head(before));
-      const MatrixXcd then = earlier.answer(frequencies_, options.damping);
-      change_ = change_of(coordinates_, then), watched_ = changes_of(options.watched, space, coordinates_, then);
+    const MatrixXcd then = earlier.answer(frequencies_, options.damping);
+    change_ = change_of(coordinates_, then);
+    double worst = change_;
+    watched_.clear();
+    for (const auto& family : options.watched) {
+      watched_.push_back(changes_of(family, space, coordinates_, then));
+      for (const double one : watched_.back()) worst = std::max(worst, one);
     }
     if (options.progress) options.progress(std::size_t(space.size()), change_);
-    double worst = change_;
-    for (const double one : watched_) worst = std::max(worst, one);
     if (worst <= options.tolerance) break;
     if (std::size_t(space.size()) >= options.max_vectors)
       throw NumericalError(fmt::format(

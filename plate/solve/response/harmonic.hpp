@@ -19,8 +19,10 @@ struct HarmonicOptions {
   Damping damping;
   double tolerance = 3e-4;  // of the answer at every frequency, root of the mean square over the mass, relative
   std::size_t max_vectors = 800;
-  /// Groups of linear functionals of the state (rows, or none; columns as State::data()) that must be known as well.
-  std::vector<Eigen::MatrixXd> watched = {};
+  /// Groups of linear functionals of the state (rows, or none; columns as State::data()) that must be known as well, to
+  /// the tolerance of the largest of the group at every frequency. Where a group nearly vanishes there, a hundredth of
+  /// what its family has at most for so large an answer counts.
+  std::vector<std::vector<Eigen::MatrixXd>> watched = {};
   std::function<void(std::size_t vectors, double change)> progress = {};
 };
 
@@ -36,7 +38,7 @@ public:
 
   /// Those of the sweep, and resonances between them [1/time].
   const std::vector<double>& frequencies() const { return frequencies_; }
-  /// Of the plate without damping, those that the load excites [1/time].
+  /// Of the plate without damping, those that the load excites: with a thousandth of the answer there [1/time].
   const std::vector<double>& resonances() const { return resonances_; }
   /// A and B at the frequency of this number [3 x points].
   std::pair<State, State> at(std::size_t number) const;
@@ -44,8 +46,8 @@ public:
   std::size_t vectors() const { return std::size_t(vectors_.cols()); }
   /// By the last vectors, at least sixteen, in the measure of the tolerance.
   double change() const { return change_; }
-  /// The same of every watched group.
-  const std::vector<double>& watched_change() const { return watched_; }
+  /// The same of every watched group of every family.
+  const std::vector<std::vector<double>>& watched_change() const { return watched_; }
 
 private:
   Eigen::Index points_;
@@ -53,7 +55,7 @@ private:
   Eigen::MatrixXcd coordinates_;  // in them: a column for every frequency
   std::vector<double> frequencies_, resonances_;
   double change_ = 0;
-  std::vector<double> watched_;
+  std::vector<std::vector<double>> watched_;
 };
 
 }  // namespace plate

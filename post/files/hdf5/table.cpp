@@ -23,6 +23,8 @@ Meaning meaning_of_column(const std::string& name) {
       {"frequency", {"1/time", "frequency"}},
       {"omega", {"1/time", "circular frequency"}},
       {"force", {"force", "across the plate"}},
+      {"largest_force", {"force", "of all steps so far"}},
+      {"contact_time", {"time", "for which it has pressed so far"}},
       {"amplitude", {"1", "of the quantity, in its own units"}},
       {"phase", {"degree", "ahead of the load"}},
       {"position", {"length", "of what hits the plate"}},

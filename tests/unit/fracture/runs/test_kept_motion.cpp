@@ -75,8 +75,8 @@ TEST_CASE("a motion in parts that was kept goes on by another number of processe
   constexpr std::size_t all = 30;
   auto file = of_motion();
   SECTION("without damping") {}
-  SECTION("with a damping of mass and stiffness") {
-    file.content.analysis.damping = plate::Damping{0.5, 1e-5};
+  SECTION("with a damping of the mass") {
+    file.content.analysis.damping = plate::Damping{0.5, 0};
   }
   const small_run::TemporaryFolder alone;
   const auto whole = moved_by(file, 2, all, alone.path());

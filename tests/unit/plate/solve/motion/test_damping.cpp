@@ -97,6 +97,24 @@ TEST_CASE("damping: modes move exactly, below, at and beyond the critical dampin
   }
 }
 
+TEST_CASE("damping: a plate that begins with a velocity stops where its drag says, and what it loses is booked") {
+  const Single s;
+  for (const double alpha : {1.0, 1e2, 1e4}) {
+    const double step = 0.9 * stable_step(1, {alpha, 0});
+    CHECK(alpha * step <= 0.1);
+    const auto steps = std::size_t(20 / (alpha * step));
+    DynamicOptions options{step, steps, steps};
+    options.mass_damping = alpha, options.velocity = s.moving, options.given = 0.25 * 0.49;
+    double last = 0, dissipated = 0;
+    central_differences(s.chain, s.constraints, s.mass, {}, options,
+                        [&](const Instant& now) { last = now.state(0, 0), dissipated = now.dissipated; });
+    if (alpha < 100) continue;  // it swings
+    CHECK(last ==
+          Approx(-0.7 / alpha).epsilon(alpha > 1e3 ? 1e-5 : 0.03));  // v / alpha, less what the spring gives back
+    CHECK(dissipated == Approx(0.25 * 0.49).epsilon(5e-3));          // (alpha dt / 2)^2 of it is not
+  }
+}
+
 TEST_CASE("damping: the stable step of steps whose stiffness damps, and no longer one") {
   const Single s;
   const double undamped = 1;  // 2 / omega
