@@ -27,8 +27,8 @@ struct Response {
 /// K1, K2, K3 of every tip from those of A and of B, by recommended methods.
 std::vector<Response> responses_of(double frequency, const std::vector<Srif>& in_phase,
                                    const std::vector<Srif>& quadrature);
-/// Deflection and rotations of a probe, without errors, as those of the points are not known; `change`: what the vectors
-/// leave, of the largest of w, theta times thickness: what is no larger is not resolved.
+/// Deflection and rotations of a probe, without errors, as those of the points are not known; `change`: what the
+/// vectors leave, of the largest of w, theta times thickness: what is no larger is not resolved.
 std::vector<Response> responses_of(double frequency, const Probe& probe, const plate::State& in_phase,
                                    const plate::State& quadrature, double change, double thickness);
 /// w and theta times the thickness of a probe, as functionals (rows) of the state flattened.

@@ -58,14 +58,17 @@ void check_files(const fs::path& folder, const cases::Case& c) {
     CHECK((fs::exists(folder / name) && fs::file_size(folder / name) > 0));
   }
   const bool frequencies = c.analysis.kind == cases::Analysis::Kind::frequencies;
-  CHECK(fs::exists(folder / "history.csv") != frequencies);
+  const bool swings = c.analysis.kind == cases::Analysis::Kind::harmonic;
+  CHECK(fs::exists(folder / "history.csv") == !(frequencies || swings));
+  CHECK(fs::exists(folder / "response.csv") == swings);
+  CHECK(fs::exists(folder / "impact.csv") == c.impact.has_value());
   CHECK(fs::exists(folder / "frequencies.csv") == frequencies);
   const bool is_static = c.analysis.kind == cases::Analysis::Kind::static_;
-  CHECK(fs::exists(folder / "srif.csv") == (c.srif || (c.growth && is_static && !c.growth->by_bonds())));
+  CHECK(fs::exists(folder / "srif.csv") == ((c.srif && !swings) || (c.growth && is_static && !c.growth->by_bonds())));
   for (const char* name : {"growth.csv", "tips.csv", "cracks.csv", "cracks.pvd"})
     CHECK(fs::exists(folder / name) == c.growth.has_value());
   CHECK(fs::exists(folder / "cracks.vtp") == (c.growth || !c.cracks.empty()));
-  CHECK(fs::exists(folder / "probes.csv") == !c.output.probes.empty());
+  CHECK(fs::exists(folder / "probes.csv") == (!c.output.probes.empty() && !swings));
   CHECK(text_of(folder / "summary.json").find("\"outcome\": \"done\"") != std::string::npos);
 }
 

@@ -22,6 +22,7 @@ public:
 
 struct Seen {
   std::vector<double> force, velocity, of_point, energy, time, work;
+  double largest = 0, touching = 0;
 };
 
 Seen hit(const Operator& plate, double mass_of_point, const Impactor& impactor, double step, std::size_t steps,
@@ -36,6 +37,7 @@ Seen hit(const Operator& plate, double mass_of_point, const Impactor& impactor, 
   options.impact = impactor, options.given = impactor.mass * impactor.velocity * impactor.velocity / 2;
   Seen result;
   central_differences(plate, constraints, mass, {}, options, [&](const Instant& now) {
+    result.largest = now.blow->largest, result.touching = now.blow->touching;
     result.force.push_back(now.blow->force), result.velocity.push_back(now.blow->velocity);
     result.of_point.push_back(now.velocity()(0, 0)), result.time.push_back(now.time);
     result.energy.push_back(now.strain_energy + now.kinetic_energy), result.work.push_back(now.external_work);
@@ -64,6 +66,9 @@ TEST_CASE("impact: two bodies part with the velocities of an elastic impact afte
       }
       CHECK(most == Approx(std::abs(v) * std::sqrt(k * reduced)).epsilon(1e-4));
       CHECK(last == Approx(half).epsilon(2e-3));
+      CHECK(std::abs(seen.largest) == most);
+      CHECK(seen.largest * v >= 0);
+      CHECK(seen.touching == Approx(half).epsilon(2e-3));
     }
 }
 
