@@ -52,8 +52,7 @@ std::vector<Place> held_at(const Support& support, const geometry::Outline& outl
     }
   bool inside = along(support.along, x, tolerance);
   for (const auto& point : support.points) inside = inside || (point - x).norm() <= tolerance;
-  if (support.patch) {
-    auto ring = geometry::Patch(*support.patch).ring();
+  if (auto ring = support.patch ? geometry::Patch(*support.patch).ring() : std::vector<Point>(); !ring.empty()) {
     const geometry::Outline part{{ring, std::vector<std::string>(ring.size())}, {}};
     ring.push_back(ring.front());
     inside = inside || geometry::contains(part, x) || along(ring, x, tolerance);
