@@ -27,12 +27,17 @@ void settle_free_motion(CaseFile& file, const plate::Formulation& plate) {
 }
 
 plate::BeginOfMotion begin_of(const CaseFile& file, const plate::Formulation& plate) {
+  const auto refused = [&](const auto& error) {
+    const bool bent = file.content.initial->deflection.text() == error.formula();
+    const std::string key = bent ? "initial.deflection" : "initial.velocity";
+    return CaseError({{file.place(key), key, error.what()}});
+  };
   try {
     return plate::begin_of_motion(plate, file.content.analysis.rotary_inertia);
   } catch (const plate::FormulaError& error) {
-    const bool bent = file.content.initial->deflection.text() == error.formula();
-    const std::string key = bent ? "initial.deflection" : "initial.velocity";
-    throw CaseError({{file.place(key), key, error.what()}});
+    throw refused(error);
+  } catch (const plate::Jumps& error) {
+    throw refused(error);
   }
 }
 

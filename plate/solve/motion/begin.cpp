@@ -1,11 +1,16 @@
 #include "plate/solve/motion/begin.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/interpolation.hpp"
+#include "plate/model/faults/held.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/wording.hpp"
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/impact.hpp"
 #include "plate/solve/motion/time_grid.hpp"
@@ -35,12 +40,38 @@ State bent(const Formulation& plate, const Formula& formula) {
   return result;
 }
 
+/// Refuses a deflection that is not nearly a straight line over a spacing about every point, or not zero where supports
+/// hold an edge.
+void require_possible(const Formulation& plate, const Formula& formula, const State& state) {
+  const auto points = Eigen::Index(plate.cloud().plate_points);
+  const double spacing = plate.discretization().spacing_at_tips();
+  const double size = state.row(0).head(points).cwiseAbs().maxCoeff();
+  const double steepest = state.bottomRows(2).leftCols(points).colwise().norm().maxCoeff();
+  for (Eigen::Index k = 0; k < points; ++k)
+    for (const Point& along : {Point(spacing / 2, 0), Point(0, spacing / 2)}) {
+      const Point& x = plate.cloud().positions[std::size_t(k)];
+      const double change = std::abs(formula(x + along) - formula(x - along));
+      if (change > 2 * spacing * steepest + 1e-9 * size)
+        throw Jumps(formula.text(), fmt::format("jumps by {:g} about {}: a plate bends", change, text_of(x)));
+    }
+  const auto edges = geometry::straight_edges(plate.problem().outline);
+  for (const auto& support : plate.problem().supports)
+    for (const auto& edge : edges) {
+      if (!held_by(support.kind).w || std::ranges::find(support.edges, edge.name) == support.edges.end()) continue;
+      for (const double t : {0.05, 0.25, 0.5, 0.75, 0.95})
+        if (const Point x = edge.from + t * (edge.to - edge.from); std::abs(formula(x)) > 0.02 * size)
+          throw Jumps(formula.text(), fmt::format("is {:g} at {}, where a support holds the plate: let it be 0 there",
+                                                  formula(x), text_of(x)));
+    }
+}
+
 }  // namespace
 
 BeginOfMotion begin_of_motion(const Formulation& plate, double rotary) {
   const auto& problem = plate.problem();
   const auto initial = problem.initial.value_or(Initial{});
   BeginOfMotion result{bent(plate, initial.deflection), bent(plate, initial.velocity)};
+  if (result.deflected.size() > 0) require_possible(plate, initial.deflection, result.deflected);
   if (result.deflected.size() > 0) result.given += plate.strain_energy(result.deflected);
   if (result.velocity.size() > 0)
     result.given += plate.mass(rotary).cwiseProduct(result.velocity.cwiseAbs2()).sum() / 2;

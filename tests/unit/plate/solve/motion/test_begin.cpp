@@ -9,6 +9,23 @@
 using namespace plate;
 namespace vp = verified_plate;
 
+TEST_CASE(
+    "a motion does not begin with what jumps, or what a support does not allow; with a velocity or a wave it does") {
+  for (const auto* kind : {&galerkin, &ordinary}) {
+    auto c = vp::square(0.125);
+    c.discretization.formulation = kind;
+    c.supports = {vp::held(SupportKind::simply_supported, {"left"})};
+    const auto begin = [&](const std::string& deflection) {
+      c.initial = Initial{Formula(deflection), {}};
+      return begin_of_motion(*vp::assembled(c), 1);
+    };
+    for (const char* jumps : {"x < 0.03 ? 0 : 0.1", "y < 0 ? 0.2 : 0.1", "0.1", "x + 1.5"})
+      CHECK_THROWS_AS(begin(jumps), Jumps);
+    for (const char* bends : {"x + 1", "sin(3 * (x + 1)) * cos(5 * y)", "(x + 1) ^ 2", "0"})
+      CHECK_NOTHROW(begin(bends));
+  }
+}
+
 TEST_CASE("a motion begins with an expression, its slopes, and the energies of both") {
   for (const auto* kind : {&galerkin, &ordinary}) {
     auto c = vp::square(0.125);
