@@ -86,7 +86,7 @@ void check_analysis(const Case& content, Reading& reading) {
     complain(fracture::faults_of_section(content, growth.has_value(), srif));
   complain(fracture::faults_of_motion(content, analysis, growth.has_value(), given));
   complain(fracture::faults_of_response(content, analysis));
-  complain(fracture::faults_beside_settlements(content, analysis, growth.has_value()));
+  complain(fracture::faults_beside_settlements(content, analysis));
   complain(fracture::faults_beside_contact(content, analysis, growth.has_value()));
 }
 

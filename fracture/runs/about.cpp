@@ -5,6 +5,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/interruption.hpp"
 #include "post/report/html/report.hpp"
 #include "post/report/scene.hpp"
 
@@ -37,6 +38,28 @@ plate::NumericalError placed(const plate::NumericalError& error, const plate::Fo
     said += fmt::format("; the time step {:g} is {:.3g} of the stable one", *analysis.time_step,
                         *analysis.time_step / *analysis.time_step_limit);
   return plate::NumericalError(said);
+}
+
+post::Summary carried_out(post::Summary summary, const plate::Formulation& plate,
+                          const std::function<void(post::Summary&)>& solve,
+                          const std::function<post::Summary(post::Summary)>& finish) {
+  const plate::StopOnSignals signals;
+  try {
+    solve(summary);
+    summary.outcome = "done";
+  } catch (const plate::NumericalError& error) {
+    const auto failed = placed(error, plate, summary);
+    summary.outcome = fmt::format("failed: {}", failed.what());
+    summary.analysis.stop_reason = failed.what();
+    finish(summary);
+    throw failed;
+  } catch (const plate::Interrupted& asked) {
+    summary.outcome = "interrupted";
+    summary.analysis.stop_reason = asked.what();
+    finish(summary);
+    throw;
+  }
+  return finish(std::move(summary));
 }
 
 void write_report(const RunPlan& plan, const post::Pictures& pictures) {

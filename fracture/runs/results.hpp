@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "fracture/runs/run_plan.hpp"
 #include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
@@ -31,6 +33,12 @@ post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::v
 /// What the error says, with the place of its point and, in a motion by steps, what its step is of the stable one.
 plate::NumericalError placed(const plate::NumericalError& error, const plate::Formulation& plate,
                              const post::Summary& summary);
+
+/// `solve`, then `finish`. Of a run that fails or is interrupted all that there is is finished too, before that is
+/// thrown on.
+post::Summary carried_out(post::Summary summary, const plate::Formulation& plate,
+                          const std::function<void(post::Summary&)>& solve,
+                          const std::function<post::Summary(post::Summary)>& finish);
 
 /// Writes report.html into the folder of a finished run, where one is wanted.
 void write_report(const RunPlan& plan, const post::Pictures& pictures);

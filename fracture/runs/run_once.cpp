@@ -11,7 +11,6 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/numerical_error.hpp"
-#include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/balance/supports.hpp"
@@ -242,29 +241,17 @@ void solve(const Going& run, MovingGrowth* growth, Keeper* keeper) {
 
 post::Summary run_once(const Ready& ready, Results& results, plate::Stopwatch& stopwatch, Keeper* keeper) {
   const RunPlan& plan = results.plan();
-  post::Summary summary = about(plan, *ready.plate, ready.warnings);
   std::unique_ptr<MovingGrowth> growth;
   if (plan.growth) {
     growth = moving_growth(*plan.growth, *ready.plate, plan.srif, plan.analysis.rotary_inertia);
     results.grows(*growth);
   }
-  const plate::StopOnSignals signals;
-  try {
-    solve({ready, results, summary, stopwatch}, growth.get(), keeper);
-    summary.outcome = "done";
-  } catch (const plate::NumericalError& error) {
-    const auto failed = placed(error, *ready.plate, summary);
-    summary.outcome = fmt::format("failed: {}", failed.what());
-    summary.analysis.stop_reason = failed.what();
-    results.finish(summary, stopwatch);
-    throw failed;
-  } catch (const plate::Interrupted& asked) {
-    summary.outcome = "interrupted";
-    summary.analysis.stop_reason = asked.what();
-    results.finish(summary, stopwatch);
-    throw;
-  }
-  return results.finish(std::move(summary), stopwatch);
+  return carried_out(
+      about(plan, *ready.plate, ready.warnings), *ready.plate,
+      [&](post::Summary& summary) {
+        solve({ready, results, summary, stopwatch}, growth.get(), keeper);
+      },
+      [&](post::Summary summary) { return results.finish(std::move(summary), stopwatch); });
 }
 
 }  // namespace fracture

@@ -1,9 +1,26 @@
 #include "cases/input/keys.hpp"
 #include "plate/model/loads.hpp"
+#include "post/files/whole_file.hpp"
 
 namespace cases {
 
 using plate::Load;
+
+namespace {
+
+/// Throws std::invalid_argument where it is none.
+plate::PressureTable read_table(const std::filesystem::path& path) {
+  constexpr std::size_t most = 256 << 20;  // bytes
+  try {
+    if (!std::filesystem::is_directory(path)) return {post::read_text(path, most), path};
+  } catch (const std::length_error& error) {
+    throw std::invalid_argument(error.what());
+  } catch (const std::filesystem::filesystem_error&) {
+  }
+  throw std::invalid_argument("cannot be read");
+}
+
+}  // namespace
 
 /// A file of pressures beside the case, and what it said when the case was resolved.
 Field<Load> table_field() {
@@ -13,7 +30,7 @@ Field<Load> table_field() {
       [](const Value& given, Load& load) {
         const auto text = given.text();
         if (text) try {
-            load.table = plate::PressureTable(given.reading().folder / *text);
+            load.table = read_table(given.reading().folder / *text);
           } catch (const std::invalid_argument& error) {
             given.complain(fmt::format("\"{}\": {}", *text, error.what()));
           }

@@ -11,6 +11,7 @@
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/ranks/ranks.hpp"
+#include "plate/solve/settled.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/gate.hpp"
 
@@ -76,11 +77,13 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
   const auto tips = plate.tips();
   solve(std::move(found), methods);
   const auto& [solved, state, srifs] = *latest_;
+  const auto lift = plate::total_lift(*solved.plate);
   const auto load = solved.plate->total_load();
+  result.held = 2 * plate::Settled(*solved.plate, load, lift).work(state);
   result.displacement = 2 * post::slow_work(*solved.plate, state);
   post::require_finite({{"work", result.displacement}}, "under the whole load");
   if (!post::moves(state, result.displacement))
-    post::require_motion(*solved.plate, {load}, state, result.displacement, warnings_);
+    post::require_motion(*solved.plate, post::forces_of(*solved.plate), state, result.displacement, warnings_);
   for (std::size_t i = 0; i < tips.size(); ++i) {
     const auto srif = std::ranges::find_if(srifs, [i](const auto& one) { return one.tip == i && one.G; });
     if (srif == srifs.end())
@@ -93,8 +96,8 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
 
 void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMethods>& methods) {
   const plate::Formulation& plate = *found.plate;
-  auto solved =
-      plate::solve_static(plate, plate.total_load(), solver_.method, solver_.preconditioning, solver_.options);
+  auto solved = plate::solve_static(plate, plate.total_load(), solver_.method, solver_.preconditioning, solver_.options,
+                                    plate::total_lift(plate));
   stopwatch_.lap("solve");
   auto& solution = solved.solution;
   if (!solution.converged)

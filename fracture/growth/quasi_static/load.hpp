@@ -19,8 +19,9 @@ public:
     bool beyond;  // the whole load, or the displacement at its end, is not enough
   };
   /// Goes on to where the next change comes, as far as the control lets it. `whole`: what the whole load does work on
-  /// now [energy]; `critical`: the load factor of the next change, infinite where none comes.
-  Step to(double whole, double critical);
+  /// now [energy]; `critical`: the load factor of the next change, infinite where none comes; `held`: what of `whole`
+  /// supports that move have, which stay where they are while something gives way.
+  Step to(double whole, double critical, double held = 0);
 
   double factor() const { return factor_; }
   double displacement() const { return displacement_; }
@@ -30,15 +31,15 @@ public:
   template <typename Archive>
   void serialize(Archive& archive) {
     auto& [work, strain, fracture] = ledger;
-    archive(first_, factor_, displacement_, most_displacement_, work, strain, fracture);
+    archive(first_, factor_, displacement_, held_, most_displacement_, work, strain, fracture);
   }
 
 private:
-  void go_to(double whole, double factor);
+  void go_to(double whole, double held, double factor);
 
   Growth::Control control_;
   bool first_ = true;
-  double factor_ = 0, displacement_ = 0, most_displacement_ = 0;
+  double factor_ = 0, displacement_ = 0, held_ = 0, most_displacement_ = 0;
 };
 
 }  // namespace fracture

@@ -36,7 +36,7 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
       result.ended = {End::split, plate.split};
       return result;
     }
-    const auto step = load.to(plate.displacement, plate.critical);
+    const auto step = load.to(plate.displacement, plate.critical, plate.held);
     result.ledger = books();
     const auto end = end_of(growth, model, plate, step);
     const Equilibrium state{model.advances(), load.factor(),   load.displacement(), plate.critical,

@@ -14,9 +14,10 @@ namespace fracture {
 /// A plate in equilibrium with the whole load, as far as it has grown.
 struct Loaded {
   std::string split;            // what is not held any more, and nothing could be solved; empty: all is held
-  double displacement = 0;      // sum of loads times displacements [energy]
+  double displacement = 0;      // sum of loads times displacements, of supports that move too [energy]
   double critical = 0;          // load factor of the next advance; infinite where none comes
   std::optional<End> end = {};  // what ends the growth whatever the load
+  double held = 0;              // of the displacement, what is of supports that move
 };
 
 /// One equilibrium on the way, just before something gives way.

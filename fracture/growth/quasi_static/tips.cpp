@@ -41,7 +41,7 @@ Loaded QuasiStaticTips::solve() {
   for (const auto& tip : plate_.tips)
     if (may_grow(tip)) most_ = std::max(most_, *tip.G);
   calibrate();
-  Loaded result{"", plate_.displacement, INFINITY, {}};
+  Loaded result{"", plate_.displacement, INFINITY, {}, plate_.held};
   if (plate_.tips.empty())
     result.end = End::no_tip_left;
   else if (most_ == 0)
@@ -50,8 +50,8 @@ Loaded QuasiStaticTips::solve() {
   return result;
 }
 
-/// What the last advance has really released under the whole load, half of what its displacement has gained, beside
-/// what the energy release rates of its tips before and after it make of it.
+/// What the last advance has really released under the whole load, of loads half of what its displacement has gained,
+/// beside what the energy release rates of its tips before and after it make of it.
 void QuasiStaticTips::calibrate() {
   double predicted = 0, length = 0;
   const auto moved = std::exchange(moved_, {});
@@ -65,7 +65,7 @@ void QuasiStaticTips::calibrate() {
   }
   if (length == 0) return;
   calibrated_ += length, predicted_ += predicted;
-  measured_ += (plate_.displacement - last_displacement_) / 2;
+  measured_ += (plate_.given() - last_given_) / 2;
 }
 
 /// Energy released over the one predicted, of all advances.
@@ -165,7 +165,7 @@ void QuasiStaticTips::advance(double) {
       solved_ = std::move(trial);
     }
   }
-  last_displacement_ = plate_.displacement;
+  last_given_ = plate_.given();
   ++advances_;
 }
 
@@ -205,8 +205,8 @@ void QuasiStaticTips::extend(const geometry::Tip& tip, const TipAdvance& step) {
 /// Nothing has moved since the plate was solved, and no trial waits.
 template <typename Archive, typename Self>
 void QuasiStaticTips::memory(Archive& archive, Self& self) {
-  archive(self.record_, self.warnings_, self.cracks_, self.most_, self.moves_, self.last_displacement_,
-          self.calibrated_, self.measured_, self.predicted_, self.fracture_, self.advances_);
+  archive(self.record_, self.warnings_, self.cracks_, self.most_, self.moves_, self.last_given_, self.calibrated_,
+          self.measured_, self.predicted_, self.fracture_, self.advances_);
 }
 
 void QuasiStaticTips::remember(plate::OutArchive& archive) const {

@@ -17,6 +17,10 @@ struct LoadedPlate {
   std::string split;        // not empty: a piece of the plate is not held any more, and nothing could be solved
   double displacement = 0;  // sum of loads times static displacements [energy]: what the load factor does work on
   std::vector<LoadedTip> tips;
+  double held = 0;  // of it, what is of supports that move: a crack that grows takes from them what it gains from loads
+
+  /// Twice what is released while nothing changes but the crack [energy].
+  double given() const { return displacement - 2 * held; }
 };
 
 /// Tips that grow where their energy release rate lets them, in a plate that is solved anew with every length of its
@@ -74,7 +78,7 @@ private:
   double most_ = 0;                                       // energy release rate of a tip that may grow
   std::vector<char> moves_;                               // per tip
   std::vector<Moved> moved_;                              // by the last advance
-  double last_displacement_ = 0;                          // before it
+  double last_given_ = 0;                                 // before it
   double calibrated_ = 0, measured_ = 0, predicted_ = 0;  // length of a tip's way, energies of all advances
   double fracture_ = 0;
   std::size_t advances_ = 0;

@@ -45,7 +45,6 @@ void check_beside(const plate::Problem& problem, const Analysis& analysis, bool 
       std::ranges::any_of(problem.loads, [](const auto& load) { return load.kind == plate::Load::Kind::settlement; });
   const auto alone = [&](bool given, const std::string& key) {
     if (given && mixed) refuse("analysis.precision", "\"mixed\" given: " + key + " needs \"double\"");
-    if (given && grows) refuse(key, "is not available where cracks grow in motion: remove it or [growth]");
     if (given && settles) refuse(key, "is not available beside supports that settle: remove it or the settlement");
   };
   alone(analysis.damping.has_value(), "analysis.damping");
@@ -54,6 +53,8 @@ void check_beside(const plate::Problem& problem, const Analysis& analysis, bool 
   if (problem.lifts_off() && analysis.damping && analysis.damping->stiffness > 0)
     refuse("analysis.damping",
            "the stiffness of a plate on soil that lifts off changes, and cannot damp: give mass alone");
+  if (grows && analysis.damping && analysis.damping->stiffness > 0)
+    refuse("analysis.damping", "the stiffness of a plate whose cracks grow changes, and cannot damp: give mass alone");
   if (analysis.start != Analysis::Start::equilibrium) return;
   if (problem.initial && problem.initial->deflection.given())
     refuse("initial.deflection", "is given beside start = \"equilibrium\", which is another deflection: remove one");
@@ -104,17 +105,13 @@ std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const Anal
   return result;
 }
 
-std::vector<KeyFault> faults_beside_settlements(const plate::Problem& problem, const Analysis& analysis, bool grows) {
+std::vector<KeyFault> faults_beside_settlements(const plate::Problem& problem, const Analysis& analysis) {
   std::vector<KeyFault> result;
   const bool moves = analysis.kind == Analysis::Kind::dynamic;
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
     const auto& load = problem.loads[i];
     if (load.kind != plate::Load::Kind::settlement) continue;
     const auto key = plate::key_of_load(problem, i);
-    if (grows)
-      result.push_back({key + ".kind",
-                        "\"settlement\" given: growth holds loads or what they move, not supports that move: remove "
-                        "it or [growth]"});
     if (moves && analysis.method == Analysis::Method::lanczos)
       result.push_back({key + ".kind",
                         "\"settlement\" given: supports move by steps alone; choose analysis.method = "
@@ -147,7 +144,6 @@ std::vector<KeyFault> faults_beside_contact(const plate::Problem& problem, const
   refuse(
       pushes && analysis.start == Analysis::Start::equilibrium, "analysis.start",
       "\"equilibrium\" given, which a load that moves is no part of: let its history begin at 0, or begin undeformed");
-  refuse(moves && grows, "growth", "cracks do not grow yet under loads that move: remove it, or the path");
   refuse(moves && settles, "load",
          "loads that move cannot be run yet beside settlements: give them to cases of their own");
   const std::string whole = ": remove lifts_off";

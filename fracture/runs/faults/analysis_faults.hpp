@@ -25,13 +25,11 @@ std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const plat
 /// What has no harmonic response.
 std::vector<KeyFault> faults_of_response(const plate::Problem& problem, const plate::Analysis& analysis);
 
-/// Settlements where they cannot go: growth, Lanczos vectors, frequencies, and in motion a support that is moved at
-/// once.
-std::vector<KeyFault> faults_beside_settlements(const plate::Problem& problem, const plate::Analysis& analysis,
-                                                bool grows);
+/// Settlements where they cannot go: Lanczos vectors, frequencies, and in motion a support that is moved at once.
+std::vector<KeyFault> faults_beside_settlements(const plate::Problem& problem, const plate::Analysis& analysis);
 
-/// Loads that move and soil that lifts off where they cannot go: Lanczos vectors, frequencies, growth; soil that lifts
-/// off beside settlements and combinations.
+/// Loads that move and soil that lifts off where they cannot go: Lanczos vectors, frequencies, beside settlements; soil
+/// that lifts off beside growth and combinations too.
 std::vector<KeyFault> faults_beside_contact(const plate::Problem& problem, const plate::Analysis& analysis, bool grows);
 
 /// What cannot go with load cases, and why.

@@ -107,6 +107,24 @@ void check_heat(const plate::Problem& problem, const Analysis& analysis, const G
              "or \"jump\"");
 }
 
+/// What moves supports is given, so that neither a load nor what it moves can follow the crack; a struck piece flies
+/// off.
+void check_beside(const plate::Problem& problem, const Analysis& analysis, const Growth& growth,
+                  const Complain& complain) {
+  const bool settles =
+      std::ranges::any_of(problem.loads, [](const auto& load) { return load.kind == plate::Load::Kind::settlement; });
+  if (settles && growth.by_bonds() && analysis.kind == Analysis::Kind::static_)
+    complain("growth.criterion",
+             "bonds that break one by one at rest know no supports that move: choose \"energy_release\"");
+  if (settles && growth.control != Growth::Control::load)
+    complain("growth.control", "must be \"load\" beside settlements, which say how far supports move");
+  if (settles && growth.unstable == Growth::Unstable::move)
+    complain("growth.unstable", "\"move\" is not available beside settlements: choose \"stop\" or \"jump\"");
+  if (problem.impact && growth.fallen == Growth::Fallen::freeze)
+    complain("growth.fallen",
+             "\"freeze\" would hold a piece that the mass of [impact] has struck out: choose \"move\"");
+}
+
 }  // namespace
 
 std::vector<KeyFault> faults_of_growth(const plate::Problem& problem, const plate::Analysis& analysis,
@@ -120,6 +138,7 @@ std::vector<KeyFault> faults_of_growth(const plate::Problem& problem, const plat
   check_cracks(problem, growth, complain);
   check_factors(growth, srif, complain);
   check_heat(problem, analysis, growth, complain);
+  check_beside(problem, analysis, growth, complain);
   return result;
 }
 

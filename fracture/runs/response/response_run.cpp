@@ -14,7 +14,6 @@
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/nodal_forces.hpp"
-#include "plate/model/numerical_error.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/response/harmonic.hpp"
 #include "plate/solve/solution.hpp"
@@ -168,25 +167,11 @@ post::Summary ResponseRun::finish(post::Summary summary, plate::Stopwatch& stopw
 
 post::Summary run_response(const Ready& ready, const RunPlan& plan, post::Recorder recorder,
                            plate::Stopwatch& stopwatch) {
-  auto summary = about(plan, *ready.plate, ready.warnings);
   ResponseRun run(ready, plan, std::move(recorder));
-  const plate::StopOnSignals signals;
-  try {
-    run.solve(summary, stopwatch);
-    summary.outcome = "done";
-  } catch (const plate::NumericalError& error) {
-    const auto failed = placed(error, *ready.plate, summary);
-    summary.outcome = fmt::format("failed: {}", failed.what());
-    summary.analysis.stop_reason = failed.what();
-    run.finish(summary, stopwatch);
-    throw failed;
-  } catch (const plate::Interrupted& asked) {
-    summary.outcome = "interrupted";
-    summary.analysis.stop_reason = asked.what();
-    run.finish(summary, stopwatch);
-    throw;
-  }
-  return run.finish(std::move(summary), stopwatch);
+  return carried_out(
+      about(plan, *ready.plate, ready.warnings), *ready.plate,
+      [&](post::Summary& summary) { run.solve(summary, stopwatch); },
+      [&](post::Summary summary) { return run.finish(std::move(summary), stopwatch); });
 }
 
 }  // namespace fracture

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -156,19 +155,15 @@ double PressureTable::Values::nearest(const Point& x) const {
   return pressures[std::size_t(found - places.begin())];
 }
 
-PressureTable::PressureTable(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::invalid_argument("cannot be read");
-  std::stringstream content;
-  content << stream.rdbuf();
-  const auto rows = rows_of(content.str());
+PressureTable::PressureTable(const std::string& content, const std::filesystem::path& file) {
+  const auto rows = rows_of(content);
   std::map<std::pair<double, double>, std::size_t> seen;
   for (const auto& row : rows)
     if (const auto [first, fresh] = seen.emplace(std::pair(row.x.x(), row.x.y()), row.line); !fresh)
       refuse(row.line,
              fmt::format("the place ({:g}, {:g}) is given in line {} already", row.x.x(), row.x.y(), first->second));
   auto values = std::make_shared<Values>();
-  values->file = std::filesystem::absolute(file).lexically_normal(), values->digest = digest_of(content.str());
+  values->file = std::filesystem::absolute(file).lexically_normal(), values->digest = digest_of(content);
   if (!values->grid(rows)) values->triangulate(rows);
   values_ = std::move(values);
 }

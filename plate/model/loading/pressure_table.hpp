@@ -8,17 +8,17 @@
 
 namespace plate {
 
-/// A pressure by its values at places, from a CSV file with the columns x, y and pressure: bilinear between the places
+/// A pressure by its values at places, from a CSV text with the columns x, y and pressure: bilinear between the places
 /// of a grid in any order, else linear on the triangles of Delaunay.
 class PressureTable {
 public:
   PressureTable() = default;
-  /// Throws std::invalid_argument: what is wrong, with the number of the line.
-  explicit PressureTable(const std::filesystem::path& file);
+  /// `content`: of the file. Throws std::invalid_argument: what is wrong, with the number of the line.
+  PressureTable(const std::string& content, const std::filesystem::path& file);
 
   bool given() const { return bool(values_); }
   const std::filesystem::path& file() const;
-  /// Of what the file says, 16 digits.
+  /// Of the content, 16 digits.
   const std::string& digest() const;
   bool gridded() const;
   /// Times a factor.

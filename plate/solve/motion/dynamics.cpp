@@ -238,10 +238,13 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     const bool observed = row || stops;
     driven.at(time, dt, step == 0);
     auto held_force = find_forces(internal_force, constraints, now, observed && options.held_forces, force, beside);
-    driven.take(force), travelling.add(time, dt, state, force);
+    driven.take(force);
+    std::optional<Values<Real>> own;  // of the plate alone
+    if (options.changes && travelling.any()) constraints.fold(own.emplace(force));
+    travelling.add(time, dt, state, force);
     constraints.fold(force), beside.fold(constraints);
     if constexpr (std::is_same_v<Real, double>)
-      if (options.changes) options.changes->after_force(now, force);
+      if (options.changes) options.changes->after_force(now, own ? *own : force);
     if (masses.varies()) masses.at(time);
     const double work = observed || masses.varies() ? masses.work(time, state) : 0;
     driven.book(state, velocity, force, step == 0 ? 0 : dt / 2);

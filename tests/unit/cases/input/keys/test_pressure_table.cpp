@@ -33,6 +33,8 @@ TEST_CASE("tables of pressures are sought beside the case, and known by what the
 
 TEST_CASE("tables that are wrong are refused") {
   expect(table("not_there.csv"), ":15", "load[0].table", "\"not_there.csv\": cannot be read");
+  expect(table("."), ":15", "load[0].table", "\".\": cannot be read");
+  expect(table("/dev/zero"), ":15", "load[0].table", "has more than 268435456 bytes");
   const Csv narrow("-1,-1,1\n1,-1,2\n-1,0.9,3\n1,0.9,4\n");
   expect(table(narrow.name), ":15", "load[0].table", "do not reach [1, 1]");
   expect(table(narrow.name, "on = { circle = [0, 0, 0.5] }\nvalue = 2"), ":17", "load[0].value",

@@ -85,3 +85,19 @@ TEST_CASE("load: the work is the area under the load over the displacement, the 
   follows.ledger.fracture = 5;
   CHECK(follows.ledger.released() == Approx(0.25));
 }
+
+TEST_CASE("load: supports that have moved do no work while something gives way") {
+  QuasiStaticLoad load(Control::load);
+  load.to(2, 0.5, 2);  // of supports alone
+  CHECK(load.ledger.external_work == 0.25);
+  CHECK(load.ledger.strain == 0.25);
+  load.to(1.5, 1, 1.5);  // the plate has become more compliant; then to the whole load
+  CHECK(load.ledger.external_work == Approx(0.25 + (1 - 0.5 * 0.5) * 1.5 / 2));
+  CHECK(load.ledger.strain == 0.75);
+
+  QuasiStaticLoad both(Control::load);
+  both.to(3, 0.5, 1);
+  const double before = both.ledger.external_work;
+  both.to(3.5, 0.4, 0.5);  // at the same load: what loads work on has gone from 2 to 3
+  CHECK(both.ledger.external_work - before == Approx(0.5 * 0.5 * (3 - 2)));
+}

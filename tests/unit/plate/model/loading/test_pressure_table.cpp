@@ -1,10 +1,6 @@
 #include "plate/model/loading/pressure_table.hpp"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
-#include <filesystem>
-#include <fstream>
 #include <random>
 #include <sstream>
 
@@ -13,22 +9,9 @@ using plate::PressureTable;
 
 namespace {
 
-/// A file with a text, removed at the end.
-struct Csv {
-  std::filesystem::path path;
-  explicit Csv(const std::string& text) {
-    static int count = 0;
-    path = std::filesystem::temp_directory_path() /
-           ("pressure_table_test_" + std::to_string(getpid()) + "_" + std::to_string(count++) + ".csv");
-    std::ofstream(path) << text;
-  }
-  ~Csv() { std::filesystem::remove(path); }
-};
-
 std::string fault(const std::string& text) {
-  const Csv csv(text);
   try {
-    PressureTable table(csv.path);
+    PressureTable table(text, "pressure.csv");
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -38,8 +21,8 @@ std::string fault(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a grid in any order is bilinear") {
-  const Csv csv("# pressures of a wind tunnel\nx, y, pressure\n0,0,1\n2,0,5\n\n0,1,3\n2,1,-1\n1,1,7\n1,0,2\n");
-  const PressureTable table(csv.path);
+  const PressureTable table(
+      "# pressures of a wind tunnel\nx, y, pressure\n0,0,1\n2,0,5\n\n0,1,3\n2,1,-1\n1,1,7\n1,0,2\n", "/there/wind.csv");
   CHECK(table.gridded());
   CHECK(table({0, 0}) == 1);
   CHECK(table({0.5, 0}) == 1.5);
@@ -50,7 +33,7 @@ TEST_CASE("a grid in any order is bilinear") {
   CHECK(table.reaches({2, 1}));
   CHECK(!table.reaches({2.01, 1}));
   CHECK(table.digest().size() == 16);
-  CHECK(table.file() == csv.path);
+  CHECK(table.file() == "/there/wind.csv");
 }
 
 TEST_CASE("scattered places are linear on triangles, and a linear pressure is exact") {
@@ -63,8 +46,7 @@ TEST_CASE("scattered places are linear on triangles, and a linear pressure is ex
   std::vector<Point> places{{0, 0}, {10, 0}, {10, 0.1}, {0, 0.1}};
   for (int i = 0; i < 60; ++i) places.emplace_back(10 * uniform(random), 0.1 * uniform(random));
   for (const auto& x : places) text << x.x() << "," << x.y() << "," << pressure(x) << "\n";
-  const Csv csv(text.str());
-  const PressureTable table(csv.path);
+  const PressureTable table(text.str(), "pressure.csv");
   CHECK(!table.gridded());
   for (int i = 0; i < 200; ++i) {
     const Point x(10 * uniform(random), 0.1 * uniform(random));
@@ -86,5 +68,4 @@ TEST_CASE("what is wrong with a table is said with its line") {
   CHECK_THAT(fault("x,y,pressure\n1,2,3\n2,2,3\n"), Contains("2 places given"));
   CHECK_THAT(fault("x,y,pressure\n1,2,3\n2,2,3\n3,2,3\n"), Contains("on one line"));
   CHECK_THAT(fault("x,y,pressure\n1,1,3\n2,2,3\n3,3,3\n"), Contains("on one line"));
-  CHECK_THROWS_WITH(PressureTable("/nowhere/at/all.csv"), Contains("cannot be read"));
 }

@@ -1,0 +1,142 @@
+// Cracks that grow in a plate that is damped, begins by a velocity, is hit, stands on an edge that moves, or carries a
+// load that does: they take the fracture energy, and the books of energy close.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "cases/driver/run.hpp"
+#include "post/files/sinks/kept.hpp"
+#include "post/files/summary.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+using fracture::Growth;
+using plate::History;
+using plate::Load;
+namespace vp = verified_plate;
+
+namespace {
+
+/// A square on simple supports, with a crack of half length 0.25 along x in its middle.
+cases::Case square() {
+  auto c = vp::square(0.025);
+  c.section.density = 1;
+  c.cracks = {{{-0.25, 0}, {0.25, 0}}};
+  c.supports = {vp::held_all_round(plate::SupportKind::simply_supported)};
+  c.loads.clear();
+  c.analysis.duration = 0.8;
+  auto& growth = c.growth.emplace();
+  growth.fracture_energy = 1;
+  growth.direction = Growth::Direction::straight;
+  growth.no_fail = {{-1, -1, -0.75, 1}, {0.75, -1, 1, 1}, {-1, -1, 1, -0.75}, {-1, 0.75, 1, 1}};
+  return c;
+}
+
+Load pressure(double value) {
+  Load load;
+  load.value = value;
+  load.history.kind = History::Kind::ramp, load.history.rise_time = 0.6;
+  return load;
+}
+
+cases::Case damped() {
+  auto c = square();
+  c.loads = {pressure(8)};
+  c.analysis.damping = {1.0, 0.0};
+  return c;
+}
+
+cases::Case thrown() {
+  auto c = square();
+  c.initial.emplace().velocity = plate::Formula("8 * cos(pi * x / 2) * cos(pi * y / 2)");
+  return c;
+}
+
+cases::Case hit() {
+  auto c = square();
+  c.impact = plate::Impact{{0, 0.3}, 1, 8, 2000};
+  return c;
+}
+
+cases::Case moved() {
+  auto c = square();
+  c.supports = {vp::held(plate::SupportKind::simply_supported, {"left", "right", "bottom"}),
+                vp::held(plate::SupportKind::simply_supported, {"top"})};
+  Load load = pressure(1.2);
+  load.kind = Load::Kind::settlement, load.support = 1;
+  load.history.rise_time = 0.4;
+  c.loads = {load};
+  return c;
+}
+
+cases::Case travelled() {
+  auto c = square();
+  Load load;
+  load.kind = Load::Kind::point_force, load.value = 7;
+  load.position = {-0.9, 0.1}, load.path = {{-0.9, 0.1}, {0.9, 0.1}}, load.speed = 1.8 / 0.7;
+  c.loads = {load};
+  return c;
+}
+
+struct Found {
+  post::Summary summary;
+  post::Table history;
+  double residual = 0;  // largest of the books, over the largest energy that has been put in
+  double put_in = 0;
+};
+
+Found run(const cases::Case& c) {
+  post::Kept kept;
+  kept.wants_fields = false;
+  Found found{cases::run({c, {}}, {{}, true, &kept}),
+              std::ranges::find(kept.tables, "history", &std::pair<std::string, post::Table>::first)->second};
+  for (const auto& row : found.history.rows) {
+    const auto at = [&](const char* name) { return std::get<double>(row.at(found.history.column(name))); };
+    found.put_in = std::max(found.put_in, at("external_work"));
+    if (c.growth) found.residual = std::max(found.residual, std::abs(at("energy_residual")));
+  }
+  found.residual /= found.put_in;
+  return found;
+}
+
+double energy(const Found& found, const std::string& name) {
+  for (const auto& [one, value] : found.summary.energy)
+    if (one == name) return value;
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("growth in motion beside damping, a velocity, an impact, supports and loads that move") {
+  for (const auto& [what, c] : {std::pair{"damped", damped()},
+                                {"thrown", thrown()},
+                                {"hit", hit()},
+                                {"moved", moved()},
+                                {"travelled", travelled()}}) {
+    const auto found = run(c);
+    const auto& growth = *found.summary.growth;
+    CAPTURE(what, growth.advances, growth.spent.value_or(0), found.residual, found.put_in, energy(found, "dissipated"));
+    CHECK(growth.advances >= 10);
+    CHECK(growth.spent.value_or(0) == Approx(1).margin(0.05));
+    CHECK(found.residual < 0.01);
+  }
+}
+
+TEST_CASE("a crack that cannot grow changes no bit of a plate that is damped, thrown, hit or moved") {
+  for (const auto& [what, given] : {std::pair{"damped", damped()},
+                                    {"thrown", thrown()},
+                                    {"hit", hit()},
+                                    {"moved", moved()},
+                                    {"travelled", travelled()}}) {
+    auto c = given;
+    c.analysis.duration = 0.1;
+    c.growth->fracture_energy = 1e6;
+    const auto tough = run(c);
+    c.growth.reset();
+    c.analysis.safety = 0.9;
+    const auto plain = run(c);
+    CAPTURE(what);
+    REQUIRE(plain.history.rows.size() == tough.history.rows.size());
+    for (std::size_t i = 0; i < plain.history.rows.size(); ++i)
+      for (std::size_t j = 0; j < plain.history.columns.size(); ++j)
+        if (plain.history.columns[j] != "energy_residual") CHECK(plain.history.rows[i][j] == tough.history.rows[i][j]);
+  }
+}
