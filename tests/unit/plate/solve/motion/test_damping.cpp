@@ -64,8 +64,9 @@ TEST_CASE("damping: of ratios at two frequencies") {
 
 TEST_CASE("damping: modes move exactly, below, at and beyond the critical damping, and steps nearly so") {
   const Single s;
-  for (const auto& [alpha, beta] : std::vector<std::array<double, 2>>{
+  for (const auto& one : std::vector<std::array<double, 2>>{
            {0.2, 0}, {0, 0.05}, {0.3, 0.1}, {4, 0}, {0, 1}, {11, 0}, {3.9999999, 0}, {900, 0}}) {
+    const double alpha = one[0], beta = one[1];  // clang captures no structured bindings where OpenMP is on
     const double drag = alpha + 4 * beta;
     const auto [y, lost] = integrated(drag, 2.5);
     CAPTURE(alpha, beta);
