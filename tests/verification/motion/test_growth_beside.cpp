@@ -60,7 +60,7 @@ cases::Case moved() {
   auto c = square();
   c.supports = {vp::held(plate::SupportKind::simply_supported, {"left", "right", "bottom"}),
                 vp::held(plate::SupportKind::simply_supported, {"top"})};
-  Load load = pressure(1.2);
+  Load load = pressure(2.4);
   load.kind = Load::Kind::settlement, load.support = 1;
   load.history.rise_time = 0.4;
   c.loads = {load};
@@ -70,7 +70,7 @@ cases::Case moved() {
 cases::Case travelled() {
   auto c = square();
   Load load;
-  load.kind = Load::Kind::point_force, load.value = 7;
+  load.kind = Load::Kind::point_force, load.value = 2.5;
   load.position = {-0.9, 0.1}, load.path = {{-0.9, 0.1}, {0.9, 0.1}}, load.speed = 1.8 / 0.7;
   c.loads = {load};
   return c;
@@ -115,8 +115,8 @@ TEST_CASE("growth in motion beside damping, a velocity, an impact, supports and 
     const auto& growth = *found.summary.growth;
     CAPTURE(what, growth.advances, growth.spent.value_or(0), found.residual, found.put_in, energy(found, "dissipated"));
     CHECK(growth.advances >= 10);
-    CHECK(growth.spent.value_or(0) == Approx(1).margin(0.05));
-    CHECK(found.residual < 0.01);
+    CHECK(growth.spent.value_or(0) == Approx(1).margin(0.05));  // measured: 0.996, 0.992, 0.997, 0.966, 0.998
+    CHECK(found.residual < 0.01);                               // measured: 3e-6 to 0.0037
   }
 }
 
