@@ -56,14 +56,21 @@ cases::Case hit() {
   return c;
 }
 
+/// A support that starts at once kicks its own mass, half of whose energy no book has: this one starts and stops
+/// gently.
 cases::Case moved() {
   auto c = square();
-  c.supports = {vp::held(plate::SupportKind::simply_supported, {"left", "right", "bottom"}),
+  c.supports = {vp::held(plate::SupportKind::simply_supported, {"bottom"}),
                 vp::held(plate::SupportKind::simply_supported, {"top"})};
-  Load load = pressure(2.4);
-  load.kind = Load::Kind::settlement, load.support = 1;
-  load.history.rise_time = 0.4;
+  Load load;
+  load.kind = Load::Kind::settlement, load.support = 1, load.value = 2.5;
+  load.history.kind = History::Kind::table;
+  for (int i = 0; i <= 40; ++i) {
+    const double part = i / 40.0;
+    load.history.table.push_back({1.2 * part, part * part * (3 - 2 * part)});
+  }
   c.loads = {load};
+  c.analysis.duration = 1.4;
   return c;
 }
 
@@ -115,7 +122,7 @@ TEST_CASE("growth in motion beside damping, a velocity, an impact, supports and 
     const auto& growth = *found.summary.growth;
     CAPTURE(what, growth.advances, growth.spent.value_or(0), found.residual, found.put_in, energy(found, "dissipated"));
     CHECK(growth.advances >= 10);
-    CHECK(growth.spent.value_or(0) == Approx(1).margin(0.05));  // measured: 0.996, 0.992, 0.997, 0.966, 0.998
+    CHECK(growth.spent.value_or(0) == Approx(1).margin(0.05));  // measured: 0.996, 0.992, 0.997, 1.028, 0.998
     CHECK(found.residual < 0.01);                               // measured: 3e-6 to 0.0037
   }
 }

@@ -65,6 +65,13 @@ struct Found {
   post::Table history, growth, reactions;
   std::string ended;
   double at(std::size_t row, const char* name) const { return number(history, row, name); }
+  double reaction(std::size_t advance, const std::string& support) const {
+    for (std::size_t row = 0; row < reactions.rows.size(); ++row)
+      if (number(reactions, row, "time") == double(advance) &&
+          std::get<std::string>(reactions.rows[row].at(reactions.column("support"))) == support)
+        return number(reactions, row, "force");
+    return NAN;
+  }
   static double number(const post::Table& table, std::size_t row, const char* name) {
     return std::get<double>(table.rows.at(row).at(table.column(name)));
   }
@@ -90,6 +97,7 @@ TEST_CASE("a crack grows under a support that moves as under the force with whic
       const double force = by_force.at(row, "load_factor");
       CHECK(Found::number(by_support.growth, row, "stable") == 1);               // a force falls, a support goes on
       CHECK(by_support.at(row, "displacement") == Approx(force).epsilon(1e-6));  // the reaction times 1
+      CHECK(by_support.reaction(row, "pin3") == Approx(force).epsilon(1e-6));
       CHECK(by_support.at(row, "load_factor") == Approx(by_force.at(row, "displacement")).epsilon(1e-6));
       CHECK(by_support.at(row, "strain_energy") == Approx(by_force.at(row, "strain_energy")).epsilon(1e-6));
     }
