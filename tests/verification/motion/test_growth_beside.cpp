@@ -83,6 +83,10 @@ cases::Case travelled() {
   return c;
 }
 
+std::vector<std::pair<std::string, cases::Case>> scenes() {
+  return {{"damped", damped()}, {"thrown", thrown()}, {"hit", hit()}, {"moved", moved()}, {"travelled", travelled()}};
+}
+
 struct Found {
   post::Summary summary;
   post::Table history;
@@ -113,11 +117,7 @@ double energy(const Found& found, const std::string& name) {
 }  // namespace
 
 TEST_CASE("growth in motion beside damping, a velocity, an impact, supports and loads that move") {
-  for (const auto& [what, c] : {std::pair{"damped", damped()},
-                                {"thrown", thrown()},
-                                {"hit", hit()},
-                                {"moved", moved()},
-                                {"travelled", travelled()}}) {
+  for (const auto& [what, c] : scenes()) {
     const auto found = run(c);
     const auto& growth = *found.summary.growth;
     CAPTURE(what, growth.advances, growth.spent.value_or(0), found.residual, found.put_in, energy(found, "dissipated"));
@@ -128,11 +128,7 @@ TEST_CASE("growth in motion beside damping, a velocity, an impact, supports and 
 }
 
 TEST_CASE("a crack that cannot grow changes no bit of a plate that is damped, thrown, hit or moved") {
-  for (const auto& [what, given] : {std::pair{"damped", damped()},
-                                    {"thrown", thrown()},
-                                    {"hit", hit()},
-                                    {"moved", moved()},
-                                    {"travelled", travelled()}}) {
+  for (const auto& [what, given] : scenes()) {
     auto c = given;
     c.analysis.duration = 0.1;
     c.growth->fracture_energy = 1e6;
