@@ -1,3 +1,5 @@
+#include <set>
+
 #include "cases/input/case_file.hpp"
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
@@ -74,8 +76,12 @@ void check_load_cases(const Case& content, Reading& reading) {
 
 void check_analysis(const Case& content, Reading& reading) {
   const auto given = [&](const std::string& key) { return reading.given(key); };
+  // what is missing or cannot be read has another value here than the file means
+  std::set<std::string> unread;
+  for (const auto& problem : reading.problems()) unread.insert(problem.key);
   const auto complain = [&](const std::vector<plate::KeyFault>& faults) {
-    for (const auto& [key, what] : faults) reading.complain(key, what);
+    for (const auto& [key, what] : faults)
+      if (!unread.contains(key)) reading.complain(key, what);
   };
   const auto& [analysis, growth, srif] = std::tie(content.analysis, content.growth, content.srif);
   if (growth && reading.sound("geometry"))

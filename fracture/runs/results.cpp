@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fracture/growth/distrust.hpp"
 #include "fracture/growth/motion/moving_growth.hpp"
 #include "fracture/growth/words.hpp"
 #include "fracture/runs/shared/among_ranks.hpp"
@@ -123,6 +124,8 @@ post::Cracks Results::finish_growth(post::Summary& summary) {
   const auto moved = growth_->moved();
   summary.growth = post::GrowthSummary{in_words(moved), moved.advances,      {},           {},
                                        moved.spent,     moved.largest_speed, moved.broken, moved.lengths};
+  std::ranges::copy(distrust_of_spent(*plan_.growth, moved, plan_.problem.section),
+                    std::back_inserter(summary.warnings));
   summary.energy.emplace_back("fracture", growth_->fracture_energy());
   if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
   if (residual_) summary.energy.emplace_back("residual", *residual_);

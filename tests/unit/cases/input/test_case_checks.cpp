@@ -37,3 +37,18 @@ TEST_CASE("supports that mirror need edges parallel to the axes, with bonds") {
   expect(with_line(holed, 12, "kind = \"symmetry\""), ":13", "support[0].edges", "parallel to x or y", bonds);
   CHECK(problems(with_line(holed, 12, "kind = \"symmetry\"")).empty());  // the Galerkin plate
 }
+
+TEST_CASE("what is missing or cannot be read is told once") {
+  const auto told = [](const std::string& text) {
+    std::size_t count = 0;
+    for (const auto& problem : problems(text)) count += problem.key == "impact.velocity";
+    return count;
+  };
+  const std::string moves =
+      with_line(with_line(plain, 17, "kind = \"dynamic\"\nduration = 1.0"), 4, "thickness = 0.1\ndensity = 1.0");
+  const std::string hit = moves + "[impact]\nposition = [0.5, 0.5]\nmass = 1.0\nstiffness = 1.0\n";
+  CHECK(told(hit) == 1);
+  CHECK(told(hit + "velocity = \"fast\"\n") == 1);
+  CHECK(told(hit + "velocity = 0.0\n") == 1);
+  CHECK(told(hit + "velocity = 1.0\n") == 0);
+}

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "fracture/growth/criteria.hpp"
+#include "fracture/growth/ended.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace fracture;
@@ -56,4 +57,22 @@ TEST_CASE("tips without rings: those next to something, with how near it is") {
   REQUIRE(said.size() == 2);  // of the second: 2.5 spacings from the edge, and 5.5 from its own end, of which 0.7 count
   CHECK_THAT(said[0], Catch::StartsWith("tip at (0.6, 0.7): "));
   CHECK_THAT(said[1], Catch::StartsWith("tip at (0.875, 0.7): ") && Catch::Contains("2.5 spacings"));
+}
+
+TEST_CASE("distrust of what tips took: far from the fracture energy, and not of bonds") {
+  plate::Section section;
+  section.young = 1, section.poisson = 0.25, section.thickness = 0.1, section.density = 0.4;
+  const auto said = [&](double spent, Growth::Criterion by = Growth::Criterion::energy_release) {
+    Moved moved;
+    moved.spent = spent, moved.largest_speed = 0.93 * section.shear_wave_speed();
+    return distrust_of_spent(growth(by), moved, section);
+  };
+  CHECK(said(0.8).empty());
+  CHECK(said(1.2).empty());
+  CHECK(said(16, Growth::Criterion::bond_energy).empty());
+  CHECK(distrust_of_spent(growth(Growth::Criterion::energy_release), {}, section).empty());
+  REQUIRE(said(16.6).size() == 1);
+  CHECK_THAT(said(16.6)[0], Catch::Contains("16.60 times") && Catch::Contains("0.93 of the speed of shear waves"));
+  REQUIRE(said(0.5).size() == 1);
+  CHECK_THAT(said(0.5)[0], Catch::StartsWith("tips took 0.50 of the fracture energy"));
 }
