@@ -1,5 +1,12 @@
 #include "fracture/growth/record.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geometry/shape/crack_path.hpp"
+#include "plate/model/problem.hpp"
+
 namespace fracture {
 namespace {
 
@@ -40,6 +47,28 @@ post::Table Record::crack_table() const {
       const post::Cell when(cracks.lines[c].advances[i]), none;
       result.rows.push_back({double(c), double(i), x.x(), x.y(), in_motion ? none : when, in_motion ? when : none});
     }
+  return result;
+}
+
+std::vector<std::string> Record::cut_places(const plate::Problem& problem) const {
+  std::vector<std::pair<std::string, geometry::Point>> places;
+  if (problem.impact) places.emplace_back("a mass hits", problem.impact->position);
+  for (const auto& load : problem.loads)
+    if (load.kind == plate::Load::Kind::point_force && !load.moves())
+      places.emplace_back("a force acts", load.position);
+  for (const auto& spring : problem.springs)
+    if (spring.position) places.emplace_back("a spring acts", *spring.position);
+  for (const auto& support : problem.supports)
+    for (const auto& point : support.points) places.emplace_back("a support holds", point);
+  const double near = problem.discretization.spacing_at_tips();
+  std::vector<std::string> result;
+  for (const auto& [what, place] : places)
+    if (std::ranges::any_of(cracks.lines,
+                            [&](const auto& line) { return geometry::distance(line.vertices, place) < near; }))
+      result.push_back(
+          fmt::format("a crack runs through ({:g}, {:g}), where {}: both its faces share that; keep it away "
+                      "with growth.no_fail",
+                      place.x(), place.y(), what));
   return result;
 }
 

@@ -5,6 +5,10 @@
 #include "post/files/table.hpp"
 #include "post/files/vtk/crack_lines.hpp"
 
+namespace plate {
+struct Problem;
+}
+
 namespace fracture {
 
 /// A row of growth.csv: one advance, whatever grew. What does not exist in a growth stays empty.
@@ -46,6 +50,8 @@ struct Record {
 
   /// The vertices of all cracks.
   post::Table crack_table() const;
+  /// Where cracks run through a place at which something presses or holds the plate.
+  std::vector<std::string> cut_places(const plate::Problem& problem) const;
 };
 
 }  // namespace fracture

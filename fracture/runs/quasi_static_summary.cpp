@@ -59,6 +59,7 @@ post::Summary QuasiStaticRun::finish() {
                     "so are load factors{}; {}",
                     100 * doubt_, doubt_ >= 1 ? ", which mean nothing" : "", model_->plate().remedy()));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
+  for (auto& one : model_->record().cut_places(plan_.problem)) warnings_.push_back(std::move(one));
   const auto overlaps = post::face_overlaps(srifs_);
   for (auto& one : post::distrust_of_faces(overlaps, plan_.problem.section, {},
                                            [](double advance) { return fmt::format("advance {:g}", advance); }))

@@ -124,8 +124,9 @@ post::Cracks Results::finish_growth(post::Summary& summary) {
   const auto moved = growth_->moved();
   summary.growth = post::GrowthSummary{in_words(moved), moved.advances,      {},           {},
                                        moved.spent,     moved.largest_speed, moved.broken, moved.lengths};
-  std::ranges::copy(distrust_of_spent(*plan_.growth, moved, plan_.problem.section),
-                    std::back_inserter(summary.warnings));
+  for (const auto& some :
+       {distrust_of_spent(*plan_.growth, moved, plan_.problem.section), record.cut_places(plan_.problem)})
+    summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
   summary.energy.emplace_back("fracture", growth_->fracture_energy());
   if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
   if (residual_) summary.energy.emplace_back("residual", *residual_);

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "plate/model/problem.hpp"
+
 TEST_CASE("record: what a growth does not have stays empty, and each row has a cell for every column") {
   fracture::Record record;
   record.add(fracture::GrowthRow{2, {}, 0.5, 3.0});
@@ -25,4 +27,20 @@ TEST_CASE("record: vertices of cracks by advance, or by time in motion") {
   record.in_motion = true;
   CHECK(record.crack_table().rows[1][4] == post::Cell());
   CHECK(record.crack_table().rows[1][5] == post::Cell(4.0));
+}
+
+TEST_CASE("record: where something presses or holds, and cracks have grown through it") {
+  plate::Problem problem;
+  problem.discretization.spacing = 0.1;
+  problem.impact.emplace().position = {0.5, 0.05};
+  problem.springs.emplace_back().position = geometry::Point(0.2, 0.3);
+  problem.supports.emplace_back().points = {{0.5, -0.2}, {2, 0.01}};
+  problem.loads.emplace_back().kind = plate::Load::Kind::point_force;
+  problem.loads.back().position = {0.9, 0};
+  fracture::Record record;
+  record.cracks.lines.push_back({{{0, 0}, {1, 0}}, {0, 0}});
+  const auto said = record.cut_places(problem);
+  REQUIRE(said.size() == 2);
+  CHECK_THAT(said[0], Catch::StartsWith("a crack runs through (0.5, 0.05), where a mass hits"));
+  CHECK_THAT(said[1], Catch::StartsWith("a crack runs through (0.9, 0), where a force acts"));
 }
