@@ -115,7 +115,7 @@ def fine(vertices, step):
 
 def on_plate(cracks, grid, scale, lift, step):
     """Both faces of cracks, fine enough to follow the plate as it bends, and tips."""
-    seen, places, lines, tips = vtkPoints(), [], vtkCellArray(), vtkCellArray()
+    seen, places, faces, lines, tips = vtkPoints(), [], [], vtkCellArray(), vtkCellArray()
     for i in range(cracks.GetNumberOfCells()):
         cell = cracks.GetCell(i)
         vertices = [numpy.array(cell.GetPoints().GetPoint(k)) for k in range(cell.GetNumberOfPoints())]
@@ -123,6 +123,7 @@ def on_plate(cracks, grid, scale, lift, step):
         for side in (1, -1) if len(vertices) > 1 else (1,):
             target = lines if len(vertices) > 1 else tips
             target.InsertNextCell(len(way))
+            faces.append((len(places), len(places) + len(way)))
             for x, n in zip(way, normals):
                 target.InsertCellPoint(seen.InsertNextPoint(*(x + side * step / 20 * n)))
                 places.append(x)
@@ -130,8 +131,15 @@ def on_plate(cracks, grid, scale, lift, step):
     result.SetPoints(seen), result.SetLines(lines), result.SetVerts(tips)
     probe = vtkProbeFilter()
     probe.SetInputData(result), probe.SetSourceData(grid), probe.Update()
+    found = probe.GetOutput().GetPointData()
+    deflections = vtk_to_numpy(found.GetArray("displacement"))[:, 2].copy()
+    inside = vtk_to_numpy(found.GetArray(probe.GetValidPointMaskArrayName())) > 0
+    for first, end in faces:  # a face that meets an edge at an angle ends beyond it
+        known = first + numpy.flatnonzero(inside[first:end])
+        for k in first + numpy.flatnonzero(~inside[first:end]):
+            deflections[k] = deflections[known[numpy.abs(known - k).argmin()]] if len(known) else 0
     place = numpy.array(places, dtype=float)
-    place[:, 2] = scale * vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("displacement"))[:, 2] + lift
+    place[:, 2] = scale * deflections + lift
     moved = vtkPoints()
     moved.SetData(numpy_to_vtk(place, deep=1))
     result.SetPoints(moved)
