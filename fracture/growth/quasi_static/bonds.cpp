@@ -87,6 +87,7 @@ void QuasiStaticBonds::find_state() {
     throw plate::NumericalError(fmt::format("cg: {}, residual {:.2e} above tolerance {:.1e}", change.stop_reason,
                                             solution_.residual, tolerance));
   state_ += change.state;
+  plate_.constraints().impose(state_);  // what follows other points is what they say, to the last bit: as when recalled
 }
 
 /// As StaticOptions counts residuals.

@@ -114,7 +114,8 @@ TEST_CASE("surface plate: bending, twist and shear are exact, held, mixed and lo
 
 TEST_CASE("surface plate: the same with edges anywhere between two rows of points") {
   // 0.7, 0.27, 0.28 and 0.9 spacings beyond the points: worse the nearer an edge is to them
-  CHECK(worst(bb::cell_shares(true), {-0.02, 0.022}, {1.177, 0.84}, {0, 0}) < 1e-10);  // measured: 7.1e-11
+  // measured: 3.3e-11 to 1.3e-10, by the kernels of the BLAS (Sandybridge, SkylakeX, Haswell)
+  CHECK(worst(bb::cell_shares(true), {-0.02, 0.022}, {1.177, 0.84}, {0, 0}) < 5e-10);
 }
 
 TEST_CASE("surface plate: with fitted shares the lattice is the local plate in homogeneous states") {
