@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -152,8 +153,19 @@ void check_places(const Problem& problem, const geometry::Cloud& cloud, const Se
     if (const double away = seeded.distance_from(x); away > largest_move)
       refusals.push_back({subject, number, too_far(what, x, away, largest_move)});
   };
+  std::map<std::size_t, Point> pins;  // by the point that stands for them
   for (std::size_t i = 0; i < problem.supports.size(); ++i)
-    for (const auto& x : problem.supports[i].points) check(Subject::support_points, i, "pin", x);
+    for (const auto& x : problem.supports[i].points) {
+      check(Subject::support_points, i, "pin", x);
+      if (!cloud.seeded(x)) continue;
+      const auto [other, alone] = pins.try_emplace(geometry::nearest_plate_point(cloud, x), x);
+      if (!alone && other->second != x)
+        refusals.push_back(
+            {Subject::support_points, i,
+             fmt::format("the pins at ({:g}, {:g}) and ({:g}, {:g}) are next to the same point of the "
+                         "lattice, which can stand for one: refine, or choose formulation = \"galerkin\"",
+                         other->second.x(), other->second.y(), x.x(), x.y())});
+    }
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
     if (problem.loads[i].kind == Load::Kind::point_force && !problem.loads[i].moves())
       check(Subject::load_position, i, "force", problem.loads[i].position);

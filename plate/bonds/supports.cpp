@@ -246,7 +246,7 @@ void Builder::layers() {
 void Builder::pins() {
   for (std::uint32_t pin = 0; pin < b_.holders.size(); ++pin)
     if (const auto& at = b_.holders[pin].position; at && b_.cloud.seeded(*at))
-      hold_point(b_, static_cast<std::uint32_t>(geometry::nearest_plate_point(b_.cloud, *at)), pin, moved_);
+      hold_place(b_, static_cast<std::uint32_t>(geometry::nearest_plate_point(b_.cloud, *at)), *at, pin, moved_);
 }
 
 /// One warning for all sides, of many the first ten by name.

@@ -18,25 +18,14 @@ namespace {
 using geometry::Point;
 
 void hold_line(Boundary& boundary, const geometry::Polyline& along, std::uint32_t holder, const MovedSupports& moved) {
-  constexpr double nothing = 1e-9;  // spacings
   const auto& cloud = boundary.cloud;
-  const bool clamps = boundary.holders[holder].kind == SupportKind::clamped;
   std::map<std::size_t, std::pair<Point, double>> feet;  // of every point: sum of places times lengths, of lengths
   for (const auto& [k, middle, way] : line_pieces(along, cloud)) {
     auto& [sum, length] = feet.try_emplace(k, Point(0, 0), 0.0).first->second;
     sum += way.norm() * middle, length += way.norm();
   }
-  for (const auto& [point, foot] : feet) {
-    const auto k = std::uint32_t(point);
-    const Point at = foot.first / foot.second, lever = at - cloud.positions[k];
-    if (clamps || lever.norm() < nothing * cloud.units.spacing) {
-      hold_point(boundary, k, holder, moved);
-      continue;
-    }
-    boundary.constraints.tie(3 * k, {{3 * k + 1, -lever.y()}, {3 * k + 2, lever.x()}},
-                             moved.inside(boundary.holders[holder].support, at, 0));
-    boundary.holds.push_back({k, holder, false});
-  }
+  for (const auto& [point, foot] : feet)
+    hold_place(boundary, std::uint32_t(point), foot.first / foot.second, holder, moved);
 }
 
 /// Points that lie on the boundary of a part belong to it.
@@ -95,6 +84,17 @@ void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, c
     boundary.constraints.fix(3 * point + c, moved.inside(by.support, boundary.cloud.positions[point], c));
   boundary.holds.push_back({point, holder, false});
   if (clamps) boundary.holds.push_back({point, holder, true});
+}
+
+void hold_place(Boundary& boundary, std::uint32_t k, const Point& at, std::uint32_t holder,
+                const MovedSupports& moved) {
+  constexpr double nothing = 1e-9;  // spacings
+  const Point lever = at - boundary.cloud.positions[k];
+  const auto& by = boundary.holders[holder];
+  if (by.kind == SupportKind::clamped || lever.norm() < nothing * boundary.cloud.units.spacing)
+    return hold_point(boundary, k, holder, moved);
+  boundary.constraints.tie(3 * k, {{3 * k + 1, -lever.y()}, {3 * k + 2, lever.x()}}, moved.inside(by.support, at, 0));
+  boundary.holds.push_back({k, holder, false});
 }
 
 void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const MovedSupports& moved) {

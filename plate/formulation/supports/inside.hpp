@@ -13,6 +13,10 @@ void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const
 /// Fixes w, and of a clamp the rotations, of a point for a holder.
 void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const MovedSupports& moved);
 
+/// The same for a place next to a point: w + (x - x_k) . psi is held there, or of a clamp the point itself.
+void hold_place(Boundary& boundary, std::uint32_t point, const geometry::Point& at, std::uint32_t holder,
+                const MovedSupports& moved);
+
 /// Places that lie on the lines and boundaries of parts that supports hold, at most `spacing` apart [length]; none
 /// nearer to edges and cracks than half of that.
 std::vector<geometry::Point> places_inside(const std::vector<Support>& supports, const geometry::Outline& outline,

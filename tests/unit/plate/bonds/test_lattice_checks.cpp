@@ -108,3 +108,17 @@ TEST_CASE("pins near one line hold a plate by where their points happen to lie")
   CHECK(std::ranges::none_of(
       none, [](const auto& one) { return one.find("deflections may be far off") != std::string::npos; }));
 }
+
+TEST_CASE("pins for which one point of the lattice would stand are refused with bonds") {
+  const auto pins = [](double y) {
+    return fmt::format(
+        "support=[{{kind=\"pinned\",points=[[-0.5,-0.5],[0.5,-0.5]]}},"
+        "{{kind=\"pinned\",points=[[0.5,{}]]}},{{kind=\"pinned\",points=[[0.5,0.8]]}}]",
+        y);
+  };
+  const std::string whole = "geometry.cracks=[]";
+  refuses({pins(-0.52), whole}, "support[1].points", "the pins at (0.5, -0.5) and (0.5, -0.52) are next to the same");
+  accepts({pins(-0.52), whole, "discretization.formulation=galerkin"});
+  accepts({pins(-0.5), whole});
+  accepts({pins(-0.7), whole});
+}

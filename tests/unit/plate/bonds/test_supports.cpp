@@ -101,9 +101,14 @@ TEST_CASE("soft support on a plate one cell wide holds its points at zero") {
   CHECK(b.constraints.fixed().size() == 4);
 }
 
-TEST_CASE("pins fix the deflection of the nearest point") {
-  const Boundary b = held({{SupportKind::pinned, {}, {{1.6, 2.4}, {7.9, 6.9}}}});
-  CHECK(b.constraints.fixed() == std::vector<std::uint32_t>{3 * 17, 3 * 55});
+TEST_CASE("pins hold their place next to a point, which turns about it, or the point itself") {
+  const Boundary b = held({{SupportKind::pinned, {}, {{1.6, 2.2}, {7.5, 6.5}}}});
+  CHECK(b.constraints.fixed() == std::vector<std::uint32_t>{3 * 55});
+  REQUIRE(b.constraints.ties().size() == 2);
+  for (const auto& tie : b.constraints.ties()) {  // w = -(0.1, -0.3) . psi, psi = (-theta_y, theta_x)
+    CHECK(tie.follower == 3 * 17);
+    CHECK(tie.factor == Approx(tie.leader == 3 * 17 + 1 ? 0.3 : 0.1));
+  }
 }
 
 TEST_CASE("layers: three cells outside a held edge, with the squares between two") {
