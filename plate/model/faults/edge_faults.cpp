@@ -117,7 +117,7 @@ void check_held(const Load& load, std::size_t number, const Problem& problem, st
     }
 }
 
-/// A force on a crack, where nobody knows on which face it acts.
+/// A force on a crack, where nobody knows on which face it acts, or on a part that does not move.
 void check_force(const Load& load, std::size_t number, const Problem& problem, std::vector<Refusal>& found) {
   if (load.kind != Load::Kind::point_force || load.moves()) return;
   for (std::size_t i = 0; i < problem.cracks.size(); ++i)
@@ -125,6 +125,16 @@ void check_force(const Load& load, std::size_t number, const Problem& problem, s
       found.push_back(
           {Subject::load_position, number,
            fmt::format("{} given, lies on crack {}: move it to the face that it loads", text_of(load.position), i)});
+  for (std::size_t i = 0; i < problem.supports.size(); ++i) {
+    if (!problem.supports[i].patch) continue;
+    const auto ring = geometry::Patch(*problem.supports[i].patch).ring();
+    if (geometry::contains({{ring, std::vector<std::string>(ring.size())}, {}}, load.position))
+      found.push_back(
+          {Subject::load_position, number,
+           fmt::format("{} given, lies on the part that support[{}] holds: it would go into the support and "
+                       "not into the plate",
+                       text_of(load.position), i)});
+  }
 }
 
 /// Places within the plate that a support holds, of which it has one kind, or edges.

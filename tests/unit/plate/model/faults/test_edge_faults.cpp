@@ -130,3 +130,17 @@ TEST_CASE("faults of edges: a force on a crack has no face") {
     CHECK(found(problem) == (refused ? Found{{Subject::load_position, 0}} : Found{}));
   }
 }
+
+TEST_CASE("faults of edges: a force on a part that is held would go into the support") {
+  auto problem = square();
+  plate::Support column;
+  column.kind = plate::SupportKind::pinned, column.patch = geometry::Circle{{0.5, 0.5}, 0.1, ""};
+  problem.supports.push_back(column);
+  plate::Load force;
+  force.kind = plate::Load::Kind::point_force;
+  for (const auto& [x, refused] : {std::pair(0.5, true), {0.58, true}, {0.62, false}}) {
+    force.position = {x, 0.5};
+    problem.loads = {force};
+    CHECK(found(problem) == (refused ? Found{{Subject::load_position, 0}} : Found{}));
+  }
+}
