@@ -30,6 +30,8 @@ struct Mesh {
   std::vector<Corner> corners = {};
   std::size_t others = 0;  // points at the end of `positions` that are in no cell: corners take values from them
   std::optional<std::size_t> own = {};  // points at the beginning that no other process has; absent: one has all
+  /// Of the points in the whole plate, where processes share it and these are in no rows of a lattice.
+  std::vector<std::uint32_t> numbers = {};
 };
 
 }  // namespace plate

@@ -18,6 +18,15 @@ std::array<Point, 3> area_gradients(const std::array<Point, 3>& x) {
   return result;
 }
 
+std::array<Point, 3> corners(const Tessellation& cells, const Tessellation::Triangle& at) {
+  return {cells.local[at[0]], cells.local[at[1]], cells.local[at[2]]};
+}
+
+/// And the area, by these.
+double area_by(const std::array<Point, 3>& gradients, const Tessellation& cells, const Tessellation::Triangle& at) {
+  return gradients[2].dot(cells.local[at[2]] - cells.local[at[0]]);
+}
+
 /// Calls visit(triangle, share) for the triangles and for the halves of squares along both diagonals, of which each
 /// counts half.
 template <typename Visit>
@@ -74,9 +83,8 @@ GalerkinFamilies weighted(geometry::Families families, const Tessellation& cells
   result.areas.assign(points, 0);
   result.spacing_square = cells.units.spacing * cells.units.spacing;
   for_triangles(cells, [&](const Tessellation::Triangle& triangle, double share) {
-    const auto [a, b, c] = triangle;
-    const auto gradients = area_gradients({cells.local[a], cells.local[b], cells.local[c]});
-    const double area = gradients[2].dot(cells.local[c] - cells.local[a]);
+    const auto gradients = area_gradients(corners(cells, triangle));
+    const double area = area_by(gradients, cells, triangle);
     for (const auto k : triangle) {
       result.areas[k] += share * area / 3;
       if (result.kind[k] == 0 && k != example) continue;
@@ -102,6 +110,15 @@ GalerkinFamilies weighted(geometry::Families families, const Tessellation& cells
 
 }  // namespace
 
+std::vector<double> areas_of(const Tessellation& cells) {
+  std::vector<double> result(cells.local.size(), 0);
+  for_triangles(cells, [&](const Tessellation::Triangle& triangle, double share) {
+    const double area = area_by(area_gradients(corners(cells, triangle)), cells, triangle);
+    for (const auto k : triangle) result[k] += share * area / 3;
+  });
+  return result;
+}
+
 GalerkinFamilies galerkin_families(const Tessellation& cells) {
   return weighted(geometry::cell_families(cells), cells, inside_lattice(cells));
 }
@@ -110,7 +127,8 @@ GalerkinFamilies moved_galerkin_families(const Tessellation& cells) {
   return weighted(geometry::exact_cell_families(cells), cells, std::vector<char>(cells.local.size(), 0));
 }
 
-ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, const Tessellation& cells) {
+ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, const Tessellation& cells,
+                                           const std::vector<char>& own) {
   const auto points = Eigen::Index(cells.local.size());
   Eigen::Matrix2Xd first = Eigen::Matrix2Xd::Zero(2, points);
   Eigen::Matrix4Xd second = Eigen::Matrix4Xd::Zero(4, points);
@@ -134,6 +152,8 @@ ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, con
     first.col(border.from) -= normal / 2, first.col(border.to) -= normal / 2;
     second.col(border.from) -= tensor(along / 6, normal), second.col(border.to) -= tensor(-along / 6, normal);
   }
+  for (std::size_t k = 0; k < own.size(); ++k)
+    if (!own[k]) first.col(Eigen::Index(k)).setZero(), second.col(Eigen::Index(k)).setZero();
   const double h = cells.units.spacing;
   return {first.cwiseAbs().maxCoeff() / h, second.cwiseAbs().maxCoeff() / (h * h)};
 }

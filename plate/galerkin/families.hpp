@@ -27,15 +27,19 @@ struct GalerkinFamilies {
 
 GalerkinFamilies galerkin_families(const geometry::Tessellation& cells);
 
+/// V_k alone.
+std::vector<double> areas_of(const geometry::Tessellation& cells);
+
 /// The same for cells whose points have been moved: no two points share anything, squares need not be squares.
 GalerkinFamilies moved_galerkin_families(const geometry::Tessellation& cells);
 
 /// Largest residuals, in spacings, of the two conditions of variational consistency (Bode 5.16
 /// and 5.24): sum_k V_k G^k_i = A_i, the normals of the border at i, and sum_k V_k X_k (x) G^k_i = integral of x phi_i
-/// n - V_i I.
+/// n - V_i I. `own`: the points that are asked about; empty: all.
 struct ConsistencyResiduals {
   double first = 0, second = 0;
 };
-ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, const geometry::Tessellation& cells);
+ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, const geometry::Tessellation& cells,
+                                           const std::vector<char>& own = {});
 
 }  // namespace plate

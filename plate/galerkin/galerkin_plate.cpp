@@ -3,27 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 
 #include "geometry/cells/locator.hpp"
 #include "plate/formulation/attached/elastically_held.hpp"
-#include "plate/formulation/attached/stiffeners.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/mesh.hpp"
 #include "plate/formulation/parts/pieces.hpp"
-#include "plate/formulation/supports/inside.hpp"
+#include "plate/galerkin/laid_out.hpp"
 #include "plate/galerkin/levels.hpp"
 #include "plate/galerkin/resultants.hpp"
+#include "plate/galerkin/shared/shared_factor.hpp"
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/galerkin/tip_view.hpp"
-#include "plate/model/loading/moving_forces.hpp"
-#include "plate/model/loading/temperature.hpp"
-#include "plate/model/loads.hpp"
-#include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
 
@@ -31,32 +26,6 @@ namespace plate {
 namespace {
 
 using geometry::Point;
-
-/// The share of what lies about a place that other points there stand for: both faces of a crack, parted from each
-/// other.
-std::vector<double> cut_share(const geometry::Tessellation& cells, const std::vector<double>& areas) {
-  std::map<std::pair<double, double>, double> around;
-  std::vector<char> faces(areas.size(), 0);
-  for (const auto& border : cells.borders)
-    if (border.edge == geometry::Curves::crack) faces[border.from] = faces[border.to] = 1;
-  const auto place = [&](std::size_t k) { return std::pair(cells.positions[k].x(), cells.positions[k].y()); };
-  for (std::size_t k = 0; k < areas.size(); ++k)
-    if (faces[k]) around[place(k)] += areas[k];
-  std::vector<double> result(areas.size(), 0);
-  for (std::size_t k = 0; k < areas.size(); ++k)
-    if (faces[k]) result[k] = 1 - areas[k] / around.at(place(k));
-  return result;
-}
-
-/// With all spacings `factor` times as wide.
-geometry::Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
-  const auto& d = c.discretization;
-  const auto times = [&](std::optional<double> spacing) {
-    return spacing ? std::optional(factor * *spacing) : spacing;
-  };
-  return geometry::tessellation(c.outline, paths, factor * d.spacing, own_places(c, paths, factor * d.spacing),
-                                {times(d.tip_spacing), times(d.hole_spacing), d.spacing_growth});
-}
 
 template <typename T>
 double bytes_of(const std::vector<T>& values) {
@@ -105,12 +74,13 @@ std::vector<GalerkinLevel> coarser_plates(const Formulation& plate) {
 
 class GalerkinPlate : public Formulation {
 public:
-  GalerkinPlate(Layout layout, geometry::Tessellation cells, GalerkinFamilies families)
-      : Formulation(std::move(layout)),
-        cells_(std::move(cells)),
-        shapes_(shapes_of(families.families.vectors())),
-        op_(std::move(families), sections(), boundary().attached),
-        seen_(geometry::seen_positions(cells_)) {}
+  explicit GalerkinPlate(LaidOut laid)
+      : Formulation(std::move(laid.layout)),
+        cells_(std::move(laid.cells)),
+        shapes_(shapes_of(laid.families.families.vectors())),
+        op_(std::move(laid.families), sections(), boundary().attached, boundary().own),
+        seen_(geometry::seen_positions(cells_)),
+        number_(std::move(laid.number)) {}
 
   std::size_t points() const override { return op_.points(); }
   void internal_force(const State& state, Forces& forces) const override { op_.internal_force(state, forces); }
@@ -126,8 +96,17 @@ public:
     return plate::interpolation(geometry::CellLocator(cells_), cells_.units.spacing, at);
   }
   Mesh mesh() const override {
-    return {cells_.positions,     cloud().areas,      cut(), cells_.squares, cells_.triangles,
-            cells_.units.spacing, section().thickness};
+    return {cells_.positions,
+            cloud().areas,
+            cut(),
+            cells_.squares,
+            cells_.triangles,
+            cells_.units.spacing,
+            section().thickness,
+            {},
+            0,
+            {},
+            number_};
   }
   std::vector<double> cut_at(const StartOfCracks& start) const override;
   std::unique_ptr<TipView> tip_view() const override {
@@ -137,6 +116,7 @@ public:
   Inertia inertia(double rotary) const override { return {sections(), cells_, constraints(), rotary}; }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> factor() const override {
+    if (const Ranks* all = ranks()) return std::make_unique<SharedFactor>(*all, op_, boundary(), stiffness_matrix(op_));
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
   }
   std::vector<MemoryPart> memory(bool single) const override;
@@ -149,7 +129,8 @@ private:
   geometry::Tessellation cells_;
   std::vector<BondShape> shapes_;
   GalerkinOperator op_;
-  std::vector<Point> seen_;  // geometry::seen_positions()
+  std::vector<Point> seen_;            // geometry::seen_positions()
+  std::vector<std::uint32_t> number_;  // in the whole plate, where processes share it
 };
 
 std::vector<double> GalerkinPlate::cut_at(const StartOfCracks& start) const {
@@ -171,6 +152,7 @@ std::unique_ptr<Preconditioner> GalerkinPlate::levels() const {
 
 ChosenPreconditioner GalerkinPlate::preconditioner(Preconditioning wanted) const {
   if (wanted == Preconditioning::diagonal) return {nullptr, "diagonal"};
+  if (ranks()) return {factor(), "factor"};  // processes have no coarser plates
   if (wanted == Preconditioning::automatic) wanted = usual_preconditioner_of_cells(problem(), double(points()));
   if (wanted == Preconditioning::automatic) return {factor(), "factor"};
   return {levels(), "levels"};
@@ -219,14 +201,6 @@ std::string GalerkinPlate::remedy() const {
                      std::min(section().layer() / 3, discretization().spacing_at_tips() / 2));
 }
 
-TimedLoad timed(const Load& load, const geometry::Tessellation& cells, const GalerkinFamilies& families,
-                const Section& section) {
-  TimedLoad result{nodal_forces(load, cells, families.areas), load.history,
-                   free_curvature(load, section, cells.positions, families.areas.size())};
-  if (result.curvature.size() > 0) result.forces = force_of_curvature(families, section, result.curvature);
-  return result;
-}
-
 Discretised discretised(const Problem& problem) {
   Discretised result;
   auto& stopwatch = result.stopwatch;
@@ -239,31 +213,7 @@ Discretised discretised(const Problem& problem) {
     }
   }();
   stopwatch.lap("geometry");
-  auto families = galerkin_families(cells);
-  const auto residuals = consistency_residuals(families, cells);
-  if (std::max(residuals.first, residuals.second) > 1e-10)
-    throw std::logic_error(fmt::format("families are not variationally consistent: {:.2e}, {:.2e} spacings",
-                                       residuals.first, residuals.second));
-  const auto outline = geometry::to_lattice(problem.outline, cells.units);
-  auto boundary = galerkin_boundary(cells, families.areas, outline, problem.supports, support_motions(problem));
-  Layout layout{problem, {}, geometry::tips(paths), std::move(boundary), {}, {}};
-  layout.boundary.attached = attached_stiffness(problem, cells);
-  layout.sections.emplace(problem.section, cells);
-  layout.sections->add_masses(stiffener_masses(problem, cells), families.areas);
-  layout.pieces = pieces(layout.boundary, families.families);
-  layout.cut = cut_share(cells, families.areas);
-  for (const auto& load : problem.loads) {
-    layout.loads.push_back(timed(load, cells, families, problem.section));
-    auto& last = layout.loads.back();
-    last.lift = layout.boundary.constraints.lift(layout.loads.size() - 1, families.areas.size());
-    if (load.moves()) last.moving = std::make_shared<MovingForces>(moving_forces(load, cells, families.areas.size()));
-    if (load.gravity && !layout.sections->uniform())  // the load has its value where the section has its own mass
-      for (Eigen::Index k = 0; k < last.forces.cols(); ++k)
-        last.forces.col(k) *= (*layout.sections)[std::size_t(k)].mass / problem.section.mass();
-  }
-  layout.paths = std::move(paths);
-  stopwatch.lap("families");
-  result.plate = std::make_unique<GalerkinPlate>(std::move(layout), std::move(cells), std::move(families));
+  result.plate = std::make_unique<GalerkinPlate>(laid_out(problem, std::move(paths), std::move(cells), stopwatch));
   stopwatch.lap("parameters");
   return result;
 }

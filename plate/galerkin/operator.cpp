@@ -4,19 +4,23 @@
 
 #include "plate/galerkin/family_stiffness.hpp"
 #include "plate/galerkin/stiffness.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 
-GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached)
+GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached,
+                                   const std::vector<char>& own)
     : families_(std::move(families)), sections_(std::move(sections)), attached_(std::move(attached)) {
   if (sections_.simple()) {
-    rows_.emplace(families_, sections_);
+    rows_.emplace(families_, sections_, own);
     lists_.emplace(families_, sections_, rows_->others());
   } else {
     whole_.emplace(stiffness_matrix(families_, sections_));
   }
   const auto regular = std::ranges::find(families_.kind, 0u);
   if (regular != families_.kind.end()) lattice_ = std::uint32_t(regular - families_.kind.begin());
+  for (std::uint32_t k = 0; k < own.size(); ++k)
+    if (!own[k]) copies_.push_back(k);
 }
 
 void GalerkinOperator::internal_force(const State& state, Forces& forces) const {
@@ -27,6 +31,7 @@ void GalerkinOperator::internal_force(const State& state, Forces& forces) const 
     rows_->internal_force(state, forces);
     lists_->internal_force(state, forces);
   }
+  for (const auto k : copies_) forces.col(k).setZero();
   attached_.add_force(state, forces);
 }
 
@@ -117,7 +122,8 @@ PointMatrix GalerkinOperator::own_matrix() const {
 }
 
 /// Of points about which the families' normals cancel (theory (63)) rounding would be left: none is.
-Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature) {
+Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature,
+                          const std::vector<char>& own) {
   constexpr double rounding = 1e-12;
   const double each = section.bending_stiffness() * (1 + section.poisson);
   Forces result = Forces::Zero(3, curvature.size());
@@ -130,9 +136,10 @@ Forces force_of_curvature(const GalerkinFamilies& families, const Section& secti
       const Eigen::Vector2d theta(-psi.y(), psi.x());  // psi = (-theta_y, theta_x)
       result.col(Eigen::Index(family[i].neighbour)).tail<2>() += theta;
       result.col(k).tail<2>() -= theta;
-      largest = std::max(largest, psi.norm());
+      if (own.empty() || own[k]) largest = std::max(largest, psi.norm());
     }
   }
+  largest = largest_of_all(largest);
   return (result.array().abs() > rounding * largest).select(result, 0);
 }
 

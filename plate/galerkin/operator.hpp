@@ -15,7 +15,9 @@ namespace plate {
 /// Forces are gathered: any number of threads gives the same bits. One call at a time.
 class GalerkinOperator : public Operator {
 public:
-  GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached = {});
+  /// `own`: the points whose forces are asked for, those of others are zero; empty: all.
+  GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached = {},
+                   const std::vector<char>& own = {});
 
   std::size_t points() const override { return families_.areas.size(); }
   void internal_force(const State& state, Forces& forces) const override;
@@ -43,10 +45,13 @@ private:
   std::optional<PointRows> whole_;  // of others
   AttachedStiffness attached_;
   std::optional<std::uint32_t> lattice_;  // a point of kind 0
+  std::vector<std::uint32_t> copies_;     // points that are not one's own
 };
 
 /// What a curvature kappa_0 by points, which heat would give them freely, loads the plate with: minus the derivative of
-/// -sum of V D (1 + nu) kappa_0 times the curvatures, theory (79) [3 x points].
-Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature);
+/// -sum of V D (1 + nu) kappa_0 times the curvatures, theory (79) [3 x points]. `own`: the points
+/// whose forces are asked for, where processes share the plate.
+Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature,
+                          const std::vector<char>& own = {});
 
 }  // namespace plate

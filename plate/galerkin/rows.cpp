@@ -45,7 +45,8 @@ std::optional<std::array<std::int32_t, 5>> steps_about(const GalerkinFamilies& f
 
 }  // namespace
 
-GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const PointSections& sections) {
+GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const PointSections& sections,
+                           const std::vector<char>& own) {
   const auto points = std::uint32_t(families.areas.size());
   std::optional<std::uint32_t> example;
   double spacing = 0;
@@ -57,9 +58,14 @@ GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const PointSections
   std::vector<std::optional<std::array<std::int32_t, 5>>> steps(points);
 #pragma omp parallel for schedule(static)
   for (std::uint32_t k = 0; k < points; ++k) steps[k] = steps_about(families, k, spacing);
+  const auto asked = [&](std::uint32_t k) { return own.empty() || own[k]; };
   for (std::uint32_t k = 0; k < points;) {
     std::uint32_t end = k + 1;
-    while (end < points && end - k < longest_row && steps[k] && steps[end] == steps[k]) ++end;
+    if (!asked(k)) {
+      k = end;
+      continue;
+    }
+    while (end < points && asked(end) && end - k < longest_row && steps[k] && steps[end] == steps[k]) ++end;
     if (steps[k] && end - k >= shortest_row)
       rows_.push_back({k, end - k, *steps[k]});
     else

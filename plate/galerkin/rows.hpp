@@ -9,9 +9,10 @@ namespace plate {
 /// point and of its neighbours, summed once for all. Of simple sections.
 class GalerkinRows {
 public:
-  GalerkinRows(const GalerkinFamilies& families, const PointSections& sections);
+  /// `own`: the points whose forces are asked for; empty: all.
+  GalerkinRows(const GalerkinFamilies& families, const PointSections& sections, const std::vector<char>& own = {});
 
-  /// Points that are in no row.
+  /// Of these the points that are in no row.
   const std::vector<std::uint32_t>& others() const { return others_; }
 
   void internal_force(const State& state, Forces& forces) const;

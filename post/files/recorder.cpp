@@ -5,6 +5,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/heated/heat.hpp"
+#include "plate/model/ranks/ranks.hpp"
 #include "plate/model/ranks/traffic.hpp"
 #include "plate/model/section.hpp"
 #include "plate/solve/reduction.hpp"
@@ -34,6 +35,7 @@ Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, c
 }
 
 Mesh points_of(const plate::Formulation& plate) {
+  if (plate::ranks() && !plate.breaking()) return plate.mesh();  // with numbers, where points are in no rows
   const auto& [units, positions, areas, plate_points, part] = plate.cloud();
   const auto count = std::ptrdiff_t(plate_points);
   return {{positions.begin(), positions.begin() + count},

@@ -9,6 +9,8 @@
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/galerkin/shared/part_of_cells.hpp"
 #include "plate/model/ranks/exact_sum.hpp"
 #include "plate/model/refused.hpp"
 #include "post/files/archive.hpp"
@@ -57,6 +59,33 @@ std::string fault_of_twice_the_spacing(const plate::Problem& problem) {
   return "";
 }
 
+using Refuse = std::function<void(bool asked, const std::string& key, const std::string& why)>;
+
+/// What is seen about a tip is as wide as the widest ring.
+void refuse_wide_windows(const RunPlan& plan, double seen, const Refuse& refuse) {
+  if (!plan.srif) return;
+  const double horizon = plan.problem.discretization.horizon();
+  refuse(plan.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
+  refuse(!plan.srif->window && plan.srif->window_horizons * horizon > seen, "srif.window_horizons",
+         "so wide a window cannot be seen");
+}
+
+void refuse_of_cells(const RunPlan& plan, const Refuse& refuse) {
+  using enum plate::Analysis::Kind;
+  const auto kind = plan.analysis.kind;
+  refuse(kind == dynamic, "formulation", "motions of the Galerkin plate cannot be run");
+  refuse(kind == frequencies, "formulation", "frequencies of the Galerkin plate cannot be found");
+  refuse(plan.growth.has_value(), "formulation", "cracks that grow in the Galerkin plate cannot be run");
+  refuse(plan.analysis.preconditioner == plate::Preconditioning::levels, "analysis.preconditioner",
+         "\"levels\" cannot be made (\"auto\" can)");
+  refuse_wide_windows(plan, plate::widest_window(plan.problem), refuse);
+}
+
+void refuse_of_bonds(const RunPlan& plan, const Refuse& refuse) {
+  const auto& d = plan.problem.discretization;
+  refuse_wide_windows(plan, plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon(), refuse);
+}
+
 }  // namespace
 
 bool shared() {
@@ -73,7 +102,7 @@ std::vector<Unshared> unshared(const RunPlan& plan) {
 
 std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   std::vector<Unshared> result;
-  const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
+  const Refuse refuse = [&](bool asked, const std::string& key, const std::string& why) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
   };
   const auto& d = plan.problem.discretization;
@@ -84,7 +113,8 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   refuse(plan.analysis.method == direct, "analysis.method", "\"direct\" cannot be run");
   refuse(plan.analysis.preconditioner == plate::Preconditioning::local, "analysis.preconditioner",
          "\"local\" cannot be made");
-  refuse(d.formulation != &plate::ordinary, "formulation", "only \"ordinary\" can be run");
+  const bool cells = d.formulation == &plate::galerkin;
+  refuse(!cells && d.formulation != &plate::ordinary, "formulation", "only \"galerkin\" and \"ordinary\" can be run");
   refuse(d.boundary != plate::EdgeMethod::images, "discretization.boundary", "only \"images\" can be run");
   for (std::size_t i = 0; i < plan.problem.supports.size(); ++i) {
     const auto& one = plan.problem.supports[i];
@@ -107,11 +137,8 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   if (auto fault = plan.srif && plan.srif->richardson ? fault_of_twice_the_spacing(plan.problem) : ""; !fault.empty())
     result.push_back({"srif.richardson", std::move(fault)});
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
-  const double seen = plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon();
-  refuse(plan.srif && plan.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
-  refuse(plan.srif && !plan.srif->window && plan.srif->window_horizons * d.horizon() > seen, "srif.window_horizons",
-         "so wide a window cannot be seen");
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
+  (cells ? refuse_of_cells : refuse_of_bonds)(plan, refuse);
   return result;
 }
 

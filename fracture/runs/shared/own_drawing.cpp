@@ -42,6 +42,7 @@ public:
       number_[points[i]] = i;
       mesh.positions.push_back(whole_.positions[points[i]]), mesh.areas.push_back(whole_.areas[points[i]]);
       mesh.cut.push_back(whole_.cut[points[i]]);
+      if (!whole_.numbers.empty()) mesh.numbers.push_back(whole_.numbers[points[i]]);
     }
     for (std::uint32_t i = 0; i < corners_.size(); ++i) {
       number_[corners_[i]] = std::uint32_t(points.size()) + i;

@@ -31,6 +31,16 @@ PointOrder::PointOrder(const plate::Ranks& all, const std::vector<geometry::Poin
   }
 }
 
+PointOrder::PointOrder(const plate::Ranks& all, const std::vector<std::uint32_t>& numbers) : all_(all) {
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (k == 0 || numbers[k] != numbers[k - 1] + 1) own_.push_back({numbers[k], k, 0});
+    ++own_.back().points;
+  }
+  std::array<std::int64_t, 1> points{std::int64_t(numbers.size())};
+  all.sum(points);
+  points_ = std::size_t(points[0]);
+}
+
 std::vector<double> PointOrder::at_first(std::size_t first, std::size_t count, std::size_t width,
                                          const std::function<void(std::size_t k, double* to)>& numbers) const {
   std::vector<double> sent;  // of every stretch: where it begins in this part, how many points, their numbers

@@ -8,12 +8,14 @@
 namespace post {
 
 /// The points of a plate that processes share, in the order in which one process has them: row by row from the lower
-/// left. Each process knows where its own stand, by stretches of a row.
+/// left, or by their numbers. Each process knows where its own stand, by stretches of a row.
 class PointOrder {
 public:
   /// `own`: the points of the process in that order [length]; of a row of the lattice all processes have the same y.
   /// All call it at once. `all` must outlive this.
   PointOrder(const plate::Ranks& all, const std::vector<geometry::Point>& own);
+  /// `numbers`: of the points of the process among all, ascending.
+  PointOrder(const plate::Ranks& all, const std::vector<std::uint32_t>& numbers);
 
   /// Of all processes.
   std::size_t points() const { return points_; }

@@ -3,15 +3,16 @@
 namespace post {
 namespace {
 
-std::vector<geometry::Point> own_points(const Mesh& mesh) {
+PointOrder order_of(const plate::Ranks& all, const Mesh& mesh) {
   const auto own = std::ptrdiff_t(mesh.own.value_or(mesh.positions.size()));
-  return {mesh.positions.begin(), mesh.positions.begin() + own};
+  if (!mesh.numbers.empty()) return {all, std::vector<std::uint32_t>(mesh.numbers.begin(), mesh.numbers.begin() + own)};
+  return {all, std::vector<geometry::Point>(mesh.positions.begin(), mesh.positions.begin() + own)};
 }
 
 }  // namespace
 
 SharedStateFile::SharedStateFile(const plate::Ranks& all, StateFile::Options options, const Mesh& mesh)
-    : order_(all, own_points(mesh)) {
+    : order_(order_of(all, mesh)) {
   const auto one = [](const std::vector<double>& values) {
     return [&values](std::size_t k, double* to) { *to = values[k]; };
   };

@@ -1,0 +1,110 @@
+#include "geometry/cells/cells_part.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+namespace geometry {
+namespace {
+
+template <typename Visit>
+void for_cells(const Tessellation& cells, const Visit& visit) {
+  for (const auto& square : cells.squares) visit(square);
+  for (const auto& triangle : cells.triangles) visit(triangle);
+}
+
+template <typename Cell>
+bool any(const Cell& cell, const std::vector<char>& marked) {
+  return std::ranges::any_of(cell, [&](auto k) { return marked[k] != 0; });
+}
+
+/// With all points that share a cell with one of the marked.
+std::vector<char> grown(const Tessellation& cells, const std::vector<char>& marked) {
+  auto result = marked;
+  for_cells(cells, [&](const auto& cell) {
+    if (any(cell, marked))
+      for (const auto k : cell) result[k] = 1;
+  });
+  return result;
+}
+
+class Sharing {
+public:
+  explicit Sharing(const std::vector<Point>& positions) : positions_(positions), owners_(positions.size(), 0) {}
+
+  void share_out(std::span<std::uint32_t> points, int first, int parts) {
+    if (parts == 1 || points.empty()) {
+      for (const auto k : points) owners_[k] = first;
+      return;
+    }
+    const int lower = parts / 2;
+    const auto cut = halved(points, double(lower) / parts);
+    share_out(points.first(cut), first, lower);
+    share_out(points.subspan(cut), first + lower, parts - lower);
+  }
+  std::vector<int> owners() && { return std::move(owners_); }
+
+private:
+  /// Sorts the points, and says how many are of the lower share: rows and columns of points stay whole where that is
+  /// not far from it.
+  std::size_t halved(std::span<std::uint32_t> points, double share) const {
+    constexpr double of_rows = 1.5, most = 0.05;  // rows of points are long: forces are fastest along them
+    Point low = positions_[points[0]], high = low;
+    for (const auto k : points) low = low.cwiseMin(positions_[k]), high = high.cwiseMax(positions_[k]);
+    const Eigen::Index axis = (high - low).x() > of_rows * (high - low).y() ? 0 : 1;
+    std::ranges::sort(points, {},
+                      [&](std::uint32_t k) { return std::tuple(positions_[k][axis], positions_[k][1 - axis], k); });
+    const auto wanted = std::size_t(double(points.size()) * share + 0.5);
+    const auto begins = [&](std::size_t i) {  // a row
+      return i > 0 && i < points.size() && positions_[points[i]][axis] != positions_[points[i - 1]][axis];
+    };
+    for (std::size_t away = 0; away <= std::size_t(most * double(points.size())); ++away) {
+      if (begins(wanted + away)) return wanted + away;
+      if (wanted > away && begins(wanted - away)) return wanted - away;
+    }
+    return wanted;
+  }
+
+  const std::vector<Point>& positions_;
+  std::vector<int> owners_;
+};
+
+}  // namespace
+
+CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted) {
+  for (int ring = 0; ring < 2; ++ring) wanted = grown(whole, wanted);
+  std::vector<char> taken(wanted.size(), 0);
+  for_cells(whole, [&](const auto& cell) {
+    if (any(cell, wanted))
+      for (const auto k : cell) taken[k] = 1;
+  });
+  CellsPart result{{whole.units, whole.graded, {}, {}, {}, {}, whole.names, {}}, {}};
+  auto& part = result.cells;
+  std::vector<std::uint32_t> place(wanted.size(), 0);
+  for (std::uint32_t k = 0; k < taken.size(); ++k) {
+    if (!taken[k]) continue;
+    place[k] = std::uint32_t(result.number.size());
+    result.number.push_back(k);
+    part.positions.push_back(whole.positions[k]), part.local.push_back(whole.local[k]);
+  }
+  const auto take = [&](auto cell, auto& cells) {
+    if (!any(cell, wanted)) return;
+    for (auto& k : cell) k = place[k];
+    cells.push_back(cell);
+  };
+  for (const auto& square : whole.squares) take(square, part.squares);
+  for (const auto& triangle : whole.triangles) take(triangle, part.triangles);
+  for (const auto& [from, to, edge] : whole.borders)
+    if (taken[from] && taken[to]) part.borders.push_back({place[from], place[to], edge});
+  return result;
+}
+
+std::vector<int> shared_out(const std::vector<Point>& positions, int parts) {
+  std::vector<std::uint32_t> points(positions.size());
+  std::iota(points.begin(), points.end(), 0);
+  Sharing sharing(positions);
+  sharing.share_out(points, 0, parts);
+  return std::move(sharing).owners();
+}
+
+}  // namespace geometry

@@ -1,0 +1,21 @@
+#pragma once
+#include "geometry/cells/tessellation.hpp"
+
+namespace geometry {
+
+/// Cells of a tessellation with their points, in the order of the whole.
+struct CellsPart {
+  Tessellation cells;
+  std::vector<std::uint32_t> number;  // of its points in the whole, ascending
+};
+
+/// All cells about the wanted points and about the points that share a cell with one that shares a cell with these: the
+/// families of wanted points and of their neighbours have all their members then, and these all of the plate about
+/// them. `wanted` [points of the whole].
+CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted);
+
+/// Which of `parts` every point belongs to: about as many points each, by halving again and again along x or y. The
+/// same for the same positions whoever asks; points at one place may be in different parts.
+std::vector<int> shared_out(const std::vector<Point>& positions, int parts);
+
+}  // namespace geometry

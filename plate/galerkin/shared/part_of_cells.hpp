@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+
+#include "geometry/cells/cells_part.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/model/ranks/ranks.hpp"
+
+namespace plate {
+
+struct Problem;
+
+/// What a process has of the cells of a plate that several share: its own points, copies of those that their forces and
+/// what is drawn of them need, and of those about its crack tips. Every process makes all points and cells of a plate,
+/// and keeps these.
+struct PartOfCells {
+  geometry::CellsPart part;
+  std::vector<char> own;                     // of its points
+  std::shared_ptr<const Exchange> exchange;  // of the others
+  geometry::CellBox about;                   // where the point of the plate nearest to a place is known
+};
+
+/// How far about a tip its process knows the state, for intensity factors [length].
+double reach_about_tip(const Problem& problem, const geometry::Tip& tip);
+/// The widest window of displacement extrapolation that is seen about every tip [length].
+double widest_window(const Problem& problem);
+
+/// Of this process, of a plate with some supports, foundations and springs. All call it at once.
+/// @throws Refused  too few points for so many processes
+PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const geometry::Tessellation& whole,
+                          const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips);
+
+/// What is of the whole plate, of the points of a part. `motions`: loads that may move supports.
+Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t motions);
+AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::CellsPart& part);
+Forces restricted(const Forces& whole, const geometry::CellsPart& part);
+std::vector<double> restricted(const std::vector<double>& whole, const geometry::CellsPart& part);
+
+}  // namespace plate

@@ -1,0 +1,88 @@
+#include "plate/galerkin/shared/shared_factor.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "plate/model/ranks/gathered.hpp"
+#include "plate/solve/assembled_plate.hpp"
+
+namespace plate {
+namespace {
+
+/// Points by the numbers that they have among all, process by process; as numbers of a state, which copies can fetch.
+State numbers(const Ranks& all, const Boundary& boundary, const std::vector<std::uint32_t>& own) {
+  const auto counts = gathered(all, std::vector<std::int64_t>{std::int64_t(own.size())});
+  auto next = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
+  State result = State::Zero(3, Eigen::Index(boundary.cloud.size()));
+  for (const auto k : own) result(0, k) = double(next++);
+  boundary.constraints.fetch(result);
+  return result;
+}
+
+/// A block of the row of an own point.
+struct Block {
+  std::int64_t column;
+  Eigen::Matrix3d entries;
+};
+
+/// Rows of P^T K P of own points, without what is held. `free`: degrees of freedom with stiffness are above 0.
+SharedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::vector<std::uint32_t>& own,
+                const State& number, const State& free) {
+  std::vector<std::vector<Block>> found(matrix.points());
+  const auto add = [&](std::uint32_t row, std::uint32_t column, Eigen::Matrix3d entries) {
+    if (!boundary.owns(row)) return;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      for (Eigen::Index j = 0; j < 3; ++j)
+        if (!(free(i, row) > 0) || !(free(j, column) > 0)) entries(i, j) = 0;
+    if (row == column || !entries.isZero(0)) found[row].push_back({std::int64_t(number(0, column)), entries});
+  };
+  for (std::uint32_t k = 0; k < matrix.points(); ++k)
+    for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) {
+      const auto j = matrix.row[b];
+      if (j != k) {
+        add(j, k, matrix.block[b]), add(k, j, matrix.block[b].transpose());
+        continue;
+      }
+      add(k, k, matrix.block[b]);
+    }
+  SharedRows result;
+  for (const auto k : own) {
+    std::ranges::sort(found[k], {}, &Block::column);
+    for (const auto& [column, entries] : found[k]) {
+      result.column.push_back(column);
+      for (Eigen::Index i = 0; i < 3; ++i)
+        for (Eigen::Index j = 0; j < 3; ++j) result.block.push_back(entries(i, j));
+    }
+    result.first.push_back(result.column.size());
+    const auto& x = boundary.cloud.positions[k];
+    result.position.insert(result.position.end(), {x.x(), x.y()});
+    found[k] = {};
+  }
+  return result;
+}
+
+}  // namespace
+
+SharedFactor::SharedFactor(const Ranks& all, const Operator& plate, const Boundary& boundary,
+                           const PointMatrix& stiffness)
+    : boundary_(boundary) {
+  for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k)
+    if (boundary.owns(k)) own_.push_back(k);
+  const State number = numbers(all, boundary, own_);
+  State free = folded_diagonal(plate, boundary.constraints);
+  boundary.constraints.fetch(free);
+  inverse_ = all.inverse(rows(folded(stiffness, boundary.constraints), boundary, own_, number, free));
+}
+
+void SharedFactor::apply(const Forces& residual, State& result) const {
+  std::vector<double> values;
+  values.reserve(3 * own_.size());
+  for (const auto k : own_)
+    for (Eigen::Index c = 0; c < 3; ++c) values.push_back(residual(c, k));
+  inverse_->apply(values);
+  result.setZero(3, residual.cols());
+  for (std::size_t n = 0; n < own_.size(); ++n)
+    for (Eigen::Index c = 0; c < 3; ++c) result(c, own_[n]) = values[3 * n + std::size_t(c)];
+}
+
+}  // namespace plate
