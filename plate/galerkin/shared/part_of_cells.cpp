@@ -84,7 +84,7 @@ std::vector<Copy> numbered(const Ranks& all, const std::vector<int>& owners, con
 }
 
 constexpr double widest_ring = 28;  // spacings at the tips: the largest is 24 wide, and its points see others
-constexpr double beside = 8;        // spacings of the plate: two horizons, over which openings are fitted, and more
+constexpr double beside = 10;       // spacings of the plate: two horizons, over which openings are fitted, and more
 
 }  // namespace
 
