@@ -1,6 +1,7 @@
 #include "geometry/cells/cells_part.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
 
@@ -30,7 +31,7 @@ std::vector<char> grown(const Tessellation& cells, const std::vector<char>& mark
 
 class Sharing {
 public:
-  explicit Sharing(const std::vector<Point>& positions) : positions_(positions), owners_(positions.size(), 0) {}
+  explicit Sharing(const Tessellation& cells) : cells_(cells), owners_(cells.positions.size(), 0) {}
 
   void share_out(std::span<std::uint32_t> points, int first, int parts) {
     if (parts == 1 || points.empty()) {
@@ -45,27 +46,37 @@ public:
   std::vector<int> owners() && { return std::move(owners_); }
 
 private:
-  /// Sorts the points, and says how many are of the lower share: rows and columns of points stay whole where that is
-  /// not far from it.
+  /// Sorts the points, and says how many are of the lower share.
   std::size_t halved(std::span<std::uint32_t> points, double share) const {
-    constexpr double of_rows = 1.5, most = 0.05;  // rows of points are long: forces are fastest along them
-    Point low = positions_[points[0]], high = low;
-    for (const auto k : points) low = low.cwiseMin(positions_[k]), high = high.cwiseMax(positions_[k]);
-    const Eigen::Index axis = (high - low).x() > of_rows * (high - low).y() ? 0 : 1;
-    std::ranges::sort(points, {},
-                      [&](std::uint32_t k) { return std::tuple(positions_[k][axis], positions_[k][1 - axis], k); });
+    constexpr double of_rows = 1.5, most = 0.1;  // rows of points are long: forces are fastest along them
+    const auto& x = cells_.positions;
+    Point low = x[points[0]], high = low;
+    for (const auto k : points) low = low.cwiseMin(x[k]), high = high.cwiseMax(x[k]);
     const auto wanted = std::size_t(double(points.size()) * share + 0.5);
-    const auto begins = [&](std::size_t i) {  // a row
-      return i > 0 && i < points.size() && positions_[points[i]][axis] != positions_[points[i - 1]][axis];
-    };
-    for (std::size_t away = 0; away <= std::size_t(most * double(points.size())); ++away) {
-      if (begins(wanted + away)) return wanted + away;
-      if (wanted > away && begins(wanted - away)) return wanted - away;
-    }
-    return wanted;
+    if ((high - low).x() > of_rows * (high - low).y())
+      if (const auto cut = nearest_cut(points, 0, wanted); off(cut, wanted) <= most * double(points.size())) return cut;
+    return nearest_cut(points, 1, wanted);
   }
 
-  const std::vector<Point>& positions_;
+  static double off(std::size_t cut, std::size_t wanted) { return std::abs(double(cut) - double(wanted)); }
+
+  /// Of the places where these may be parted along an axis the one nearest to the wanted; none: the wanted itself.
+  std::size_t nearest_cut(std::span<std::uint32_t> points, Eigen::Index axis, std::size_t wanted) const {
+    const auto& x = cells_.positions;
+    std::ranges::sort(points, {}, [&](std::uint32_t k) { return std::tuple(x[k][axis], x[k][1 - axis], k); });
+    const auto parts = [&](std::size_t i) {
+      const auto k = points[i], before = points[i - 1];
+      if (axis == 0 && !cells_.graded) return stretch_of(cells_, k) != stretch_of(cells_, before);
+      return x[k][axis] != x[before][axis];
+    };
+    for (std::size_t away = 0; away < points.size(); ++away) {
+      if (wanted > away && parts(wanted - away)) return wanted - away;
+      if (wanted + away > 0 && wanted + away < points.size() && parts(wanted + away)) return wanted + away;
+    }
+    return axis == 0 ? points.size() : wanted;
+  }
+
+  const Tessellation& cells_;
   std::vector<int> owners_;
 };
 
@@ -99,10 +110,14 @@ CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted) {
   return result;
 }
 
-std::vector<int> shared_out(const std::vector<Point>& positions, int parts) {
-  std::vector<std::uint32_t> points(positions.size());
+long stretch_of(const Tessellation& cells, std::size_t k) {
+  return std::lround(std::floor(std::round(cells.local[k].x() / cells.units.spacing) / double(stretch)));
+}
+
+std::vector<int> shared_out(const Tessellation& cells, int parts) {
+  std::vector<std::uint32_t> points(cells.positions.size());
   std::iota(points.begin(), points.end(), 0);
-  Sharing sharing(positions);
+  Sharing sharing(cells);
   sharing.share_out(points, 0, parts);
   return std::move(sharing).owners();
 }

@@ -14,8 +14,15 @@ struct CellsPart {
 /// them. `wanted` [points of the whole].
 CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted);
 
-/// Which of `parts` every point belongs to: about as many points each, by halving again and again along x or y. The
-/// same for the same positions whoever asks; points at one place may be in different parts.
-std::vector<int> shared_out(const std::vector<Point>& positions, int parts);
+/// Columns of a lattice between two places where a row of points may be parted.
+constexpr long stretch = 256;
+
+/// The stretch of columns in which a point lies, from 0.
+long stretch_of(const Tessellation& cells, std::size_t k);
+
+/// Which of `parts` every point belongs to: about as many points each, by halving again and again along x or y. A
+/// lattice is parted between rows, and between stretches of columns, so that a row of points is the same pieces for any
+/// number of parts. The same for the same cells whoever asks; points at one place may be in different parts.
+std::vector<int> shared_out(const Tessellation& cells, int parts);
 
 }  // namespace geometry

@@ -74,6 +74,9 @@ struct Boundary {
   AttachedStiffness attached = {};  // of foundations and springs
   std::vector<char> own = {};       // of all points: not another process's; empty where one process holds the plate
 
+  /// Of all points in the whole plate, where processes share it and points are in no cells of a lattice.
+  std::vector<std::uint32_t> number = {};
+
   bool owns(std::size_t k) const { return own.empty() || own[k]; }
   /// Is the point of the plate nearest to a place owned?
   bool here(const geometry::Point& x) const {

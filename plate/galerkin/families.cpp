@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/cells/cells_part.hpp"
+
 namespace plate {
 namespace {
 
@@ -109,6 +111,44 @@ GalerkinFamilies weighted(geometry::Families families, const Tessellation& cells
 }
 
 }  // namespace
+
+namespace {
+
+/// The first point with squares all about it and its neighbours, and the families about it.
+std::optional<std::pair<GalerkinFamilies, std::uint32_t>> first_of_lattice(const Tessellation& whole) {
+  const auto inside = inside_lattice(whole);
+  std::vector<char> beside(inside.size(), 0), wanted(inside.size(), 0);
+  for (const auto& square : whole.squares)
+    if (!std::ranges::all_of(square, [&](auto k) { return inside[k] != 0; }))
+      for (const auto k : square) beside[k] = 1;
+  std::uint32_t first = 0;
+  while (first < inside.size() && (!inside[first] || beside[first])) ++first;
+  if (first == inside.size()) return std::nullopt;
+  wanted[first] = 1;
+  const auto about = geometry::cells_about(whole, std::move(wanted));
+  const auto place = std::ranges::find(about.number, first) - about.number.begin();
+  return std::pair(galerkin_families(about.cells), std::uint32_t(place));
+}
+
+}  // namespace
+
+GalerkinFamilies galerkin_families(const Tessellation& cells, const Tessellation& whole) {
+  auto result = galerkin_families(cells);
+  auto found = first_of_lattice(whole);
+  if (!found) return result;
+  result.of_all = std::make_shared<const GalerkinFamilies>(std::move(found->first)),
+  result.point_of_all = found->second;
+  if (std::ranges::find(result.kind, 0u) != result.kind.end())
+    std::copy_n(result.of_all->of(result.point_of_all), result.first[1], result.bonds.begin());
+  return result;
+}
+
+std::optional<LatticeFamily> lattice_family(const GalerkinFamilies& families) {
+  if (families.of_all) return LatticeFamily{families.of_all.get(), families.point_of_all};
+  const auto first = std::ranges::find(families.kind, 0u);
+  if (first == families.kind.end()) return std::nullopt;
+  return LatticeFamily{&families, std::uint32_t(first - families.kind.begin())};
+}
 
 std::vector<double> areas_of(const Tessellation& cells) {
   std::vector<double> result(cells.local.size(), 0);

@@ -1,4 +1,7 @@
 #pragma once
+#include <memory>
+#include <optional>
+
 #include "geometry/cells/tessellation.hpp"
 
 namespace plate {
@@ -19,6 +22,9 @@ struct GalerkinFamilies {
   std::vector<GalerkinBond> bonds;  // of every kind, in the order of the family
   double spacing_square = 0;        // [length^2]
   std::vector<double> own_square;   // where the distance of points varies: that of the spacing about each
+  /// Where processes share the plate, the families about one point of kind 0, of which all take those weights.
+  std::shared_ptr<const GalerkinFamilies> of_all = {};
+  std::uint32_t point_of_all = 0;
 
   /// One for all points wherever that is possible: a shear scaling that varies would not pass constant shear.
   double square(std::size_t k) const { return own_square.empty() ? spacing_square : own_square[k]; }
@@ -26,6 +32,16 @@ struct GalerkinFamilies {
 };
 
 GalerkinFamilies galerkin_families(const geometry::Tessellation& cells);
+/// Of a part of the cells of a plate. `whole`: with the same weights inside the lattice as that, to the last bit.
+GalerkinFamilies galerkin_families(const geometry::Tessellation& cells, const geometry::Tessellation& whole);
+
+/// A point of kind 0, and the families that know it.
+struct LatticeFamily {
+  const GalerkinFamilies* families;
+  std::uint32_t point;
+};
+/// The one whose weights all of kind 0 share; nothing where there is none.
+std::optional<LatticeFamily> lattice_family(const GalerkinFamilies& families);
 
 /// V_k alone.
 std::vector<double> areas_of(const geometry::Tessellation& cells);

@@ -78,7 +78,7 @@ public:
       : Formulation(std::move(laid.layout)),
         cells_(std::move(laid.cells)),
         shapes_(shapes_of(laid.families.families.vectors())),
-        op_(std::move(laid.families), sections(), boundary().attached, boundary().own),
+        op_(std::move(laid.families), sections(), boundary().attached, laid.stretch),
         seen_(geometry::seen_positions(cells_)),
         number_(std::move(laid.number)) {}
 

@@ -62,21 +62,26 @@ public:
     masses_ = here(stiffener_masses(problem, whole_));
   }
 
-  const Tessellation& cells() const { return part_ ? part_->part.cells : whole_; }
+  GalerkinFamilies families() const {
+    return part_ ? galerkin_families(part_->part.cells, whole_) : galerkin_families(whole_);
+  }
 
-  LaidOut laid_out(GalerkinFamilies families) && {
+  LaidOut laid_out() && {
     auto& layout = *layout_;
+    auto families = this->families();
     require_consistent(families);
     layout.sections.emplace(problem_.section, cells());
     layout.sections->add_masses(masses_, families.areas);
     layout.pieces = pieces(layout.boundary, families.families);
     for (const auto& load : problem_.loads) add(load, families);
-    std::vector<std::uint32_t> number;
-    if (part_) number = part_->part.number, whole_ = std::move(part_->part.cells);
-    return {std::move(layout), std::move(whole_), std::move(families), std::move(number)};
+    if (!part_) return {std::move(layout), std::move(whole_), std::move(families), {}, {}};
+    return {std::move(layout), std::move(part_->part.cells), std::move(families), std::move(part_->part.number),
+            std::move(part_->stretch)};
   }
 
 private:
+  const Tessellation& cells() const { return part_ ? part_->part.cells : whole_; }
+
   template <typename Values>
   Values here(Values values) const {
     return part_ ? restricted(values, part_->part) : values;
@@ -117,9 +122,7 @@ private:
 
 LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, Tessellation whole,
                  Stopwatch& stopwatch) {
-  Plan plan(problem, std::move(paths), std::move(whole));
-  auto families = galerkin_families(plan.cells());
-  auto result = std::move(plan).laid_out(std::move(families));
+  auto result = Plan(problem, std::move(paths), std::move(whole)).laid_out();
   stopwatch.lap("families");
   return result;
 }

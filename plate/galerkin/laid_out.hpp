@@ -19,7 +19,9 @@ struct LaidOut {
   Layout layout;
   geometry::Tessellation cells;
   GalerkinFamilies families;
-  std::vector<std::uint32_t> number;  // of every point in the whole plate; empty where one process has it
+  // where processes share the plate:
+  std::vector<std::uint32_t> number;   // of every point in the whole
+  std::vector<std::uint32_t> stretch;  // of GalerkinOperator
 };
 
 /// Every process makes the points and cells of the whole plate, its supports and its nodal forces, and keeps its part.

@@ -9,18 +9,16 @@
 namespace plate {
 
 GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached,
-                                   const std::vector<char>& own)
+                                   const std::vector<std::uint32_t>& stretch)
     : families_(std::move(families)), sections_(std::move(sections)), attached_(std::move(attached)) {
   if (sections_.simple()) {
-    rows_.emplace(families_, sections_, own);
+    rows_.emplace(families_, sections_, stretch);
     lists_.emplace(families_, sections_, rows_->others());
   } else {
     whole_.emplace(stiffness_matrix(families_, sections_));
   }
-  const auto regular = std::ranges::find(families_.kind, 0u);
-  if (regular != families_.kind.end()) lattice_ = std::uint32_t(regular - families_.kind.begin());
-  for (std::uint32_t k = 0; k < own.size(); ++k)
-    if (!own[k]) copies_.push_back(k);
+  for (std::uint32_t k = 0; k < stretch.size(); ++k)
+    if (stretch[k] == 0) copies_.push_back(k);
 }
 
 void GalerkinOperator::internal_force(const State& state, Forces& forces) const {
@@ -48,10 +46,11 @@ void GalerkinOperator::gather(const Own& own, Forces& result) const {
     first.push_back(first.back() + f[kept[n]].size() + 1);
   }
   std::vector<Eigen::Vector3d> found(first.back());
+  const auto lattice = lattice_family(families_);
 #pragma omp parallel
   {
-    FamilyStiffness single(families_, sections_), shared(families_, sections_);
-    if (lattice_) shared.find(*lattice_);
+    FamilyStiffness single(families_, sections_), shared(lattice ? *lattice->families : families_, sections_);
+    if (lattice) shared.find(lattice->point);
 #pragma omp for schedule(dynamic, 64)
     for (std::size_t n = 0; n < kept.size(); ++n) {
       const bool regular = families_.kind[kept[n]] == 0;

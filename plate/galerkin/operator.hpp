@@ -15,9 +15,9 @@ namespace plate {
 /// Forces are gathered: any number of threads gives the same bits. One call at a time.
 class GalerkinOperator : public Operator {
 public:
-  /// `own`: the points whose forces are asked for, those of others are zero; empty: all.
+  /// `stretch`: 0 of points whose forces are not asked for, and zero; rows end where it changes. Empty: all are.
   GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached = {},
-                   const std::vector<char>& own = {});
+                   const std::vector<std::uint32_t>& stretch = {});
 
   std::size_t points() const override { return families_.areas.size(); }
   void internal_force(const State& state, Forces& forces) const override;
@@ -44,8 +44,7 @@ private:
   std::optional<GalerkinLists> lists_;
   std::optional<PointRows> whole_;  // of others
   AttachedStiffness attached_;
-  std::optional<std::uint32_t> lattice_;  // a point of kind 0
-  std::vector<std::uint32_t> copies_;     // points that are not one's own
+  std::vector<std::uint32_t> copies_;  // points that are not one's own
 };
 
 /// What a curvature kappa_0 by points, which heat would give them freely, loads the plate with: minus the derivative of

@@ -46,39 +46,39 @@ std::optional<std::array<std::int32_t, 5>> steps_about(const GalerkinFamilies& f
 }  // namespace
 
 GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const PointSections& sections,
-                           const std::vector<char>& own) {
+                           const std::vector<std::uint32_t>& stretch) {
   const auto points = std::uint32_t(families.areas.size());
-  std::optional<std::uint32_t> example;
-  double spacing = 0;
-  for (std::uint32_t k = 0; k < points && !example; ++k)
-    if (families.kind[k] == 0) {
-      example = k;
-      spacing = std::sqrt(families.areas[k]);
-    }
+  const auto lattice = lattice_family(families);
+  const double spacing = lattice ? std::sqrt(lattice->families->areas[lattice->point]) : 0;
   std::vector<std::optional<std::array<std::int32_t, 5>>> steps(points);
 #pragma omp parallel for schedule(static)
   for (std::uint32_t k = 0; k < points; ++k) steps[k] = steps_about(families, k, spacing);
-  const auto asked = [&](std::uint32_t k) { return own.empty() || own[k]; };
+  const auto asked = [&](std::uint32_t k) { return stretch.empty() || stretch[k] > 0; };
+  const auto goes_on = [&](std::uint32_t k, std::uint32_t end) {
+    return steps[k] && steps[end] == steps[k] && (stretch.empty() || stretch[end] == stretch[k]);
+  };
   for (std::uint32_t k = 0; k < points;) {
     std::uint32_t end = k + 1;
     if (!asked(k)) {
       k = end;
       continue;
     }
-    while (end < points && asked(end) && end - k < longest_row && steps[k] && steps[end] == steps[k]) ++end;
+    while (end < points && end - k < longest_row && goes_on(k, end)) ++end;
     if (steps[k] && end - k >= shortest_row)
       rows_.push_back({k, end - k, *steps[k]});
     else
       for (auto i = k; i < end; ++i) others_.push_back(i);
     k = end;
   }
-  if (!example) return;
+  if (lattice) find_factors(*lattice, sections, spacing);
+}
 
-  // the force on a member of a family by all its members, at their places relative to it
-  const Eigen::MatrixXd K = family_stiffness(families, sections, *example);
+/// The force on a member of a family by all its members, at their places relative to it.
+void GalerkinRows::find_factors(const LatticeFamily& lattice, const PointSections& sections, double spacing) {
+  const auto& families = lattice.families->families;
+  const Eigen::MatrixXd K = family_stiffness(*lattice.families, sections, lattice.point);
   std::vector<geometry::Point> place{{0, 0}};
-  for (const auto& bond : families.families[*example])
-    place.push_back(families.families.vectors()[bond.vector_id] / spacing);
+  for (const auto& bond : families[lattice.point]) place.push_back(families.vectors()[bond.vector_id] / spacing);
   for (std::size_t a = 0; a < place.size(); ++a)
     for (std::size_t b = 0; b < place.size(); ++b) {
       const auto at =

@@ -9,8 +9,9 @@ namespace plate {
 /// point and of its neighbours, summed once for all. Of simple sections.
 class GalerkinRows {
 public:
-  /// `own`: the points whose forces are asked for; empty: all.
-  GalerkinRows(const GalerkinFamilies& families, const PointSections& sections, const std::vector<char>& own = {});
+  /// `stretch`: 0 of points whose forces are not asked for; rows end where it changes. Empty: all are.
+  GalerkinRows(const GalerkinFamilies& families, const PointSections& sections,
+               const std::vector<std::uint32_t>& stretch = {});
 
   /// Of these the points that are in no row.
   const std::vector<std::uint32_t>& others() const { return others_; }
@@ -28,6 +29,7 @@ private:
   using Factors =
       std::array<double, 225>;  // 25 places, lowest row first; of each the force's component, then the state's
 
+  void find_factors(const LatticeFamily& lattice, const PointSections& sections, double spacing);
   template <typename Apply>
   void apply(const Apply& apply) const;
   void product(const Factors& factors, const State& state, Forces& forces) const;

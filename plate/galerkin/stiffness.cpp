@@ -53,13 +53,13 @@ PointMatrix stiffness_matrix(const GalerkinFamilies& all, const PointSections& s
   // every thread has columns of its own, and adds the families to them in their order; of the lattice there is one,
   // whichever thread this is: areas of its points differ in the last bit
   const auto shares = [&](std::uint32_t k) { return sections.uniform() && all.kind[k] == 0; };
-  const auto lattice = std::uint32_t(std::ranges::find(all.kind, 0u) - all.kind.begin());
+  const auto lattice = sections.uniform() ? lattice_family(all) : std::nullopt;
 #pragma omp parallel
   {
     const auto threads = std::size_t(omp_get_num_threads()), thread = std::size_t(omp_get_thread_num());
     const auto begin = std::uint32_t(points * thread / threads), end = std::uint32_t(points * (thread + 1) / threads);
-    FamilyStiffness own(all, sections), shared(all, sections);
-    if (lattice < points && sections.uniform()) shared.find(lattice);
+    FamilyStiffness own(all, sections), shared(lattice ? *lattice->families : all, sections);
+    if (lattice) shared.find(lattice->point);
     for (std::uint32_t k = 0; k < points && begin < end; ++k) {
       const Members members(all.families, k);
       if (members.point[members.count - 1] < begin || members.point[0] >= end) continue;

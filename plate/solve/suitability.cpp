@@ -10,13 +10,14 @@
 #include "plate/model/problem.hpp"
 #include "plate/model/wording.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
 
 void check_modes(const Formulation& plate, const Analysis& analysis, Suitability& result) {
   if (analysis.kind != Analysis::Kind::frequencies) return;
-  const auto most = std::size_t((plate.mass().array() > 0).count()) / 4;
+  const auto most = std::size_t(sum_of_all(double((plate.mass().array() > 0).count()))) / 4;
   if (analysis.modes > most)
     result.refusals.push_back({Subject::modes, 0,
                                fmt::format("{} given, must be at most {}, a quarter of the plate's degrees of freedom",

@@ -71,11 +71,6 @@ void refuse_wide_windows(const RunPlan& plan, double seen, const Refuse& refuse)
 }
 
 void refuse_of_cells(const RunPlan& plan, const Refuse& refuse) {
-  using enum plate::Analysis::Kind;
-  const auto kind = plan.analysis.kind;
-  refuse(kind == dynamic, "formulation", "motions of the Galerkin plate cannot be run");
-  refuse(kind == frequencies, "formulation", "frequencies of the Galerkin plate cannot be found");
-  refuse(plan.growth.has_value(), "formulation", "cracks that grow in the Galerkin plate cannot be run");
   refuse(plan.analysis.preconditioner == plate::Preconditioning::levels, "analysis.preconditioner",
          "\"levels\" cannot be made (\"auto\" can)");
   refuse_wide_windows(plan, plate::widest_window(plan.problem), refuse);
@@ -139,6 +134,14 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
   (cells ? refuse_of_cells : refuse_of_bonds)(plan, refuse);
+  return result;
+}
+
+std::vector<Unshared> not_foretold(const RunPlan& plan) {
+  auto result = not_for_processes(plan);
+  if (plan.problem.discretization.formulation == &plate::galerkin)
+    result.push_back({"formulation",
+                      "what processes take is not foretold for the Galerkin plate, whose factor MUMPS makes: run it"});
   return result;
 }
 

@@ -105,14 +105,15 @@ double reach_about_tip(const Problem& problem, const geometry::Tip& tip) {
 
 PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const Tessellation& whole,
                           const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips) {
-  constexpr std::size_t least = 8;  // points of a process
-  constexpr long near = 2;          // cells about the points: a place of the plate is as near to one of them
+  constexpr std::ptrdiff_t least = 8;  // points of a process
+  constexpr long near = 2;             // cells about the points: a place of the plate is as near to one of them
   const auto& positions = whole.positions;
-  if (positions.size() < least * std::size_t(all.size()))
-    throw Refused({{Subject::spacing, 0,
-                    fmt::format("{:g} given makes {} points, too few for {} processes", problem.discretization.spacing,
-                                positions.size(), all.size())}});
-  const auto owners = geometry::shared_out(positions, all.size());
+  const auto owners = geometry::shared_out(whole, all.size());
+  for (int one = 0; one < all.size(); ++one)
+    if (std::ranges::count(owners, one) < least)
+      throw Refused({{Subject::spacing, 0,
+                      fmt::format("{:g} given makes {} points, in too few rows for {} processes",
+                                  problem.discretization.spacing, positions.size(), all.size())}});
   std::vector<char> own(positions.size());
   for (std::size_t k = 0; k < own.size(); ++k) own[k] = owners[k] == all.rank();
   PartOfCells result;
@@ -129,7 +130,10 @@ PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const Tessel
       if ((positions[k] - tip.position).norm() <= reach) wanted[k] = 1;
   }
   result.part = geometry::cells_about(whole, std::move(wanted));
-  for (const auto number : result.part.number) result.own.push_back(own[number]);
+  for (const auto number : result.part.number) {
+    result.own.push_back(own[number]);
+    result.stretch.push_back(own[number] ? std::uint32_t(1 + geometry::stretch_of(whole, number)) : 0);
+  }
   result.exchange = all.exchange(result.part.number.size(), numbered(all, owners, result.part));
   return result;
 }
@@ -186,7 +190,7 @@ Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t 
     if (place[hold.point] != none) result.holds.push_back({place[hold.point], hold.holder, hold.rotations});
   result.constraints = restricted(whole.constraints, place, motions);
   result.attached = restricted(whole.attached, part.part);
-  result.own = part.own;
+  result.own = part.own, result.number = number;
   std::vector<std::uint32_t> others;
   for (std::uint32_t i = 0; i < part.own.size(); ++i)
     if (!part.own[i]) others.push_back(i);

@@ -15,6 +15,7 @@ struct Problem;
 struct PartOfCells {
   geometry::CellsPart part;
   std::vector<char> own;                     // of its points
+  std::vector<std::uint32_t> stretch;        // 0 of others' points; in which stretch of columns an own one lies, from 1
   std::shared_ptr<const Exchange> exchange;  // of the others
   geometry::CellBox about;                   // where the point of the plate nearest to a place is known
 };
