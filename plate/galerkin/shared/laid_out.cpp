@@ -1,4 +1,4 @@
-#include "plate/galerkin/laid_out.hpp"
+#include "plate/galerkin/shared/laid_out.hpp"
 
 #include <fmt/format.h>
 
