@@ -7,6 +7,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/problem.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 #include "tests/unit/post/small_run.hpp"
@@ -18,7 +19,7 @@ plate::State some(const plate::Boundary& boundary, double factor) {
   plate::State state(3, Eigen::Index(boundary.cloud.size()));
   for (Eigen::Index k = 0; k < state.cols(); ++k) {
     const auto& u = boundary.lattice[std::size_t(k)];
-    state.col(k) << factor * u.x(), u.y() / 3, u.x() / u.y();
+    state.col(k) << factor * u.x(), u.y() / 3, u.x() / (1 + u.y());
   }
   return state;
 }
@@ -32,6 +33,12 @@ TEST_CASE("own values: what some processes write of their points others find aga
   problem.loads = {plate::Load{}};
   problem.discretization.spacing = 0.01;
   problem.discretization.formulation = &plate::ordinary;
+  SECTION("of bonds") {}
+  SECTION("of a Galerkin plate, whose points need not have cells of their own") {
+    problem.cracks = {{{0.11, 0.52}, {0.37, 0.81}}};
+    problem.discretization.spacing = 0.05, problem.discretization.tip_spacing = 0.005;
+    problem.discretization.formulation = &plate::galerkin;
+  }
   const small_run::TemporaryFolder folder;
   std::vector<std::filesystem::path> files;
   for (int rank = 0; rank < 3; ++rank) files.push_back(folder / std::to_string(rank));

@@ -34,3 +34,22 @@ TEST_CASE("the order of points: a process may have none") {
     if (all.rank() == 0 && found != std::vector<double>{8, 9, 10}) throw std::runtime_error("not those points");
   });
 }
+
+TEST_CASE("the order of points: by their numbers, where they are in no rows") {
+  constexpr std::uint32_t points = 1000;
+  for (const int processes : {1, 3, 4})
+    thread_ranks::run(processes, [&](const plate::Ranks& all) {
+      std::vector<std::uint32_t> own;  // stretches of 1 to 7 points, dealt out
+      for (std::uint32_t k = 0, length = 1; k < points; k += length, length = 1 + length % 7)
+        if (int((k / 5) % std::uint32_t(processes)) == all.rank())
+          for (auto i = k; i < std::min(points, k + length); ++i) own.push_back(i);
+      const post::PointOrder order(all, own);
+      if (order.points() != points) throw std::runtime_error("points are missing");
+      for (const auto& [first, count] : {std::pair(0u, points), {13u, 1u}, {999u, 1u}, {250u, 333u}}) {
+        const auto found = order.at_first(first, count, 1, [&](std::size_t k, double* to) { *to = own[k]; });
+        if (found.size() != (all.rank() == 0 ? count : 0)) throw std::runtime_error("not what was asked for");
+        for (std::size_t i = 0; i < found.size(); ++i)
+          if (found[i] != double(first + i)) throw std::runtime_error("a point is out of its place");
+      }
+    });
+}
