@@ -9,6 +9,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/solve/archive.hpp"
 #include "plate/solve/reduction.hpp"
+#include "plate/solve/settled.hpp"
 
 namespace fracture {
 void KeptMotion::keep_to(Keeper& keeper, plate::DynamicOptions& options) {
@@ -26,9 +27,12 @@ void KeptMotion::keep(Keeper& keeper, const plate::MotionMemory& now) {
 }
 
 void KeptMotion::keep_part(Keeper& keeper, const plate::MotionMemory& now) {
-  const auto own = own_values(plate_.boundary(), {&now.state, &now.velocity, &results_.state_of_largest()});
-  plate::MotionMemory common{now.step, {}, {}, now.loads, now.work, now.before};
-  common.given = now.given, common.dissipated = now.dissipated;
+  std::vector<const plate::State*> states{&now.state, &now.velocity};
+  if (remembers_earlier(now.step)) states.push_back(&now.earlier);
+  states.push_back(&results_.state_of_largest());
+  const auto own = own_values(plate_.boundary(), states);
+  auto common = now;
+  common.state = {}, common.velocity = {}, common.earlier = {};
   keeper.keep(
       [&](plate::OutArchive& archive) {
         archive(common);
@@ -50,9 +54,20 @@ bool KeptMotion::recall(Keeper& keeper) {
 
 void KeptMotion::recall_part(const Keeper& keeper) {
   auto& largest = results_.state_of_largest();
-  put_values(plate_.boundary(), keeper.parts(), {&memory_.state, &memory_.velocity, &largest});
+  std::vector<plate::State*> states{&memory_.state, &memory_.velocity};
+  if (remembers_earlier(memory_.step)) states.push_back(&memory_.earlier);
+  states.push_back(&largest);
+  put_values(plate_.boundary(), keeper.parts(), states);
   (growth_ ? growth_->constraints() : plate_.constraints()).impose(memory_.state);
-  if (largest.cols() > 0) plate_.constraints().impose(largest);
+  if (largest.cols() == 0) return;
+  plate_.constraints().impose(largest);
+  if (const auto lift = plate::lift_at(plate_, results_.time_of_largest()); lift.cols() > 0) largest += lift;
+}
+
+/// The state of the step before: from the second one on, where the stiffness damps.
+bool KeptMotion::remembers_earlier(std::size_t step) const {
+  const auto& damping = results_.plan().analysis.damping;
+  return step > 0 && damping && damping->stiffness > 0;
 }
 
 }  // namespace fracture

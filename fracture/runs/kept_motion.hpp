@@ -26,6 +26,7 @@ private:
   void keep_part(Keeper& keeper, const plate::MotionMemory& now);
   bool recall(Keeper& keeper);
   void recall_part(const Keeper& keeper);
+  bool remembers_earlier(std::size_t step) const;
 
   const plate::Formulation& plate_;
   Results& results_;

@@ -79,6 +79,7 @@ public:
   void recall(plate::InArchive& archive);
   /// Extremes::state().
   plate::State& state_of_largest() { return extremes_.state(); }
+  double time_of_largest() const { return extremes_.time(); }
 
 private:
   template <typename Archive>

@@ -27,7 +27,7 @@ using plate::Analysis;
 void book_attached(const plate::Formulation& plate, const plate::State& state, post::Summary& summary) {
   if (const auto& attached = plate.boundary().attached; !attached.parts().empty())
     summary.energy.emplace_back("attached", attached_energy(plate, state));
-  if (plate.boundary().attached.lifts_off()) summary.touching = plate.boundary().attached.share_touching(state);
+  if (plate.boundary().attached.lifts_off()) summary.touching = share_touching(plate, state);
 }
 
 /// Where forces are no derivative of an energy, that and the work tell how coarse the points are. Measured with surface
@@ -176,6 +176,7 @@ void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
   if (analysis.start == Analysis::Start::equilibrium) options.start = plate::start_of(plate, analysis);
   if (const auto& begin = ready.begin; begin.deflected.size() > 0) options.start = begin.deflected, options.bent = true;
+  options.own = plate.boundary().own;
   options.velocity = ready.begin.velocity, options.impact = ready.begin.impact, options.given = ready.begin.given;
   if (const auto& damping = analysis.damping)
     options.mass_damping = damping->mass, options.stiffness_damping = damping->stiffness;

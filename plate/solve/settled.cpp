@@ -59,8 +59,12 @@ State total_lift(const Formulation& plate) {
   return sum_of_lifts(plate.loads(), [](const TimedLoad&) { return 1.0; });
 }
 
+State lift_at(const Formulation& plate, double time) {
+  return sum_of_lifts(plate.loads(), [time](const TimedLoad& one) { return factor(one.history, time); });
+}
+
 State first_lift(const Formulation& plate) {
-  return sum_of_lifts(plate.loads(), [](const TimedLoad& one) { return factor(one.history, 0); });
+  return lift_at(plate, 0);
 }
 
 Forces whole_mass(const Formulation& plate, double rotary) {

@@ -7,9 +7,10 @@ class Formulation;
 
 /// Are supports moved?
 bool settles(const Formulation& plate);
-/// Where all settlements at their last values together put what is held, and those of time 0; without columns where
-/// there are none.
+/// Where all settlements at their last values together put what is held, those of a time, and those of time 0; without
+/// columns where there are none.
 State total_lift(const Formulation& plate);
+State lift_at(const Formulation& plate, double time);
 State first_lift(const Formulation& plate);
 /// Mass per degree of freedom, before what is held is carried over to what it follows. `rotary`: factor of the rotary
 /// inertia.

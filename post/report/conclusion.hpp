@@ -40,6 +40,7 @@ public:
 
   /// The state of the row with the largest strain energy; empty before the first.
   plate::State& state() { return state_; }
+  double time() const { return time_; }  // of that row
   /// What has been found so far of the deflection, and of stress in frames; and the same as all processes have.
   std::vector<Peak> so_far() const;
   void so_far(const std::vector<Peak>& peaks);

@@ -7,6 +7,7 @@
 #include "fracture/runs/shared/all_factors.hpp"
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
+#include "plate/formulation/attached/contact.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
@@ -116,19 +117,10 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
     const auto key = "support[" + std::to_string(i) + "]";
     refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
   }
+  const bool rests = !moves || plan.analysis.start == plate::Analysis::Start::equilibrium;
   for (std::size_t i = 0; i < plan.problem.foundations.size(); ++i)
-    refuse(plan.problem.foundations[i].lifts_off, "foundation[" + std::to_string(i) + "].lifts_off",
-           "soil that lifts off cannot be run");
-  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
-    refuse(moves && plan.problem.loads[i].kind == plate::Load::Kind::settlement,
-           plate::key_of_load(plan.problem, i) + ".kind", "settlements in motion cannot be run");
-  for (std::size_t i = 0; i < plan.problem.loads.size(); ++i)
-    refuse(plan.problem.loads[i].moves(), plate::key_of_load(plan.problem, i) + ".path",
-           "loads that move cannot be run");
-  refuse(plan.analysis.damping && plan.analysis.damping->stiffness > 0, "analysis.damping.stiffness",
-         "damping by the stiffness cannot be run (mass can)");
-  refuse(plan.problem.initial.has_value(), "initial", "motions cannot begin so");
-  refuse(plan.problem.impact.has_value(), "impact", "impacts cannot be run");
+    refuse(rests && plan.problem.foundations[i].lifts_off, "foundation[" + std::to_string(i) + "].lifts_off",
+           "what soil that lifts off touches at rest cannot be searched for");
   if (auto fault = plan.srif && plan.srif->richardson ? fault_of_twice_the_spacing(plan.problem) : ""; !fault.empty())
     result.push_back({"srif.richardson", std::move(fault)});
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
@@ -175,6 +167,19 @@ double attached_energy(const plate::Formulation& plate, const plate::State& stat
   return plate::exact_sum<1>(*plate::ranks(), std::size_t(state.cols()), [&](std::size_t k, const auto& add) {
     if (boundary.owns(k)) add(0, -state.col(Eigen::Index(k)).dot(force.col(Eigen::Index(k))) / 2);
   })[0];
+}
+
+double share_touching(const plate::Formulation& plate, const plate::State& state) {
+  const auto& boundary = plate.boundary();
+  if (!plate::ranks()) return boundary.attached.share_touching(state);
+  const auto& parts = boundary.attached.parts();
+  const auto [touching, all] = plate::exact_sum<2>(*plate::ranks(), parts.size(), [&](std::size_t i, const auto& add) {
+    if (!parts[i]->contact) return;
+    parts[i]->contact->for_each(state, [&](std::size_t point, double stiffness, bool touches) {
+      if (boundary.owns(point)) add(0, touches ? stiffness : 0), add(1, stiffness);
+    });
+  });
+  return all > 0 ? touching / all : 0;
 }
 
 void count_all(post::Summary& summary, const plate::Formulation& plate) {

@@ -37,6 +37,8 @@ std::vector<post::Srif> of_all(std::vector<post::Srif> own);  // all_factors.hpp
 std::vector<post::Peak> of_all(std::vector<post::Peak> own);
 /// The part of the strain energy that foundations and springs have.
 double attached_energy(const plate::Formulation& plate, const plate::State& state);
+/// AttachedStiffness::share_touching of all.
+double share_touching(const plate::Formulation& plate, const plate::State& state);
 /// Points and bonds of all processes, each counted by its owner.
 void count_all(post::Summary& summary, const plate::Formulation& plate);
 

@@ -26,6 +26,13 @@ public:
   /// As if it touched there and nowhere else, whatever the state.
   void add_force(double factor, const State& state, const std::vector<char>& touching, Forces& forces) const;
   double energy(const State& state) const;
+  /// visit(point, stiffness, touches) of every place.
+  template <typename Visit>
+  void for_each(const State& state, const Visit& visit) const {
+    const auto touches = touching(state);
+    for (std::size_t p = 0; p < touches.size(); ++p)
+      visit(terms_[first_[p]].first % std::size_t(state.cols()), stiffness_[p], touches[p] != 0);
+  }
   /// Stiffness of what touches, and of all.
   std::pair<double, double> shares(const State& state) const;
   std::size_t bytes() const;

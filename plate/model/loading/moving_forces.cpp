@@ -36,13 +36,16 @@ std::vector<Place> places_on(const Load& load, double spacing) {
 }
 
 /// A force of the size `value`, spread over a square of a spacing in samples, each at the point next to it with its
-/// lever: it keeps its size and its place, and grows smoothly from point to point.
+/// lever: it keeps its size and its place, and grows smoothly from point to point. `sees`: are the points about a place
+/// there?
+template <typename Sees>
 void add_force(double value, const Point& at, const std::vector<Point>& positions,
-               const std::vector<std::uint32_t>& near, double spacing, Forces& forces) {
+               const std::vector<std::uint32_t>& near, double spacing, const Sees& sees, Forces& forces) {
   constexpr int samples = 8;
   for (int i = 0; i < samples; ++i)
     for (int j = 0; j < samples; ++j) {
       const Point x = at + spacing * Point((i + 0.5) / samples - 0.5, (j + 0.5) / samples - 0.5);
+      if (near.empty() || !sees(x)) continue;
       const auto k = *std::ranges::min_element(near, {}, [&](auto n) { return (positions[n] - x).squaredNorm(); });
       forces.col(k) += moved_force(value / (samples * samples), at - positions[k]);
     }
@@ -59,9 +62,9 @@ Load moved(Load load, const Point& to) {
 }
 
 /// `press(load, forces)`: adds a pressure that rests.
-template <typename Press>
+template <typename Sees, typename Press>
 MovingForces stations(const Load& load, const std::vector<Point>& positions, std::size_t count, double spacing,
-                      const Press& press) {
+                      const Sees& sees, const Press& press) {
   MovingForces result;
   std::vector<std::uint32_t> near;
   for (std::uint32_t k = 0; k < count; ++k)
@@ -70,7 +73,7 @@ MovingForces stations(const Load& load, const std::vector<Point>& positions, std
   for (const auto& [time, x] : places_on(load, spacing)) {
     forces.setZero();
     if (load.kind == Load::Kind::point_force)
-      add_force(load.value, x, positions, near, spacing, forces);
+      add_force(load.value, x, positions, near, spacing, sees, forces);
     else
       press(moved(load, x), forces);
     auto& station = result.stations.emplace_back(MovingForces::Station{time, {}});
@@ -94,14 +97,18 @@ Forces MovingForces::whole(double time, std::size_t points) const {
   return result;
 }
 
-MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud) {
-  return stations(load, cloud.positions, cloud.plate_points, cloud.units.spacing,
-                  [&](const Load& now, Forces& forces) { add_pressure(now, cloud, {}, forces); });
+MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own) {
+  auto result = stations(
+      load, cloud.positions, cloud.plate_points, cloud.units.spacing, [&](const Point& x) { return cloud.seeded(x); },
+      [&](const Load& now, Forces& forces) { add_pressure(now, cloud, own, forces); });
+  result.own = own;
+  return result;
 }
 
 MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points) {
-  return stations(load, cells.positions, points, cells.units.spacing,
-                  [&](const Load& now, Forces& forces) { add_pressure(now, cells, forces); });
+  return stations(
+      load, cells.positions, points, cells.units.spacing, [](const Point&) { return true; },
+      [&](const Load& now, Forces& forces) { add_pressure(now, cells, forces); });
 }
 
 }  // namespace plate

@@ -14,6 +14,7 @@
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/impact.hpp"
 #include "plate/solve/motion/time_grid.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -27,6 +28,7 @@ State bent(const Formulation& plate, const Formula& formula) {
   const auto& positions = plate.cloud().positions;
   State result = State::Zero(3, Eigen::Index(positions.size()));
   for (std::size_t k = 0; k < plate.cloud().plate_points; ++k) {
+    if (!plate.boundary().owns(k)) continue;
     const Point& x = positions[k];
     const auto slope = [&](const Point& along) {
       const auto at = [&](double n) { return formula(x + n * step * along); };
@@ -40,29 +42,67 @@ State bent(const Formulation& plate, const Formula& formula) {
   return result;
 }
 
-/// Refuses a deflection that is not nearly a straight line over a spacing about every point, or not zero where supports
-/// hold an edge.
-void require_possible(const Formulation& plate, const Formula& formula, const State& state) {
+/// What is wrong with a deflection that is not nearly a straight line over a spacing about every point, or not zero
+/// where supports hold an edge, as far as this process sees.
+std::string fault_of(const Formulation& plate, const Formula& formula, const State& state) {
   const auto points = Eigen::Index(plate.cloud().plate_points);
   const double spacing = plate.discretization().spacing_at_tips();
-  const double size = state.row(0).head(points).cwiseAbs().maxCoeff();
-  const double steepest = state.bottomRows(2).leftCols(points).colwise().norm().maxCoeff();
-  for (Eigen::Index k = 0; k < points; ++k)
+  const double size = largest_of_all(state.row(0).head(points).cwiseAbs().maxCoeff());
+  const double steepest = largest_of_all(state.bottomRows(2).leftCols(points).colwise().norm().maxCoeff());
+  for (Eigen::Index k = 0; k < points; ++k) {
+    if (!plate.boundary().owns(std::size_t(k))) continue;
     for (const Point& along : {Point(spacing / 2, 0), Point(0, spacing / 2)}) {
       const Point& x = plate.cloud().positions[std::size_t(k)];
       const double change = std::abs(formula(x + along) - formula(x - along));
       if (change > 2 * spacing * steepest + 1e-9 * size)
-        throw Jumps(formula.text(), fmt::format("jumps by {:g} about {}: a plate bends", change, text_of(x)));
+        return fmt::format("jumps by {:g} about {}: a plate bends", change, text_of(x));
     }
+  }
   const auto edges = geometry::straight_edges(plate.problem().outline);
   for (const auto& support : plate.problem().supports)
     for (const auto& edge : edges) {
       if (!held_by(support.kind).w || std::ranges::find(support.edges, edge.name) == support.edges.end()) continue;
       for (const double t : {0.05, 0.25, 0.5, 0.75, 0.95})
         if (const Point x = edge.from + t * (edge.to - edge.from); std::abs(formula(x)) > 0.02 * size)
-          throw Jumps(formula.text(), fmt::format("is {:g} at {}, where a support holds the plate: let it be 0 there",
-                                                  formula(x), text_of(x)));
+          return fmt::format("is {:g} at {}, where a support holds the plate: let it be 0 there", formula(x),
+                             text_of(x));
     }
+  return "";
+}
+
+void require_possible(const Formulation& plate, const Formula& formula, const State& state) {
+  std::vector<std::string> faults{fault_of(plate, formula, state)};
+  if (const Ranks* all = ranks())
+    faults = all->exchanged(std::vector<std::string>(std::size_t(all->size()), faults.front()));
+  for (const auto& fault : faults)
+    if (!fault.empty()) throw Jumps(formula.text(), fault);
+}
+
+/// Does this process have points so near to the place that it presses on them, or on what follows them?
+bool touches(const Formulation& plate, const Point& at) {
+  constexpr double near = 8;  // spacings, of which a process sees many more
+  const auto& cloud = plate.cloud();
+  for (std::size_t k = 0; k < cloud.plate_points; ++k)
+    if (plate.boundary().owns(k) && (cloud.positions[k] - at).norm() <= near * cloud.units.spacing) return true;
+  return false;
+}
+
+Impactor impactor_of(const Impact& impact, const Formulation& plate) {
+  Impactor result{{}, impact.mass, impact.velocity, impact.stiffness};
+  const bool here = touches(plate, impact.position), anywhere = largest_of_all(here) > 0;
+  if (anywhere && !here) return result;
+  for (const auto& share : plate.interpolation(impact.position)) {
+    result.shares.emplace_back(share.point, share.weight);
+    result.own.push_back(plate.boundary().owns(share.point));
+  }
+  return result;
+}
+
+double kinetic_energy(const Forces& mass, const State& velocity) {
+  return ordered_sum<1>(std::size_t(mass.size()), [&](std::size_t i) {  // copies have no mass
+    const double v = velocity.data()[i];
+    return std::array<double, 1>{mass.data()[i] * v * v / 2};
+  })[0];
 }
 
 }  // namespace
@@ -73,12 +113,9 @@ BeginOfMotion begin_of_motion(const Formulation& plate, double rotary) {
   BeginOfMotion result{bent(plate, initial.deflection), bent(plate, initial.velocity)};
   if (result.deflected.size() > 0) require_possible(plate, initial.deflection, result.deflected);
   if (result.deflected.size() > 0) result.given += plate.strain_energy(result.deflected);
-  if (result.velocity.size() > 0)
-    result.given += plate.mass(rotary).cwiseProduct(result.velocity.cwiseAbs2()).sum() / 2;
+  if (result.velocity.size() > 0) result.given += kinetic_energy(plate.mass(rotary), result.velocity);
   if (const auto& impact = problem.impact) {
-    result.impact = {{}, impact->mass, impact->velocity, impact->stiffness};
-    for (const auto& share : plate.interpolation(impact->position))
-      result.impact->shares.emplace_back(share.point, share.weight);
+    result.impact = impactor_of(*impact, plate);
     result.given += impact->mass * impact->velocity * impact->velocity / 2;
   }
   return result;

@@ -1,16 +1,20 @@
 #include "plate/solve/motion/driven_supports.hpp"
 
+#include <cmath>
 #include <map>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/ranks/exact_sum.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/settled.hpp"
 
 namespace plate {
 
 DrivenSupports::DrivenSupports(const std::vector<TimedLoad>& loads, const Constraints& constraints, const Forces& mass,
-                               const Forces& folded) {
+                               const Forces& folded, const std::vector<char>& own)
+    : any_(std::ranges::any_of(loads, &TimedLoad::lifts)) {
+  const auto owns = [&](std::uint32_t dof) { return own.empty() || own[dof / 3]; };
   std::map<std::uint32_t, std::vector<double>> lifts;
   for (std::size_t l = 0; l < loads.size(); ++l) {
     if (!loads[l].lifts()) continue;
@@ -21,13 +25,14 @@ DrivenSupports::DrivenSupports(const std::vector<TimedLoad>& loads, const Constr
   if (lifts.empty()) return;
   for (const auto& load : loads) histories_.push_back(load.history);
   std::map<std::uint32_t, std::size_t> leader_of;
-  for (auto& [dof, values] : lifts) driven_.push_back({dof, at_dof(mass, dof), std::move(values)});
+  for (auto& [dof, values] : lifts) driven_.push_back({dof, owns(dof), at_dof(mass, dof), std::move(values)});
   auto tie = constraints.ties().begin();
   for (auto& one : driven_) {
     while (tie != constraints.ties().end() && tie->follower < one.dof) ++tie;
     for (; tie != constraints.ties().end() && tie->follower == one.dof; ++tie) {
       const auto [found, fresh] = leader_of.try_emplace(tie->leader, leaders_.size());
-      if (const double m = at_dof(folded, tie->leader); fresh) leaders_.push_back({tie->leader, m > 0 ? 1 / m : 0});
+      const double m = at_dof(folded, tie->leader);
+      if (fresh) leaders_.push_back({tie->leader, bool(owns(tie->leader)), m > 0 ? 1 / m : 0});
       one.leaders.emplace_back(found->second, tie->factor);
     }
   }
@@ -42,17 +47,19 @@ Forces driven_mass(const Formulation& plate, double rotary) {
   return settles(plate) ? whole_mass(plate, rotary) : Forces(3, 0);
 }
 
+double DrivenSupports::place_of(const Driven& one, double time) const {
+  double sum = 0;
+  for (std::size_t l = 0; l < histories_.size(); ++l)
+    if (one.lifts[l] != 0) sum += factor(histories_[l], time) * one.lifts[l];
+  return sum;
+}
+
 void DrivenSupports::at(double time, double time_step, bool first) {
   time_ = time, dt_ = time_step;
-  const auto place = [&](const Driven& one, double when) {
-    double sum = 0;
-    for (std::size_t l = 0; l < histories_.size(); ++l)
-      if (one.lifts[l] != 0) sum += factor(histories_[l], when) * one.lifts[l];
-    return sum;
-  };
+  const double step = std::round(time / time_step);  // every step sees the same places at the same times
   for (auto& one : driven_) {
-    one.now = place(one, time), one.next = place(one, time + time_step);
-    one.before = first ? one.next : place(one, time - time_step);  // from rest: u(dt) = a dt^2 / 2
+    one.now = place_of(one, time), one.next = place_of(one, (step + 1) * time_step);
+    one.before = first ? one.next : place_of(one, (step - 1) * time_step);  // from rest: u(dt) = a dt^2 / 2
     one.speed = (one.next - one.before) / (2 * dt_);
     one.acceleration = (one.next - 2 * one.now + one.before) / (dt_ * dt_);
   }
@@ -60,6 +67,26 @@ void DrivenSupports::at(double time, double time_step, bool first) {
 
 void DrivenSupports::place_next(State& state) const {
   for (const auto& one : driven_) at_dof(state, one.dof) += one.next;
+}
+
+void DrivenSupports::place(State& state, double time) const {
+  for (const auto& one : driven_) at_dof(state, one.dof) += place_of(one, time);
+}
+
+/// Sums of what `terms` adds for everything that is held: of itself, where that is the process's own, and of the
+/// leaders that are, with their share of its mass.
+template <std::size_t N, typename Terms>
+std::array<double, N> DrivenSupports::sum(const Terms& terms) const {
+  const auto each = [&](std::size_t i, const auto& add) {
+    const auto& one = driven_[i];
+    if (one.own) terms.of_itself(one, add);
+    for (const auto& [leader, factor] : one.leaders)
+      if (leaders_[leader].own) terms.of_leader(one, one.mass * factor, leaders_[leader], add);
+  };
+  if (const Ranks* all = ranks()) return exact_sum<N>(*all, driven_.size(), each);
+  std::array<double, N> result{};
+  for (std::size_t i = 0; i < driven_.size(); ++i) each(i, [&](std::size_t n, double term) { result[n] += term; });
+  return result;
 }
 
 template <typename Real>
@@ -74,28 +101,40 @@ void DrivenSupports::take(Values<Real>& force) {
 template void DrivenSupports::take(Values<double>&);
 template void DrivenSupports::take(Values<float>&);
 
+namespace {
+
+template <typename OfItself, typename OfLeader>
+struct Terms {
+  OfItself of_itself;
+  OfLeader of_leader;
+};
+
+}  // namespace
+
 template <typename Real>
 void DrivenSupports::book(const State& state, const State& velocity, const Values<Real>& folded, double half) {
+  if (!any()) return;
   for (auto& leader : leaders_) {
+    if (!leader.own) continue;
     double force = double(at_dof(folded, leader.dof));
     for (std::size_t l = 0; l < histories_.size(); ++l) force += factor(histories_[l], time_) * leader.loads[l];
     leader.acceleration = force * leader.inverse_mass;
     leader.velocity = at_dof(velocity, leader.dof) + half * leader.acceleration;
   }
-  for (auto& one : driven_) {
-    one.follows_at = at_dof(state, one.dof) - one.now, one.follows_speed = one.follows_acceleration = 0;
-    for (const auto& [leader, factor] : one.leaders) {
-      one.follows_speed += factor * leaders_[leader].velocity;
-      one.follows_acceleration += factor * leaders_[leader].acceleration;
-    }
-    const double reaction = one.mass * (one.acceleration + one.follows_acceleration) - one.force;
-    if (booked_)
-      work_ += (reaction + one.reaction) / 2 * (one.now - one.booked_at);
-    else if (slow_)
-      work_ += reaction * one.now / 2;
-    one.reaction = reaction, one.booked_at = one.now;
-  }
-  booked_ = true;
+  for (auto& one : driven_) one.follows_at = at_dof(state, one.dof) - one.now;
+  const auto on_the_way = [](const Driven& one, double reaction, const auto& add) {
+    add(0, reaction * (one.now - one.before)), add(1, reaction * (one.next - one.now)), add(2, reaction * one.now);
+  };
+  const auto [since, ahead, slowly] = sum<3>(
+      Terms{[&](const Driven& one, const auto& add) { on_the_way(one, one.mass * one.acceleration - one.force, add); },
+            [&](const Driven& one, double mass, const Leader& leader, const auto& add) {
+              on_the_way(one, mass * leader.acceleration, add);
+            }});
+  if (booked_)
+    work_ += (since + ahead_) / 2;
+  else if (slow_)
+    work_ += slowly / 2;
+  ahead_ = ahead, booked_ = true;
 }
 
 template void DrivenSupports::book(const State&, const State&, const Values<double>&, double);
@@ -104,14 +143,18 @@ template void DrivenSupports::book(const State&, const State&, const Values<floa
 void DrivenSupports::complete(Instant& seen) const {
   if (!any()) return;
   seen.external_work += work_;
-  for (const auto& one : driven_) {
-    const double speed = one.follows_speed + one.speed, change = dt_ / 2 * one.follows_acceleration,
-                 whole_change = dt_ / 2 * (one.follows_acceleration + one.acceleration);
-    const double kinetic = one.mass / 2 * (speed * speed - one.follows_speed * one.follows_speed);
-    seen.kinetic_energy += kinetic;
-    seen.discrete_kinetic_energy += kinetic - one.mass / 2 * (whole_change * whole_change - change * change);
-    seen.strain_energy -= (one.mass * one.acceleration * one.follows_at + one.force * one.now) / 2;
-  }
+  const auto [kinetic, of_change, strain] =
+      sum<3>(Terms{[](const Driven& one, const auto& add) {
+                     add(0, one.mass / 2 * one.speed * one.speed);
+                     add(1, one.mass / 2 * one.acceleration * one.acceleration);
+                     add(2, (one.mass * one.acceleration * one.follows_at + one.force * one.now) / 2);
+                   },
+                   [](const Driven& one, double mass, const Leader& leader, const auto& add) {
+                     add(0, mass * leader.velocity * one.speed), add(1, mass * leader.acceleration * one.acceleration);
+                   }});
+  seen.kinetic_energy += kinetic;
+  seen.discrete_kinetic_energy += kinetic - dt_ * dt_ / 4 * of_change;
+  seen.strain_energy -= strain;
   const auto add = [](std::function<State()> free, const DrivenSupports& supports, double Driven::*own) {
     return [free = std::move(free), &supports, own] {
       State whole = free();
@@ -124,18 +167,12 @@ void DrivenSupports::complete(Instant& seen) const {
 }
 
 std::vector<double> DrivenSupports::memory() const {
-  std::vector<double> result;
-  if (!any()) return result;
-  result.push_back(work_);
-  for (const auto& one : driven_) result.push_back(one.reaction), result.push_back(one.booked_at);
-  return result;
+  return any() ? std::vector<double>{work_, ahead_} : std::vector<double>{};
 }
 
 void DrivenSupports::recall(const std::vector<double>& memory) {
   if (memory.empty()) return;
-  work_ = memory.front(), booked_ = true;
-  for (std::size_t i = 0; i < driven_.size(); ++i)
-    driven_[i].reaction = memory[2 * i + 1], driven_[i].booked_at = memory[2 * i + 2];
+  work_ = memory[0], ahead_ = memory[1], booked_ = true;
 }
 
 void DrivenSupports::start() {

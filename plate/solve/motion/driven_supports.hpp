@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,19 +14,24 @@ struct TimedLoad;
 
 /// What is held, in a motion by steps whose settlements move it: where it is, what its mass adds to the forces, and the
 /// work that supports do (theory.md, "Supports that move"). Without settlements it holds nothing and does nothing.
+/// Where processes share the plate, each books what is held by itself where it has that, and what it owes to a leader
+/// where it has the leader: the sums are the same for all.
 class DrivenSupports {
 public:
   DrivenSupports() = default;
-  /// `mass`: of every degree of freedom, held or not; `folded`: carried over to the free ones.
+  /// `mass`: of every degree of freedom, held or not; `folded`: carried over to the free ones; `own`: points that no
+  /// other process has, empty: all.
   DrivenSupports(const std::vector<TimedLoad>& loads, const Constraints& constraints, const Forces& mass,
-                 const Forces& folded);
+                 const Forces& folded, const std::vector<char>& own = {});
 
-  bool any() const { return !driven_.empty(); }
+  bool any() const { return any_; }
 
   /// The step that begins: where it is now, and before and after.
   void at(double time, double time_step, bool first);
   /// Adds to a state that follows from what is free where it is after the step.
   void place_next(State& state) const;
+  /// The same of where it is at a time.
+  void place(State& state, double time) const;
   /// Takes the internal force in hand, and adds the inertia of what is held to it, before it is carried over.
   template <typename Real>
   void take(Values<Real>& force);
@@ -46,25 +52,31 @@ public:
 private:
   struct Leader {
     std::uint32_t dof;
+    bool own;
     double inverse_mass, acceleration = 0, velocity = 0;
     std::vector<double> loads = {};  // folded, of every load at factor 1
   };
   struct Driven {
     std::uint32_t dof;
+    bool own;
     double mass;
     std::vector<double> lifts;                                 // of every load
     std::vector<std::pair<std::size_t, double>> leaders = {};  // with factors
     double before = 0, now = 0, next = 0;                      // where it is
     double speed = 0, acceleration = 0;                        // its own, beside what it follows
-    double follows_at = 0, follows_speed = 0, follows_acceleration = 0;
-    double force = 0;                    // internal
-    double reaction = 0, booked_at = 0;  // of the call before
+    double follows_at = 0;
+    double force = 0;  // internal
   };
+  double place_of(const Driven& one, double time) const;
+  template <std::size_t N, typename Terms>
+  std::array<double, N> sum(const Terms& terms) const;
 
+  bool any_ = false;
   std::vector<History> histories_;
   std::vector<Leader> leaders_;
   std::vector<Driven> driven_;
   double time_ = 0, dt_ = 0, work_ = 0;
+  double ahead_ = 0;  // work of the reactions of the call before on the way until now
   bool booked_ = false, slow_ = false;
 };
 

@@ -8,71 +8,13 @@
 #include "plate/model/solver_choices.hpp"
 #include "plate/solve/finite.hpp"
 #include "plate/solve/interruption.hpp"
+#include "plate/solve/motion/beside/beside.hpp"
 #include "plate/solve/motion/driven_supports.hpp"
-#include "plate/solve/motion/impact.hpp"
 #include "plate/solve/motion/masses.hpp"
 #include "plate/solve/motion/travelling_loads.hpp"
 
 namespace plate {
 namespace {
-
-/// What acts in steps beside loads and stiffness: damping, of the mass with the mean velocity of both halves of a step,
-/// of the stiffness with that of the half before, and the contact with a mass (theory (84, 85)).
-class Beside {
-public:
-  Beside(const DynamicOptions& options, const State& state)
-      : damping_{options.mass_damping, options.stiffness_damping},
-        time_step_(options.time_step),
-        impact_(options.impact.has_value()) {
-    const auto* from = options.from;
-    if (from) before_ = from->force, dissipated_ = from->dissipated;
-    if (impact_) contact_ = from ? Contact(*options.impact, from->striker) : Contact(*options.impact, state);
-  }
-
-  bool acts() const { return impact_ || !damping_.none(); }
-  bool damps() const { return !damping_.none(); }
-  const Damping& damping() const { return damping_; }
-  const std::optional<Contact>& contact() const { return contact_; }
-  /// Of damping by the stiffness alone, and with the contact; folded.
-  double viscous(Eigen::Index i) const { return viscous_.size() > 0 ? viscous_.data()[i] : 0; }
-  double force(Eigen::Index i) const { return viscous(i) + (pressed_.size() > 0 ? pressed_.data()[i] : 0); }
-  double dissipated() const { return dissipated_; }
-
-  /// `force`: internal, not folded. `first`: that of the velocity at the begin.
-  void find(const State& state, const Forces& force, const std::function<Forces()>& first) {
-    if (damping_.stiffness > 0) {
-      if (before_.size() == 0) before_ = force - time_step_ * first();
-      viscous_ = damping_.stiffness / time_step_ * (force - before_);
-      before_ = force;
-    }
-    if (!contact_) return;
-    pressed_.setZero(3, force.cols());
-    contact_->press(state, pressed_);
-  }
-  void add_on_held(const Constraints& constraints, Eigen::VectorXd& held) const {
-    if (viscous_.size() > 0) held += constraints.on_held(viscous_);
-  }
-  void fold(const Constraints& constraints) {
-    if (viscous_.size() > 0) constraints.fold(viscous_);
-    if (pressed_.size() > 0) constraints.fold(pressed_);
-  }
-  void lose(double energy) { dissipated_ += energy; }
-  void move(double share) {
-    if (contact_) contact_->move(share, time_step_);
-  }
-  void remember(MotionMemory& memory) const {
-    memory.force = before_, memory.dissipated = dissipated_;
-    if (contact_) memory.striker = contact_->striker();
-  }
-
-private:
-  Damping damping_;
-  double time_step_;
-  bool impact_;
-  std::optional<Contact> contact_;
-  Forces before_, viscous_, pressed_;
-  double dissipated_ = 0;
-};
 
 /// Acceleration of a degree of freedom whose velocity is half a step before, or that of time 0.
 template <typename Real>
@@ -157,7 +99,10 @@ struct Begin {
       masses.recall(*from);
       return;
     }
-    if (options.velocity.size() > 0) velocity = options.velocity;
+    if (options.velocity.size() > 0)  // of what is held nobody asks before it follows
+      masses.for_each(points, [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
+        if (one.mass[c] > 0) std::copy_n(options.velocity.data() + first, length, velocity.data() + first);
+      });
     if (options.start.size() > 0) state = options.start;
     if (options.start.size() > 0) options.bent ? masses.bent(state) : masses.start(state);
     masses.give(options.given);
@@ -200,11 +145,10 @@ std::optional<Eigen::VectorXd> find_forces(const InternalForce& internal_force, 
   internal_force(now.state, force);
   if constexpr (std::is_same_v<Real, double>)
     if (beside.acts())
-      beside.find(now.state, force, [&] {
-        State velocity = now.velocity;
-        constraints.impose(velocity);
+      beside.find(now.state, now.velocity, force, [&](State of) {
+        constraints.impose(of);
         Forces result;
-        internal_force(velocity, result);
+        internal_force(of, result);
         return result;
       });
   std::optional<Eigen::VectorXd> held;
@@ -220,7 +164,10 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   const double dt = options.time_step;
   auto [state, velocity, begin] = Begin(options, masses, points);
   Beside beside(options, state);
-  if (const auto* from = options.from) driven.recall(from->driven), travelling.recall(from->travelling);
+  if (const auto* from = options.from) {
+    driven.recall(from->driven), travelling.recall(from->travelling);
+    if (ranks() && driven.any()) constraints.impose(state), driven.place(state, double(begin) * dt);
+  }
   if (!options.from && options.start.size() > 0 && !options.bent) driven.start();
   Values<Real> force;
   for (std::size_t step = begin;; ++step) {
@@ -274,7 +221,7 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
                          const std::function<void(const Instant&)>& observe) {
   Masses masses(mass, loads, constraints);
   DrivenSupports driven;
-  if (options.whole_mass.cols() > 0) driven = {loads, constraints, options.whole_mass, mass};
+  if (options.whole_mass.cols() > 0) driven = {loads, constraints, options.whole_mass, mass, options.own};
   const auto points = mass.cols();
   mass.resize(3, 0);
   if (!options.single) {

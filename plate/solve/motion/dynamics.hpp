@@ -4,6 +4,7 @@
 #include <vector>
 #include "plate/formulation/operator.hpp"
 #include "plate/model/state.hpp"
+#include "plate/solve/motion/beside/impactor.hpp"
 
 namespace plate {
 
@@ -23,28 +24,6 @@ std::optional<State> start_by_place(const Formulation& plate);
 
 /// Mass per degree of freedom, held or not, of a plate whose supports move; nothing of others.
 Forces driven_mass(const Formulation& plate, double rotary);
-
-/// A mass that meets the plate at time 0 at a place of it, and presses on it by a spring that does not pull.
-struct Impactor {
-  std::vector<std::pair<std::uint32_t, double>> shares;  // of the points about the place
-  double mass = 0;                                       // [mass]
-  double velocity = 0;                                   // along w [length/time]; its sign tells the side
-  double stiffness = 0;                                  // of the contact [force/length]
-};
-
-/// Where the mass is: along w, and half a step before how fast; how it has pressed so far.
-struct Striker {
-  double place = 0, velocity = 0;
-  double largest = 0, touching = 0;  // force, with its sign [force]; for how long [time]
-};
-
-/// What the mass does at an instant.
-struct Blow {
-  double place, velocity;    // along w [length, length/time]
-  double force;              // that it presses with, on the plate along w [force]
-  double largest, touching;  // of all steps so far: force, how long it presses [time]
-  std::vector<std::pair<std::uint32_t, double>> shares;
-};
 
 /// How a plate begins to move, beside loads: what its case gives, on all of its points.
 struct BeginOfMotion {
@@ -92,7 +71,8 @@ public:
   virtual void after_force(const Step& now, const Forces& force) = 0;
 };
 
-/// All that a motion must remember between two steps in order to go on; empty at rest.
+/// All that a motion must remember between two steps in order to go on; empty at rest. Where processes share the plate,
+/// states of own points, which the others follow.
 struct MotionMemory {
   std::size_t step = 0;
   State state, velocity;                             // velocity: half a step before
@@ -100,14 +80,14 @@ struct MotionMemory {
   std::vector<double> work, before;                  // of every load [energy]
   std::vector<double> driven = {}, travelling = {};  // of supports that move, of loads that do
   double given = 0;                                  // what else began the motion [energy]
-  State force = {};                                  // of the step before, where the stiffness damps
+  State earlier = {};                                // of the step before, where the stiffness damps
   double dissipated = 0;
   Striker striker = {};
 
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(step, state, velocity, loads, work, before, driven, travelling);
-    archive(given, force, dissipated, striker.place, striker.velocity, striker.largest, striker.touching);
+    archive(given, earlier, dissipated, striker.place, striker.velocity, striker.largest, striker.touching);
   }
 };
 
@@ -129,6 +109,7 @@ struct DynamicOptions {
   /// alpha and beta of a damping, in double precision, of plates that do not change [1/time, time].
   double mass_damping = 0, stiffness_damping = 0;
   std::optional<Impactor> impact = {};  // likewise
+  std::vector<char> own = {};           // points that no other process has; empty: all
   /// Goes on from here instead, with the numbers that it would have had.
   const MotionMemory* from = nullptr;
   /// Asked before every step, by processes that share the plate at every row: is the memory to be kept now? It is, too,

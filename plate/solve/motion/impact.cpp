@@ -4,24 +4,27 @@
 #include <cmath>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
 
-double deflection(const std::vector<std::pair<std::uint32_t, double>>& shares, const State& state) {
-  double sum = 0;
-  for (const auto& [point, weight] : shares) sum += weight * state(0, point);
-  return sum;
+/// Of the place, the same for all processes.
+double deflection(const Impactor& impactor, const State& state) {
+  return ordered_sum<1>(impactor.shares.size(), [&](std::size_t i) {
+    const auto& [point, weight] = impactor.shares[i];
+    return std::array<double, 1>{impactor.own.empty() || impactor.own[i] ? weight * state(0, point) : 0};
+  })[0];
 }
 
 }  // namespace
 
 Contact::Contact(const Impactor& impactor, const State& state)
-    : impactor_(impactor), striker_{deflection(impactor.shares, state), impactor.velocity} {}
+    : impactor_(impactor), striker_{deflection(impactor, state), impactor.velocity} {}
 
 void Contact::press(const State& state, Forces& forces) {
   const double towards = impactor_.velocity < 0 ? -1 : 1;
-  overlap_ = std::max(0.0, towards * (striker_.place - deflection(impactor_.shares, state)));
+  overlap_ = std::max(0.0, towards * (striker_.place - deflection(impactor_, state)));
   force_ = towards * impactor_.stiffness * overlap_;
   if (std::abs(force_) > std::abs(striker_.largest)) striker_.largest = force_;
   for (const auto& [point, weight] : impactor_.shares) forces(0, point) += weight * force_;
@@ -58,11 +61,12 @@ double stable_step(double free, const Impactor& impactor, const Constraints& con
   Forces unit = Forces::Zero(3, mass.cols());
   for (const auto& [point, weight] : impactor.shares) unit(0, point) += weight;
   constraints.fold(unit);
-  double inverse = 1 / impactor.mass;
-  for (Eigen::Index i = 0; i < unit.size(); ++i)
-    if (mass.data()[i] > 0) inverse += unit.data()[i] * unit.data()[i] / mass.data()[i];
+  const auto [of_plate] = ordered_sum<1>(std::size_t(unit.size()), [&](std::size_t i) {
+    const double f = unit.data()[i], m = mass.data()[i];
+    return std::array<double, 1>{m > 0 ? f * f / m : 0};
+  });
   constexpr double of_contact = 0.1;
-  const double square = impactor.stiffness * inverse;
+  const double square = impactor.stiffness * (1 / impactor.mass + of_plate);
   return std::min(2 / std::sqrt(4 / (free * free) + square), of_contact / std::sqrt(square));
 }
 

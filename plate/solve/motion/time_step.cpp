@@ -117,7 +117,7 @@ std::optional<State> start_by_place(const Formulation& plate) {
 double stable_time_step(const Formulation& plate, double rotary) {
   if (const auto& attached = plate.boundary().attached; attached.lifts_off())
     return stable_time_step(TouchedPlate(plate, attached, everywhere(attached)), plate.constraints(),
-                            plate.mass(rotary));
+                            plate.mass(rotary), start_by_place(plate));
   return stable_time_step(plate, plate.constraints(), plate.mass(rotary), start_by_place(plate));
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/ranks/exact_sum.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 
 namespace plate {
@@ -12,12 +13,20 @@ TravellingLoads::TravellingLoads(const std::vector<TimedLoad>& loads) {
     if (load.moving) loads_.push_back({load.moving, load.history});
 }
 
-double TravellingLoads::product(double time, const State& state) const {
-  double sum = 0;
-  for (const auto& one : loads_) {
-    const double share = factor(one.history, time);
-    one.forces->at(time, [&](std::uint32_t dof, double force) { sum += share * force * at_dof(state, dof); });
-  }
+template <std::size_t N>
+std::array<double, N> TravellingLoads::products(const std::array<double, N>& times, const State& state) const {
+  const auto each = [&](std::size_t i, const auto& add) {
+    const auto& [forces, history] = loads_[i];
+    for (std::size_t n = 0; n < N; ++n) {
+      const double share = factor(history, times[n]);
+      forces->at(times[n], [&](std::uint32_t dof, double force) {
+        if (forces->own.empty() || forces->own[dof / 3]) add(n, share * force * at_dof(state, dof));
+      });
+    }
+  };
+  if (const Ranks* all = ranks()) return exact_sum<N>(*all, loads_.size(), each);
+  std::array<double, N> sum{};
+  for (std::size_t i = 0; i < loads_.size(); ++i) each(i, [&](std::size_t n, double term) { sum[n] += term; });
   return sum;
 }
 
@@ -25,9 +34,9 @@ template <typename Real>
 void TravellingLoads::add(double time, double time_step, const State& state, Values<Real>& force) {
   if (!any()) return;
   const double step = std::round(time / time_step);  // times to the last digit: at the end of its path a force leaves
-  const double before = begun_ ? product((step - 1) * time_step, state) : 0, now = product(time, state);
+  const auto [before, now, next] = products<3>({(step - 1) * time_step, time, (step + 1) * time_step}, state);
   if (begun_) work_ += (before + now - now_ - next_) / 2;
-  now_ = now, next_ = product((step + 1) * time_step, state), begun_ = true;
+  now_ = now, next_ = next, begun_ = true;
   for (const auto& one : loads_) {
     const double share = factor(one.history, time);
     one.forces->at(time, [&](std::uint32_t dof, double value) { at_dof(force, dof) += Real(share * value); });

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -35,7 +36,9 @@ private:
     std::shared_ptr<const MovingForces> forces;
     History history;
   };
-  double product(double time, const State& state) const;  // of the forces of a time with the state
+  /// Of the forces of some times with the state, over all own points.
+  template <std::size_t N>
+  std::array<double, N> products(const std::array<double, N>& times, const State& state) const;
 
   std::vector<Travelling> loads_;
   double work_ = 0, now_ = 0, next_ = 0;  // next: of the forces of the step after with the state of now

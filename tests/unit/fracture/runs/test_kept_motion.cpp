@@ -7,7 +7,8 @@
 #include "fracture/runs/keeper.hpp"
 #include "fracture/runs/run_once.hpp"
 #include "plate/formulation/discretised.hpp"
-#include "plate/solve/motion/dynamics.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/solve/motion/begin.hpp"
 #include "post/files/shared/shared_checkpoints.hpp"
 #include "post/files/sinks/kept_sink.hpp"
 #include "tests/unit/cases/case_text.hpp"
@@ -32,11 +33,14 @@ cases::CaseFile of_motion() {
 }
 
 /// So many steps by one of the processes; `folder`: of its checkpoints.
-Moved moved(const cases::CaseFile& file, const plate::Ranks& all, std::size_t steps,
-            const std::filesystem::path& folder) {
+Moved moved(cases::CaseFile file, const plate::Ranks& all, std::size_t steps, const std::filesystem::path& folder) {
+  if (auto& initial = file.content.initial)  // formulas are evaluated by one thread at a time
+    initial->velocity = plate::Formula(initial->velocity.text());
   fracture::Ready ready;
   ready.plate = plate::discretise(file.content).plate;
-  const double limit = plate::stable_time_step(*ready.plate, 1);
+  ready.begin = plate::begin_of_motion(*ready.plate, 1);
+  const double limit =
+      plate::stable_step(plate::stable_time_step(*ready.plate, 1), *ready.plate, file.content.analysis, ready.begin);
   ready.steps = {limit, {0.9 * limit, steps, 5}};
   Moved result;
   fracture::Results results(cases::plan_of(file.content, {{}, true, &result.kept}), *ready.plate, ready.tip_methods,
@@ -74,9 +78,29 @@ void require_same(const post::Kept& one, const post::Kept& other) {
 TEST_CASE("a motion in parts that was kept goes on by another number of processes, with the same tables") {
   constexpr std::size_t all = 30;
   auto file = of_motion();
+  std::size_t tables = 3;
   SECTION("without damping") {}
   SECTION("with a damping of the mass") {
     file.content.analysis.damping = plate::Damping{0.5, 0};
+  }
+  SECTION("with a damping of the stiffness, a velocity to begin with, and a mass that hits") {
+    file.content.analysis.damping = plate::Damping{0.5, 1e-5};
+    file.content.initial = plate::Initial{{}, plate::Formula("x + 1")};
+    file.content.impact = plate::Impact{{0.305, 0.325}, 1e-3, -1, 1e5};
+    tables = 4;
+  }
+  SECTION("with supports that move") {
+    auto& settlement = file.content.loads.emplace_back();
+    settlement.kind = plate::Load::Kind::settlement, settlement.value = 0.1, settlement.rotation = 0.2;
+    settlement.history.kind = plate::History::Kind::table, settlement.history.table = {{0, 0}, {0.01, 0.1}, {0.02, 1}};
+  }
+  SECTION("with a force that moves") {
+    auto& force = file.content.loads.emplace_back();
+    force.kind = plate::Load::Kind::point_force, force.value = 2;
+    force.path = {{-0.5, 0.3}, {0.5, 0.35}, {0.7, -0.2}}, force.speed = 50;
+  }
+  SECTION("on soil that lifts off") {
+    file.content.foundations.front().lifts_off = true;
   }
   const small_run::TemporaryFolder alone;
   const auto whole = moved_by(file, 2, all, alone.path());
@@ -87,7 +111,7 @@ TEST_CASE("a motion in parts that was kept goes on by another number of processe
     moved_by(file, before, std::size_t(kept), folder.path());
     const auto gone_on = moved_by(file, after, all, folder.path());
     CHECK(gone_on.went_on);
-    CHECK(whole.kept.tables.size() == 3);
+    CHECK(whole.kept.tables.size() == tables);
     require_same(gone_on.kept, whole.kept);
     REQUIRE(gone_on.summary.peaks.size() == whole.summary.peaks.size());
     CHECK(whole.summary.peaks.size() >= 2);

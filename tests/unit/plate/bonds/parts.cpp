@@ -9,8 +9,11 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/solve/analysis.hpp"
+#include "plate/solve/motion/begin.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/solution.hpp"
+#include "plate/solve/touched_plate.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 namespace parts {
@@ -33,8 +36,11 @@ Load pressure(double value) {
 }
 
 Problem own(Problem problem) {
-  for (auto& load : problem.loads)
-    if (load.formula.given()) load.formula = Formula(load.formula.text());
+  const auto again = [](Formula& formula) {
+    if (formula.given()) formula = Formula(formula.text());
+  };
+  for (auto& load : problem.loads) again(load.formula);
+  if (auto& initial = problem.initial) again(initial->deflection), again(initial->velocity);
   return problem;
 }
 
@@ -42,14 +48,14 @@ namespace {
 
 /// Where and how a motion ends, whoever computed it.
 struct End {
-  double limit = 0;                          // of the time step
-  std::vector<std::array<double, 4>> books;  // strain, kinetic, discrete and outer energy of every row
+  double limit = 0;                         // of the time step
+  std::vector<std::vector<double>> books;   // strain, kinetic, discrete and outer energy of every row, and dissipated
+  std::vector<std::array<double, 4>> blow;  // place, velocity and force of what hits, and for how long it has touched
   std::map<std::array<long, 2>, std::array<double, 3>> state;  // by cell
 };
 
-/// What this process, or the only one, has of 30 steps.
-End moved(const Problem& given, bool mixed) {
-  constexpr std::size_t steps = 30;
+/// What this process, or the only one, has of the steps.
+End moved(const Problem& given, const How& how) {
   const auto problem = own(given);
   const auto plate = discretise(problem).plate;
   const auto& cloud = plate->cloud();
@@ -59,13 +65,25 @@ End moved(const Problem& given, bool mixed) {
   for (std::uint32_t k = 0; k < cloud.size(); ++k)
     for (int c = 0; c < 3; ++c) start(c, k) = std::sin(double(7 * cell(k)[0] + 13 * cell(k)[1] + c));
   End end;
-  end.limit = stable_time_step(*plate, plate->constraints(), mass, start);
+  const auto begin = begin_of_motion(*plate, 1);
+  Analysis analysis;
+  analysis.damping = how.damping;
+  const auto& attached = plate->boundary().attached;
+  const double free =
+      stable_time_step(TouchedPlate(*plate, attached, everywhere(attached)), plate->constraints(), mass, start);
+  end.limit = stable_step(free, *plate, analysis, begin);
   const auto part = part_of_lattice(problem.outline, problem.discretization);
-  DynamicOptions options{0.9 * end.limit, steps, 10};
-  if (mixed) options.single = plate->single_precision();
+  DynamicOptions options{0.9 * end.limit, how.steps, 10};
+  if (how.mixed) options.single = plate->single_precision();
+  options.start = begin.deflected, options.bent = begin.deflected.size() > 0, options.velocity = begin.velocity;
+  options.given = begin.given, options.impact = begin.impact, options.own = plate->boundary().own;
+  options.mass_damping = how.damping.mass, options.stiffness_damping = how.damping.stiffness;
+  options.whole_mass = driven_mass(*plate, 1);
   central_differences(*plate, plate->constraints(), mass, plate->loads(), options, [&](const Instant& now) {
-    end.books.push_back({now.strain_energy, now.kinetic_energy, now.discrete_kinetic_energy, now.external_work});
-    if (now.step < steps) return;
+    end.books.push_back({now.strain_energy, now.kinetic_energy, now.discrete_kinetic_energy, now.external_work,
+                         now.dissipated, now.potential});
+    if (now.blow) end.blow.push_back({now.blow->place, now.blow->velocity, now.blow->force, now.blow->touching});
+    if (now.step < how.steps) return;
     for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
       if (!part || part->own.contains(cell(k)))
         end.state[cell(k)] = {now.state(0, k), now.state(1, k), now.state(2, k)};
@@ -73,14 +91,14 @@ End moved(const Problem& given, bool mixed) {
   return end;
 }
 
-End moved_by(int processes, const Problem& problem, bool mixed) {
+End moved_by(int processes, const Problem& problem, const How& how) {
   End all;
   std::mutex one_by_one;
   thread_ranks::run(processes, [&](const Ranks& ranks) {
-    End own = moved(problem, mixed);
+    End own = moved(problem, how);
     const std::lock_guard guard(one_by_one);
     all.state.merge(own.state);
-    if (ranks.rank() == 0) all.limit = own.limit, all.books = own.books;
+    if (ranks.rank() == 0) all.limit = own.limit, all.books = own.books, all.blow = own.blow;
     CHECK(own.state.empty());  // nobody else has any of these points
   });
   return all;
@@ -111,8 +129,8 @@ Rest at_rest(const Problem& given, StaticMethod method, Preconditioning wanted) 
 
 }  // namespace
 
-void check(const Problem& problem, bool mixed) {
-  const End whole = moved(problem, mixed), one = moved_by(1, problem, mixed);
+void check(const Problem& problem, const How& how) {
+  const End whole = moved(problem, how), one = moved_by(1, problem, how);
   REQUIRE(whole.state.size() == one.state.size());
   CHECK(one.limit == Approx(whole.limit).epsilon(1e-9));
   double largest = 0, apart = 0;
@@ -122,12 +140,23 @@ void check(const Problem& problem, bool mixed) {
       apart = std::max(apart, std::abs(value[c] - one.state.at(cell)[c]));
     }
   CHECK(largest > 0);
-  CHECK(apart < (mixed ? 1e-5 : 1e-10) * largest);
+  CHECK(apart < (how.mixed ? 1e-5 : 1e-10) * largest);
+  double energy = 0, other = 0;
+  REQUIRE((whole.books.size() == one.books.size() && whole.blow.size() == one.blow.size()));
+  for (std::size_t row = 0; row < whole.books.size(); ++row)
+    for (std::size_t i = 0; i < whole.books[row].size(); ++i) {
+      energy = std::max(energy, std::abs(whole.books[row][i]));
+      other = std::max(other, std::abs(whole.books[row][i] - one.books[row][i]));
+    }
+  CHECK(other < (how.mixed ? 1e-5 : 1e-10) * energy);
+  if (!whole.blow.empty()) CHECK(whole.blow.back()[3] > 0);  // it has touched the plate
+  for (std::size_t row = 0; row < whole.blow.size(); ++row)
+    for (std::size_t i = 0; i < 4; ++i) CHECK(one.blow[row][i] == Approx(whole.blow[row][i]).epsilon(1e-9));
   for (const int processes : {2, 3, 4, 7}) {
     INFO(processes << " processes");
-    const End many = moved_by(processes, problem, mixed);
+    const End many = moved_by(processes, problem, how);
     CHECK(many.limit == one.limit);
-    CHECK(many.books == one.books);
+    CHECK((many.books == one.books && many.blow == one.blow));
     CHECK((many.state == one.state));
   }
 }

@@ -16,8 +16,15 @@ Load pressure(double value);
 /// With formulas of its own: each is evaluated by one thread at a time.
 Problem own(Problem problem);
 
-/// 30 steps: 1 process against the ordinary program, any other number against 1, bit for bit.
-void check(const Problem& problem, bool mixed = false);
+/// How a plate moves, beside its problem.
+struct How {
+  bool mixed = false;
+  Damping damping = {};
+  std::size_t steps = 30;
+};
+
+/// In steps: 1 process against the ordinary program, any other number against 1, bit for bit.
+void check(const Problem& problem, const How& how = {});
 
 /// `bound`: of how far apart states are for different numbers of processes, over the largest; 0: the same bits.
 void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound);

@@ -36,7 +36,7 @@ TEST_CASE(
     check(problem);
   }
   SECTION("in single precision") {
-    check(problem, true);
+    check(problem, {true});
   }
   SECTION("at rest") {
     check_rest(problem, StaticMethod::cg, Preconditioning::diagonal, 0);

@@ -20,11 +20,11 @@ TEST_CASE("without settlements nothing is driven; with them what is held is wher
   loads[1].history.kind = History::Kind::table, loads[1].history.table = {{0, 0}, {1, 1}};
   DrivenSupports driven(loads, constraints, mass, mass);
   REQUIRE(driven.any());
-  driven.at(0.5, 0.1, false);
+  driven.at(0.5, 0.125, false);
   State state = State::Zero(3, 3);
   driven.place_next(state);
-  CHECK(state(0, 0) == Approx(0.3));
-  CHECK(state(0, 1) == Approx(-0.6));
+  CHECK(state(0, 0) == Approx(0.3125));
+  CHECK(state(0, 1) == Approx(-0.625));
   CHECK(state(0, 2) == 0);
   Forces force = Forces::Constant(3, 3, 2);
   driven.take(force);  // no acceleration

@@ -1,0 +1,154 @@
+// How motions of plates that processes share begin, what hits and damps them, loads and supports that move.
+#include <catch2/catch.hpp>
+#include <mutex>
+
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/solve/motion/begin.hpp"
+#include "tests/unit/plate/bonds/parts.hpp"
+#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+
+using namespace parts;
+
+namespace {
+
+/// Blocks meet at x = 2.56 and at every 0.16 along y.
+Problem pane() {
+  using enum SupportKind;
+  auto problem =
+      problem_of(geometry::rectangle(0, 0, 3, 0.7), {{clamped, {"left"}, {}}, {simply_supported, {"top"}, {}}}, {});
+  problem.cracks = {{{2.2, 0.2}, {2.83, 0.49}}};
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("a plate in parts: a deflection and a velocity to begin with, damping of mass and stiffness") {
+  auto problem = pane();
+  problem.initial = Initial{Formula("0.01 * (0.7 - y) * sin(2 * x)"), Formula("3 * cos(x) * y")};
+  SECTION("free") {
+    check(problem);
+  }
+  SECTION("damped") {
+    check(problem, {false, {30, 1e-5}});
+  }
+  SECTION("by the stiffness alone, beside a load") {
+    problem.initial->deflection = {}, problem.loads = {pressure(2)};
+    check(problem, {false, {0, 1e-4}});
+  }
+}
+
+TEST_CASE("a plate in parts: a mass hits where four processes meet, flies off and is hit again") {
+  auto problem = pane();
+  problem.impact = Impact{{2.5605, 0.3207}, 2e-5, -3, 4e4};
+  SECTION("alone") {
+    check(problem, {false, {}, 120});
+  }
+  SECTION("on a plate that comes towards it, damped") {
+    problem.initial = Initial{{}, Formula("4 * y")};
+    check(problem, {false, {30, 1e-5}, 120});
+  }
+  SECTION("beside an edge whose points follow others") {
+    problem.impact->position = {2.5605, 0.696};
+    check(problem, {false, {}, 60});
+  }
+}
+
+TEST_CASE("a plate in parts: a deflection that jumps, wherever it does, is refused by all processes") {
+  auto problem = pane();
+  for (const char* jumps : {"x > 2.3 ? 0.01 * x : 0", "x < 1.2 ? 0 : 0.01 * (0.7 - y)"})
+    for (const int processes : {1, 4, 7}) {
+      problem.initial = Initial{Formula(jumps), {}};
+      int refused = 0;
+      std::mutex one_by_one;
+      thread_ranks::run(processes, [&](const Ranks&) {
+        const auto local = own(problem);
+        const auto plate = discretise(local).plate;
+        try {
+          begin_of_motion(*plate, 1);
+        } catch (const Jumps&) {
+          const std::lock_guard guard(one_by_one);
+          ++refused;
+        }
+      });
+      CHECK(refused == processes);
+    }
+}
+
+TEST_CASE("a plate in parts: forces and pressures that move across borders of processes") {
+  auto problem = pane();
+  Load force, patch;
+  force.kind = Load::Kind::point_force, force.value = 5;
+  force.path = {{2.3, 0.31}, {2.62, 0.33}, {2.4, 0.5}}, force.speed = 100;
+  patch.value = 3, patch.patch = geometry::Circle{{1.2, 0.3}, 0.1, ""};
+  patch.path = {{1.2, 0.3}, {1.5, 0.33}}, patch.speed = 40;
+  patch.history.kind = History::Kind::sine, patch.history.frequency = 40;
+  problem.loads = {force, patch};
+  SECTION("steps") {
+    check(problem, {false, {}, 60});
+  }
+  SECTION("in single precision, beside a load that rests") {
+    problem.loads.push_back(pressure(1));
+    check(problem, {true});
+  }
+  SECTION("given by an expression, damped by the stiffness") {
+    problem.loads[1].formula = Formula("3 + x * y");
+    check(problem, {false, {0, 1e-5}});
+  }
+}
+
+TEST_CASE("a plate in parts: supports that move, an edge that turns, a pin, across borders of processes") {
+  using enum SupportKind;
+  auto problem = pane();
+  const auto settlement = [&](std::size_t support, double value, double until) {
+    Load load;
+    load.kind = Load::Kind::settlement, load.support = support, load.value = value;
+    load.history.kind = History::Kind::table, load.history.table = {{0, 0}, {until / 2, 0.2}, {until, 1}};
+    return load;
+  };
+  const auto turned = [&](Load load) {
+    load.rotation = 0.02;
+    return load;
+  };
+  const auto inclined = [&](Load load) {
+    load.slope = {0.003, 0}, load.from = {1, 0.7};
+    return load;
+  };
+  SECTION("edges that meet") {
+    problem.supports = {
+        {clamped, {"left"}, {}}, {simply_supported, {"top", "right"}, {}}, {simply_supported_hard, {"bottom"}, {}}};
+    for (std::size_t i = 0; i < 3; ++i) problem.loads.push_back(settlement(i, 0.01, 0.003));
+  }
+  SECTION("one that turns, beside a load") {
+    problem.supports = {{clamped, {"left"}, {}}};
+    problem.loads = {turned(settlement(0, 0.01, 0.003)), pressure(1)};
+  }
+  SECTION("one that comes down inclined") {
+    problem.supports = {{simply_supported, {"top"}, {}}};
+    problem.loads = {inclined(settlement(0, -0.02, 0.002))};
+  }
+  SECTION("a pin") {
+    problem.supports = {{clamped, {"left"}, {}}, {simply_supported, {}, {{2.56, 0.32}}}};
+    problem.loads = {settlement(1, 0.01, 0.003)};
+  }
+  SECTION("in single precision") {
+    problem.supports = {{clamped, {"left"}, {}}};
+    problem.loads = {settlement(0, 0.01, 0.003)};
+    return check(problem, {true});
+  }
+  SECTION("oblique edges") {
+    problem.outline = {};
+    problem.outline.outer.vertices = {{0, 0}, {4.1, 0.03}, {4.0, 0.9}, {1.3, 1.25}};
+    problem.outline.outer.edge_names = {"bottom", "right", "slope", "left"};
+    problem.supports = {{clamped, {"bottom"}, {}}, {simply_supported_hard, {"slope"}, {}}};
+    problem.loads = {inclined(settlement(0, 0.01, 0.003)), settlement(1, -0.01, 0.002)};
+  }
+  check(problem, {false, {}, 40});
+}
+
+TEST_CASE("a plate in parts: soil that lifts off, in motion") {
+  auto problem = pane();
+  problem.foundations = {{2000, 0, geometry::Hole(geometry::Circle{{2.5, 0.3}, 0.45, ""}), true}, {500, 0, {}, true}};
+  problem.initial = Initial{{}, Formula("4 * sin(3 * x) * (0.3 - y)")};
+  check(problem, {false, {30, 0}, 60});
+}
