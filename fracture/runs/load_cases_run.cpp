@@ -98,7 +98,7 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
   const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain - 2 * work;
-  recorder_.row(row, probes_, plate_.cloud().plate_points);
+  recorder_.row(row, probes_, plate_.boundary());
   post::ReactionRows reactions;
   reactions.add(number, plate_, plate_, state, load);
   if (!reactions.empty()) {

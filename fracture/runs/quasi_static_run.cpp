@@ -82,7 +82,7 @@ void QuasiStaticRun::observe(const Equilibrium& now) {
   state_ = now.factor * model_->state();
   post::Sample row{time, now.advance, state_, now.ledger.strain, 0, now.ledger.external_work, now.ledger.fracture};
   row.released_energy = now.ledger.released(), row.load_factor = now.factor, row.displacement = now.displacement;
-  recorder_->row(row, probes_of(plan_.probes, plate), plate.cloud().plate_points);
+  recorder_->row(row, probes_of(plan_.probes, plate), plate.boundary());
   reactions_.add(time, plate, model_->forces(), state_, now.factor);
   if (auto factors = model_->factors(now.factor)) {
     post::require_finite(*factors, when);

@@ -66,7 +66,7 @@ void Results::sample(const plate::Instant& now, bool last) {
     row.energy_residual = residual_ = now.external_work - books.energy;
     growth_->look(now.time);
   }
-  recorder_.row(row, probes_, plate_.cloud().plate_points);
+  recorder_.row(row, probes_, plate_.boundary());
   const auto when = fmt::format("at step {}, time {:g}", now.step, now.time);
   if (plan_.moves()) energy_gate_.look(books, when);
   if (plan_.moves() && last) energy_gate_.look(books, when);  // no further row looks back at this one

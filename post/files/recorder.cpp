@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/heated/heat.hpp"
 #include "plate/model/ranks/ranks.hpp"
@@ -68,7 +69,19 @@ Recorder::Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string
   frequencies_.columns = {"mode", "frequency", "omega", "residual"};
 }
 
-void Recorder::row(const Sample& s, const std::vector<Probe>& probes, std::size_t plate_points) {
+namespace {
+
+/// Over own points of all processes: of others not all know where they are.
+double largest_deflection(const plate::State& state, const plate::Boundary& boundary) {
+  double largest = 0;
+  for (std::size_t k = 0; k < boundary.cloud.plate_points; ++k)
+    if (boundary.owns(k)) largest = std::max(largest, std::abs(state(0, Eigen::Index(k))));
+  return plate::largest_of_all(largest);
+}
+
+}  // namespace
+
+void Recorder::row(const Sample& s, const std::vector<Probe>& probes, const plate::Boundary& boundary) {
   const auto when = fmt::format("at step {}, time {:g}", s.step, s.time);
   require_finite({{"strain energy", s.strain_energy},
                   {"kinetic energy", s.kinetic_energy},
@@ -78,10 +91,9 @@ void Recorder::row(const Sample& s, const std::vector<Probe>& probes, std::size_
                   {"load factor", s.load_factor.value_or(0)}},
                  when);
   history_.rows.push_back({s.time, double(s.step), s.strain_energy, s.kinetic_energy, s.external_work,
-                           s.fracture_energy,
-                           plate::largest_of_all(s.state.row(0).head(Eigen::Index(plate_points)).cwiseAbs().maxCoeff()),
-                           cell(s.discrete_energy), cell(s.energy_residual), cell(s.released_energy),
-                           cell(s.load_factor), cell(s.displacement)});
+                           s.fracture_energy, largest_deflection(s.state, boundary), cell(s.discrete_energy),
+                           cell(s.energy_residual), cell(s.released_energy), cell(s.load_factor),
+                           cell(s.displacement)});
   if (s.dissipated_energy) {
     if (history_.rows.size() == 1) history_.columns.emplace_back("dissipated_energy");
     history_.rows.back().emplace_back(*s.dissipated_energy);

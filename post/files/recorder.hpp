@@ -9,6 +9,7 @@
 
 namespace plate {
 class Formulation;
+struct Boundary;
 struct Heat;
 struct Traffic;
 }  // namespace plate
@@ -53,8 +54,9 @@ public:
   void open(const plate::Mesh& mesh) { sink_->open(mesh); }
   void final_state(const plate::Mesh& mesh, const Frame& frame) { sink_->final_state(mesh, frame); }
 
-  /// A row of history.csv and of probes.csv. Throws plate::NumericalError where a number is not finite.
-  void row(const Sample& sample, const std::vector<Probe>& probes, std::size_t plate_points);
+  /// A row of history.csv and of probes.csv, of a state of this boundary. Throws plate::NumericalError where a number
+  /// is not finite.
+  void row(const Sample& sample, const std::vector<Probe>& probes, const plate::Boundary& boundary);
   /// A row of frequencies.csv.
   void mode(const Frequency& mode);
 

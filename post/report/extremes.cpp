@@ -32,11 +32,11 @@ std::vector<Point> singular(const plate::Formulation& plate) {
 }  // namespace
 
 void Extremes::row(const plate::Instant& now) {
-  const auto w = now.state.row(0).head(Eigen::Index(plate_->cloud().plate_points));
-  Eigen::Index k = 0;
-  const double size = w.cwiseAbs().maxCoeff(&k);
-  if (!deflection_ || size > std::abs(deflection_->value))
-    deflection_ = {"w", {}, w[k], now.time, plate_->cloud().positions[std::size_t(k)], {}};
+  for (std::size_t k = 0; k < plate_->cloud().plate_points; ++k) {
+    const double w = now.state(0, Eigen::Index(k));
+    if (plate_->boundary().owns(k) && (!deflection_ || std::abs(w) > std::abs(deflection_->value)))
+      deflection_ = {"w", {}, w, now.time, plate_->cloud().positions[k], {}};
+  }
   if (now.strain_energy <= strain_energy_) return;
   strain_energy_ = now.strain_energy, time_ = now.time, state_ = now.state;
 }

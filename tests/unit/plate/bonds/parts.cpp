@@ -48,9 +48,9 @@ namespace {
 
 /// Where and how a motion ends, whoever computed it.
 struct End {
-  double limit = 0;                         // of the time step
-  std::vector<std::vector<double>> books;   // strain, kinetic, discrete and outer energy of every row, and dissipated
-  std::vector<std::array<double, 4>> blow;  // place, velocity and force of what hits, and for how long it has touched
+  double limit = 0;                        // of the time step
+  std::vector<std::vector<double>> books;  // strain, kinetic, discrete and outer energy of every row, and dissipated
+  Blows blow;
   std::map<std::array<long, 2>, std::array<double, 3>> state;  // by cell
 };
 
@@ -129,7 +129,7 @@ Rest at_rest(const Problem& given, StaticMethod method, Preconditioning wanted) 
 
 }  // namespace
 
-void check(const Problem& problem, const How& how) {
+Blows check(const Problem& problem, const How& how) {
   const End whole = moved(problem, how), one = moved_by(1, problem, how);
   REQUIRE(whole.state.size() == one.state.size());
   CHECK(one.limit == Approx(whole.limit).epsilon(1e-9));
@@ -159,6 +159,7 @@ void check(const Problem& problem, const How& how) {
     CHECK((many.books == one.books && many.blow == one.blow));
     CHECK((many.state == one.state));
   }
+  return whole.blow;
 }
 
 void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound) {

@@ -23,8 +23,12 @@ struct How {
   std::size_t steps = 30;
 };
 
-/// In steps: 1 process against the ordinary program, any other number against 1, bit for bit.
-void check(const Problem& problem, const How& how = {});
+/// Of a mass that hits: its place, velocity and force, and for how long it has touched.
+using Blows = std::vector<std::array<double, 4>>;
+
+/// In steps: 1 process against the ordinary program, any other number against 1, bit for bit. Returns what hits in
+/// every tenth step.
+Blows check(const Problem& problem, const How& how = {});
 
 /// `bound`: of how far apart states are for different numbers of processes, over the largest; 0: the same bits.
 void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound);

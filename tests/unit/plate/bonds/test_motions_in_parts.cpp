@@ -38,11 +38,13 @@ TEST_CASE("a plate in parts: a deflection and a velocity to begin with, damping 
   }
 }
 
-TEST_CASE("a plate in parts: a mass hits where four processes meet, flies off and is hit again") {
+TEST_CASE("a plate in parts: a mass hits where four processes meet, and flies off") {
   auto problem = pane();
   problem.impact = Impact{{2.5605, 0.3207}, 2e-5, -3, 4e4};
   SECTION("alone") {
-    check(problem, {false, {}, 120});
+    const auto blows = check(problem, {false, {}, 120});
+    const auto& [place, velocity, force, touched] = blows.back();
+    CHECK((force == 0 && velocity > 0 && touched < 1e-4));
   }
   SECTION("on a plate that comes towards it, damped") {
     problem.initial = Initial{{}, Formula("4 * y")};
@@ -134,7 +136,8 @@ TEST_CASE("a plate in parts: supports that move, an edge that turns, a pin, acro
   SECTION("in single precision") {
     problem.supports = {{clamped, {"left"}, {}}};
     problem.loads = {settlement(0, 0.01, 0.003)};
-    return check(problem, {true});
+    check(problem, {true});
+    return;
   }
   SECTION("oblique edges") {
     problem.outline = {};
