@@ -15,6 +15,7 @@
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/galerkin/levels.hpp"
 #include "plate/galerkin/resultants.hpp"
+#include "plate/galerkin/shared/coarser_parts.hpp"
 #include "plate/galerkin/shared/laid_out.hpp"
 #include "plate/galerkin/shared/shared_factor.hpp"
 #include "plate/galerkin/stiffness.hpp"
@@ -145,15 +146,16 @@ std::vector<double> GalerkinPlate::cut_at(const StartOfCracks& start) const {
 }
 
 std::unique_ptr<Preconditioner> GalerkinPlate::levels() const {
-  auto coarser = coarser_plates(*this);
+  const Ranks* all = ranks();
+  auto coarser = all ? coarser_parts(*all, *this, seen_) : coarser_plates(*this);
   if (coarser.empty()) return factor();
   return std::make_unique<GalerkinLevels>(op_, constraints(), seen_, std::move(coarser));
 }
 
 ChosenPreconditioner GalerkinPlate::preconditioner(Preconditioning wanted) const {
   if (wanted == Preconditioning::diagonal) return {nullptr, "diagonal"};
-  if (ranks()) return {factor(), "factor"};  // processes have no coarser plates
-  if (wanted == Preconditioning::automatic) wanted = usual_preconditioner_of_cells(problem(), double(points()));
+  if (wanted == Preconditioning::automatic)
+    wanted = usual_preconditioner_of_cells(problem(), double(points_of_all(boundary())));
   if (wanted == Preconditioning::automatic) return {factor(), "factor"};
   return {levels(), "levels"};
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "geometry/cells/locator.hpp"
+#include "plate/galerkin/shared/shared_factor.hpp"
+#include "plate/galerkin/shared/sum_by_owners.hpp"
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 
@@ -14,13 +16,14 @@ constexpr double share = 1.5;  // weight of a sweep times the largest eigenvalue
 
 }  // namespace
 
-GalerkinLevels::Transfer GalerkinLevels::transfer(const std::vector<geometry::Point>& seen,
-                                                  const geometry::Tessellation& coarse) {
+LevelTransfer transfer_to(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse,
+                          const std::vector<char>& own) {
   const geometry::CellLocator locate(coarse);
   std::vector<geometry::CellLocator::Found> found(seen.size());
 #pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < seen.size(); ++k) found[k] = locate(seen[k], seen[k]);
-  Transfer result;
+  for (std::size_t k = 0; k < seen.size(); ++k)
+    if (own.empty() || own[k]) found[k] = locate(seen[k], seen[k]);
+  LevelTransfer result;
   result.first.push_back(0);
   for (std::size_t k = 0; k < seen.size(); ++k) {
     for (std::size_t i = 0; i < found[k].count; ++i) {
@@ -59,12 +62,17 @@ GalerkinLevels::GalerkinLevels(const GalerkinOperator& plate, const Constraints&
     const double step = stable_time_step(finer, held, s.inverse_diagonal);
     s.inverse_diagonal =
         s.inverse_diagonal.unaryExpr([&](double d) { return d > 0 ? share * step * step / 4 / d : 0; });
-    s.from_coarser = transfer(level == 0 ? seen : coarser_[level - 1].seen, coarser_[level].cells);
+    s.from_coarser = coarser_[level].sum
+                         ? std::move(coarser_[level].to_finer)
+                         : transfer_to(level == 0 ? seen : coarser_[level - 1].seen, coarser_[level].cells);
     s.to_coarser = transposed(s.from_coarser, coarser_[level].plate.points());
     sweeps_.push_back(std::move(s));
   }
-  last_ = std::make_unique<AssembledPlate>(coarser_.back().plate, coarser_.back().boundary.constraints,
-                                           stiffness_matrix(coarser_.back().plate));
+  const auto& [cells, beside, boundary, last, to_finer, sum] = coarser_.back();
+  if (const Ranks* all = ranks())
+    last_ = std::make_unique<SharedFactor>(*all, last, boundary, stiffness_matrix(last));
+  else
+    last_ = std::make_unique<AssembledPlate>(last, boundary.constraints, stiffness_matrix(last));
 }
 
 void GalerkinLevels::cycle(std::size_t level, const Forces& residual, State& result) const {
@@ -99,6 +107,7 @@ void GalerkinLevels::cycle(std::size_t level, const Forces& residual, State& res
     }
     s.coarse_force.col(i) = sum;
   }
+  if (coarse_level.sum) coarse_level.sum->add(s.coarse_force);
   coarse_level.boundary.constraints.fold(s.coarse_force);
   cycle(level + 1, s.coarse_force, s.coarse);
   coarse_level.boundary.constraints.impose(s.coarse);
@@ -127,7 +136,7 @@ std::size_t GalerkinLevels::bytes() const {
     sum +=
         level.plate.bytes() + level.plate.families().families.bytes() + level.seen.size() * 2 * sizeof(geometry::Point);
   for (const auto& s : sweeps_)
-    sum += 2 * s.from_coarser.shares.size() * sizeof(Share) + 6 * s.rest.size() * sizeof(double);
+    sum += 2 * s.from_coarser.shares.size() * sizeof(LevelTransfer::Share) + 6 * s.rest.size() * sizeof(double);
   return sum;
 }
 

@@ -5,12 +5,31 @@
 
 namespace plate {
 
+/// From the points of a coarser plate to those of a finer one, or back: what every point takes of others.
+struct LevelTransfer {
+  struct Share {
+    std::uint32_t other;
+    double weight, x, y;  // x, y: half the weight times the way from there [length]
+  };
+  std::vector<std::size_t> first;
+  std::vector<Share> shares;
+};
+
+/// To points of a finer plate from the cells of a coarser one. `own`: the points that take anything; empty: all.
+LevelTransfer transfer_to(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse,
+                          const std::vector<char>& own = {});
+
+class SumByOwners;
+
 /// A Galerkin plate with its supports; `seen`: geometry::seen_positions() of its cells.
 struct GalerkinLevel {
   geometry::Tessellation cells;
   std::vector<geometry::Point> seen;
   Boundary boundary;
   GalerkinOperator plate;
+  // where processes share the plates:
+  LevelTransfer to_finer = {};                  // from its points
+  std::shared_ptr<const SumByOwners> sum = {};  // of forces on its points
 };
 
 /// The same plate on coarser and coarser points, the last of them factorised, between Jacobi sweeps on each (theory.md,
@@ -27,15 +46,7 @@ public:
   std::size_t bytes() const override;
 
 private:
-  struct Share {
-    std::uint32_t other;
-    double weight, x, y;  // x, y: half the weight times the way from there [length]
-  };
-  /// From the points of the next coarser plate to those of this one, and back.
-  struct Transfer {
-    std::vector<std::size_t> first;
-    std::vector<Share> shares;
-  };
+  using Transfer = LevelTransfer;  // from the points of the next coarser plate to those of this one, and back
   struct Sweeps {
     const GalerkinOperator* plate;
     const Constraints* constraints;
@@ -45,13 +56,12 @@ private:
     mutable State coarse;
   };
 
-  static Transfer transfer(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse);
   static Transfer transposed(const Transfer& transfer, std::size_t others);
   void cycle(std::size_t level, const Forces& residual, State& result) const;
 
   std::vector<GalerkinLevel> coarser_;
   std::vector<Sweeps> sweeps_;  // of every level but the last
-  std::unique_ptr<AssembledPlate> last_;
+  std::unique_ptr<Preconditioner> last_;
 };
 
 }  // namespace plate

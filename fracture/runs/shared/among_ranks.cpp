@@ -72,8 +72,6 @@ void refuse_wide_windows(const RunPlan& plan, double seen, const Refuse& refuse)
 }
 
 void refuse_of_cells(const RunPlan& plan, const Refuse& refuse) {
-  refuse(plan.analysis.preconditioner == plate::Preconditioning::levels, "analysis.preconditioner",
-         "\"levels\" cannot be made (\"auto\" can)");
   refuse_wide_windows(plan, plate::widest_window(plan.problem), refuse);
 }
 

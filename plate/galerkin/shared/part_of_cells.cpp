@@ -104,7 +104,8 @@ double reach_about_tip(const Problem& problem, const geometry::Tip& tip) {
 }
 
 PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const Tessellation& whole,
-                          const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips) {
+                          const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
+                          const std::vector<char>& asked) {
   constexpr std::ptrdiff_t least = 8;  // points of a process
   constexpr long near = 2;             // cells about the points: a place of the plate is as near to one of them
   const auto& positions = whole.positions;
@@ -121,6 +122,8 @@ PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const Tessel
   result.about = box.grown(near);
   auto wanted = own;
   see_attached(attached, own, wanted);
+  for (std::size_t k = 0; k < asked.size(); ++k)
+    if (asked[k]) wanted[k] = 1;
   for (std::size_t k = 0; k < own.size(); ++k)
     if (seen.contains(geometry::cell_of(whole.units.to_lattice(positions[k])))) wanted[k] = 1;
   for (const auto& tip : tips) {
@@ -134,7 +137,8 @@ PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const Tessel
     result.own.push_back(own[number]);
     result.stretch.push_back(own[number] ? std::uint32_t(1 + geometry::stretch_of(whole, number)) : 0);
   }
-  result.exchange = all.exchange(result.part.number.size(), numbered(all, owners, result.part));
+  result.copies = numbered(all, owners, result.part);
+  result.exchange = all.exchange(result.part.number.size(), result.copies);
   return result;
 }
 

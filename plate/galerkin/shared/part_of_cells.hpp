@@ -16,7 +16,8 @@ struct PartOfCells {
   geometry::CellsPart part;
   std::vector<char> own;                     // of its points
   std::vector<std::uint32_t> stretch;        // 0 of others' points; in which stretch of columns an own one lies, from 1
-  std::shared_ptr<const Exchange> exchange;  // of the others
+  std::vector<Copy> copies;                  // the others
+  std::shared_ptr<const Exchange> exchange;  // of these
   geometry::CellBox about;                   // where the point of the plate nearest to a place is known
 };
 
@@ -25,10 +26,12 @@ double reach_about_tip(const Problem& problem, const geometry::Tip& tip);
 /// The widest window of displacement extrapolation that is seen about every tip [length].
 double widest_window(const Problem& problem);
 
-/// Of this process, of a plate with some supports, foundations and springs. All call it at once.
+/// Of this process, of a plate with some supports, foundations and springs. `asked`: points of the whole that it needs
+/// beside these; empty: none. All call it at once.
 /// @throws Refused  too few points for so many processes
 PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const geometry::Tessellation& whole,
-                          const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips);
+                          const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
+                          const std::vector<char>& asked = {});
 
 /// What is of the whole plate, of the points of a part. `motions`: loads that may move supports.
 Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t motions);
