@@ -130,8 +130,7 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
 std::vector<Unshared> not_foretold(const RunPlan& plan) {
   auto result = not_for_processes(plan);
   if (plan.problem.discretization.formulation == &plate::galerkin)
-    result.push_back({"formulation",
-                      "what processes take is not foretold for the Galerkin plate, whose factor MUMPS makes: run it"});
+    result.push_back({"formulation", "what processes take is not foretold for the Galerkin plate yet: run it"});
   return result;
 }
 
