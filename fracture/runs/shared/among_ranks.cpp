@@ -11,6 +11,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/galerkin/shared/laid_out.hpp"
 #include "plate/galerkin/shared/part_of_cells.hpp"
 #include "plate/model/ranks/exact_sum.hpp"
 #include "plate/model/refused.hpp"
@@ -47,15 +48,21 @@ bool before(const post::Peak& a, const post::Peak& b) {
   return key(a) < key(b);
 }
 
-/// Where it has too few blocks for the processes that there are.
+/// Where it has too few blocks or points for the processes that there are.
 std::string fault_of_twice_the_spacing(const plate::Problem& problem) {
-  if (!plate::ranks() || problem.discretization.formulation != &plate::ordinary) return "";
-  auto coarse = problem.discretization;
-  coarse.spacing *= 2;
+  if (!plate::ranks()) return "";
+  auto coarse = problem;
+  coarse.discretization.spacing *= 2;
+  const int processes = plate::ranks()->size();
   try {
-    plate::partition_of_lattice(problem.outline, coarse, plate::ranks()->size());
+    if (problem.discretization.formulation == &plate::galerkin)
+      plate::require_parts(plate::cells_of(coarse, plate::crack_paths(coarse), 1), processes);
+    else
+      plate::partition_of_lattice(coarse.outline, coarse.discretization, processes);
   } catch (const plate::Refused& refused) {
     return std::string("twice the spacing: ") + refused.what();
+  } catch (const std::invalid_argument& error) {
+    return std::string("twice the spacing: ") + error.what();
   }
   return "";
 }

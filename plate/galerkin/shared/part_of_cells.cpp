@@ -103,18 +103,31 @@ double reach_about_tip(const Problem& problem, const geometry::Tip& tip) {
   return result;
 }
 
+namespace {
+
+std::vector<int> checked_owners(const Tessellation& whole, int processes) {
+  constexpr std::ptrdiff_t least = 8;  // points of a process
+  auto owners = geometry::shared_out(whole, processes);
+  for (int one = 0; one < processes; ++one)
+    if (std::ranges::count(owners, one) < least)
+      throw Refused({{Subject::spacing, 0,
+                      fmt::format("{:g} given makes {} points, in too few rows for {} processes", whole.units.spacing,
+                                  whole.positions.size(), processes)}});
+  return owners;
+}
+
+}  // namespace
+
+void require_parts(const Tessellation& whole, int processes) {
+  checked_owners(whole, processes);
+}
+
 PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const Tessellation& whole,
                           const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
                           const std::vector<char>& asked) {
-  constexpr std::ptrdiff_t least = 8;  // points of a process
-  constexpr long near = 2;             // cells about the points: a place of the plate is as near to one of them
+  constexpr long near = 2;  // cells about the points: a place of the plate is as near to one of them
   const auto& positions = whole.positions;
-  const auto owners = geometry::shared_out(whole, all.size());
-  for (int one = 0; one < all.size(); ++one)
-    if (std::ranges::count(owners, one) < least)
-      throw Refused({{Subject::spacing, 0,
-                      fmt::format("{:g} given makes {} points, in too few rows for {} processes",
-                                  problem.discretization.spacing, positions.size(), all.size())}});
+  const auto owners = checked_owners(whole, all.size());
   std::vector<char> own(positions.size());
   for (std::size_t k = 0; k < own.size(); ++k) own[k] = owners[k] == all.rank();
   PartOfCells result;

@@ -26,6 +26,9 @@ double reach_about_tip(const Problem& problem, const geometry::Tip& tip);
 /// The widest window of displacement extrapolation that is seen about every tip [length].
 double widest_window(const Problem& problem);
 
+/// @throws Refused  too few points, or rows of them, for so many processes
+void require_parts(const geometry::Tessellation& whole, int processes);
+
 /// Of this process, of a plate with some supports, foundations and springs. `asked`: points of the whole that it needs
 /// beside these; empty: none. All call it at once.
 /// @throws Refused  too few points for so many processes
