@@ -97,7 +97,8 @@ double widest_window(const Problem& problem) {
 double reach_about_tip(const Problem& problem, const geometry::Tip& tip) {
   const auto& d = problem.discretization;
   double result = widest_ring * d.spacing_at_tips() + beside * d.spacing;
-  result = std::max(result, problem.section.thickness / 2 + beside * d.spacing);
+  const double thickness = problem.section.at(tip.position).thickness;
+  result = std::max(result, thickness / 2 + beside * d.spacing);
   if (d.tip_spacing || d.hole_spacing)
     result = std::max(result, geometry::distance_to_boundary(problem.outline, tip.position) + beside * d.spacing);
   return result;
