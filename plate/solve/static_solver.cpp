@@ -75,13 +75,32 @@ void require_sound(const Formulation& plate, const Forces& load, const State& st
   if (Settled(plate, load, rests).left(state).share > left) throw NumericalError(flies);
 }
 
+/// Does soil touch at the same places, of whichever process?
+bool same_everywhere(const Formulation& plate, const Touching& one, const Touching& other) {
+  bool differ = false;
+  const auto& parts = plate.boundary().attached.parts();
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t p = 0; p < one[i].size(); ++p)
+      if (one[i][p] != other[i][p] && plate.boundary().owns(parts[i]->contact->point(p, plate.points()))) differ = true;
+  return largest_of_all(differ) == 0;
+}
+
+/// Of a load that is not carried over.
+double potential(const Formulation& plate, const Forces& load, const State& state) {
+  if (!ranks()) return -load.cwiseProduct(state).sum();
+  return -ordered_sum<1>(plate.points(), [&](std::size_t k) {
+    const auto i = Eigen::Index(k);
+    return std::array<double, 1>{plate.boundary().owns(k) ? load.col(i).dot(state.col(i)) : 0};
+  })[0];
+}
+
 }  // namespace
 
 /// The energy is convex and has a continuous slope: a step of Newton that does not lower it is halved until it does.
 StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& options) {
   constexpr int most = 60, halvings = 12;
   const auto& attached = plate_->boundary().attached;
-  const auto energy = [&](const State& state) { return plate_->strain_energy(state) - load.cwiseProduct(state).sum(); };
+  const auto energy = [&](const State& now) { return plate_->strain_energy(now) + potential(*plate_, load, now); };
   StaticResult result;
   std::size_t iterations = 0;
   auto touching = everywhere(attached);
@@ -101,7 +120,7 @@ StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& o
       return result;
     }
     auto now = attached.touching(solution.state);
-    if (now == touching) {
+    if (same_everywhere(*plate_, now, touching)) {
       require_sound(*plate_, load, solution.state);
       solution.stop_reason += fmt::format(", what soil touches found in {} steps", n + 1);
       return result;

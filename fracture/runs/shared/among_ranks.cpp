@@ -122,10 +122,6 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
     const auto key = "support[" + std::to_string(i) + "]";
     refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
   }
-  const bool rests = !moves || plan.analysis.start == plate::Analysis::Start::equilibrium;
-  for (std::size_t i = 0; i < plan.problem.foundations.size(); ++i)
-    refuse(rests && plan.problem.foundations[i].lifts_off, "foundation[" + std::to_string(i) + "].lifts_off",
-           "what soil that lifts off touches at rest cannot be searched for");
   if (auto fault = plan.srif && plan.srif->richardson ? fault_of_twice_the_spacing(plan.problem) : ""; !fault.empty())
     result.push_back({"srif.richardson", std::move(fault)});
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");

@@ -31,8 +31,10 @@ public:
   void for_each(const State& state, const Visit& visit) const {
     const auto touches = touching(state);
     for (std::size_t p = 0; p < touches.size(); ++p)
-      visit(terms_[first_[p]].first % std::size_t(state.cols()), stiffness_[p], touches[p] != 0);
+      visit(point(p, std::size_t(state.cols())), stiffness_[p], touches[p] != 0);
   }
+  /// Where a place is, of so many points: the first point of its form.
+  std::size_t point(std::size_t place, std::size_t points) const { return terms_[first_[place]].first % points; }
   /// Stiffness of what touches, and of all.
   std::pair<double, double> shares(const State& state) const;
   std::size_t bytes() const;

@@ -4,7 +4,6 @@
 #include <vector>
 #include "plate/formulation/operator.hpp"
 #include "plate/model/state.hpp"
-#include "plate/solve/motion/beside/impactor.hpp"
 
 namespace plate {
 
@@ -24,6 +23,29 @@ std::optional<State> start_by_place(const Formulation& plate);
 
 /// Mass per degree of freedom, held or not, of a plate whose supports move; nothing of others.
 Forces driven_mass(const Formulation& plate, double rotary);
+
+/// A mass that meets the plate at time 0 at a place of it, and presses on it by a spring that does not pull.
+struct Impactor {
+  std::vector<std::pair<std::uint32_t, double>> shares;  // of the points about the place, as far as they are seen
+  double mass = 0;                                       // [mass]
+  double velocity = 0;                                   // along w [length/time]; its sign tells the side
+  double stiffness = 0;                                  // of the contact [force/length]
+  std::vector<char> own = {};                            // of the shares: no other process has the point; empty: all
+};
+
+/// Where the mass is: along w, and half a step before how fast; how it has pressed so far.
+struct Striker {
+  double place = 0, velocity = 0;
+  double largest = 0, touching = 0;  // force, with its sign [force]; for how long [time]
+};
+
+/// What the mass does at an instant.
+struct Blow {
+  double place, velocity;    // along w [length, length/time]
+  double force;              // that it presses with, on the plate along w [force]
+  double largest, touching;  // of all steps so far: force, how long it presses [time]
+  std::vector<std::pair<std::uint32_t, double>> shares;
+};
 
 /// How a plate begins to move, beside loads: what its case gives, on all of its points.
 struct BeginOfMotion {
@@ -71,8 +93,7 @@ public:
   virtual void after_force(const Step& now, const Forces& force) = 0;
 };
 
-/// All that a motion must remember between two steps in order to go on; empty at rest. Where processes share the plate,
-/// states of own points, which the others follow.
+/// All that a motion must remember between two steps in order to go on, states of own points; empty at rest.
 struct MotionMemory {
   std::size_t step = 0;
   State state, velocity;                             // velocity: half a step before

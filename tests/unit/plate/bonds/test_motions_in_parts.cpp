@@ -149,9 +149,21 @@ TEST_CASE("a plate in parts: supports that move, an edge that turns, a pin, acro
   check(problem, {false, {}, 40});
 }
 
-TEST_CASE("a plate in parts: soil that lifts off, in motion") {
+TEST_CASE("a plate in parts: soil that lifts off, in motion and at rest") {
   auto problem = pane();
   problem.foundations = {{2000, 0, geometry::Hole(geometry::Circle{{2.5, 0.3}, 0.45, ""}), true}, {500, 0, {}, true}};
   problem.initial = Initial{{}, Formula("4 * sin(3 * x) * (0.3 - y)")};
-  check(problem, {false, {30, 0}, 60});
+  SECTION("in motion") {
+    check(problem, {false, {30, 0}, 60});
+  }
+  SECTION("at rest") {
+    problem.initial.reset();
+    problem.discretization.spacing = 0.02;
+    problem.outline = geometry::rectangle(0, 0, 0.5, 2.4), problem.cracks = {{{0.2, 0.6}, {0.23, 1.1}}};
+    problem.foundations[0].patch = geometry::Circle{{0.3, 0.9}, 0.7, ""};
+    Load wheel;
+    wheel.value = -50, wheel.patch = geometry::Circle{{0.3, 0.9}, 0.2, ""};
+    problem.loads = {wheel, pressure(0.01)};
+    check_rest(problem, StaticMethod::cg, Preconditioning::automatic, 0);
+  }
 }
