@@ -135,11 +135,10 @@ std::vector<Share> OrdinaryPlate::interpolation(const Point& at) const {
 }
 
 ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const {
-  // the factor of two levels would enlarge the rounding of a motion without resistance, and is of a linear plate
+  // the factor of two levels would enlarge the rounding of a motion without resistance
   using enum Preconditioning;
   const auto usual = [&] {
-    const bool linear = !boundary().attached.lifts_off();
-    const auto here = may_move() || !linear ? diagonal : usual_preconditioner_of_bonds(problem(), double(points()));
+    const auto here = may_move() ? diagonal : usual_preconditioner_of_bonds(problem(), double(points()));
     return largest_of_all(here == diagonal) > 0 ? diagonal : here;
   };
   if (wanted == automatic) wanted = usual();

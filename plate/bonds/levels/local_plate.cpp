@@ -43,7 +43,7 @@ FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& bound
 
 LocalPlate::LocalPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
                        const Discretization& discretization)
-    : plate_(plate), constraints_(boundary.constraints) {
+    : plate_(plate, plate.attached(), everywhere(plate.attached())), constraints_(boundary.constraints) {
   const Forces diagonal = folded_diagonal(plate, constraints_);
   inverse_diagonal_ = diagonal.unaryExpr([](double d) { return d > 0 ? sweep / d : 0.0; });
   const FamilyOperator local = local_operator(plate, boundary, section, discretization);

@@ -6,6 +6,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/solve/matrices/factor.hpp"
+#include "plate/solve/touched_plate.hpp"
 
 namespace plate {
 
@@ -22,7 +23,7 @@ public:
   std::size_t bytes() const override { return factor_->bytes(); }
 
 private:
-  const FamilyOperator& plate_;
+  TouchedPlate plate_;  // on soil that lifts off as if it touched everywhere
   const Constraints& constraints_;
   Forces inverse_diagonal_;  // of the plate, times the weight of a sweep
   Unknowns unknowns_;

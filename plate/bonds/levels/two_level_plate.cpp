@@ -12,11 +12,14 @@ constexpr double weight = 0.6;  // of a sweep
 
 TwoLevelPlate::TwoLevelPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
                              const Discretization& discretization)
-    : plate_(plate), constraints_(boundary.constraints), transfer_(plate.families(), boundary) {
+    : plate_(plate, plate.attached(), everywhere(plate.attached())),
+      constraints_(boundary.constraints),
+      transfer_(plate.families(), boundary) {
   const Forces diagonal = folded_diagonal(plate, constraints_);
   inverse_diagonal_ = diagonal.unaryExpr([](double d) { return d > 0 ? weight / d : 0.0; });
   const LatticeOperator local(local_operator(plate, boundary, section, discretization));
-  coarse_plate_ = coarse_plate(local, transfer_, boundary);
+  const TouchedPlate touched(local, local.attached(), everywhere(local.attached()));
+  coarse_plate_ = coarse_plate(touched, transfer_, boundary);
 }
 
 void TwoLevelPlate::apply(const Forces& residual, State& result) const {

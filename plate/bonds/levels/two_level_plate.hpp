@@ -18,7 +18,7 @@ public:
   std::size_t bytes() const override { return coarse_plate_->bytes(); }
 
 private:
-  const FamilyOperator& plate_;
+  TouchedPlate plate_;  // on soil that lifts off as if it touched everywhere: another plate would not be linear
   const Constraints& constraints_;
   Forces inverse_diagonal_;  // of the plate, times the weight of a sweep
   Transfer transfer_;
