@@ -31,6 +31,11 @@ Contact::Contact(const std::vector<Place>& places) {
   first_of_row_.push_back(of_row_.size());
 }
 
+Contact::Place Contact::place(std::size_t number) const {
+  return {stiffness_[number],
+          {terms_.begin() + std::ptrdiff_t(first_[number]), terms_.begin() + std::ptrdiff_t(first_[number + 1])}};
+}
+
 template <typename Real, typename Acts>
 std::vector<double> Contact::pressures(const Values<Real>& state, const Acts& acts) const {
   std::vector<double> result(places());

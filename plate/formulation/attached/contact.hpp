@@ -19,6 +19,7 @@ public:
   explicit Contact(const std::vector<Place>& places);
 
   std::size_t places() const { return stiffness_.size(); }
+  Place place(std::size_t number) const;
   /// 1 where it touches.
   std::vector<char> touching(const State& state) const;
   template <typename Real>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "plate/formulation/attached/contact.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/ranks/gathered.hpp"
 #include "plate/model/refused.hpp"
@@ -216,6 +217,23 @@ Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t 
   return result;
 }
 
+namespace {
+
+/// The places that press on nothing but points of the part: all that press on its own are among them.
+template <typename Here>
+std::shared_ptr<const Contact> restricted(const Contact& whole, const Here& here) {
+  std::vector<Contact::Place> places;
+  for (std::size_t p = 0; p < whole.places(); ++p) {
+    auto place = whole.place(p);
+    for (auto& term : place.form) term.first = here(term.first);
+    if (std::ranges::none_of(place.form, [](const auto& term) { return term.first == none; }))
+      places.push_back(std::move(place));
+  }
+  return std::make_shared<const Contact>(places);
+}
+
+}  // namespace
+
 AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::CellsPart& part) {
   std::vector<Attachment> parts;
   for (const auto& one : whole.parts()) {
@@ -234,6 +252,7 @@ AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::Cel
           own.column.push_back(column), own.value.push_back(one->value[i]);
     }
     own.first.push_back(own.column.size());
+    if (one->contact) own.contact = restricted(*one->contact, here);
     parts.push_back(std::move(own));
   }
   return AttachedStiffness(std::move(parts));

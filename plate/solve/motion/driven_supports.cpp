@@ -108,6 +108,8 @@ struct Terms {
   OfItself of_itself;
   OfLeader of_leader;
 };
+template <typename OfItself, typename OfLeader>
+Terms(OfItself, OfLeader) -> Terms<OfItself, OfLeader>;  // clang 16 deduces none
 
 }  // namespace
 

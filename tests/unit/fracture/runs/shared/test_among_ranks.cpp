@@ -36,7 +36,7 @@ TEST_CASE("what processes cannot run: motions are not in it, however they begin,
   const std::string lifts = "foundation=[{modulus=1,lifts_off=true}]";
   CHECK(refused({driven, lifts}).empty());
   CHECK(refused({lifts}).empty());
-  CHECK(refused({"discretization.formulation=galerkin"}).front() == "formulation");
+  CHECK(refused({"discretization.formulation=galerkin"}).empty());
 }
 
 TEST_CASE("the share of the soil that touches is the same for any number of processes") {

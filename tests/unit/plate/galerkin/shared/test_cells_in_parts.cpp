@@ -205,6 +205,12 @@ TEST_CASE("a plate in parts: cells on soil that goes on beneath a crack, springs
     problem.section.thickness_factor = Formula("1 + 0.3 * x");
     check(problem);
   }
+  SECTION("that lifts off beneath a half of it") {
+    problem.foundations[0] = {2000, 0, std::nullopt, true};
+    problem.loads[0].value = -3, problem.loads[0].gradient = {5, 1};  // upwards on the right
+    check(problem);
+    check(problem, Preconditioning::diagonal);
+  }
 }
 
 namespace {
@@ -263,6 +269,10 @@ TEST_CASE("a plate in parts: cells in motion, the same bits by any number of pro
   }
   SECTION("graded") {
     problem.discretization.tip_spacing = 0.02;
+  }
+  SECTION("on soil that lifts off") {
+    problem.foundations = {{20000, 0, geometry::Hole(geometry::Circle{{0.5, 0.4}, 0.35, ""}), true}};
+    problem.loads[0].value = -3, problem.loads[0].gradient = {5, 1};
   }
   const double step = 0.9 * stable_time_step(*discretise(problem).plate, 1);
   const End whole = moved(problem, step), one = moved_by(1, problem, step);
