@@ -16,7 +16,8 @@ TravellingLoads::TravellingLoads(const std::vector<TimedLoad>& loads) {
 template <std::size_t N>
 std::array<double, N> TravellingLoads::products(const std::array<double, N>& times, const State& state) const {
   const auto each = [&](std::size_t i, const auto& add) {
-    const auto& [forces, history] = loads_[i];
+    const auto& forces = loads_[i].forces;
+    const auto& history = loads_[i].history;
     for (std::size_t n = 0; n < N; ++n) {
       const double share = factor(history, times[n]);
       forces->at(times[n], [&](std::uint32_t dof, double force) {

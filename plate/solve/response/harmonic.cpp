@@ -92,7 +92,8 @@ std::vector<double> changes_of(const std::vector<MatrixXd>& family, const Lanczo
   std::vector<Eigen::ArrayXd> values, changes;
   double most = 0;  // for an answer of size 1
   for (const auto& group : family) {
-    const MatrixXd of_vectors = group * space.vectors();
+    const Index vectors = space.vectors().cols();  // a tip without factors has neither rows nor columns
+    const MatrixXd of_vectors = group.rows() == 0 ? MatrixXd(0, vectors) : MatrixXd(group * space.vectors());
     const MatrixXcd found = of_vectors * now, earlier = of_vectors.leftCols(before.rows()) * before;
     const auto largest = [&](const MatrixXcd& all) -> Eigen::ArrayXd {
       if (all.rows() == 0) return Eigen::ArrayXd::Zero(now.cols());

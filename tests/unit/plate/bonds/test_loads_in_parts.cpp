@@ -48,7 +48,8 @@ TEST_CASE(
     const auto free = [&] {
       std::vector<int> modes;
       const auto local = own(problem);
-      for (const auto& piece : discretise(local).plate->pieces()) modes.push_back(piece.free_modes);
+      const auto plate = discretise(local).plate;
+      for (const auto& piece : plate->pieces()) modes.push_back(piece.free_modes);
       return modes;
     };
     const auto whole = free();
