@@ -104,7 +104,10 @@ private:
     result.lift = layout.boundary.constraints.lift(layout.loads.size(), points);
     if (part_ && load.kind == Load::Kind::settlement && result.lift.cols() == 0)
       result.lift = State::Zero(3, Eigen::Index(points));  // all have one, also those that do not see what moves
-    if (load.moves()) result.moving = std::make_shared<MovingForces>(moving_forces(load, whole_, points));
+    if (load.moves()) {
+      auto moving = moving_forces(load, whole_, areas_.size());
+      result.moving = std::make_shared<MovingForces>(part_ ? restricted(std::move(moving), *part_) : std::move(moving));
+    }
     if (load.gravity && !layout.sections->uniform())  // the load has its value where the section has its own mass
       for (Eigen::Index k = 0; k < result.forces.cols(); ++k)
         result.forces.col(k) *= (*layout.sections)[std::size_t(k)].mass / problem_.section.mass();

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 
 #include "plate/formulation/attached/contact.hpp"
+#include "plate/model/loading/moving_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/ranks/gathered.hpp"
 #include "plate/model/refused.hpp"
@@ -269,6 +271,17 @@ std::vector<double> restricted(const std::vector<double>& whole, const geometry:
   for (const auto k : part.number)
     if (!whole.empty()) result.push_back(whole[k]);
   return result;
+}
+
+MovingForces restricted(MovingForces whole, const PartOfCells& part) {
+  const auto& number = part.part.number;
+  for (auto& station : whole.stations) {
+    std::erase_if(station.forces, [&](const auto& one) { return !std::ranges::binary_search(number, one.first / 3); });
+    for (auto& dof : station.forces | std::views::keys)
+      dof = 3 * std::uint32_t(std::ranges::lower_bound(number, dof / 3) - number.begin()) + dof % 3;
+  }
+  whole.own = part.own;
+  return whole;
 }
 
 }  // namespace plate

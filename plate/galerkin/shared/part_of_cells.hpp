@@ -7,6 +7,7 @@
 
 namespace plate {
 
+struct MovingForces;
 struct Problem;
 
 /// What a process has of the cells of a plate that several share: its own points, copies of those that their forces and
@@ -41,5 +42,6 @@ Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t 
 AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::CellsPart& part);
 Forces restricted(const Forces& whole, const geometry::CellsPart& part);
 std::vector<double> restricted(const std::vector<double>& whole, const geometry::CellsPart& part);
+MovingForces restricted(MovingForces whole, const PartOfCells& part);
 
 }  // namespace plate

@@ -274,6 +274,19 @@ TEST_CASE("a plate in parts: cells in motion, the same bits by any number of pro
     problem.foundations = {{20000, 0, geometry::Hole(geometry::Circle{{0.5, 0.4}, 0.35, ""}), true}};
     problem.loads[0].value = -3, problem.loads[0].gradient = {5, 1};
   }
+  SECTION("a force and a pressure that run across it, over the crack") {
+    auto force = of_kind(Load::Kind::point_force, 0.3), pressure = of_kind(Load::Kind::pressure, 5);
+    force.path = {{0.1, 0.7}, {1.1, 0.15}}, force.speed = 25;
+    pressure.patch = geometry::Circle{{0.9, 0.3}, 0.2, ""}, pressure.path = {{0.9, 0.3}, {0.4, 0.5}},
+    pressure.speed = 20;
+    problem.loads.insert(problem.loads.end(), {force, pressure});
+  }
+  SECTION("its clamped edge settles") {
+    auto settles = of_kind(Load::Kind::settlement, 0.01);
+    settles.slope = {0, 0.02}, settles.history.kind = History::Kind::table;
+    settles.history.table = {{0, 0}, {0.02, 0.2}, {0.04, 1}};
+    problem.loads.push_back(settles);
+  }
   const double step = 0.9 * stable_time_step(*discretise(problem).plate, 1);
   const End whole = moved(problem, step), one = moved_by(1, problem, step);
   // Lanczos vectors from other beginnings, to 1e-4; measured: 2e-5 on soil, below 1e-6 without
