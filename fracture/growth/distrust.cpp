@@ -45,8 +45,8 @@ std::vector<std::string> tips_without_rings(const plate::Formulation& plate) {
   return result;
 }
 
-/// Measured over 5 spacings and more of growth, five angles, three spacings: 0.79 to 1.21 where no tip was driven at
-/// its largest speed (tests/verification/README.md).
+/// 0.79 to 1.21 in the plates of tests/verification/README.md ("Damping, beginnings, impacts, vibration") where no tip
+/// was driven at its largest speed.
 std::vector<std::string> distrust_of_spent(const Growth& growth, const Moved& moved, const plate::Section& section) {
   constexpr double least = 0.75, most = 1.25;
   if (growth.by_bonds() || !moved.spent || (*moved.spent >= least && *moved.spent <= most)) return {};

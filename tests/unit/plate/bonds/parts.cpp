@@ -1,7 +1,6 @@
 #include "tests/unit/plate/bonds/parts.hpp"
 
 #include <catch2/catch.hpp>
-#include <mutex>
 
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
@@ -14,7 +13,6 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/solution.hpp"
 #include "plate/solve/touched_plate.hpp"
-#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 namespace parts {
 
@@ -93,14 +91,13 @@ End moved(const Problem& given, const How& how) {
 
 End moved_by(int processes, const Problem& problem, const How& how) {
   End all;
-  std::mutex one_by_one;
-  thread_ranks::run(processes, [&](const Ranks& ranks) {
-    End own = moved(problem, how);
-    const std::lock_guard guard(one_by_one);
+  const auto put = [&](End& own, bool first) {
     all.state.merge(own.state);
-    if (ranks.rank() == 0) all.limit = own.limit, all.books = own.books, all.blow = own.blow;
+    if (first) all.limit = own.limit, all.books = own.books, all.blow = own.blow;
     CHECK(own.state.empty());  // nobody else has any of these points
-  });
+  };
+  together(
+      processes, [&] { return moved(problem, how); }, put);
   return all;
 }
 
@@ -168,13 +165,12 @@ void check_rest(const Problem& problem, StaticMethod method, Preconditioning wan
   for (const int processes : {1, 3, 7}) {
     INFO(processes << " processes");
     Rest all;
-    std::mutex one_by_one;
-    thread_ranks::run(processes, [&](const Ranks& ranks) {
-      Rest own = at_rest(problem, method, wanted);
-      const std::lock_guard guard(one_by_one);
+    const auto put = [&](Rest& own, bool first) {
       all.state.merge(own.state);
-      if (ranks.rank() == 0) all.iterations = own.iterations, all.strain = own.strain, all.pieces = own.pieces;
-    });
+      if (first) all.iterations = own.iterations, all.strain = own.strain, all.pieces = own.pieces;
+    };
+    together(
+        processes, [&] { return at_rest(problem, method, wanted); }, put);
     REQUIRE(all.state.size() == whole.state.size());
     CHECK((all.pieces == whole.pieces));
     CHECK(std::abs(double(all.iterations) - double(whole.iterations)) <= 0.01 * double(whole.iterations));

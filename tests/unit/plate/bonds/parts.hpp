@@ -1,9 +1,11 @@
 #pragma once
 #include <map>
+#include <mutex>
 #include <vector>
 
 #include "plate/model/problem.hpp"
 #include "plate/model/solver_choices.hpp"
+#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 /// Plates that threads share as processes do, against those of one.
 namespace parts {
@@ -12,6 +14,17 @@ using namespace plate;
 
 Problem problem_of(geometry::Outline outline, std::vector<Support> supports, std::vector<Load> loads);
 Load pressure(double value);
+
+/// What processes find, each by itself, and put together one after the other.
+template <typename Find, typename Put>
+void together(int processes, const Find& find, const Put& put) {
+  std::mutex one_by_one;
+  thread_ranks::run(processes, [&](const Ranks& ranks) {
+    auto part = find();
+    const std::lock_guard guard(one_by_one);
+    put(part, ranks.rank() == 0);
+  });
+}
 
 /// With formulas of its own: each is evaluated by one thread at a time.
 Problem own(Problem problem);

@@ -1,7 +1,6 @@
 // Equilibria and motions of Galerkin plates that processes share.
 #include <catch2/catch.hpp>
 #include <map>
-#include <mutex>
 
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -17,7 +16,6 @@
 #include "post/balance/supports.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
-#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace plate;
 
@@ -88,15 +86,14 @@ double apart(const Map& one, const Map& other) {
 
 Rest at_rest_by(int processes, const Problem& problem, Preconditioning wanted) {
   Rest all;
-  std::mutex one_by_one;
-  thread_ranks::run(processes, [&](const Ranks& ranks) {
-    auto own_part = at_rest(problem, wanted);
-    const std::lock_guard guard(one_by_one);
-    all.state.merge(own_part.state), all.factors.merge(own_part.factors);
-    if (ranks.rank() == 0) all.sums = own_part.sums, all.pieces = own_part.pieces;
-    CHECK(own_part.state.empty());    // nobody else has any of these points
-    CHECK(own_part.factors.empty());  // nor these tips
-  });
+  const auto put = [&](Rest& part, bool first) {
+    all.state.merge(part.state), all.factors.merge(part.factors);
+    if (first) all.sums = part.sums, all.pieces = part.pieces;
+    CHECK(part.state.empty());    // nobody else has any of these points
+    CHECK(part.factors.empty());  // nor these tips
+  };
+  parts::together(
+      processes, [&] { return at_rest(problem, wanted); }, put);
   return all;
 }
 
@@ -225,7 +222,6 @@ struct End {
 End moved(const Problem& problem, double time_step) {
   constexpr std::size_t steps = 40;
   const auto plate = discretise(problem).plate;
-  const auto& boundary = plate->boundary();
   End end;
   end.limit = stable_time_step(*plate, 1);
   central_differences(
@@ -234,7 +230,7 @@ End moved(const Problem& problem, double time_step) {
         if (now.step < steps) return;
         const State velocity = now.velocity();
         for (std::uint32_t k = 0; k < plate->points(); ++k)
-          if (boundary.owns(k))
+          if (const auto& boundary = plate->boundary(); boundary.owns(k))
             end.state[boundary.number.empty() ? k : boundary.number[k]] = {
                 now.state(0, k), now.state(1, k), now.state(2, k), velocity(0, k), velocity(1, k), velocity(2, k)};
       });
@@ -243,13 +239,12 @@ End moved(const Problem& problem, double time_step) {
 
 End moved_by(int processes, const Problem& problem, double time_step) {
   End all;
-  std::mutex one_by_one;
-  thread_ranks::run(processes, [&](const Ranks& ranks) {
-    End own_part = moved(problem, time_step);
-    const std::lock_guard guard(one_by_one);
-    all.state.merge(own_part.state);
-    if (ranks.rank() == 0) all.limit = own_part.limit, all.books = own_part.books;
-  });
+  const auto put = [&](End& part, bool first) {
+    all.state.merge(part.state);
+    if (first) all.limit = part.limit, all.books = part.books;
+  };
+  parts::together(
+      processes, [&] { return moved(problem, time_step); }, put);
   return all;
 }
 
