@@ -63,8 +63,8 @@ std::vector<std::string> Record::cut_places(const plate::Problem& problem) const
   const double near = problem.discretization.spacing_at_tips();
   std::vector<std::string> result;
   for (const auto& [what, place] : places)
-    if (std::ranges::any_of(cracks.lines,
-                            [&](const auto& line) { return geometry::distance(line.vertices, place) < near; }))
+    if (std::ranges::any_of(
+            cracks.lines, [&, &at = place](const auto& line) { return geometry::distance(line.vertices, at) < near; }))
       result.push_back(
           fmt::format("a crack runs through ({:g}, {:g}), where {}: both its faces share that; keep it away "
                       "with growth.no_fail",
