@@ -35,12 +35,6 @@ double wider_points(const plate::Problem& problem, double wanted) {
   return std::max(1.0, across / std::max(least, std::round(across / wanted)));
 }
 
-double expected_points(const plate::Problem& problem) {
-  const auto& d = problem.discretization;
-  return geometry::expected_points(problem.outline, geometry::tips(plate::crack_paths(problem)), d.spacing,
-                                   {d.tip_spacing, d.hole_spacing, d.spacing_growth});
-}
-
 /// The largest radius of rings about tips whose spacings are so much wider; 0 without rings [spacings].
 double rings_of(const RunPlan& plan, double wider) {
   return plan.srif || plan.growth ? post::widest_ring(plan.problem, wider) : 0;
@@ -128,6 +122,12 @@ void set_motion(const RunPlan& plan, ForetoldRun& result, const post::Samples& f
 }
 
 }  // namespace
+
+double expected_points(const plate::Problem& problem) {
+  const auto& d = problem.discretization;
+  return geometry::expected_points(problem.outline, geometry::tips(plate::crack_paths(problem)), d.spacing,
+                                   {d.tip_spacing, d.hole_spacing, d.spacing_growth});
+}
 
 plate::Discretization widened(plate::Discretization points, double wider) {
   points.spacing *= wider, points.spacing_growth = std::min(1.0, points.spacing_growth * wider);

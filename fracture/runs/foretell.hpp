@@ -36,6 +36,9 @@ using RunSample = std::function<std::optional<post::SampleRun>(const plate::Usua
 /// and what `run` throws where no sample can be had.
 ForetoldRun foretell(const RunPlan& plan, const RunSample& run);
 
+/// About how many points a plate will have, told without it.
+double expected_points(const plate::Problem& problem);
+
 /// Points that are so much wider apart, and graded as much.
 plate::Discretization widened(plate::Discretization points, double wider);
 

@@ -31,6 +31,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/refused.hpp"
 #include "plate/solve/reduction.hpp"
+#include "plate/solve/shared_factor.hpp"
 
 namespace plate {
 namespace {
@@ -101,9 +102,7 @@ public:
     return std::make_unique<BondView>(cloud(), op_.families(), op_.shapes(), section(), discretization());
   }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
-  std::unique_ptr<Preconditioner> factor() const override {
-    return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_, true));
-  }
+  std::unique_ptr<Preconditioner> factor() const override;
   SingleForce single_precision() const override {
     return [rows = op_.single_rows(), attached = op_.attached()](const Values<float>& state, Values<float>& force) {
       rows.internal_force(state, force);
@@ -132,6 +131,16 @@ std::vector<Share> OrdinaryPlate::interpolation(const Point& at) const {
       seen_from(u, reach, boundary().lattice, cloud().plate_points, geometry::to_lattice(paths(), cloud().units));
   if (near.empty()) near.emplace_back(geometry::nearest_plate_point(cloud(), at), u);
   return plate::interpolation(near, u);
+}
+
+std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {
+  const Ranks* all = ranks();
+  if (!all) return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_, true));
+  // forces of a point, and of its image beyond an edge, are of what is two horizons away
+  const auto near =
+      surroundings(problem().outline, discretization(), boundary(), 4 * discretization().horizon_ratio + 2);
+  return std::make_unique<SharedFactor>(*all, op_, boundary(), stiffness_matrix(op_, true, near->known),
+                                        near->exchange.get());
 }
 
 ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const {

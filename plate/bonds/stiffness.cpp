@@ -88,9 +88,11 @@ void add_dilatations(const FamilyOperator& plate, const Bonds& bonds, std::uint3
 
 }  // namespace
 
-PointMatrix stiffness_matrix(const FamilyOperator& plate, bool with_dilatation) {
+PointMatrix stiffness_matrix(const FamilyOperator& plate, bool with_dilatation, const std::vector<char>& wanted) {
   const Bonds bonds(plate);
+  const auto is_wanted = [&](std::uint32_t k) { return wanted.empty() || wanted[k]; };
   auto result = zeros(plate.points(), [&](Column& column, std::uint32_t k) {
+    if (!is_wanted(k)) return;
     for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
       const auto p = neighbour(k, *bond);
       column.couple(p);
@@ -103,6 +105,7 @@ PointMatrix stiffness_matrix(const FamilyOperator& plate, bool with_dilatation) 
     ColumnBlocks column(result);
 #pragma omp for schedule(dynamic, 64)
     for (std::uint32_t k = 0; k < plate.points(); ++k) {
+      if (!is_wanted(k)) continue;
       column.begin(k);
       add_bonds(bonds, k, column);
       if (with_dilatation) add_dilatations(plate, bonds, k, column);

@@ -5,7 +5,8 @@
 namespace plate {
 
 /// K of all degrees of freedom. `with_dilatation` = false leaves out the energy a theta^2 and with it the couplings
-/// between the neighbours of a point. Any number of threads gives the same bits.
-PointMatrix stiffness_matrix(const FamilyOperator& plate, bool with_dilatation);
+/// between the neighbours of a point. `wanted`: points whose columns are made; empty: all. Any number of threads gives
+/// the same bits.
+PointMatrix stiffness_matrix(const FamilyOperator& plate, bool with_dilatation, const std::vector<char>& wanted = {});
 
 }  // namespace plate

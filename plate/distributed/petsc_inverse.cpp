@@ -114,7 +114,7 @@ private:
             require(MatMumpsSetIcntl(factor, more, percent));
           }))
         return;
-    throw std::runtime_error("MUMPS finds no factor of the coarse plate");
+    throw std::runtime_error("MUMPS finds no factor of the stiffness");
   }
 
   /// The rigid motions: w = 1; w = x, theta_y = -1; w = y, theta_x = 1, orthogonal and of length 1.

@@ -17,11 +17,11 @@
 #include "plate/galerkin/resultants.hpp"
 #include "plate/galerkin/shared/coarser_parts.hpp"
 #include "plate/galerkin/shared/laid_out.hpp"
-#include "plate/galerkin/shared/shared_factor.hpp"
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/galerkin/tip_view.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
+#include "plate/solve/shared_factor.hpp"
 
 namespace plate {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "geometry/cells/locator.hpp"
-#include "plate/galerkin/shared/shared_factor.hpp"
 #include "plate/galerkin/shared/sum_by_owners.hpp"
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/shared_factor.hpp"
 
 namespace plate {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "fracture/runs/foretell.hpp"
 #include "fracture/runs/run_plan.hpp"
 #include "fracture/runs/shared/all_factors.hpp"
 #include "plate/bonds/ordinary_plate.hpp"
@@ -111,7 +112,9 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   const bool moves = plan.analysis.kind == plate::Analysis::Kind::dynamic;
   refuse(plan.analysis.kind == plate::Analysis::Kind::harmonic, "analysis.kind", "\"harmonic\" cannot be run");
   refuse(moves && plan.analysis.method == lanczos, "analysis.method", "\"lanczos\" cannot be run");
-  refuse(plan.analysis.method == direct, "analysis.method", "\"direct\" cannot be run");
+  constexpr double most_factorised = 1e6;  // points; MUMPS takes no more (plate/distributed)
+  refuse(plan.analysis.method == direct && expected_points(plan.problem) > most_factorised, "analysis.method",
+         "\"direct\" of so many points cannot be run");
   refuse(plan.analysis.preconditioner == plate::Preconditioning::local, "analysis.preconditioner",
          "\"local\" cannot be made");
   const bool cells = d.formulation == &plate::galerkin;

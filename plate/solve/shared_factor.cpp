@@ -1,7 +1,9 @@
-#include "plate/galerkin/shared/shared_factor.hpp"
+#include "plate/solve/shared_factor.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <stdexcept>
 
 #include "plate/model/ranks/gathered.hpp"
 #include "plate/solve/assembled_plate.hpp"
@@ -9,13 +11,16 @@
 namespace plate {
 namespace {
 
-/// Points by the numbers that they have among all, process by process; as numbers of a state, which copies can fetch.
-State numbers(const Ranks& all, const Boundary& boundary, const std::vector<std::uint32_t>& own) {
+using Fetch = std::function<void(State&)>;
+
+/// Points by the numbers that they have among all, process by process, -1 where nobody is asked; as numbers of a state,
+/// which copies can fetch.
+State numbers(const Ranks& all, std::size_t points, const std::vector<std::uint32_t>& own, const Fetch& fetch) {
   const auto counts = gathered(all, std::vector<std::int64_t>{std::int64_t(own.size())});
   auto next = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
-  State result = State::Zero(3, Eigen::Index(boundary.cloud.size()));
+  State result = State::Constant(3, Eigen::Index(points), -1);
   for (const auto k : own) result(0, k) = double(next++);
-  boundary.constraints.fetch(result);
+  fetch(result);
   return result;
 }
 
@@ -34,7 +39,9 @@ SharedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::
     for (Eigen::Index i = 0; i < 3; ++i)
       for (Eigen::Index j = 0; j < 3; ++j)
         if (!(free(i, row) > 0) || !(free(j, column) > 0)) entries(i, j) = 0;
-    if (row == column || !entries.isZero(0)) found[row].push_back({std::int64_t(number(0, column)), entries});
+    if (row != column && entries.isZero(0)) return;
+    if (number(0, column) < 0) throw std::logic_error("a point is coupled to one whose owner nobody asks");
+    found[row].push_back({std::int64_t(number(0, column)), entries});
   };
   for (std::uint32_t k = 0; k < matrix.points(); ++k)
     for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) {
@@ -64,13 +71,19 @@ SharedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::
 }  // namespace
 
 SharedFactor::SharedFactor(const Ranks& all, const Operator& plate, const Boundary& boundary,
-                           const PointMatrix& stiffness)
+                           const PointMatrix& stiffness, const Exchange* seen)
     : boundary_(boundary) {
   for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k)
     if (boundary.owns(k)) own_.push_back(k);
-  const State number = numbers(all, boundary, own_);
+  const Fetch fetch = [&](State& state) {
+    if (seen)
+      seen->fetch(std::span(state.data(), std::size_t(state.size())));
+    else
+      boundary.constraints.fetch(state);
+  };
+  const State number = numbers(all, boundary.cloud.size(), own_, fetch);
   State free = folded_diagonal(plate, boundary.constraints);
-  boundary.constraints.fetch(free);
+  fetch(free);
   inverse_ = all.inverse(rows(folded(stiffness, boundary.constraints), boundary, own_, number, free));
 }
 

@@ -11,8 +11,10 @@ namespace plate {
 /// factorise.
 class SharedFactor : public Preconditioner {
 public:
-  /// `stiffness`: right in the rows and columns of own points. `plate`, `boundary` must outlive this.
-  SharedFactor(const Ranks& all, const Operator& plate, const Boundary& boundary, const PointMatrix& stiffness);
+  /// `stiffness`: right in the rows and columns of own points. `seen`: of all points that these are coupled to, where
+  /// that are more than the copies of `boundary`. `plate`, `boundary` must outlive this.
+  SharedFactor(const Ranks& all, const Operator& plate, const Boundary& boundary, const PointMatrix& stiffness,
+               const Exchange* seen = nullptr);
 
   void apply(const Forces& residual, State& result) const override;
   std::size_t bytes() const override { return 0; }  // the libraries do not say
