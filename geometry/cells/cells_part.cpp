@@ -110,8 +110,12 @@ CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted) {
   return result;
 }
 
+long stretch_at(double x, double spacing) {
+  return std::lround(std::floor(std::round(x / spacing) / double(stretch)));
+}
+
 long stretch_of(const Tessellation& cells, std::size_t k) {
-  return std::lround(std::floor(std::round(cells.local[k].x() / cells.units.spacing) / double(stretch)));
+  return stretch_at(cells.local[k].x(), cells.units.spacing);
 }
 
 std::vector<int> shared_out(const Tessellation& cells, int parts) {

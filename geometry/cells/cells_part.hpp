@@ -17,7 +17,8 @@ CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted);
 /// Columns of a lattice between two places where a row of points may be parted.
 constexpr long stretch = 256;
 
-/// The stretch of columns in which a point lies, from 0.
+/// The stretch of columns in which a point lies, from 0. `x`: from the left end of the plate [length].
+long stretch_at(double x, double spacing);
 long stretch_of(const Tessellation& cells, std::size_t k);
 
 /// Which of `parts` every point belongs to: about as many points each, by halving again and again along x or y. A

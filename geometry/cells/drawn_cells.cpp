@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "geometry/cells/untied_cells.hpp"
+#include "geometry/cells/rows/lattice_cells.hpp"
 #include "geometry/lattice/cell_index.hpp"
 #include "geometry/shape/predicates.hpp"
 
@@ -224,7 +224,7 @@ DrawnCells drawn_cells(const Outline& outline, const std::vector<CrackPath>& cra
     for (std::size_t i = 0; i + 1 < path.vertices.size(); ++i)
       add_crossed(path.vertices[i], path.vertices[i + 1], crossed);
   const Sizing one = [](const Point&) { return 1.0; };
-  auto cells = lattice_cells(curves(in_cells, paths, crossed, one, true), on_curve / 2);
+  auto cells = lattice_cells(curves(in_cells, paths, crossed, one, true), on_curve / 2).cells();
   part(cells);
   return Drawing(cells, lattice)(units);
 }

@@ -21,10 +21,12 @@ public:
 
 private:
   Found weighted(std::uint32_t cell, const Point& at) const;
-  long bucket(long column, long row) const { return row * columns_ + column; }
+  long width() const { return high_[0] - low_[0] + 1; }
+  long bucket(long column, long row) const { return (row - low_[1]) * width() + column - low_[0]; }
 
   const Tessellation& cells_;
-  long columns_, rows_;
+  Cell low_, high_;                     // the first and last columns and rows of buckets
+  Cell last_;                           // of the whole plate
   std::vector<std::size_t> first_;      // per bucket, one spacing wide
   std::vector<std::uint32_t> members_;  // squares, then triangles
 };

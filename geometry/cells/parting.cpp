@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 #include <unordered_map>
 
 #include "geometry/cells/untied_cells.hpp"
@@ -93,6 +94,35 @@ std::vector<std::uint32_t> part(Cells& cells) {
   auto origin = part_cells(cells);
   compact(cells, origin);
   return origin;
+}
+
+std::vector<Tessellation::Border> borders(const Cells& cells, const std::vector<std::uint32_t>& origin) {
+  std::unordered_map<std::uint64_t, std::int32_t> edge_of;
+  std::vector<char> curved(*std::max_element(origin.begin(), origin.end()) + 1, 0);
+  for (const auto& piece : cells.pieces) {
+    edge_of[side_between(piece.from, piece.to)] = piece.edge;
+    curved.at(piece.from) = curved.at(piece.to) = 1;
+  }
+  std::unordered_map<std::uint64_t, std::pair<std::uint32_t, std::uint32_t>> open;
+  std::vector<std::uint64_t> order;
+  for_cells(cells, [&](const std::uint32_t* corner, std::size_t count) {
+    for (std::size_t c = 0; c < count; ++c) {
+      const auto from = corner[c], to = corner[(c + 1) % count];
+      if (!curved[origin[from]] || !curved[origin[to]]) continue;
+      if (open.erase(side_between(from, to)) == 0)
+        open[side_between(from, to)] = {from, to}, order.push_back(side_between(from, to));
+    }
+  });
+  std::vector<Tessellation::Border> result;
+  for (const auto key : order)
+    if (const auto found = open.find(key); found != open.end()) {
+      const auto [from, to] = found->second;
+      const auto edge = edge_of.find(side_between(origin[from], origin[to]));
+      if (edge == edge_of.end()) throw std::logic_error("a cell has a side that is neither shared nor on a curve");
+      result.push_back({from, to, edge->second});
+      open.erase(found);
+    }
+  return result;
 }
 
 }  // namespace geometry

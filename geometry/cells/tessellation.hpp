@@ -25,6 +25,14 @@ struct Tessellation {
   /// Positions from `units.origin` on [length]: differences of these are as exact as numbers allow, those of
   /// `positions` are not where the plate is far from the origin.
   std::vector<Point> local;
+
+  /// What a process sees of a plate on a lattice that it shares.
+  struct Window {
+    CellBox about;  // the points nearest to a place there are here, and the cells about it
+    Cell last;      // the column and row of the last points of the whole
+  };
+  std::optional<Window> window = {};  // absent: these are all
+  bool sees(const Point& x) const { return !window || window->about.contains(cell_of(units.to_lattice(x))); }
 };
 
 /// Moves a point [length].

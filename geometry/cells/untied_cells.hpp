@@ -24,15 +24,14 @@ inline std::uint64_t side_between(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t(a < b ? a : b) << 32 | (a < b ? b : a);
 }
 
-/// Squares of the lattice where nothing disturbs it, triangles elsewhere. `clearance`: between a lattice point and a
-/// curve that does not run through it; nearer ones are left out [spacings].
-Cells lattice_cells(const Curves& curves, double clearance);
-
 /// Triangles all over, of the size that is wanted, in rings about the tips.
 Cells graded_cells(const Curves& curves, const Sizing& sizing, const std::vector<Point>& tips);
 
 /// Gives every part of the cells about a point on a curve, as cracks part them, its own point, and leaves out points
 /// without cells; returns for every point the one that it comes from.
 std::vector<std::uint32_t> part(Cells& cells);
+
+/// Sides of cells that no other cell shares, of cells that are parted so. `origin`: what part() has returned.
+std::vector<Tessellation::Border> borders(const Cells& cells, const std::vector<std::uint32_t>& origin);
 
 }  // namespace geometry

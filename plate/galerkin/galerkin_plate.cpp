@@ -209,7 +209,7 @@ Discretised discretised(const Problem& problem) {
   auto paths = crack_paths(problem);
   auto cells = [&] {
     try {
-      return cells_of(problem, paths, 1);
+      return whole_cells_of(problem, paths, 1);
     } catch (const std::invalid_argument& error) {
       throw Refused({{Subject::geometry, 0, fmt::format("{}; refine", error.what())}});
     }

@@ -117,7 +117,7 @@ void impose(Constraints& constraints, std::uint32_t k, const Held& held) {
 void hold_places(Boundary& boundary, const MovedSupports& moved) {
   const auto& positions = boundary.cloud.positions;
   for (std::uint32_t pin = 0; pin < boundary.holders.size(); ++pin) {
-    if (!boundary.holders[pin].position) continue;
+    if (!boundary.holders[pin].position || !boundary.cloud.seeded(*boundary.holders[pin].position)) continue;
     const auto nearest = geometry::nearest_plate_point(boundary.cloud, *boundary.holders[pin].position);
     for (std::uint32_t k = 0; k < positions.size(); ++k)
       if (positions[k] == positions[nearest]) hold_point(boundary, k, pin, moved);
@@ -131,6 +131,7 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
                            const std::vector<SupportMotion>& motions) {
   Boundary result;
   result.cloud = {cells.units, cells.positions, areas, cells.positions.size()};
+  if (cells.window) result.cloud.part = cells.window->about;
   for (const auto& x : cells.positions) result.lattice.push_back(cells.units.to_lattice(x));
   result.sides = sides_of(outline, supports);
   result.active.assign(cells.positions.size(), 1);

@@ -66,6 +66,7 @@ Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const
       add_line_load(load, cells, forces);
       break;
     case Load::Kind::point_force: {
+      if (!cells.sees(load.position)) break;
       std::size_t nearest = 0;
       for (std::size_t k = 0; k < areas.size(); ++k)
         if ((cells.positions[k] - load.position).squaredNorm() <

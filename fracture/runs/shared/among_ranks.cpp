@@ -57,7 +57,7 @@ std::string fault_of_twice_the_spacing(const plate::Problem& problem) {
   const int processes = plate::ranks()->size();
   try {
     if (problem.discretization.formulation == &plate::galerkin)
-      plate::require_parts(plate::cells_of(coarse, plate::crack_paths(coarse), 1), processes);
+      plate::require_parts(plate::whole_cells_of(coarse, plate::crack_paths(coarse), 1), processes);
     else
       plate::partition_of_lattice(coarse.outline, coarse.discretization, processes);
   } catch (const plate::Refused& refused) {

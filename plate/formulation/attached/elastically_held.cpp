@@ -159,7 +159,7 @@ AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Tes
       [&](const Spring& one, AttachmentSum& sum) {
         add_edges(one, cells, sum);
         if (!one.along.empty()) add_line(one, cells, sum);
-        if (one.position) add_point(one, cells.positions, points, sum);
+        if (one.position && cells.sees(*one.position)) add_point(one, cells.positions, points, sum);
       },
       [&](const Stiffener& one, AttachmentSum& sum) { add_stiffener(one, cells, sum); });
 }

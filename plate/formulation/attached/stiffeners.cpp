@@ -90,10 +90,11 @@ void for_elements(const Stiffener& beam, const geometry::Tessellation& cells,
   for (std::size_t i = 0; i + 1 < beam.along.size(); ++i) {
     const Point &from = beam.along[i], way = beam.along[i + 1] - from;
     const int count = std::max(1, int(std::lround(way.norm() / cells.units.spacing)));
-    Node last = node_at(from);
-    for (int n = 1; n <= count; ++n) {
-      Node next = node_at(from + way * n / count);
-      visit(last, next);
+    std::optional<Node> last;
+    for (int n = 0; n <= count; ++n) {
+      const Point x = from + way * n / count;
+      auto next = cells.sees(x) ? std::optional(node_at(x)) : std::nullopt;
+      if (last && next) visit(*last, *next);
       last = std::move(next);
     }
   }

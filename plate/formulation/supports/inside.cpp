@@ -10,6 +10,7 @@
 #include "plate/formulation/supports/moved_supports.hpp"
 #include "plate/model/loading/spread.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/ranks/ranks.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {
@@ -45,7 +46,9 @@ void hold_part(Boundary& boundary, const geometry::Hole& shape, std::uint32_t ho
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
     if (holds(cloud.positions[k])) hold_point(boundary, k, holder, moved), ++count;
-  if (count == 0)
+  double any = count > 0;
+  if (const Ranks* all = ranks(); all && cloud.part) all->largest({&any, 1});
+  if (any == 0)
     throw Refused({{Subject::support_patch, boundary.holders[holder].support,
                     fmt::format("no point of the plate lies on it at spacing {:g}: refine, or give points",
                                 cloud.units.spacing)}});

@@ -18,15 +18,20 @@ namespace {
 /// What a process needs of a level, and for its points of a finer plate, of which `own` take from it.
 class LevelOfParts {
 public:
-  LevelOfParts(const Ranks& all, const Problem& problem, const geometry::Tessellation& whole,
-               const std::vector<geometry::Point>& seen, const std::vector<char>& own)
-      : problem_(problem), whole_(whole), to_finer_(transfer_to(seen, whole, own)) {
-    std::vector<char> asked(whole.positions.size(), 0);
+  LevelOfParts(const Ranks& all, const Problem& problem, WholeCells whole, const std::vector<geometry::Point>& seen,
+               const std::vector<char>& own)
+      : problem_(problem) {
+    if (std::holds_alternative<geometry::WholeLattice>(whole)) inside_ = about_first_inside(whole);
+    const auto besides = box_of(whole, seen, own);
+    seen_ = seen_cells(all, problem, std::move(whole), {}, besides);
+    const auto& cells = seen_.cells;
+    to_finer_ = transfer_to(seen, cells, own);
+    std::vector<char> asked(cells.positions.size(), 0);
     for (const auto& share : to_finer_.shares) asked[share.other] = 1;
     auto boundary =
-        galerkin_boundary(whole, areas_of(whole), geometry::to_lattice(problem.outline, whole.units), problem.supports);
-    boundary.attached = attached_stiffness(problem, whole);
-    part_ = part_of_cells(all, problem, whole, boundary.attached, {}, asked);
+        galerkin_boundary(cells, areas_of(cells), geometry::to_lattice(problem.outline, cells.units), problem.supports);
+    boundary.attached = attached_stiffness(problem, cells);
+    part_ = part_of_cells(all, problem, seen_, boundary.attached, {}, asked);
     boundary_ = restricted(boundary, part_, 0);
     const auto& number = part_.part.number;
     for (auto& share : to_finer_.shares)
@@ -38,8 +43,8 @@ public:
   std::optional<GalerkinLevel> level() && try {
     auto& cells = part_.part.cells;
     auto beside = geometry::seen_positions(cells);
-    GalerkinOperator plate(galerkin_families(cells, whole_), PointSections(problem_.section, cells), boundary_.attached,
-                           part_.stretch);
+    GalerkinOperator plate(galerkin_families(cells, inside_ ? *inside_ : seen_.cells),
+                           PointSections(problem_.section, cells), boundary_.attached, part_.stretch);
     return GalerkinLevel{std::move(cells), std::move(beside),    std::move(boundary_),
                          std::move(plate), std::move(to_finer_), std::move(sum_)};
   } catch (const std::invalid_argument&) {
@@ -49,8 +54,25 @@ public:
   }
 
 private:
+  /// The cells about the finer points that take from these.
+  static std::optional<geometry::CellBox> box_of(const WholeCells& whole, const std::vector<geometry::Point>& seen,
+                                                 const std::vector<char>& own) {
+    const auto* lattice = std::get_if<geometry::WholeLattice>(&whole);
+    if (!lattice) return std::nullopt;
+    std::optional<geometry::CellBox> result;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      if (!own[k]) continue;
+      const auto [i, j] = geometry::cell_of(lattice->units().to_lattice(seen[k]));
+      if (!result) result = {{i, j}, {i + 1, j + 1}};
+      result->low = {std::min(result->low[0], i), std::min(result->low[1], j)};
+      result->high = {std::max(result->high[0], i + 1), std::max(result->high[1], j + 1)};
+    }
+    return result ? std::optional(result->grown(2)) : std::nullopt;
+  }
+
   const Problem& problem_;
-  const geometry::Tessellation& whole_;
+  std::optional<geometry::Tessellation> inside_;  // as of a whole plate
+  SeenCells seen_;
   LevelTransfer to_finer_;
   PartOfCells part_;
   Boundary boundary_;
@@ -74,15 +96,16 @@ std::vector<GalerkinLevel> coarser_parts(const Ranks& all, const Formulation& pl
   for (double factor = 2; points > few && factor * c.discretization.spacing <= (high - low).minCoeff() / 8;
        factor *= 2) {
     try {
-      const auto whole = cells_of(c, plate.paths(), factor);
+      auto whole = whole_cells_of(c, plate.paths(), factor);
+      const auto count = points_of(whole);
       const bool first = result.empty();
-      auto level = LevelOfParts(all, c, whole, first ? seen : result.back().seen,
+      auto level = LevelOfParts(all, c, std::move(whole), first ? seen : result.back().seen,
                                 first ? plate.boundary().own : result.back().boundary.own)
                        .level();
       if (largest_of_all(level ? 0 : 1) > 0) break;
       if (pieces(level->boundary, level->plate.families().families).size() != plate.pieces().size()) break;
       result.push_back(std::move(*level));
-      points = whole.positions.size();
+      points = count;
     } catch (const std::invalid_argument&) {  // the same in all processes, as the next
       break;                                  // cracks and edges are too close to each other for such points
     } catch (const Refused&) {

@@ -1,14 +1,17 @@
 #pragma once
-#include "geometry/cells/tessellation.hpp"
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/stopwatch.hpp"
 #include "plate/galerkin/families.hpp"
+#include "plate/galerkin/shared/seen_cells.hpp"
 
 namespace plate {
 
 /// The points and cells of a plate with all spacings `factor` times as wide. Throws std::invalid_argument where cracks
 /// and edges are too close to each other for them.
 geometry::Tessellation cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
+
+/// The same; where processes share them and they are on a lattice, what tells them.
+WholeCells whole_cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
 
 /// The share of what lies about a place that other points there stand for: both faces of a crack, parted from each
 /// other.
@@ -24,9 +27,11 @@ struct LaidOut {
   std::vector<std::uint32_t> stretch;  // of GalerkinOperator
 };
 
-/// Every process makes the points and cells of the whole plate, its supports and its nodal forces, and keeps its part.
+/// Of a lattice that processes share, one makes the points and cells about its own part, with their supports and nodal
+/// forces, and keeps its part; of graded points, and where a pressure is an expression or a table, whose integrals go
+/// by all cells before, it makes those of the whole plate first.
 /// @throws Refused
-LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, geometry::Tessellation whole,
+LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole,
                  Stopwatch& stopwatch);
 
 }  // namespace plate

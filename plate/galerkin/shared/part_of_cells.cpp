@@ -29,21 +29,6 @@ std::vector<std::uint32_t> places(const geometry::CellsPart& part, std::size_t w
   return result;
 }
 
-CellBox box_of(const Tessellation& cells, const std::vector<char>& own) {
-  CellBox box;
-  bool first = true;
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    if (!own[k]) continue;
-    const auto cell = geometry::cell_of(cells.units.to_lattice(cells.positions[k]));
-    for (const std::size_t axis : {0, 1}) {
-      box.low[axis] = first ? cell[axis] : std::min(box.low[axis], cell[axis]);
-      box.high[axis] = first ? cell[axis] + 1 : std::max(box.high[axis], cell[axis] + 1);
-    }
-    first = false;
-  }
-  return box;
-}
-
 /// The point nearest to a place, the first of several.
 std::size_t nearest(const std::vector<Point>& positions, const Point& x) {
   std::size_t result = 0;
@@ -61,11 +46,11 @@ void see_attached(const AttachedStiffness& attached, const std::vector<char>& ow
 }
 
 /// The points of others, with their numbers there, for which these are asked.
-std::vector<Copy> numbered(const Ranks& all, const std::vector<int>& owners, const geometry::CellsPart& part) {
+std::vector<Copy> numbered(const Ranks& all, const std::vector<int>& owners, const PartOfCells& part) {
   const auto size = std::size_t(all.size());
   std::vector<std::vector<std::uint32_t>> here(size), asked(size);
   for (std::uint32_t i = 0; i < part.number.size(); ++i)
-    if (const int owner = owners[part.number[i]]; owner != all.rank())
+    if (const int owner = owners[part.part.number[i]]; owner != all.rank())
       here[std::size_t(owner)].push_back(i), asked[std::size_t(owner)].push_back(part.number[i]);
   std::vector<std::string> texts;
   for (const auto& numbers : asked) texts.push_back(text_of(numbers));
@@ -107,54 +92,34 @@ double reach_about_tip(const Problem& problem, const geometry::Tip& tip) {
   return result;
 }
 
-namespace {
-
-std::vector<int> checked_owners(const Tessellation& whole, int processes) {
-  constexpr std::ptrdiff_t least = 8;  // points of a process
-  auto owners = geometry::shared_out(whole, processes);
-  for (int one = 0; one < processes; ++one)
-    if (std::ranges::count(owners, one) < least)
-      throw Refused({{Subject::spacing, 0,
-                      fmt::format("{:g} given makes {} points, in too few rows for {} processes", whole.units.spacing,
-                                  whole.positions.size(), processes)}});
-  return owners;
-}
-
-}  // namespace
-
-void require_parts(const Tessellation& whole, int processes) {
-  checked_owners(whole, processes);
-}
-
-PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const Tessellation& whole,
+PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const SeenCells& seen,
                           const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
                           const std::vector<char>& asked) {
   constexpr long near = 2;  // cells about the points: a place of the plate is as near to one of them
-  const auto& positions = whole.positions;
-  const auto owners = checked_owners(whole, all.size());
+  const auto& positions = seen.cells.positions;
   std::vector<char> own(positions.size());
-  for (std::size_t k = 0; k < own.size(); ++k) own[k] = owners[k] == all.rank();
+  for (std::size_t k = 0; k < own.size(); ++k) own[k] = seen.owners[k] == all.rank();
   PartOfCells result;
-  const auto box = box_of(whole, own), seen = box.grown(2 * near);
-  result.about = box.grown(near);
+  const auto box = seen.own.grown(2 * near);
+  result.about = seen.own.grown(near);
   auto wanted = own;
   see_attached(attached, own, wanted);
   for (std::size_t k = 0; k < asked.size(); ++k)
     if (asked[k]) wanted[k] = 1;
   for (std::size_t k = 0; k < own.size(); ++k)
-    if (seen.contains(geometry::cell_of(whole.units.to_lattice(positions[k])))) wanted[k] = 1;
+    if (box.contains(geometry::cell_of(seen.cells.units.to_lattice(positions[k])))) wanted[k] = 1;
   for (const auto& tip : tips) {
-    if (!own[nearest(positions, tip.position)]) continue;
+    if (!seen.cells.sees(tip.position) || !own[nearest(positions, tip.position)]) continue;
     const double reach = reach_about_tip(problem, tip);
     for (std::size_t k = 0; k < own.size(); ++k)
       if ((positions[k] - tip.position).norm() <= reach) wanted[k] = 1;
   }
-  result.part = geometry::cells_about(whole, std::move(wanted));
-  for (const auto number : result.part.number) {
-    result.own.push_back(own[number]);
-    result.stretch.push_back(own[number] ? std::uint32_t(1 + geometry::stretch_of(whole, number)) : 0);
+  result.part = geometry::cells_about(seen.cells, std::move(wanted));
+  for (const auto k : result.part.number) {
+    result.number.push_back(seen.of_whole(k)), result.own.push_back(own[k]);
+    result.stretch.push_back(own[k] ? std::uint32_t(1 + geometry::stretch_of(seen.cells, k)) : 0);
   }
-  result.copies = numbered(all, owners, result.part);
+  result.copies = numbered(all, seen.owners, result);
   result.exchange = all.exchange(result.part.number.size(), result.copies);
   return result;
 }
@@ -211,7 +176,7 @@ Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t 
     if (place[hold.point] != none) result.holds.push_back({place[hold.point], hold.holder, hold.rotations});
   result.constraints = restricted(whole.constraints, place, motions);
   result.attached = restricted(whole.attached, part.part);
-  result.own = part.own, result.number = number;
+  result.own = part.own, result.number = part.number;
   std::vector<std::uint32_t> others;
   for (std::uint32_t i = 0; i < part.own.size(); ++i)
     if (!part.own[i]) others.push_back(i);

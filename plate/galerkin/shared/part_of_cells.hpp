@@ -1,9 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "geometry/cells/cells_part.hpp"
 #include "plate/formulation/boundary.hpp"
-#include "plate/model/ranks/ranks.hpp"
+#include "plate/galerkin/shared/seen_cells.hpp"
 
 namespace plate {
 
@@ -11,10 +10,10 @@ struct MovingForces;
 struct Problem;
 
 /// What a process has of the cells of a plate that several share: its own points, copies of those that their forces and
-/// what is drawn of them need, and of those about its crack tips. Every process makes all points and cells of a plate,
-/// and keeps these.
+/// what is drawn of them need, and of those about its crack tips.
 struct PartOfCells {
-  geometry::CellsPart part;
+  geometry::CellsPart part;                  // of the cells that it sees
+  std::vector<std::uint32_t> number;         // of its points in the whole, ascending
   std::vector<char> own;                     // of its points
   std::vector<std::uint32_t> stretch;        // 0 of others' points; in which stretch of columns an own one lies, from 1
   std::vector<Copy> copies;                  // the others
@@ -27,17 +26,13 @@ double reach_about_tip(const Problem& problem, const geometry::Tip& tip);
 /// The widest window of displacement extrapolation that is seen about every tip [length].
 double widest_window(const Problem& problem);
 
-/// @throws Refused  too few points, or rows of them, for so many processes
-void require_parts(const geometry::Tessellation& whole, int processes);
-
-/// Of this process, of a plate with some supports, foundations and springs. `asked`: points of the whole that it needs
+/// Of this process, of a plate with some supports, foundations and springs. `asked`: points that it sees which it needs
 /// beside these; empty: none. All call it at once.
-/// @throws Refused  too few points for so many processes
-PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const geometry::Tessellation& whole,
+PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const SeenCells& seen,
                           const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
                           const std::vector<char>& asked = {});
 
-/// What is of the whole plate, of the points of a part. `motions`: loads that may move supports.
+/// What is of all that a process sees, of the points of a part. `motions`: loads that may move supports.
 Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t motions);
 AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::CellsPart& part);
 Forces restricted(const Forces& whole, const geometry::CellsPart& part);

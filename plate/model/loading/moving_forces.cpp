@@ -107,7 +107,7 @@ MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const
 
 MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points) {
   return stations(
-      load, cells.positions, points, cells.units.spacing, [](const Point&) { return true; },
+      load, cells.positions, points, cells.units.spacing, [&](const Point& x) { return cells.sees(x); },
       [&](const Load& now, Forces& forces) { add_pressure(now, cells, forces); });
 }
 

@@ -191,7 +191,7 @@ std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometr
 
 std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Tessellation& cells) {
   return pieces_of(line, cells.positions, cells.positions.size(), cells.units.spacing,
-                   [](const Point&) { return true; });
+                   [&](const Point& x) { return cells.sees(x); });
 }
 
 void add_line_load(const Load& load, const geometry::Cloud& cloud, Forces& forces) {
