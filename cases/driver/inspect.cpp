@@ -27,10 +27,7 @@ constexpr double giga = 1e9;
 std::string of_processes(const CaseFile& file, const fracture::ForetoldRun& run, int count) {
   const auto plan = plan_of(file.content, {});
   const auto processes = unless_refused(file, [&] { return fracture::foretold_processes(file.content, count); });
-  const bool levels = !plan.moves() && run.solver.preconditioner == plate::Preconditioning::two_level;
-  const double program = post::bytes_of_program(plan.fields || plan.states);
-  const fracture::RunByOne by_one{run.points, program, run.bytes - program, run.costs.seconds, plan.moves(), levels};
-  return fracture::to_text(run, plan) + fracture::to_text(processes, by_one) +
+  return fracture::to_text(run, plan) + fracture::to_text(processes, fracture::run_by_one(run, plan)) +
          fmt::format("files         {:.3g} GB\n(by runs of a sample of {} points, just now)\n", run.costs.files / giga,
                      run.sample_points);
 }
@@ -75,7 +72,7 @@ std::string of_plate(const CaseFile& file) {
 std::string cost(const CaseFile& file, int processes) {
   constexpr double soon_made = 60000;  // points: 0.2 s
   const Case& c = file.content;
-  if (processes > 0) require_shared(file, fracture::not_foretold(plan_of(c, {})));
+  if (processes > 0) require_shared(file, fracture::not_for_processes(plan_of(c, {})));
   std::string text = fmt::format("{}\nformulation   {} ({})\n", c.title, plate::formulation_of(c.discretization).name,
                                  c.formulation_reason);
   if (c.srif && c.srif->accuracy)

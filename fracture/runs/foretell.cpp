@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/cells/point_count.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/model/refused.hpp"
@@ -198,9 +199,11 @@ ForetoldRun foretell(const RunPlan& plan, const RunSample& run) {
     whole.advances = advances_of(problem, *plan.growth),
     whole.frames = 1 + whole.advances / double(plan.growth->frames_every);
   result.costs = post::foretold(*found, whole);
-  result.bytes = post::bytes_of_program(plan.fields || plan.states) + post::whole_parts(*found, result.points) +
-                 (steps ? 0 : result.solver.bytes) +
-                 (plan.srif && !problem.discretization.tip_spacing ? post::bytes_of_rings(whole.rings) : 0);
+  result.bytes =
+      post::bytes_of_program(plan.fields || plan.states) + post::whole_parts(*found, result.points) +
+      (steps ? 0 : result.solver.bytes) +
+      (problem.discretization.formulation == &plate::galerkin ? bytes_while_cells_are_made * result.points : 0) +
+      (plan.srif && !problem.discretization.tip_spacing ? post::bytes_of_rings(whole.rings) : 0);
   return result;
 }
 

@@ -133,13 +133,6 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   return result;
 }
 
-std::vector<Unshared> not_foretold(const RunPlan& plan) {
-  auto result = not_for_processes(plan);
-  if (plan.problem.discretization.formulation == &plate::galerkin)
-    result.push_back({"formulation", "what processes take is not foretold for the Galerkin plate yet: run it"});
-  return result;
-}
-
 std::vector<post::Srif> of_all(std::vector<post::Srif> own) {
   const auto* all = plate::ranks();
   if (!all) return own;

@@ -29,8 +29,6 @@ struct Unshared {
 std::vector<Unshared> unshared(const RunPlan& plan);
 /// The same whatever this process is.
 std::vector<Unshared> not_for_processes(const RunPlan& plan);
-/// And what of it cannot be foretold.
-std::vector<Unshared> not_foretold(const RunPlan& plan);
 
 std::vector<post::Srif> of_all(std::vector<post::Srif> own);  // all_factors.hpp
 /// Of every quantity the largest value of all processes, and its place.

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fracture/runs/foretell.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/galerkin/shared/foretold_parts.hpp"
 #include "plate/model/problem.hpp"
 
 namespace fracture {
@@ -33,9 +36,19 @@ bool meet(const CellBox& a, const CellBox& b) {
   return a.low[0] < b.high[0] && b.low[0] < a.high[0] && a.low[1] < b.high[1] && b.low[1] < a.high[1];
 }
 
-}  // namespace
+ForetoldProcesses of_cells(const plate::Problem& problem, int count) {
+  ForetoldProcesses result{count, 0, INFINITY, 0, 0, 0, true};
+  for (const auto& one : plate::foretold_parts(problem, count)) {
+    result.points = std::max(result.points, one.points),
+    result.least_points = std::min(result.least_points, one.points);
+    result.seen = std::max(result.seen, one.seen), result.neighbours = std::max(result.neighbours, one.neighbours);
+    result.copies = std::max(result.copies, one.seen - one.points);
+    result.all_made = one.whole;
+  }
+  return result;
+}
 
-ForetoldProcesses foretold_processes(const plate::Problem& problem, int count) {
+ForetoldProcesses of_lattice(const plate::Problem& problem, int count) {
   const auto& d = problem.discretization;
   const auto partition = plate::partition_of_lattice(problem.outline, d, count);
   const auto [low, high] = geometry::bounding_box(problem.outline);
@@ -43,7 +56,7 @@ ForetoldProcesses foretold_processes(const plate::Problem& problem, int count) {
   const geometry::Point sides = (high - low) / d.spacing;
   const geometry::Cell size{long(std::ceil(sides.x() - 1e-9)), long(std::ceil(sides.y() - 1e-9))};
   const long margin = plate::margin_of_part(d), reach = long(std::floor(d.horizon_ratio));
-  ForetoldProcesses result{count, 0, INFINITY, 0, 0, 0};
+  ForetoldProcesses result{count, 0, INFINITY, 0, 0, 0, false};
   for (int rank = 0; rank < count; ++rank) {
     const auto& box = partition.box(rank);
     const double own = points_in(outline, box, size);
@@ -63,9 +76,45 @@ ForetoldProcesses foretold_processes(const plate::Problem& problem, int count) {
   return result;
 }
 
+}  // namespace
+
+ForetoldProcesses foretold_processes(const plate::Problem& problem, int count) {
+  return (problem.discretization.formulation == &plate::galerkin ? of_cells : of_lattice)(problem, count);
+}
+
+namespace {
+
+/// Of the plates that are coarser than a Galerkin plate of so many points; the last has 4,000 points at most.
+double coarser_plates(double points) {
+  return std::max(0.0, std::ceil(std::log2(points / 4000) / 2));
+}
+
+/// Messages and numbers of a product of the stiffness and what belongs to it.
+std::pair<double, double> exchanged(const ForetoldRun& run, const RunPlan& plan) {
+  using enum plate::Preconditioning;
+  const auto inverse = plan.moves() ? diagonal : run.solver.preconditioner;
+  if (plan.problem.discretization.formulation == &plate::galerkin) {
+    // displacements; with coarser plates counted, two and three of them: 19 and 28 messages, 13 states of the finest
+    if (inverse == levels) return {9.5 * coarser_plates(run.points), 13 * 3};
+    return {1, 3};
+  }
+  // displacements, then dilatations; with two levels five of them, the rest and the coarse plate's answer
+  if (inverse == two_level) return {12, 5 * (3 + 1) + 6};
+  return {2, 3 + 1};
+}
+
+}  // namespace
+
+RunByOne run_by_one(const ForetoldRun& run, const RunPlan& plan) {
+  const double program = post::bytes_of_program(plan.fields || plan.states);
+  const auto [messages, numbers] = exchanged(run, plan);
+  return {run.points, program, run.bytes - program, run.costs.seconds, plan.moves(), messages, numbers};
+}
+
 double bytes_of_process(const ForetoldProcesses& processes, const RunByOne& run) {
   constexpr double libraries = 43e6;  // of Open MPI and PETSc: measured, where a plate has few points
-  return libraries + run.program + run.bytes * processes.seen / run.points;
+  const double others = processes.all_made ? bytes_while_cells_are_made * (run.points - processes.seen) : 0;
+  return libraries + run.program + run.bytes * processes.seen / run.points + others;
 }
 
 double seconds_of_processes(const ForetoldProcesses& processes, const RunByOne& run) {
@@ -76,19 +125,18 @@ double seconds_of_processes(const ForetoldProcesses& processes, const RunByOne& 
 }
 
 std::string to_text(const ForetoldProcesses& processes, const RunByOne& run) {
-  const auto& [count, points, least, seen, copies, neighbours] = processes;
   constexpr double giga = 1e9, kilo = 1e3;
   const double bytes = bytes_of_process(processes, run);
-  // a product: displacements, then dilatations; with two levels five of them, the rest and the coarse plate's answer
-  const double numbers = run.two_levels ? 5 * (3 + 1) + 6 : 3 + 1, messages = (run.two_levels ? 12 : 2) * neighbours;
   std::string text = fmt::format(
       "processes     {}, of {:.0f} to {:.0f} points, which see up to {:.0f}\n"
       "memory        {:.3g} GB each at its peak, {:.3g} GB in all\n"
       "time          {:.2g} s where each has cores of its own, without exchange\n",
-      count, least, points, seen, bytes / giga, bytes * count / giga, seconds_of_processes(processes, run));
-  if (count > 1)
-    text += fmt::format("exchange      up to {:.0f} messages with {:.3g} kB to each {}\n", messages,
-                        copies * numbers * sizeof(double) / kilo, run.moves ? "a step" : "an iteration");
+      processes.count, processes.least_points, processes.points, processes.seen, bytes / giga,
+      bytes * processes.count / giga, seconds_of_processes(processes, run));
+  if (processes.count > 1)
+    text += fmt::format("exchange      up to {:.0f} messages with {:.3g} kB to each {}\n",
+                        run.messages * processes.neighbours, processes.copies * run.numbers * sizeof(double) / kilo,
+                        run.moves ? "a step" : "an iteration");
   return text;
 }
 

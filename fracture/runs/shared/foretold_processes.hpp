@@ -9,6 +9,9 @@ struct Problem;
 
 namespace fracture {
 
+struct ForetoldRun;
+struct RunPlan;
+
 /// What each of some processes will have of a plate that they share, told from its outline; the numbers are of the one
 /// that has the most.
 struct ForetoldProcesses {
@@ -16,6 +19,7 @@ struct ForetoldProcesses {
   double points = 0, least_points = 0;  // of its own
   double seen = 0;                      // with what it sees of others'
   double copies = 0, neighbours = 0;    // others' points whose values come to it, and from how many
+  bool all_made = false;                // each makes all points and cells, and keeps those that it sees
 };
 
 /// @throws plate::Refused  more processes than blocks of the lattice
@@ -25,8 +29,11 @@ ForetoldProcesses foretold_processes(const plate::Problem& problem, int count);
 struct RunByOne {
   double points = 0, program = 0, bytes = 0;            // memory at its peak: of the program, and of the plate
   std::vector<std::pair<std::string, double>> seconds;  // of its stages
-  bool moves = false, two_levels = false;
+  bool moves = false;
+  // of a step or an iteration: to each neighbour, and for each point whose values come to it
+  double messages = 0, numbers = 0;
 };
+RunByOne run_by_one(const ForetoldRun& run, const RunPlan& plan);
 
 /// Peak memory of a process [bytes].
 double bytes_of_process(const ForetoldProcesses& processes, const RunByOne& run);
