@@ -1,7 +1,7 @@
 #include "plate/bonds/family_operator.hpp"
 
 #include <algorithm>
-#include "plate/model/ranks/ranks.hpp"
+#include "plate/model/ranks/exchange.hpp"
 #include "plate/solve/reduction.hpp"
 
 namespace plate {
@@ -31,6 +31,14 @@ double shear(const PatternBond& bond, const Kinematics<>& k, const Kinematics<>&
 }
 
 }  // namespace
+
+bool OperatedPart::waits(std::uint32_t first, std::uint32_t length, std::span<const PatternBond> bonds) const {
+  if (awaited.empty()) return false;
+  const auto any = [&](std::int64_t from) {
+    return std::any_of(awaited.begin() + from, awaited.begin() + from + length, [](char one) { return one; });
+  };
+  return any(first) || std::ranges::any_of(bonds, [&](const auto& bond) { return any(first + bond.step); });
+}
 
 FamilyOperator::FamilyOperator(geometry::Families families, std::vector<BondShape> shapes,
                                const std::vector<double>& areas, HorizonWeights weights, OperatedPart part)

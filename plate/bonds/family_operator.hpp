@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <span>
 #include "geometry/lattice/family_runs.hpp"
 #include "plate/bonds/parameters/weights.hpp"
 #include "plate/formulation/attached/attached_stiffness.hpp"
@@ -22,6 +23,10 @@ struct Patterns {
   std::vector<PatternBond> bonds;
   std::vector<std::size_t> first;
   std::vector<double> stiffness;  // 2 A a of the points, per pattern
+
+  std::span<const PatternBond> of(std::size_t pattern) const {
+    return {bonds.data() + first[pattern], bonds.data() + first[pattern + 1]};
+  }
 };
 
 /// Where a process holds a part of the plate only: what it computes of it.
@@ -29,6 +34,10 @@ struct OperatedPart {
   std::vector<std::uint32_t> block;          // of every point: runs and columns are of one each
   std::vector<char> wanted;                  // points whose dilatations and forces are asked for here
   std::shared_ptr<const Exchange> exchange;  // of the dilatations of the others; none: one process holds all
+  std::vector<char> awaited;                 // points whose values depend on others' (Constraints); empty: none
+
+  /// Is one of some points in a row awaited, or one that they see by these bonds, which all of them have?
+  bool waits(std::uint32_t first, std::uint32_t length, std::span<const PatternBond> bonds) const;
 };
 
 /// The ordinary state-based plate on the families of any cloud, point by point and bond by bond: state -> internal

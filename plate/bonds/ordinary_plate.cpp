@@ -87,6 +87,9 @@ public:
 
   std::size_t points() const override { return op_.points(); }
   void internal_force(const State& state, Forces& forces) const override { op_.internal_force(state, forces); }
+  void internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const override {
+    op_.internal_force_meanwhile(state, rest, forces);
+  }
   void absolute_product(const State& state, Forces& forces) const override { op_.absolute_product(state, forces); }
   Forces diagonal() const override { return op_.diagonal(); }
 
@@ -109,7 +112,7 @@ public:
       attached.add_force(state, force);
     };
   }
-  const LatticeOperator* breaking() const override { return &op_; }
+  const FamilyOperator* breaking() const override { return &op_; }
   std::vector<MemoryPart> memory(bool single) const override;
   std::optional<MatchCounts> matched() const override { return match_; }
   std::vector<std::string> distrust(bool factors) const override { return distrust_of_bonds(*this, factors); }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/lattice/cell_index.hpp"
+#include "plate/model/ranks/exchange.hpp"
 #include "plate/model/ranks/gathered.hpp"
 #include "plate/model/refused.hpp"
 
@@ -194,6 +195,7 @@ OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geome
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k)
     if (!seen.own(k)) others.push_back(k);
   boundary.constraints.copy(std::move(others), result.exchange);
+  result.awaited = boundary.constraints.awaited(boundary.cloud.size());
   return result;
 }
 

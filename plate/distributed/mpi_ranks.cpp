@@ -1,9 +1,12 @@
 #include "plate/distributed/mpi_ranks.hpp"
 
+#include <map>
 #include <numeric>
+#include <stdexcept>
 
 #include "plate/distributed/petsc_inverse.hpp"
 #include "plate/distributed/slepc_pairs.hpp"
+#include "plate/model/ranks/exchange.hpp"
 #include "plate/model/ranks/gathered.hpp"
 
 namespace plate {
@@ -39,7 +42,24 @@ struct Route {
   }
 };
 
-/// Neighbourhood collectives on the graph of who has copies of whose points.
+/// What goes one way in one exchange: values of all points of a route, and where those of every neighbour begin.
+struct Shipment {
+  std::vector<int> counts, begins;
+  std::vector<std::byte> values;
+
+  Shipment(const Route& route, std::size_t components, std::size_t size) : counts(route.counts) {
+    for (int& count : counts) count *= int(components);
+    begins = begins_of(counts);
+    values.resize(route.points.size() * components * size);
+  }
+  template <typename Real>
+  Real* as() {
+    return reinterpret_cast<Real*>(values.data());
+  }
+};
+
+/// Neighbourhood collectives on the graph of who has copies of whose points. Of every kind of values that it ever
+/// fetched it keeps what they are sent from and received in.
 class MpiExchange : public Exchange {
 public:
   MpiExchange(MPI_Comm all, std::size_t points, Route out, Route in)
@@ -56,34 +76,62 @@ public:
   MpiExchange(const MpiExchange&) = delete;
   MpiExchange& operator=(const MpiExchange&) = delete;
 
-  void fetch(std::span<double> values) const override { fetch_all(values); }
-  void fetch(std::span<float> values) const override { fetch_all(values); }
+  void start(std::span<double> values) const override { start_with(values, double_); }
+  void start(std::span<float> values) const override { start_with(values, single_); }
+
+  void finish() const override {
+    MPI_Wait(&request_, MPI_STATUS_IGNORE);
+    put(double_), put(single_);
+  }
+
+  void progress() const override {
+    int done = 0;  // then the request is none, of which MPI_Wait says so at once
+    MPI_Test(&request_, &done, MPI_STATUS_IGNORE);
+  }
 
 private:
+  /// What has begun, and what has been sent so far, by the number of components.
   template <typename Real>
-  void fetch_all(std::span<Real> values) const {
+  struct OfKind {
+    std::span<Real> target;                                          // none: nothing is on its way
+    std::map<std::size_t, std::pair<Shipment, Shipment>> shipments;  // out, in
+  };
+
+  template <typename Real>
+  void start_with(std::span<Real> values, OfKind<Real>& kind) const {
+    if (!double_.target.empty() || !single_.target.empty()) throw std::logic_error("an exchange began within another");
+    kind.target = values;
     const std::size_t components = values.size() / points_;
-    std::vector<Real> sent, received(components * in_.points.size());
-    sent.reserve(components * out_.points.size());
+    auto kept = kind.shipments.find(components);
+    if (kept == kind.shipments.end())
+      kept = kind.shipments
+                 .try_emplace(components, Shipment(out_, components, sizeof(Real)),
+                              Shipment(in_, components, sizeof(Real)))
+                 .first;
+    auto& [out, in] = kept->second;
+    Real* to = out.template as<Real>();
     for (const auto k : out_.points)
-      for (std::size_t c = 0; c < components; ++c) sent.push_back(values[c * points_ + k]);
-    const auto scaled = [&](const Route& traffic) {
-      std::vector<int> counts = traffic.counts;
-      for (int& count : counts) count *= int(components);
-      return counts;
-    };
-    const auto out = scaled(out_), in = scaled(in_);
-    const auto out_begins = begins_of(out), in_begins = begins_of(in);
-    MPI_Neighbor_alltoallv(sent.data(), out.data(), out_begins.data(), type_of<Real>(), received.data(), in.data(),
-                           in_begins.data(), type_of<Real>(), graph_);
-    const Real* from = received.data();
+      for (std::size_t c = 0; c < components; ++c) *to++ = values[c * points_ + k];
+    MPI_Ineighbor_alltoallv(out.values.data(), out.counts.data(), out.begins.data(), type_of<Real>(), in.values.data(),
+                            in.counts.data(), in.begins.data(), type_of<Real>(), graph_, &request_);
+  }
+
+  template <typename Real>
+  void put(OfKind<Real>& kind) const {
+    if (kind.target.empty()) return;
+    const std::size_t components = kind.target.size() / points_;
+    const Real* from = kind.shipments.at(components).second.template as<Real>();
     for (const auto k : in_.points)
-      for (std::size_t c = 0; c < components; ++c) values[c * points_ + k] = *from++;
+      for (std::size_t c = 0; c < components; ++c) kind.target[c * points_ + k] = *from++;
+    kind.target = {};
   }
 
   std::size_t points_;
   Route out_, in_;
   MPI_Comm graph_ = MPI_COMM_NULL;
+  mutable MPI_Request request_ = MPI_REQUEST_NULL;
+  mutable OfKind<double> double_;
+  mutable OfKind<float> single_;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <map>
 #include <unordered_set>
 
-#include "plate/model/ranks/ranks.hpp"
+#include "plate/model/ranks/exchange.hpp"
 
 namespace plate {
 namespace {
@@ -146,6 +146,21 @@ void for_each_sum(const Sums& sums, const Values<Real>& values, const Weight& we
 
 void Constraints::copy(std::vector<std::uint32_t> points, std::shared_ptr<const Exchange> exchange) {
   copies_ = std::move(points), exchange_ = std::move(exchange);
+  const std::unordered_set<std::uint32_t> copied(copies_.begin(), copies_.end());
+  std::erase_if(zero_, [&](const Place& place) {
+    const bool awaited = copied.contains(place.point);
+    if (awaited) awaited_zero_.push_back(place);
+    return awaited;
+  });
+  std::vector<Tie> own, awaited;
+  for (std::size_t i = 0, end = 0; i < ties_.size(); i = end) {
+    bool waits = copied.contains(ties_[i].follower / 3);
+    for (end = i; end < ties_.size() && ties_[end].follower == ties_[i].follower; ++end)
+      waits = waits || copied.contains(ties_[end].leader / 3);
+    auto& sum = waits ? awaited : own;
+    sum.insert(sum.end(), ties_.begin() + std::ptrdiff_t(i), ties_.begin() + std::ptrdiff_t(end));
+  }
+  followers_ = sums(own, false), awaited_followers_ = sums(awaited, false);
 }
 
 Constraints Constraints::fetching(std::shared_ptr<const Exchange> exchange) const {
@@ -162,18 +177,61 @@ void Constraints::fetch(Values<Real>& values) const {
 template void Constraints::fetch(Values<double>&) const;
 
 template <typename Real, typename Weight>
-void Constraints::impose_with(Values<Real>& state, const Weight& weight) const {
-  fetch(state);
+void Constraints::impose_own(Values<Real>& state, const Weight& weight) const {
+  if (exchange_) exchange_->start(std::span(state.data(), std::size_t(state.size())));
   for (const Place& place : zero_) state(place.component, place.point) = 0;
   for_each_sum(followers_, state, weight, [&](const Place& to, Real sum) { state(to.component, to.point) = sum; });
 }
 
+template <typename Real, typename Weight>
+void Constraints::impose_awaited(Values<Real>& state, const Weight& weight) const {
+  if (!exchange_) return;
+  exchange_->finish();
+  for (const Place& place : awaited_zero_) state(place.component, place.point) = 0;
+  for_each_sum(awaited_followers_, state, weight,
+               [&](const Place& to, Real sum) { state(to.component, to.point) = sum; });
+}
+
+template <typename Real, typename Weight>
+void Constraints::impose_with(Values<Real>& state, const Weight& weight) const {
+  impose_own(state, weight);
+  impose_awaited(state, weight);
+}
+
+namespace {
+
+double itself(double factor) {
+  return factor;
+}
+
+}  // namespace
+
 void Constraints::impose(State& state) const {
-  impose_with(state, [](double factor) { return factor; });
+  impose_with(state, itself);
 }
 
 void Constraints::impose(Values<float>& state) const {
-  impose_with(state, [](double factor) { return factor; });
+  impose_with(state, itself);
+}
+
+void Constraints::begin_imposing(State& state) const {
+  impose_own(state, itself);
+}
+
+void Constraints::progress() const {
+  if (exchange_) exchange_->progress();
+}
+
+void Constraints::end_imposing(State& state) const {
+  impose_awaited(state, itself);
+}
+
+std::vector<char> Constraints::awaited(std::size_t points) const {
+  std::vector<char> result(exchange_ ? points : 0, 0);
+  if (!exchange_) return result;
+  for (const auto k : copies_) result[k] = 1;
+  for (const auto& place : awaited_followers_.target) result[place.point] = 1;
+  return result;
 }
 
 void Constraints::impose_absolute(State& state) const {
@@ -202,17 +260,17 @@ Eigen::VectorXd Constraints::on_held(const Values<float>& forces) const {
 template <typename Real, typename Weight>
 void Constraints::fold_with(Values<Real>& forces, const Weight& weight) const {
   for_each_sum(leaders_, forces, weight, [&](const Place& to, Real sum) { forces(to.component, to.point) += sum; });
-  for (const Place& place : zero_) forces(place.component, place.point) = 0;
-  for (const Place& place : followers_.target) forces(place.component, place.point) = 0;
+  for (const auto* places : {&zero_, &followers_.target, &awaited_followers_.target})
+    for (const Place& place : *places) forces(place.component, place.point) = 0;
   for (const auto point : copies_) forces.col(point).setZero();
 }
 
 void Constraints::fold(Forces& forces) const {
-  fold_with(forces, [](double factor) { return factor; });
+  fold_with(forces, itself);
 }
 
 void Constraints::fold(Values<float>& forces) const {
-  fold_with(forces, [](double factor) { return factor; });
+  fold_with(forces, itself);
 }
 
 void Constraints::fold_absolute(Forces& forces) const {

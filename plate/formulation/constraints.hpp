@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 #include "plate/model/state.hpp"
 
@@ -58,6 +59,14 @@ public:
   template <typename Real>
   void fetch(Values<Real>& values) const;
 
+  /// impose() in two halves (Awaited). Between them copies have no values, nor has what follows these, or is one of
+  /// them; progress() helps what is on its way along.
+  void begin_imposing(State& state) const;
+  void progress() const;
+  void end_imposing(State& state) const;
+  /// Of every point, whether it is one of those [points]; empty where there are none.
+  std::vector<char> awaited(std::size_t points) const;
+
   void impose(State& state) const;  // u = P q
   void impose(Values<float>& state) const;
   void impose_absolute(State& state) const;  // u = |P| q
@@ -82,6 +91,10 @@ private:
   };
   static Sums sums(const std::vector<Tie>& ties, bool by_leader);
   template <typename Real, typename Weight>
+  void impose_own(Values<Real>& state, const Weight& weight) const;
+  template <typename Real, typename Weight>
+  void impose_awaited(Values<Real>& state, const Weight& weight) const;
+  template <typename Real, typename Weight>
   void impose_with(Values<Real>& state, const Weight& weight) const;
   template <typename Real, typename Weight>
   void fold_with(Values<Real>& forces, const Weight& weight) const;
@@ -94,8 +107,37 @@ private:
   std::vector<std::uint32_t> held_;  // sorted, by resolve()
   std::vector<Place> zero_;          // held and follows none
   Sums followers_, leaders_;         // of resolve()
+  std::vector<Place> awaited_zero_;  // of the zeros those of copies
+  Sums awaited_followers_;           // of the followers those that are copies, or follow some
   std::vector<std::uint32_t> copies_;
   std::shared_ptr<const Exchange> exchange_;  // none where one process holds the plate
+};
+
+/// What a state waits for while copies of other processes' points are on their way. As long as it lives, the state
+/// stays where it is.
+class Awaited {
+public:
+  /// Begins to impose the constraints.
+  Awaited(const Constraints& constraints, State& state) : constraints_(constraints), state_(state) {
+    constraints_.begin_imposing(state_);
+  }
+  ~Awaited() { complete(); }
+  Awaited(const Awaited&) = delete;
+  Awaited& operator=(const Awaited&) = delete;
+
+  /// Helps what is on its way along.
+  void progress() const {
+    if (awaited_) constraints_.progress();
+  }
+  /// Waits. Afterwards the constraints are imposed.
+  void complete() {
+    if (std::exchange(awaited_, false)) constraints_.end_imposing(state_);
+  }
+
+private:
+  const Constraints& constraints_;
+  State& state_;
+  bool awaited_ = true;
 };
 
 }  // namespace plate

@@ -16,8 +16,8 @@ struct Cloud;
 
 namespace plate {
 class Constraints;
+class FamilyOperator;
 class Inertia;
-class LatticeOperator;
 class PointSections;
 class Preconditioner;
 class TipView;
@@ -115,7 +115,7 @@ public:
   virtual std::unique_ptr<Preconditioner> factor() const;
   virtual SingleForce single_precision() const { return {}; }  // nothing in kinds that do not offer it
   /// Bonds over a horizon that may break; none in kinds that do not offer it.
-  virtual const LatticeOperator* breaking() const { return nullptr; }
+  virtual const FamilyOperator* breaking() const { return nullptr; }
 
   /// What is kept of the formulation itself, beside points and families. `single`: with the forces in single precision.
   virtual std::vector<MemoryPart> memory(bool single) const = 0;

@@ -3,6 +3,8 @@
 
 namespace plate {
 
+class Awaited;
+
 /// What the solvers ask of a plate: K = d2U/d(state)2 and what bounds it.
 class Operator {
 public:
@@ -12,6 +14,9 @@ public:
 
   /// forces = -K state [3 x points].
   virtual void internal_force(const State& state, Forces& forces) const = 0;
+  /// The same of a state some of whose values may be on their way: what needs none of these goes ahead. Afterwards it
+  /// is complete.
+  virtual void internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const;
 
   /// An upper bound of |K| state for a state without negative entries [3 x points].
   virtual void absolute_product(const State& state, Forces& forces) const = 0;

@@ -79,12 +79,16 @@ public:
       : Formulation(std::move(laid.layout)),
         cells_(std::move(laid.cells)),
         shapes_(shapes_of(laid.families.families.vectors())),
-        op_(std::move(laid.families), sections(), boundary().attached, laid.stretch),
+        op_(std::move(laid.families), sections(), boundary().attached, laid.stretch,
+            constraints().awaited(cells_.positions.size())),
         seen_(geometry::seen_positions(cells_)),
         number_(std::move(laid.number)) {}
 
   std::size_t points() const override { return op_.points(); }
   void internal_force(const State& state, Forces& forces) const override { op_.internal_force(state, forces); }
+  void internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const override {
+    op_.internal_force_meanwhile(state, rest, forces);
+  }
   void absolute_product(const State& state, Forces& forces) const override { op_.absolute_product(state, forces); }
   Forces diagonal() const override { return op_.diagonal(); }
 

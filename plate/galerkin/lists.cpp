@@ -100,7 +100,7 @@ struct Resultants {
 }  // namespace
 
 GalerkinLists::GalerkinLists(const GalerkinFamilies& families, const PointSections& sections,
-                             const std::vector<std::uint32_t>& points)
+                             const std::vector<std::uint32_t>& points, const std::vector<char>& awaited)
     : points_(points), poisson_(sections[0].bending(0, 1) / sections[0].bending(0, 0)) {
   std::vector<char> acts(families.areas.size(), 0);
   for (const auto i : points) {
@@ -109,12 +109,22 @@ GalerkinLists::GalerkinLists(const GalerkinFamilies& families, const PointSectio
   }
   for (std::uint32_t k = 0; k < acts.size(); ++k)
     if (acts[k]) kept_.push_back(k);
+  const auto waits = [&](std::uint32_t k) { return !awaited.empty() && awaited[k]; };
+  const auto waiting = std::ranges::stable_partition(kept_, [&](std::uint32_t k) {
+    bool goes_ahead = !waits(k);
+    for (const auto& bond : families.families[k]) goes_ahead = goes_ahead && !waits(bond.neighbour);
+    return goes_ahead;
+  });
+  const auto inside = waiting.begin() - kept_.begin();
+  inside_ = waiting.empty() ? (kept_.size() + lanes - 1) / lanes : std::size_t(inside) / lanes;
   // by size within pieces that stay in the cache
-  constexpr std::size_t piece = 2048;
-  for (std::size_t begin = 0; begin < kept_.size(); begin += piece)
-    std::stable_sort(kept_.begin() + std::ptrdiff_t(begin),
-                     kept_.begin() + std::ptrdiff_t(std::min(kept_.size(), begin + piece)),
-                     [&](auto a, auto b) { return families.families[a].size() < families.families[b].size(); });
+  constexpr std::ptrdiff_t piece = 2048;
+  const auto sort = [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (auto begin = first; begin < last; begin += piece)
+      std::stable_sort(kept_.begin() + begin, kept_.begin() + std::min(last, begin + piece),
+                       [&](auto a, auto b) { return families.families[a].size() < families.families[b].size(); });
+  };
+  sort(0, inside), sort(inside, std::ptrdiff_t(kept_.size()));
   for (std::size_t first = 0; first < kept_.size(); first += lanes) add_block(families, sections, first);
   find_slots(families, points);
   given_.assign(3 * lanes * (members_.size() / lanes + blocks_.size()), 0);
@@ -204,11 +214,17 @@ void GalerkinLists::act(std::size_t block, const State& state) const {
   store(sum_w, to), store(sum_y, to + lanes), store(-sum_x, to + 2 * lanes);
 }
 
-void GalerkinLists::internal_force(const State& state, Forces& forces) const {
+void GalerkinLists::begin_force(const State& state) const {
+#pragma omp parallel for schedule(static)
+  for (std::size_t block = 0; block < inside_; ++block) act(block, state);
+}
+
+/// Blocks from one on, and the forces that all have left.
+void GalerkinLists::internal_force_from(std::size_t first, const State& state, Forces& forces) const {
 #pragma omp parallel
   {
 #pragma omp for schedule(static)
-    for (std::size_t block = 0; block < blocks_.size(); ++block) act(block, state);
+    for (std::size_t block = first; block < blocks_.size(); ++block) act(block, state);
 #pragma omp for schedule(static)
     for (std::size_t i = 0; i < points_.size(); ++i) {
       Eigen::Vector3d sum(0, 0, 0);

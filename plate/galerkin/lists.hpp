@@ -8,12 +8,15 @@ namespace plate {
 /// families at once as a machine vector has lanes. Of simple sections.
 class GalerkinLists {
 public:
-  /// `points`: those in no row.
+  /// `points`: those in no row. `awaited`: points of the plate whose values may be on their way; empty: none.
   GalerkinLists(const GalerkinFamilies& families, const PointSections& sections,
-                const std::vector<std::uint32_t>& points);
+                const std::vector<std::uint32_t>& points, const std::vector<char>& awaited = {});
 
   /// Sets the forces on those points. One call at a time.
-  void internal_force(const State& state, Forces& forces) const;
+  void internal_force(const State& state, Forces& forces) const { internal_force_from(0, state, forces); }
+  /// The same in two halves: what families do of which no point is awaited, and the rest.
+  void begin_force(const State& state) const;
+  void end_force(const State& state, Forces& forces) const { internal_force_from(inside_, state, forces); }
 
   /// The families that act on them, of any number of points.
   const std::vector<std::uint32_t>& kept() const { return kept_; }
@@ -28,10 +31,12 @@ private:
   void add_block(const GalerkinFamilies& families, const PointSections& sections, std::size_t first);
   void find_slots(const GalerkinFamilies& families, const std::vector<std::uint32_t>& points);
   void act(std::size_t block, const State& state) const;
+  void internal_force_from(std::size_t block, const State& state, Forces& forces) const;
 
-  std::vector<std::uint32_t> kept_;        // sorted so that families of one size are side by side
+  std::vector<std::uint32_t> kept_;        // without awaited points first, families of one size side by side
   std::vector<std::uint32_t> kept_lanes_;  // the same by blocks, the last one filled up
   std::vector<Block> blocks_;
+  std::size_t inside_ = 0;               // how many of them have no awaited point, the first
   std::vector<std::uint32_t> members_;   // per bond and lane
   std::vector<double> bonds_;            // per bond: direction, 1 / length, gradient times length, share; lanes of each
   std::vector<double> families_;         // per block: stiffnesses and sums over the bonds; lanes of each

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plate/formulation/constraints.hpp"
 #include "plate/galerkin/family_stiffness.hpp"
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/solve/reduction.hpp"
@@ -9,11 +10,14 @@
 namespace plate {
 
 GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached,
-                                   const std::vector<std::uint32_t>& stretch)
-    : families_(std::move(families)), sections_(std::move(sections)), attached_(std::move(attached)) {
+                                   const std::vector<std::uint32_t>& stretch, const std::vector<char>& awaited)
+    : families_(std::move(families)),
+      sections_(std::move(sections)),
+      attached_(std::move(attached)),
+      knows_awaited_(!awaited.empty()) {
   if (sections_.simple()) {
-    rows_.emplace(families_, sections_, stretch);
-    lists_.emplace(families_, sections_, rows_->others());
+    rows_.emplace(families_, sections_, stretch, awaited);
+    lists_.emplace(families_, sections_, rows_->others(), awaited);
   } else {
     whole_.emplace(stiffness_matrix(families_, sections_));
   }
@@ -29,6 +33,27 @@ void GalerkinOperator::internal_force(const State& state, Forces& forces) const 
     rows_->internal_force(state, forces);
     lists_->internal_force(state, forces);
   }
+  complete(state, forces);
+}
+
+/// One process that holds the plate waits for nothing, and assembled rows do not know what they see of others.
+void GalerkinOperator::internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const {
+  if (whole_ || !knows_awaited_) {
+    rest.complete();
+    return internal_force(state, forces);
+  }
+  forces.resize(3, state.cols());
+  rows_->internal_force_inside(state, forces);
+  rest.progress();
+  lists_->begin_force(state);
+  rest.complete();
+  rows_->internal_force_waiting(state, forces);
+  lists_->end_force(state, forces);
+  complete(state, forces);
+}
+
+/// Forces of rows and lists, with what is attached.
+void GalerkinOperator::complete(const State& state, Forces& forces) const {
   for (const auto k : copies_) forces.col(k).setZero();
   attached_.add_force(state, forces);
 }

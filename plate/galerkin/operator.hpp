@@ -16,11 +16,13 @@ namespace plate {
 class GalerkinOperator : public Operator {
 public:
   /// `stretch`: 0 of points whose forces are not asked for, and zero; rows end where it changes. Empty: all are.
+  /// `awaited`: points whose values may be on their way (Constraints); empty: none.
   GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached = {},
-                   const std::vector<std::uint32_t>& stretch = {});
+                   const std::vector<std::uint32_t>& stretch = {}, const std::vector<char>& awaited = {});
 
   std::size_t points() const override { return families_.areas.size(); }
   void internal_force(const State& state, Forces& forces) const override;
+  void internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const override;
   void absolute_product(const State& state, Forces& forces) const override;
   Forces diagonal() const override;
 
@@ -35,6 +37,7 @@ public:
   std::size_t bytes() const;
 
 private:
+  void complete(const State& state, Forces& forces) const;
   template <typename Own>
   void gather(const Own& own, Forces& result) const;
 
@@ -45,6 +48,7 @@ private:
   std::optional<PointRows> whole_;  // of others
   AttachedStiffness attached_;
   std::vector<std::uint32_t> copies_;  // points that are not one's own
+  bool knows_awaited_;
 };
 
 /// What a curvature kappa_0 by points, which heat would give them freely, loads the plate with: minus the derivative of

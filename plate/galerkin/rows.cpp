@@ -1,5 +1,6 @@
 #include "plate/galerkin/rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plate/galerkin/family_stiffness.hpp"
@@ -46,7 +47,7 @@ std::optional<std::array<std::int32_t, 5>> steps_about(const GalerkinFamilies& f
 }  // namespace
 
 GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const PointSections& sections,
-                           const std::vector<std::uint32_t>& stretch) {
+                           const std::vector<std::uint32_t>& stretch, const std::vector<char>& awaited) {
   const auto points = std::uint32_t(families.areas.size());
   const auto lattice = lattice_family(families);
   const double spacing = lattice ? std::sqrt(lattice->families->areas[lattice->point]) : 0;
@@ -70,6 +71,15 @@ GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const PointSections
       for (auto i = k; i < end; ++i) others_.push_back(i);
     k = end;
   }
+  const auto inside = [&](const Row& row) {
+    return std::ranges::all_of(row.step, [&](std::int32_t step) {
+      const auto from = awaited.begin() + row.first + step - reach;
+      return std::none_of(from, from + row.length + 2 * reach, [](char one) { return one; });
+    });
+  };
+  const auto waiting =
+      awaited.empty() ? std::ranges::subrange(rows_.end(), rows_.end()) : std::ranges::stable_partition(rows_, inside);
+  inside_ = std::size_t(waiting.begin() - rows_.begin());
   if (lattice) find_factors(*lattice, sections, spacing);
 }
 
@@ -90,16 +100,17 @@ void GalerkinRows::find_factors(const LatticeFamily& lattice, const PointSection
 }
 
 template <typename Apply>
-void GalerkinRows::apply(const Apply& apply) const {
+void GalerkinRows::apply(std::size_t begin, std::size_t end, const Apply& apply) const {
 #pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < rows_.size(); ++i)
+  for (std::size_t i = begin; i < end; ++i)
     along<double>(std::ptrdiff_t(rows_[i].first), std::ptrdiff_t(rows_[i].length),
                   [&](const auto& points) { apply(rows_[i], points); });
 }
 
-void GalerkinRows::product(const Factors& factors, const State& state, Forces& forces) const {
+void GalerkinRows::product(const Factors& factors, std::size_t begin, std::size_t end, const State& state,
+                           Forces& forces) const {
   const double* const u[] = {state.row(0).data(), state.row(1).data(), state.row(2).data()};
-  apply([&](const Row& row, const auto& points) {
+  apply(begin, end, [&](const Row& row, const auto& points) {
     using Vector = typename std::remove_cvref_t<decltype(points)>::Vector;
     Vector sum[3] = {Vector::constant(0), Vector::constant(0), Vector::constant(0)};
     const double* factor = factors.data();
@@ -114,13 +125,21 @@ void GalerkinRows::product(const Factors& factors, const State& state, Forces& f
 }
 
 void GalerkinRows::internal_force(const State& state, Forces& forces) const {
-  product(factors_, state, forces);
+  product(factors_, 0, rows_.size(), state, forces);
+}
+
+void GalerkinRows::internal_force_inside(const State& state, Forces& forces) const {
+  product(factors_, 0, inside_, state, forces);
+}
+
+void GalerkinRows::internal_force_waiting(const State& state, Forces& forces) const {
+  product(factors_, inside_, rows_.size(), state, forces);
 }
 
 void GalerkinRows::absolute_product(const State& state, Forces& forces) const {
   Factors absolute;
   for (std::size_t i = 0; i < factors_.size(); ++i) absolute[i] = std::abs(factors_[i]);
-  product(absolute, state, forces);
+  product(absolute, 0, rows_.size(), state, forces);
 }
 
 void GalerkinRows::diagonal(Forces& diagonal) const {

@@ -9,14 +9,18 @@ namespace plate {
 /// point and of its neighbours, summed once for all. Of simple sections.
 class GalerkinRows {
 public:
-  /// `stretch`: 0 of points whose forces are not asked for; rows end where it changes. Empty: all are.
+  /// `stretch`: 0 of points whose forces are not asked for; rows end where it changes. Empty: all are. `awaited`:
+  /// points whose values may be on their way; empty: none.
   GalerkinRows(const GalerkinFamilies& families, const PointSections& sections,
-               const std::vector<std::uint32_t>& stretch = {});
+               const std::vector<std::uint32_t>& stretch = {}, const std::vector<char>& awaited = {});
 
   /// Of these the points that are in no row.
   const std::vector<std::uint32_t>& others() const { return others_; }
 
   void internal_force(const State& state, Forces& forces) const;
+  /// Of rows that see no awaited point, and of the others.
+  void internal_force_inside(const State& state, Forces& forces) const;
+  void internal_force_waiting(const State& state, Forces& forces) const;
   void absolute_product(const State& state, Forces& forces) const;
   void diagonal(Forces& diagonal) const;
   std::size_t bytes() const { return rows_.size() * sizeof(Row) + others_.size() * sizeof(std::uint32_t); }
@@ -31,11 +35,12 @@ private:
 
   void find_factors(const LatticeFamily& lattice, const PointSections& sections, double spacing);
   template <typename Apply>
-  void apply(const Apply& apply) const;
-  void product(const Factors& factors, const State& state, Forces& forces) const;
+  void apply(std::size_t begin, std::size_t end, const Apply& apply) const;
+  void product(const Factors& factors, std::size_t begin, std::size_t end, const State& state, Forces& forces) const;
 
   Factors factors_{};  // -K
   std::vector<Row> rows_;
+  std::size_t inside_ = 0;  // how many of them see no awaited point, the first
   std::vector<std::uint32_t> others_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include "plate/formulation/constraints.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/assembled_plate.hpp"
 #include "plate/solve/interruption.hpp"
@@ -175,8 +176,8 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
                                    const StaticOptions& options, const Preconditioner* preconditioner,
                                    const State* start) {
   const auto product = [&](State& direction, Forces& forces) {
-    constraints.impose(direction);
-    plate.internal_force(direction, forces);
+    Awaited rest(constraints, direction);
+    plate.internal_force_meanwhile(direction, rest, forces);
     constraints.fold(forces);
   };
   const Forces weight = inverse(folded_diagonal(plate, constraints));
@@ -187,8 +188,8 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
                                    const Forces& load, const StaticOptions& options,
                                    const Preconditioner* preconditioner) {
   const auto product = [&](State& direction, Forces& forces) {
-    constraints.impose(direction);
-    plate.internal_force(direction, forces);
+    Awaited rest(constraints, direction);
+    plate.internal_force_meanwhile(direction, rest, forces);
     constraints.fold(forces);
     forces -= shift.cwiseProduct(direction);
   };

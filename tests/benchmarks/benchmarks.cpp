@@ -22,7 +22,9 @@ struct Plate {
   State state, forces;
   plate::Forces load;
 
-  const plate::LatticeOperator& op() const { return *formulation->breaking(); }
+  const plate::LatticeOperator& op() const {
+    return dynamic_cast<const plate::LatticeOperator&>(*formulation->breaking());
+  }
   const plate::Boundary& boundary() const { return formulation->boundary(); }
   double bonds() const { return double(op().families().bonds()); }
 };

@@ -5,7 +5,6 @@
 #include "fracture/growth/motion/moving_bonds.hpp"
 #include "fracture/growth/motion/moving_tips.hpp"
 #include "fracture/severing/shared_points.hpp"
-#include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "post/factors/plate_factors.hpp"
 

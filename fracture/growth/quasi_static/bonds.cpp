@@ -7,7 +7,6 @@
 #include "fracture/growth/archive.hpp"
 #include "fracture/runs/shared/all_factors.hpp"
 #include "fracture/severing/shared_points.hpp"
-#include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/assembled_plate.hpp"

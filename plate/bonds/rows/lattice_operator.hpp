@@ -13,6 +13,10 @@ public:
     rows_.internal_force(state, forces);
     attached().add_force(state, forces);
   }
+  void internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const override {
+    rows_.internal_force(state, forces, &rest);
+    attached().add_force(state, forces);
+  }
 
   const LatticeRows<double>& rows() const { return rows_; }
   LatticeRows<float> single_rows() const { return LatticeRows<float>(*this); }

@@ -1,15 +1,15 @@
 #include "plate/bonds/rows/lattice_rows.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <stdexcept>
 
 #include "plate/bonds/rows/folded_row.hpp"
 #include "plate/bonds/rows/point_columns.hpp"
-#include "plate/model/ranks/ranks.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/model/ranks/exchange.hpp"
 #include "plate/solve/reduction.hpp"
 
 namespace plate {
@@ -46,9 +46,8 @@ Patterns rounded(Patterns patterns, const std::vector<std::uint32_t>& pattern_of
 /// Rough time of a row, in operations on a vector.
 template <typename Real>
 double row_work(const RowPattern<Real>& pattern, double length) {
-  const double bonds =
-      pattern.fold ? double(pattern.fold->bonds.size()) : double(pattern.pairs.size() + pattern.singles.size());
-  return ((pattern.fold ? 13 : 24) * bonds + 40) * length / double(Lane<Real>::size());
+  const std::size_t bonds = pattern.fold ? pattern.fold->bonds.size() : pattern.pairs.size() + pattern.singles.size();
+  return ((pattern.fold ? 13 : 24) * double(bonds) + 40) * length / double(Lane<Real>::size());
 }
 
 }  // namespace
@@ -66,28 +65,29 @@ struct LatticeRows<Real>::Scratch {
 
 template <typename Real>
 LatticeRows<Real>::LatticeRows(const FamilyOperator& plate) : exchange_(plate.part().exchange) {
+  if (exchange_ && plate.part().awaited.size() != plate.points())
+    throw std::invalid_argument("what of a part of a plate waits for others is not known");
   q_.setZero(Eigen::Index(plate.points()));
   const double spacing = shortest_bond(plate);
   std::vector<std::uint32_t> pattern_of(plate.points());
   for (const auto& run : plate.runs().runs) std::fill_n(pattern_of.begin() + run.first_point, run.length, run.pattern);
   const Patterns patterns = rounded<Real>(plate.patterns(), pattern_of, plate.part());
-  add_columns(patterns, add_rows(plate.runs(), patterns, spacing), pattern_of, spacing, plate.part());
+  add_columns(patterns, add_rows(plate.runs(), patterns, spacing, plate.part()), pattern_of, spacing, plate.part());
   keep_wanted(plate.part().wanted);
   share_out();
 }
 
 template <typename Real>
 std::vector<std::uint32_t> LatticeRows<Real>::add_rows(const geometry::FamilyRuns& runs, const Patterns& patterns,
-                                                       double spacing) {
+                                                       double spacing, const OperatedPart& part) {
   std::vector<std::uint32_t> loose;
   std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known;  // pattern, may be folded
   std::size_t in_rows = 0, folded = 0;
   const auto pattern_of = [&](std::uint32_t pattern, bool foldable) {
     const auto [entry, fresh] = known.try_emplace({pattern, foldable}, std::uint32_t(patterns_.size()));
     if (fresh)
-      patterns_.push_back(row_pattern<Real>(
-          {patterns.bonds.data() + patterns.first[pattern], patterns.bonds.data() + patterns.first[pattern + 1]},
-          patterns.stiffness[pattern], foldable ? std::optional(spacing) : std::nullopt));
+      patterns_.push_back(row_pattern<Real>(patterns.of(pattern), patterns.stiffness[pattern],
+                                            foldable ? std::optional(spacing) : std::nullopt));
     return entry->second;
   };
   for (const auto& run : runs.runs) {
@@ -101,7 +101,8 @@ std::vector<std::uint32_t> LatticeRows<Real>::add_rows(const geometry::FamilyRun
         (first + patterns_[pattern].lowest < 0 ||
          last + patterns_[pattern].highest + std::int64_t(FoldLane<Real>::size()) > q_.size()))
       pattern = pattern_of(run.pattern, false);  // a fold also reads beyond what its points see
-    rows_.push_back({run.first_point, run.length, pattern});
+    rows_.push_back(
+        {run.first_point, run.length, pattern, part.waits(run.first_point, run.length, patterns.of(run.pattern))});
     in_rows += run.length;
     if (patterns_[pattern].fold) folded += run.length;
   }
@@ -121,12 +122,17 @@ void LatticeRows<Real>::add_columns(const Patterns& patterns, const std::vector<
   for (const auto& one : found.patterns) patterns_.push_back(row_pattern<Real>(one.bonds, one.stiffness, spacing));
   for (const auto& column : found.columns) {
     gathered_.push_back({std::uint32_t(column.points.size()), first_pattern + column.pattern, column.reach,
-                         gathered_points_.size(), sources_.size()});
+                         gathered_points_.size(), sources_.size(),
+                         std::ranges::any_of(column.sources, [&](auto k) { return part.waits(k, 1, {}); })});
     gathered_points_.insert(gathered_points_.end(), column.points.begin(), column.points.end());
     sources_.insert(sources_.end(), column.sources.begin(), column.sources.end());
   }
   packet_share_ = double(found.rest.size()) / std::max<double>(1, double(q_.size()));
-  packets_.add(patterns, found.rest, pattern_of);
+  const auto inside = std::ranges::stable_partition(
+      found.rest, [&](std::uint32_t k) { return part.waits(k, 1, patterns.of(pattern_of[k])); });
+  packets_.add(patterns, {found.rest.begin(), inside.begin()}, pattern_of);
+  waiting_packets_ = packets_.size();
+  packets_.add(patterns, {inside.begin(), inside.end()}, pattern_of);
 }
 
 /// Leaves out rows and columns of which nothing is wanted; they are found with all, so that what is wanted is computed
@@ -146,14 +152,15 @@ void LatticeRows<Real>::keep_wanted(const std::vector<char>& wanted) {
 template <typename Real>
 void LatticeRows<Real>::share_out() {
   constexpr double per_source = 3;
-  double sum = 0;
-  const auto add = [&](double work) { work_.push_back(sum += work); };
-  for (const auto& row : rows_) add(row_work(patterns_[row.pattern], row.length));
+  std::size_t one = 0;
+  const auto add = [&](bool waits, double work) { (waits ? waiting_ : inside_).add(one++, work); };
+  for (const auto& row : rows_) add(row.waits, row_work(patterns_[row.pattern], row.length));
   for (const auto& row : gathered_) {
-    add(row_work(patterns_[row.pattern], row.length) + per_source * (2 * row.reach + 1) * (row.length + 2 * row.reach));
+    const double sources = (2 * row.reach + 1) * (row.length + 2 * row.reach);
+    add(row.waits, row_work(patterns_[row.pattern], row.length) + per_source * sources);
     field_size_ = std::max(field_size_, std::size_t((2 * row.reach + 1) * pitch) + pitch);
   }
-  for (std::size_t i = 0; i < packets_.size(); ++i) add(packets_.work(i));
+  for (std::size_t i = 0; i < packets_.size(); ++i) add(i < waiting_packets_, packets_.work(i));
 }
 
 template <typename Real>
@@ -193,7 +200,7 @@ typename LatticeRows<Real>::Row LatticeRows<Real>::gather_row(const GatheredRow&
     for (std::size_t i = 0; i < width; ++i) x[i] = in.y[source[i]], y[i] = -in.x[source[i]];
     for (std::size_t i = 0; all && i < width; ++i) w[i] = in.w[source[i]], q[i] = in.q[source[i]];
   }
-  return {std::uint32_t(row.reach * pitch + row.reach), row.length, row.pattern};
+  return {std::uint32_t(row.reach * pitch + row.reach), row.length, row.pattern, row.waits};
 }
 
 template <typename Real>
@@ -218,28 +225,27 @@ void LatticeRows<Real>::gathered_force(const GatheredRow& row, const Fields<Real
   }
 }
 
-/// Calls the right one for every row, gathered row and packet of a thread's share.
+/// Calls the right one for every row, gathered row and packet of a thread's share of tasks.
 template <typename Real>
 template <typename OnRow, typename OnGathered, typename OnPacket>
-void LatticeRows<Real>::for_share(const OnRow& row, const OnGathered& gathered, const OnPacket& packet) const {
-  const double thread = omp_get_thread_num(), threads = omp_get_num_threads(), all = work_.empty() ? 0 : work_.back();
-  const auto bound = [&](double share) {
-    return std::size_t(std::lower_bound(work_.begin(), work_.end(), all * share) - work_.begin());
-  };
-  const std::size_t end = thread + 1 == threads ? work_.size() : bound((thread + 1) / threads);
-  for (std::size_t task = bound(thread / threads); task < end; ++task) {
+void LatticeRows<Real>::for_share(const Tasks& tasks, const OnRow& row, const OnGathered& gathered,
+                                  const OnPacket& packet) const {
+  tasks.for_share([&](std::size_t task) {
     if (task < rows_.size())
       row(rows_[task]);
     else if (task < rows_.size() + gathered_.size())
       gathered(gathered_[task - rows_.size()]);
     else
       packet(task - rows_.size() - gathered_.size());
-  }
+  });
 }
 
+/// Two exchanges, each behind the work on rows inside: what a state waits for behind their dilatations, dilatations
+/// behind their forces. Of several threads the first waits, while the others go on with what needs nothing of it.
 template <typename Real>
-void LatticeRows<Real>::internal_force(const Values<Real>& state, Values<Real>& forces) const {
+void LatticeRows<Real>::internal_force(const Values<Real>& state, Values<Real>& forces, Awaited* rest) const {
   const auto count = state.cols();
+  if (rest && !exchange_) rest->complete(), rest = nullptr;
   if (forces.cols() != count) forces.setZero(3, count);  // what is not wanted stays zero
   const Real* const w = state.data();
   const Fields<Real> in{w, w + count, w + 2 * count, q_.data()};
@@ -247,26 +253,43 @@ void LatticeRows<Real>::internal_force(const Values<Real>& state, Values<Real>& 
 #pragma omp parallel
   {
     Scratch scratch(field_size_);
-    for_share([&](const Row& row) { row_dilatation(row, in, q_.data()); },
-              [&](const GatheredRow& row) { gathered_dilatation(row, in, scratch); },
-              [&](std::size_t one) { packets_.dilatation(one, in, q_.data()); });
-#pragma omp barrier
-    if (exchange_) {
+    const auto dilatations = [&](const Tasks& tasks) {
+      for_share(
+          tasks, [&](const Row& row) { row_dilatation(row, in, q_.data()); },
+          [&](const GatheredRow& row) { gathered_dilatation(row, in, scratch); },
+          [&](std::size_t one) { packets_.dilatation(one, in, q_.data()); });
+    };
+    const auto forces_of = [&](const Tasks& tasks) {
+      for_share(
+          tasks, [&](const Row& row) { row_force(row, in, out); },
+          [&](const GatheredRow& row) { gathered_force(row, in, out, scratch); },
+          [&](std::size_t one) { packets_.force(one, in, out); });
+    };
+    dilatations(inside_);
+    if (rest) {
 #pragma omp master
-      exchange_->fetch(std::span(q_.data(), std::size_t(q_.size())));
+      rest->complete();
 #pragma omp barrier
     }
-    for_share([&](const Row& row) { row_force(row, in, out); },
-              [&](const GatheredRow& row) { gathered_force(row, in, out, scratch); },
-              [&](std::size_t one) { packets_.force(one, in, out); });
+    dilatations(waiting_);
+#pragma omp barrier
+#pragma omp master
+    if (exchange_) exchange_->start(std::span(q_.data(), std::size_t(q_.size())));
+    forces_of(inside_);
+    if (exchange_) {
+#pragma omp master
+      exchange_->finish();
+#pragma omp barrier
+    }
+    forces_of(waiting_);
   }
 }
 
 template <typename Real>
 std::size_t LatticeRows<Real>::bytes() const {
   const auto of = [](const auto& values) { return values.size() * sizeof(values[0]); };
-  std::size_t sum = of(rows_) + of(gathered_) + of(gathered_points_) + of(sources_) + packets_.bytes() + of(work_) +
-                    std::size_t(q_.size()) * sizeof(Real);
+  std::size_t sum = of(rows_) + of(gathered_) + of(gathered_points_) + of(sources_) + packets_.bytes() +
+                    inside_.bytes() + waiting_.bytes() + std::size_t(q_.size()) * sizeof(Real);
   for (const auto& pattern : patterns_) sum += of(pattern.pairs) + of(pattern.singles);
   return sum;
 }

@@ -1,18 +1,23 @@
 #pragma once
 #include "plate/bonds/rows/packets.hpp"
+#include "plate/bonds/rows/tasks.hpp"
 
 namespace plate {
 
+class Awaited;
+
 /// The forces of a FamilyOperator in the number `Real`, for many points at once. Points that follow each other and
 /// share a pattern of bonds are rows. Points one above the other that look alike, but not to the numbering, are
-/// gathered into rows with what they see. The rest goes in packets.
-/// Any number of threads gives the same bits. One call at a time.
+/// gathered into rows with what they see. The rest goes in packets. Where a process holds a part of the plate, rows
+/// that see nothing of others go on while dilatations are exchanged, and before the rest of a state is there. Any
+/// number of threads gives the same bits. One call at a time.
 template <typename Real>
 class LatticeRows {
 public:
   explicit LatticeRows(const FamilyOperator& plate);
 
-  void internal_force(const Values<Real>& state, Values<Real>& forces) const;
+  /// `rest`: of the state, where that may be on its way; complete afterwards.
+  void internal_force(const Values<Real>& state, Values<Real>& forces, Awaited* rest = nullptr) const;
 
   double row_share() const { return row_share_; }        // of the points: in rows of their own
   double folded_share() const { return folded_share_; }  // of the points: in rows that are folded
@@ -26,15 +31,18 @@ private:
 
   struct Row {
     std::uint32_t first, length, pattern;
+    bool waits;  // sees points of other processes, or what follows these
   };
   /// A PointColumn.
   struct GatheredRow {
     std::uint32_t length, pattern, reach;
     std::size_t first_point, first_source;  // in gathered_points_ and sources_
+    bool waits;
   };
   struct Scratch;
 
-  std::vector<std::uint32_t> add_rows(const geometry::FamilyRuns& runs, const Patterns& patterns, double spacing);
+  std::vector<std::uint32_t> add_rows(const geometry::FamilyRuns& runs, const Patterns& patterns, double spacing,
+                                      const OperatedPart& part);
   void add_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
                    const std::vector<std::uint32_t>& pattern_of, double spacing, const OperatedPart& part);
   void keep_wanted(const std::vector<char>& wanted);
@@ -47,14 +55,15 @@ private:
   void gathered_force(const GatheredRow& row, const Fields<Real>& in, const ForceFields<Real>& out,
                       Scratch& scratch) const;
   template <typename OnRow, typename OnGathered, typename OnPacket>
-  void for_share(const OnRow& row, const OnGathered& gathered, const OnPacket& packet) const;
+  void for_share(const Tasks& tasks, const OnRow& row, const OnGathered& gathered, const OnPacket& packet) const;
 
   std::vector<RowPattern<Real>> patterns_;
   std::vector<Row> rows_;
   std::vector<GatheredRow> gathered_;
   std::vector<std::uint32_t> gathered_points_, sources_;
   Packets<Real> packets_;
-  std::vector<double> work_;                         // up to every row, gathered row and packet, in this order
+  std::size_t waiting_packets_ = 0;                  // the first of them
+  Tasks inside_, waiting_;                           // rows, gathered rows and packets, numbered in this order
   std::size_t field_size_ = 0;                       // of Scratch
   std::shared_ptr<const Exchange> exchange_;         // of q_, where a process holds a part of the plate only
   mutable Eigen::Array<Real, Eigen::Dynamic, 1> q_;  // by point, of the state in hand: 2 A a theta

@@ -68,10 +68,7 @@ private:
     return result;
   }
 
-  std::span<const PatternBond> bonds(std::uint32_t k) const {
-    const PatternBond* const all = patterns_.bonds.data();
-    return {all + patterns_.first[pattern_of_[k]], all + patterns_.first[pattern_of_[k] + 1]};
-  }
+  std::span<const PatternBond> bonds(std::uint32_t k) const { return patterns_.of(pattern_of_[k]); }
 
   /// The neighbour one spacing above or below, in the same block.
   std::uint32_t beside(std::uint32_t k, int up) const {

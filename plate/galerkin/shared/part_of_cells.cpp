@@ -10,6 +10,7 @@
 #include "plate/formulation/attached/contact.hpp"
 #include "plate/model/loading/moving_forces.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/ranks/exchange.hpp"
 #include "plate/model/ranks/gathered.hpp"
 #include "plate/model/refused.hpp"
 

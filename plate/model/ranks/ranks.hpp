@@ -8,15 +8,7 @@
 
 namespace plate {
 
-/// Fetches values of points that a process has copies of from the processes that own them.
-class Exchange {
-public:
-  virtual ~Exchange() = default;
-  /// `values` [components x points] of the process, component by component, 1 or 3 of them. All processes call it at
-  /// once, from one thread each.
-  virtual void fetch(std::span<double> values) const = 0;
-  virtual void fetch(std::span<float> values) const = 0;
-};
+class Exchange;
 
 /// A point that a process has a copy of: where it is there, and whose it is.
 struct Copy {

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <set>
 
+#include "plate/model/ranks/exchange.hpp"
+
 namespace plate {
 namespace {
 
@@ -29,8 +31,16 @@ public:
     for (const auto& copy : copies) owners.insert(copy.owner);
     owners_ = std::int64_t(owners.size());
   }
-  void fetch(std::span<double> values) const override { counted(values); }
-  void fetch(std::span<float> values) const override { counted(values); }
+  void start(std::span<double> values) const override { counted(values); }
+  void start(std::span<float> values) const override { counted(values); }
+  void finish() const override {
+    const Timed timed(traffic_);
+    exchange_->finish();
+  }
+  void progress() const override {
+    const Timed timed(traffic_);
+    exchange_->progress();
+  }
 
 private:
   template <typename Real>
@@ -38,7 +48,7 @@ private:
     const Timed timed(traffic_);
     traffic_.messages += owners_;
     if (points_ > 0) traffic_.bytes += copies_ * std::int64_t(values.size() / points_ * sizeof(Real));
-    exchange_->fetch(values);
+    exchange_->start(values);
   }
 
   std::unique_ptr<Exchange> exchange_;

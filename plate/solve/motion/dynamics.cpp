@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plate/formulation/constraints.hpp"
 #include "plate/model/solver_choices.hpp"
 #include "plate/solve/finite.hpp"
 #include "plate/solve/interruption.hpp"
@@ -138,17 +139,19 @@ void move(const Step& now, const Values<Real>& force, const Masses& masses, cons
                   });
 }
 
-/// Internal forces of a step and those beside them, not folded; on what is held, where that is wanted.
+/// Internal forces of a step and those beside them, not folded; on what is held, where that is wanted. `rest`: of the
+/// state, where that may be on its way.
 template <typename Real, typename InternalForce>
 std::optional<Eigen::VectorXd> find_forces(const InternalForce& internal_force, const Constraints& constraints,
-                                           const Step& now, bool on_held, Values<Real>& force, Beside& beside) {
-  internal_force(now.state, force);
+                                           const Step& now, Awaited* rest, bool on_held, Values<Real>& force,
+                                           Beside& beside) {
+  internal_force(now.state, rest, force);
   if constexpr (std::is_same_v<Real, double>)
     if (beside.acts())
       beside.find(now.state, now.velocity, force, [&](State of) {
-        constraints.impose(of);
+        Awaited rest_of(constraints, of);
         Forces result;
-        internal_force(of, result);
+        internal_force(of, &rest_of, result);
         return result;
       });
   std::optional<Eigen::VectorXd> held;
@@ -156,7 +159,7 @@ std::optional<Eigen::VectorXd> find_forces(const InternalForce& internal_force, 
   return held;
 }
 
-/// `internal_force(state, force)` in the number Real.
+/// `internal_force(state, what it awaits or nothing, force)` in the number Real.
 template <typename Real, typename InternalForce>
 void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, DrivenSupports driven,
            TravellingLoads travelling, Eigen::Index points, const DynamicOptions& options,
@@ -170,8 +173,10 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   }
   if (!options.from && options.start.size() > 0 && !options.bent) driven.start();
   Values<Real> force;
+  std::optional<Awaited> rest;  // of the state
   for (std::size_t step = begin;; ++step) {
     const bool row = step % options.observe_every == 0 || step == options.steps;
+    if (rest && (row || options.changes)) rest->complete();
     const bool stops = stops_at(row);
     if (options.keep && (stops || ((row || !ranks()) && options.due()))) {
       MotionMemory memory{step, state, velocity, {}, {}, {}};
@@ -184,7 +189,8 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     if (options.changes) options.changes->before_force(now);
     const bool observed = row || stops;
     driven.at(time, dt, step == 0);
-    auto held_force = find_forces(internal_force, constraints, now, observed && options.held_forces, force, beside);
+    auto held_force = find_forces(internal_force, constraints, now, rest ? &*rest : nullptr,
+                                  observed && options.held_forces, force, beside);
     driven.take(force);
     std::optional<Values<Real>> own;  // of the plate alone
     if (options.changes && travelling.any()) constraints.fold(own.emplace(force));
@@ -209,8 +215,8 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     if (stops) throw Interrupted(fmt::format("asked to stop at step {}, time {:g}", step, time));
     move(now, force, masses, beside);
     beside.lose(before + after), beside.move(step == 0 ? dt / 2 : dt);
-    constraints.impose(state);
-    driven.place_next(state);
+    rest.emplace(constraints, state);
+    if (driven.any()) rest->complete(), driven.place_next(state);
   }
 }
 
@@ -225,12 +231,15 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
   const auto points = mass.cols();
   mass.resize(3, 0);
   if (!options.single) {
-    const auto internal_force = [&](const State& state, Forces& force) { plate.internal_force(state, force); };
+    const auto internal_force = [&](const State& state, Awaited* rest, Forces& force) {
+      rest ? plate.internal_force_meanwhile(state, *rest, force) : plate.internal_force(state, force);
+    };
     return steps<double>(internal_force, constraints, std::move(masses), std::move(driven), TravellingLoads(loads),
                          points, options, observe);
   }
   Values<float> rounded(3, points);
-  const auto internal_force = [&](const State& state, Values<float>& force) {
+  const auto internal_force = [&](const State& state, Awaited* rest, Values<float>& force) {
+    if (rest) rest->complete();
 #pragma omp parallel for simd schedule(static)
     for (Eigen::Index i = 0; i < state.size(); ++i) rounded.data()[i] = float(state.data()[i]);
     options.single(rounded, force);

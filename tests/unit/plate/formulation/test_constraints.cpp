@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "plate/model/ranks/exchange.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using plate::Constraints;
@@ -116,4 +117,88 @@ TEST_CASE("a symmetric stiffness stays symmetric") {
   }
   CHECK(reduced.norm() > 1);
   CHECK((reduced - reduced.transpose()).norm() < 1e-14);  // measured: 1e-15
+}
+
+namespace {
+
+/// Of four points the last two are others'. They come at the end, when own values may long have changed.
+class FromOthers : public plate::Exchange {
+public:
+  explicit FromOthers(State theirs) : theirs_(std::move(theirs)) {}
+  void start(std::span<double> values) const override {
+    ++begun, values_ = values;
+    for (const std::size_t at : {2, 3, 6, 7, 10, 11}) values[at] = NAN;
+  }
+  void start(std::span<float>) const override { FAIL("nobody asked for these"); }
+  void finish() const override {
+    for (const std::size_t at : {2, 3, 6, 7, 10, 11}) values_[at] = theirs_.data()[at];
+  }
+  void progress() const override { ++helped; }
+
+  mutable int begun = 0, helped = 0;
+
+private:
+  State theirs_;
+  mutable std::span<double> values_;
+};
+
+}  // namespace
+
+TEST_CASE("what follows own points is there at once, what is of others or follows them once that has come") {
+  const State given = small_plate::random_state(points, 8), theirs = small_plate::random_state(points, 9);
+  const auto others = std::make_shared<FromOthers>(theirs);
+  Constraints c;
+  c.fix(1), c.fix(3 * 2 + 1);        // own, and a copy: zero whatever comes
+  c.tie(2, {{3, 2}});                // own follows own
+  c.tie(4, {{3 * 3, 0.5}, {0, 1}});  // own follows a copy too
+  c.tie(3 * 3 + 1, {{0, 3}});        // a copy follows own
+  c.resolve();
+  c.copy({2, 3}, others);
+  CHECK(c.awaited(points) == std::vector<char>{0, 1, 1, 1});
+
+  State whole = given, halves = given;
+  c.impose(whole);
+  CHECK(whole(0, 0) == given(0, 0));
+  CHECK(whole(1, 0) == 0);
+  CHECK(whole(2, 0) == 2 * given(0, 1));
+  CHECK(whole(1, 1) == 0.5 * theirs(0, 3) + given(0, 0));
+  CHECK(whole(0, 2) == theirs(0, 2));
+  CHECK(whole(1, 2) == 0);
+  CHECK(whole(1, 3) == 3 * given(0, 0));
+  {
+    plate::Awaited rest(c, halves);
+    CHECK(halves.col(0) == whole.col(0));
+    CHECK(halves(1, 1) == given(1, 1));
+    CHECK(std::isnan(halves(0, 2)));
+    rest.progress();
+    CHECK(others->helped == 1);
+    rest.complete();
+    CHECK(halves == whole);
+    halves(0, 2) = 7;
+    rest.complete(), rest.progress();  // nothing is left to be done
+    CHECK(halves(0, 2) == 7);
+    CHECK(others->helped == 1);
+  }
+  CHECK(halves(0, 2) == 7);
+  halves = given;
+  { const plate::Awaited rest(c, halves); }  // whoever forgets it has it completed
+  CHECK(halves == whole);
+  CHECK(others->begun == 3);
+
+  Forces f = Forces::Ones(3, points);
+  c.fold(f);
+  CHECK(f(0, 0) == 1 + 1 + 3);  // of what follows it, whoever's that is
+  CHECK(f.rightCols(2).isZero());
+  CHECK(f(1, 1) == 0);
+}
+
+TEST_CASE("one process waits for nothing") {
+  const Constraints c = several();
+  CHECK(c.awaited(points).empty());
+  State u = small_plate::random_state(points, 3), imposed = u;
+  c.impose(imposed);
+  plate::Awaited rest(c, u);
+  CHECK(u == imposed);
+  rest.progress(), rest.complete();
+  CHECK(u == imposed);
 }

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <set>
 
+#include "plate/model/ranks/exchange.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace plate;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <mutex>
 
+#include "plate/model/ranks/exchange.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace plate;
@@ -40,5 +41,28 @@ TEST_CASE("traffic: messages, bytes and sums are counted, and the values stay wh
     CHECK((traffic - traffic).bytes == 0);
     Traffic twice = traffic;
     CHECK((twice += traffic).messages == 8);
+  });
+}
+
+TEST_CASE("traffic: an exchange in two halves sends what there was when it began, and is counted once") {
+  thread_ranks::run(2, [](const Ranks& all) {
+    const CountedRanks counted(all);
+    const auto exchange = counted.exchange(2, {{1, 1 - all.rank(), 0}});
+    std::vector<double> values{double(all.rank()), -1};
+    exchange->start(std::span(values));
+    const auto begun = *counted.traffic();
+    values[0] = 7;
+    exchange->progress();
+    exchange->finish();
+    const auto ended = *counted.traffic();
+
+    static std::mutex one_by_one;
+    const std::lock_guard guard(one_by_one);
+    CHECK(values == std::vector<double>{7, double(1 - all.rank())});
+    CHECK(begun.messages == 1);
+    CHECK(begun.bytes == 8);
+    CHECK(ended.messages == 1);
+    CHECK(ended.bytes == 8);
+    CHECK(ended.seconds > begun.seconds);
   });
 }

@@ -6,10 +6,14 @@
 #include <barrier>
 #include <catch2/catch.hpp>
 #include <exception>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <thread>
 
+#include "plate/model/ranks/exchange.hpp"
 #include "plate/model/ranks/gathered.hpp"
+#include "tests/unit/plate/model/ranks/thread_mail.hpp"
 
 namespace thread_ranks {
 namespace {
@@ -17,48 +21,56 @@ namespace {
 /// What all threads see. Between two meetings everyone writes to a place of its own, or everyone reads.
 struct Common {
   explicit Common(int count)
-      : meeting(count),
-        whole(std::size_t(count)),
-        real(std::size_t(count)),
-        texts(std::size_t(count)),
-        doubles(std::size_t(count)),
-        floats(std::size_t(count)) {}
+      : meeting(count), whole(std::size_t(count)), real(std::size_t(count)), texts(std::size_t(count)) {}
   std::barrier<> meeting;
   std::vector<std::span<std::int64_t>> whole;
   std::vector<std::span<double>> real;
   std::vector<std::vector<std::string>> texts;  // of every sender, to every receiver
-  std::vector<std::span<double>> doubles;
-  std::vector<std::span<float>> floats;
+  Post post;
+  std::shared_ptr<Mail> mail;  // of the latest exchange
 };
 
 class ThreadExchange : public plate::Exchange {
 public:
-  ThreadExchange(Common& common, int rank, std::size_t points, std::vector<plate::Copy> copies)
-      : common_(common), rank_(std::size_t(rank)), points_(points), copies_(std::move(copies)) {}
+  ThreadExchange(std::shared_ptr<Mail> mail, int rank, std::size_t points, std::vector<plate::Copy> copies)
+      : mail_(std::move(mail)), rank_(std::size_t(rank)), points_(points), copies_(std::move(copies)) {}
 
-  void fetch(std::span<double> values) const override { fetch_from(common_.doubles, values); }
-  void fetch(std::span<float> values) const override { fetch_from(common_.floats, values); }
+  void start(std::span<double> values) const override { doubles_ = begun(values); }
+  void start(std::span<float> values) const override { floats_ = begun(values); }
+  void finish() const override {
+    take(doubles_), take(floats_);
+    doubles_ = {}, floats_ = {};
+  }
 
 private:
   template <typename Real>
-  void fetch_from(std::vector<std::span<Real>>& all, std::span<Real> values) const {
-    all[rank_] = values;
-    common_.meeting.arrive_and_wait();
-    const std::size_t components = values.size() / points_;
-    std::vector<Real> found;
-    for (const auto& copy : copies_) {
-      const auto& from = all[std::size_t(copy.owner)];
-      for (std::size_t c = 0; c < components; ++c)
-        found.push_back(from[c * (from.size() / components) + copy.of_owner]);
-    }
-    common_.meeting.arrive_and_wait();
-    for (std::size_t i = 0; i < copies_.size(); ++i)
-      for (std::size_t c = 0; c < components; ++c) values[c * points_ + copies_[i].point] = found[i * components + c];
+  std::span<Real> begun(std::span<Real> values) const {
+    if (!doubles_.empty() || !floats_.empty()) throw std::logic_error("an exchange began within another");
+    mail_->put(rank_, values);
+    for (const auto& copy : copies_)  // whoever reads them now finds no numbers
+      for (std::size_t at = copy.point; at < values.size(); at += points_)
+        values[at] = std::numeric_limits<Real>::quiet_NaN();
+    return values;
   }
 
-  Common& common_;
+  template <typename Real>
+  void take(std::span<Real> values) const {
+    if (values.empty()) return;
+    const std::size_t components = values.size() / points_;
+    mail_->take<Real>(rank_, [&](const std::vector<std::vector<Real>>& all) {
+      for (const auto& copy : copies_)
+        for (std::size_t c = 0; c < components; ++c) {
+          const auto& from = all[std::size_t(copy.owner)];
+          values[c * points_ + copy.point] = from[c * (from.size() / components) + copy.of_owner];
+        }
+    });
+  }
+
+  std::shared_ptr<Mail> mail_;
   std::size_t rank_, points_;
   std::vector<plate::Copy> copies_;
+  mutable std::span<double> doubles_;  // that wait for theirs
+  mutable std::span<float> floats_;
 };
 
 /// Every thread has the factor of the whole matrix.
@@ -187,7 +199,11 @@ public:
     return result;
   }
   std::unique_ptr<plate::Exchange> exchange(std::size_t points, const std::vector<plate::Copy>& copies) const override {
-    return std::make_unique<ThreadExchange>(common_, rank_, points, copies);
+    common_.meeting.arrive_and_wait();
+    if (rank_ == 0) common_.mail = std::make_shared<Mail>(common_.post, std::size_t(size()));
+    common_.meeting.arrive_and_wait();
+    if (!common_.mail) throw std::runtime_error("the first process is gone");
+    return std::make_unique<ThreadExchange>(common_.mail, rank_, points, copies);
   }
   std::unique_ptr<plate::SharedInverse> inverse(const plate::SharedRows& rows) const override {
     return std::make_unique<ThreadInverse>(*this, rows);
@@ -227,6 +243,7 @@ void run(int count, const std::function<void(const plate::Ranks&)>& each) {
         each(own);
       } catch (...) {
         thrown[std::size_t(rank)] = std::current_exception();
+        common.post.leave();
         common.meeting.arrive_and_drop();
       }
     });
