@@ -21,17 +21,17 @@ public:
   LevelOfParts(const Ranks& all, const Problem& problem, WholeCells whole, const std::vector<geometry::Point>& seen,
                const std::vector<char>& own)
       : problem_(problem) {
-    if (std::holds_alternative<geometry::WholeLattice>(whole)) inside_ = about_first_inside(whole);
+    inside_ = about_first_inside(whole);
     const auto besides = box_of(whole, seen, own);
-    seen_ = seen_cells(all, problem, std::move(whole), {}, besides);
-    const auto& cells = seen_.cells;
+    const auto here = seen_cells(all, problem, std::move(whole), {}, besides);
+    const auto& cells = here.cells;
     to_finer_ = transfer_to(seen, cells, own);
     std::vector<char> asked(cells.positions.size(), 0);
     for (const auto& share : to_finer_.shares) asked[share.other] = 1;
     auto boundary =
         galerkin_boundary(cells, areas_of(cells), geometry::to_lattice(problem.outline, cells.units), problem.supports);
     boundary.attached = attached_stiffness(problem, cells);
-    part_ = part_of_cells(all, problem, seen_, boundary.attached, {}, asked);
+    part_ = part_of_cells(all, problem, here, boundary.attached, {}, asked);
     boundary_ = restricted(boundary, part_, 0);
     const auto& number = part_.part.number;
     for (auto& share : to_finer_.shares)
@@ -43,8 +43,8 @@ public:
   std::optional<GalerkinLevel> level() && try {
     auto& cells = part_.part.cells;
     auto beside = geometry::seen_positions(cells);
-    GalerkinOperator plate(galerkin_families(cells, inside_ ? *inside_ : seen_.cells),
-                           PointSections(problem_.section, cells), boundary_.attached, part_.stretch);
+    GalerkinOperator plate(galerkin_families(cells, inside_), PointSections(problem_.section, cells),
+                           boundary_.attached, part_.stretch);
     return GalerkinLevel{std::move(cells), std::move(beside),    std::move(boundary_),
                          std::move(plate), std::move(to_finer_), std::move(sum_)};
   } catch (const std::invalid_argument&) {
@@ -71,8 +71,7 @@ private:
   }
 
   const Problem& problem_;
-  std::optional<geometry::Tessellation> inside_;  // as of a whole plate
-  SeenCells seen_;
+  geometry::Tessellation inside_;  // the cells about the first point inside it
   LevelTransfer to_finer_;
   PartOfCells part_;
   Boundary boundary_;

@@ -52,79 +52,95 @@ std::vector<double> cut_share(const Tessellation& cells, const std::vector<doubl
 
 namespace {
 
+/// Where the load acts on points.
+struct Acting {
+  Forces forces;
+  std::shared_ptr<const MovingForces> moving;
+};
+
 /// What this process sees of the plate, or all of it, and what of that it keeps.
 class Plan {
 public:
   Plan(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole) : problem_(problem) {
-    const auto tips = geometry::tips(paths);
-    const bool all_of_it = std::ranges::any_of(problem.loads, [](const Load& load) { return load.evaluated(); });
-    if (const Ranks* all = ranks()) {
-      if (std::holds_alternative<geometry::WholeLattice>(whole)) inside_ = about_first_inside(whole);
-      seen_ = seen_cells(*all, problem, std::move(whole), tips, {}, all_of_it);
-    } else {
-      seen_.cells = std::move(std::get<Tessellation>(whole));
-    }
-    const auto& cells = seen_.cells;
-    areas_ = areas_of(cells);
-    auto boundary = galerkin_boundary(cells, areas_, geometry::to_lattice(problem.outline, cells.units),
-                                      problem.supports, support_motions(problem));
-    boundary.attached = attached_stiffness(problem, cells);
-    if (const Ranks* all = ranks()) {
-      part_ = part_of_cells(*all, problem, seen_, boundary.attached, tips);
-      boundary = restricted(boundary, *part_, problem.loads.size());
-    }
-    layout_.emplace(Layout{problem, std::move(paths), tips, std::move(boundary), {}, {}});
-    layout_->cut = here(cut_share(cells, areas_));
-    masses_ = here(stiffener_masses(problem, cells));
-  }
-
-  GalerkinFamilies families() const {
-    return part_ ? galerkin_families(part_->part.cells, inside_ ? *inside_ : seen_.cells)
-                 : galerkin_families(seen_.cells);
+    if (const Ranks* all = ranks())
+      share(*all, std::move(paths), std::move(whole));
+    else
+      keep_all(std::move(paths), std::move(std::get<Tessellation>(whole)));
   }
 
   LaidOut laid_out() && {
     auto& layout = *layout_;
-    auto families = this->families();
+    auto families = part_ ? galerkin_families(cells_, inside_) : galerkin_families(cells_);
     require_consistent(families);
-    layout.sections.emplace(problem_.section, cells());
+    layout.sections.emplace(problem_.section, cells_);
     layout.sections->add_masses(masses_, families.areas);
     layout.pieces = pieces(layout.boundary, families.families);
-    for (const auto& load : problem_.loads) add(load, families);
-    if (!part_) return {std::move(layout), std::move(seen_.cells), std::move(families), {}, {}};
-    return {std::move(layout), std::move(part_->part.cells), std::move(families), std::move(part_->number),
+    for (std::size_t i = 0; i < problem_.loads.size(); ++i) add(problem_.loads[i], std::move(acting_[i]), families);
+    if (!part_) return {std::move(layout), std::move(cells_), std::move(families), {}, {}};
+    return {std::move(layout), std::move(cells_), std::move(families), std::move(part_->number),
             std::move(part_->stretch)};
   }
 
 private:
-  const Tessellation& cells() const { return part_ ? part_->part.cells : seen_.cells; }
+  Boundary boundary_of(const Tessellation& cells, const std::vector<double>& areas) const {
+    auto result = galerkin_boundary(cells, areas, geometry::to_lattice(problem_.outline, cells.units),
+                                    problem_.supports, support_motions(problem_));
+    result.attached = attached_stiffness(problem_, cells);
+    return result;
+  }
 
-  template <typename Values>
-  Values here(Values values) const {
-    return part_ ? restricted(values, part_->part) : values;
+  void keep_all(std::vector<geometry::CrackPath> paths, Tessellation cells) {
+    const auto areas = areas_of(cells);
+    const auto tips = geometry::tips(paths);
+    layout_.emplace(Layout{problem_, std::move(paths), tips, boundary_of(cells, areas), cut_share(cells, areas), {}});
+    masses_ = stiffener_masses(problem_, cells);
+    for (const auto& load : problem_.loads)
+      acting_.push_back(
+          {nodal_forces(load, cells, areas),
+           load.moves() ? std::make_shared<MovingForces>(moving_forces(load, cells, areas.size())) : nullptr});
+    cells_ = std::move(cells);
+  }
+
+  void share(const Ranks& all, std::vector<geometry::CrackPath> paths, WholeCells whole) {
+    const auto tips = geometry::tips(paths);
+    const bool all_of_it = std::ranges::any_of(problem_.loads, [](const Load& load) { return load.evaluated(); });
+    inside_ = about_first_inside(whole);
+    const auto seen = seen_cells(all, problem_, std::move(whole), tips, {}, all_of_it);
+    const auto& cells = seen.cells;
+    const auto areas = areas_of(cells);
+    auto boundary = boundary_of(cells, areas);
+    part_ = part_of_cells(all, problem_, seen, boundary.attached, tips);
+    boundary = restricted(boundary, *part_, problem_.loads.size());
+    const auto& part = part_->part;
+    layout_.emplace(
+        Layout{problem_, std::move(paths), tips, std::move(boundary), restricted(cut_share(cells, areas), part), {}});
+    masses_ = restricted(stiffener_masses(problem_, cells), part);
+    for (const auto& load : problem_.loads) {
+      auto& acting = acting_.emplace_back(restricted(nodal_forces(load, cells, areas), part), nullptr);
+      if (load.moves())
+        acting.moving = std::make_shared<MovingForces>(restricted(moving_forces(load, cells, areas.size()), *part_));
+    }
+    cells_ = std::move(part_->part.cells);
   }
 
   void require_consistent(const GalerkinFamilies& families) const {
-    const auto residuals = consistency_residuals(families, cells(), layout_->boundary.own);
+    const auto residuals = consistency_residuals(families, cells_, layout_->boundary.own);
     if (std::max(residuals.first, residuals.second) > 1e-10)
       throw std::logic_error(fmt::format("families are not variationally consistent: {:.2e}, {:.2e} spacings",
                                          residuals.first, residuals.second));
   }
 
-  void add(const Load& load, const GalerkinFamilies& families) {
+  void add(const Load& load, Acting acting, const GalerkinFamilies& families) {
     auto& layout = *layout_;
     const auto points = families.areas.size();
-    TimedLoad result{here(nodal_forces(load, seen_.cells, areas_)), load.history,
+    TimedLoad result{std::move(acting.forces), load.history,
                      free_curvature(load, problem_.section, layout.boundary.cloud.positions, points)};
     if (result.curvature.size() > 0)
       result.forces = force_of_curvature(families, problem_.section, result.curvature, layout.boundary.own);
     result.lift = layout.boundary.constraints.lift(layout.loads.size(), points);
     if (part_ && load.kind == Load::Kind::settlement && result.lift.cols() == 0)
       result.lift = State::Zero(3, Eigen::Index(points));  // all have one, also those that do not see what moves
-    if (load.moves()) {
-      auto moving = moving_forces(load, seen_.cells, areas_.size());
-      result.moving = std::make_shared<MovingForces>(part_ ? restricted(std::move(moving), *part_) : std::move(moving));
-    }
+    result.moving = std::move(acting.moving);
     if (load.gravity && !layout.sections->uniform())  // the load has its value where the section has its own mass
       for (Eigen::Index k = 0; k < result.forces.cols(); ++k)
         result.forces.col(k) *= (*layout.sections)[std::size_t(k)].mass / problem_.section.mass();
@@ -132,10 +148,11 @@ private:
   }
 
   const Problem& problem_;
-  SeenCells seen_;
-  std::optional<Tessellation> inside_;  // the cells about the first point inside a lattice, where not all are seen
-  std::vector<double> areas_, masses_;  // of what is seen; of the points that are kept
-  std::optional<PartOfCells> part_;     // where several processes share the plate
+  std::optional<PartOfCells> part_;  // where several processes share the plate
+  Tessellation cells_;               // that are kept
+  Tessellation inside_;              // those about the first point inside a lattice that is shared
+  std::vector<double> masses_;
+  std::vector<Acting> acting_;  // by loads
   std::optional<Layout> layout_;
 };
 

@@ -115,12 +115,12 @@ SeenCells seen_cells(const Ranks& all, const Problem& problem, WholeCells whole,
 }
 
 Tessellation about_first_inside(const WholeCells& whole) {
-  const auto& lattice = std::get<WholeLattice>(whole);
-  const auto first = lattice.first_inside();
+  const auto* lattice = std::get_if<WholeLattice>(&whole);
+  const auto first = lattice ? lattice->first_inside() : std::nullopt;
   if (!first) return {};
   const auto [i, j] = *first;
   constexpr long about = 5;
-  return lattice.cells_at(CellBox{{i, j}, {i + 1, j + 1}}.grown(about)).cells;
+  return lattice->cells_at(CellBox{{i, j}, {i + 1, j + 1}}.grown(about)).cells;
 }
 
 }  // namespace plate
