@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "plate/model/ranks/exchange.hpp"
 #include "plate/model/ranks/gathered.hpp"
 #include "plate/solve/assembled_plate.hpp"
 
