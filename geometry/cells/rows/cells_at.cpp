@@ -37,11 +37,7 @@ private:
     std::uint32_t number, local;
   };
 
-  Point place(std::uint32_t k) const {
-    if (k >= whole_.points_.size()) return whole_.others_[k - whole_.points_.size()];
-    const auto [i, j] = whole_.points_.place(k);
-    return {double(i), double(j)};
-  }
+  Point place(std::uint32_t k) const { return whole_.place(k); }
 
   /// All points that may be corners.
   void choose_points() {

@@ -1,6 +1,8 @@
 #include "geometry/cells/rows/row_runs.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 
 namespace geometry {
 
@@ -41,6 +43,8 @@ std::vector<Columns> without(const std::vector<Columns>& one, const std::vector<
 
 void RowRuns::add(const Columns& columns) {
   if (columns.first >= columns.second) return;
+  if (columns.second - columns.first > long(std::numeric_limits<std::uint32_t>::max() - size_))
+    throw std::length_error("a lattice of more than 4294967295 points: their numbers have 32 bits");
   if (runs_.size() > first_.back() && runs_.back().to == columns.first)
     runs_.back().to = std::int32_t(columns.second);
   else

@@ -25,7 +25,7 @@ public:
   };
 
   void begin_row() { first_.push_back(runs_.size()); }
-  /// To the last row begun, to the right of all that it has.
+  /// To the last row begun, to the right of all that it has. Throws std::length_error where numbers are used up.
   void add(const Columns& columns);
 
   long rows() const { return long(first_.size()); }

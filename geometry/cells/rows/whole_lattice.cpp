@@ -107,7 +107,7 @@ void WholeLattice::part(LatticeCells all) {
     for (std::size_t c = 0; c < 3; ++c)
       longest_side_ =
           std::max(longest_side_, (cells.positions[corner[c]] - cells.positions[corner[(c + 1) % 3]]).norm());
-  for_cells(cells, [&](std::uint32_t* corner, std::size_t count) {
+  geometry::for_cells(cells, [&](std::uint32_t* corner, std::size_t count) {
     for (std::size_t c = 0; c < count; ++c) corner[c] = number[corner[c]];
   });
   for (std::size_t s = 0; s < cells.squares.size(); ++s)
@@ -116,9 +116,17 @@ void WholeLattice::part(LatticeCells all) {
   squares_ = std::move(all.squares), triangles_ = std::move(cells.triangles);
 }
 
-const Square* WholeLattice::parted(long i, long j) const {
+Square WholeLattice::square(long i, long j) const {
   const auto found = std::ranges::lower_bound(parted_, std::pair(j, i), {}, &AtPlace::first);
-  return found != parted_.end() && found->first == std::pair(j, i) ? &found->second : nullptr;
+  if (found != parted_.end() && found->first == std::pair(j, i)) return found->second;
+  const auto below = *points_.at(i, j), above = *points_.at(i, j + 1);
+  return {below, below + 1, above + 1, above};
+}
+
+Point WholeLattice::place(std::uint32_t k) const {
+  if (k >= points_.size()) return others_[k - points_.size()];
+  const auto [i, j] = points_.place(k);
+  return {double(i), double(j)};
 }
 
 Cell WholeLattice::last() const {
@@ -142,8 +150,8 @@ bool WholeLattice::inside(long i, long j) const {
   for (const long row : {j - 1, j})
     for (const long column : {i - 1, i}) {
       if (!squares_.run_at(column, row)) return false;
-      if (const auto* square = parted(column, row); square && std::ranges::find(*square, *own) == square->end())
-        return false;
+      const auto corners = square(column, row);
+      if (std::ranges::find(corners, *own) == corners.end()) return false;
     }
   return true;
 }

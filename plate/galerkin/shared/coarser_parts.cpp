@@ -23,7 +23,7 @@ public:
       : problem_(problem) {
     inside_ = about_first_inside(whole);
     const auto besides = box_of(whole, seen, own);
-    const auto here = seen_cells(all, problem, std::move(whole), {}, besides);
+    const auto here = seen_cells(all, problem, whole, {}, besides);
     const auto& cells = here.cells;
     to_finer_ = transfer_to(seen, cells, own);
     std::vector<char> asked(cells.positions.size(), 0);

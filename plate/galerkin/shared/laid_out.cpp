@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -103,9 +102,8 @@ private:
 
   void share(const Ranks& all, std::vector<geometry::CrackPath> paths, WholeCells whole) {
     const auto tips = geometry::tips(paths);
-    const bool all_of_it = std::ranges::any_of(problem_.loads, [](const Load& load) { return load.evaluated(); });
     inside_ = about_first_inside(whole);
-    const auto seen = seen_cells(all, problem_, std::move(whole), tips, {}, all_of_it);
+    const auto seen = seen_cells(all, problem_, whole, tips);
     const auto& cells = seen.cells;
     const auto areas = areas_of(cells);
     auto boundary = boundary_of(cells, areas);
@@ -116,7 +114,7 @@ private:
         Layout{problem_, std::move(paths), tips, std::move(boundary), restricted(cut_share(cells, areas), part), {}});
     masses_ = restricted(stiffener_masses(problem_, cells), part);
     for (const auto& load : problem_.loads) {
-      auto& acting = acting_.emplace_back(restricted(nodal_forces(load, cells, areas), part), nullptr);
+      auto& acting = acting_.emplace_back(restricted(seen_forces(load, whole, seen, areas), part), nullptr);
       if (load.moves())
         acting.moving = std::make_shared<MovingForces>(restricted(moving_forces(load, cells, areas.size()), *part_));
     }

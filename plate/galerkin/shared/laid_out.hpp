@@ -27,9 +27,8 @@ struct LaidOut {
   std::vector<std::uint32_t> stretch;  // of GalerkinOperator
 };
 
-/// Of a lattice that processes share, one makes the points and cells about its own part, with their supports and nodal
-/// forces, and keeps its part; of graded points, and where a pressure is an expression or a table, whose integrals go
-/// by all cells before, it makes those of the whole plate first.
+/// Of a lattice that processes share, each makes the points and cells about its own part, with their supports and nodal
+/// forces, and keeps its part; of graded points all make those of the whole plate.
 /// @throws Refused
 LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole,
                  Stopwatch& stopwatch);

@@ -3,9 +3,11 @@
 
 #include "geometry/cells/rows/whole_lattice.hpp"
 #include "plate/model/ranks/ranks.hpp"
+#include "plate/model/state.hpp"
 
 namespace plate {
 
+struct Load;
 struct Problem;
 
 /// The points and cells of a plate; of one on a lattice that processes share only what tells them.
@@ -28,11 +30,15 @@ struct SeenCells {
 /// @throws Refused  too few points, or rows of them, for so many processes
 void require_parts(const WholeCells& whole, int processes);
 
-/// Of this process. `tips`: of which it may own some. `besides`: cells about which it needs points too. `all_of_it`: it
-/// asks for what cannot be told from a part.
+/// Of this process. `whole`: cells are taken from it. `tips`: of which it may own some. `besides`: cells about which it
+/// needs points too.
 /// @throws Refused  too few points for so many processes
-SeenCells seen_cells(const Ranks& all, const Problem& problem, WholeCells whole, const std::vector<geometry::Tip>& tips,
-                     const std::optional<geometry::CellBox>& besides = {}, bool all_of_it = false);
+SeenCells seen_cells(const Ranks& all, const Problem& problem, WholeCells& whole,
+                     const std::vector<geometry::Tip>& tips, const std::optional<geometry::CellBox>& besides = {});
+
+/// Of the points that are seen; nodal_forces(). A pressure that has to be evaluated is integrated over cell after cell
+/// of the whole, as each integral goes by the largest pressure before it.
+Forces seen_forces(const Load& load, const WholeCells& whole, const SeenCells& seen, const std::vector<double>& areas);
 
 /// The first point with squares all about it and its neighbours, with the cells that tell its weights; empty where
 /// there is none.

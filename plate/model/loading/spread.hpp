@@ -5,6 +5,7 @@
 namespace geometry {
 struct Cloud;
 struct Tessellation;
+class WholeLattice;
 }  // namespace geometry
 
 namespace plate {
@@ -22,6 +23,9 @@ void add_pressure(const Load& load, const geometry::Cloud& cloud, const std::vec
 
 /// The same to the corners of cells, by the linear function that corners carry.
 void add_pressure(const Load& load, const geometry::Tessellation& cells, Forces& forces);
+/// The same of all cells of a lattice, one after the other, on some of its points, by ascending numbers.
+void add_pressure(const Load& load, const geometry::WholeLattice& cells, const std::vector<std::uint32_t>& number,
+                  Forces& forces);
 
 /// A short piece of a line, and the point nearest to its middle.
 struct LinePiece {

@@ -78,3 +78,16 @@ TEST_CASE("runs of rows: every place has its number and every number its place, 
   CHECK(fewer.row(2).empty());
   CHECK(fewer.rows() == 3);
 }
+
+TEST_CASE("runs of rows: more places than numbers of 32 bits are refused") {
+  RowRuns runs;
+  runs.begin_row();
+  runs.add({0, 2147483647});
+  runs.begin_row();
+  runs.add({0, 2147483647});
+  CHECK(runs.size() == 4294967294U);
+  runs.begin_row();
+  CHECK_THROWS_AS(runs.add({0, 2}), std::length_error);
+  runs.add({0, 1});
+  CHECK(runs.at(0, 2) == 4294967294U);
+}

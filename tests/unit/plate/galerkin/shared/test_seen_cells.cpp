@@ -82,7 +82,8 @@ void add_boundary(const Boundary& boundary, std::size_t motions, Told& told) {
 
 Told told_of(const Ranks& all, const Problem& problem, const std::vector<geometry::CrackPath>& paths, bool of_whole) {
   const auto tips = geometry::tips(paths);
-  const auto seen = seen_cells(all, problem, whole_cells_of(problem, paths, 1), tips, {}, of_whole);
+  auto whole = of_whole ? WholeCells(cells_of(problem, paths, 1)) : whole_cells_of(problem, paths, 1);
+  const auto seen = seen_cells(all, problem, whole, tips);
   const auto& cells = seen.cells;
   const auto areas = areas_of(cells);
   auto boundary = galerkin_boundary(cells, areas, geometry::to_lattice(problem.outline, cells.units), problem.supports,
@@ -95,7 +96,7 @@ Told told_of(const Ranks& all, const Problem& problem, const std::vector<geometr
   told.add("cut", restricted(cut_share(cells, areas), part.part));
   told.add("masses", restricted(stiffener_masses(problem, cells), part.part));
   for (const auto& load : problem.loads) {
-    told.add_matrix("forces", restricted(nodal_forces(load, cells, areas), part.part));
+    told.add_matrix("forces", restricted(seen_forces(load, whole, seen, areas), part.part));
     if (!load.moves()) continue;
     for (const auto& [time, forces] : restricted(moving_forces(load, cells, areas.size()), part).stations)
       for (const auto& [dof, force] : forces) told.add("station", std::array{time, double(dof), force});
@@ -112,9 +113,10 @@ std::pair<std::string, std::size_t> difference(int processes, const Problem& pro
   thread_ranks::run(processes, [&](const Ranks& all) {
     const auto mine = parts::own(problem);
     const auto one = told_of(all, mine, paths, true), other = told_of(all, mine, paths, false);
-    const auto window = seen_cells(all, mine, whole_cells_of(mine, paths, 1), geometry::tips(paths));
+    auto lattice = whole_cells_of(mine, paths, 1);
+    const auto window = seen_cells(all, mine, lattice, geometry::tips(paths));
     const std::lock_guard guard(one_by_one);
-    left_out += points_of(whole_cells_of(mine, paths, 1)) - window.cells.positions.size();
+    left_out += points_of(lattice) - window.cells.positions.size();
     if (one.all.size() != other.all.size()) found += " sizes";
     for (std::size_t i = 0; i < std::min(one.all.size(), other.all.size()); ++i)
       if (one.all[i] != other.all[i]) {
@@ -163,13 +165,14 @@ Problem loaded(const random_plates::Plate& plate, random_plates::Maker& maker, d
   auto force = of_kind(Load::Kind::point_force, 0.3), along_line = of_kind(Load::Kind::line_load, 2),
        moment = of_kind(Load::Kind::edge_moment, 0.2), shear = of_kind(Load::Kind::edge_shear, 0.1),
        settles = of_kind(Load::Kind::settlement, 0.01), runs = of_kind(Load::Kind::point_force, 3), patch = Load(),
-       rolls = Load();
+       rolls = Load(), formula = Load();
   force.position = line().front(), along_line.along = line(), moment.edges = {edge(1)}, shear.edges = {edge(1)};
   settles.support = 3, settles.slope = {0.02, 0.01}, runs.path = line(), runs.speed = 2;
   patch.value = 1, patch.gradient = {3, 2}, patch.patch = geometry::Circle{line().front(), 0.3, ""};
   rolls.value = 2, rolls.path = line(), rolls.speed = 3;
   rolls.patch = geometry::Circle{rolls.path.front(), 0.15, ""};
-  problem.loads.insert(problem.loads.end(), {force, along_line, moment, shear, settles, runs, patch, rolls});
+  formula.formula = Formula("sin(9 * x) + (x > 0.1 ? 3 : 1) * y^2");  // cells along the jump are parted
+  problem.loads.insert(problem.loads.end(), {force, along_line, moment, shear, settles, runs, patch, rolls, formula});
   problem.foundations = {{2000, 3, geometry::Hole(geometry::Circle{line().front(), 0.5, ""})},
                          {500, 0, geometry::Hole(geometry::Circle{line().front(), 0.4, ""}), true}};
   Spring of_edge, of_line, of_point;
