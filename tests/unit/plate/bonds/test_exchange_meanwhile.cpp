@@ -1,5 +1,7 @@
 // What processes evaluate while they exchange copies. That nothing of it looks at copies which are not there yet shows
 // in all tests of plates in parts: until they come, copies are no numbers there.
+#include <omp.h>
+
 #include <catch2/catch.hpp>
 
 #include "plate/formulation/boundary.hpp"
@@ -27,6 +29,7 @@ class Process {
 public:
   Process(const Ranks& all, const Problem& problem)
       : ranks_(all, [this](std::span<const double> values, bool ends) { watch(values, ends); }), among_(ranks_) {
+    omp_set_num_threads(1);  // others would go ahead of the one that is watched
     plate = discretise(problem).plate;
     forces = Forces::Constant(3, Eigen::Index(plate->points()), NAN);
   }
