@@ -1,9 +1,15 @@
 #include "plate/formulation/supports/inside.hpp"
 
 #include <catch2/catch.hpp>
+#include <mutex>
 
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulations.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "tests/unit/plate/bonds/parts.hpp"
+#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
@@ -66,4 +72,29 @@ TEST_CASE("places on lines and about parts keep away from edges and cracks") {
     CHECK(std::abs(x.x() - 0.5) > 0.05);
   }
   CHECK(places_inside({}, outline, crack, 0.1).empty());
+}
+
+TEST_CASE("a part of the plate that only some processes see is held by these, and refused by none") {
+  for (const auto* kind : {&ordinary, &galerkin}) {
+    auto problem = parts::problem_of(geometry::rectangle(0, 0, 2.5, 1), {}, {parts::pressure(1)});
+    problem.discretization.formulation = kind;
+    problem.supports = {{SupportKind::clamped, {}, {}, {}, geometry::Circle{{1.2, 0.1}, 0.05, ""}}};
+    const auto held = [&] {
+      const auto plate = discretise(problem).plate;
+      const auto& boundary = plate->boundary();
+      return std::ranges::count_if(boundary.holds,
+                                   [&](const auto& hold) { return !hold.rotations && boundary.owns(hold.point); });
+    };
+    const auto whole = held();
+    CHECK(whole > 70);  // of 79 spacings square
+    std::ptrdiff_t all = 0, least = whole;
+    std::mutex one_by_one;
+    thread_ranks::run(4, [&](const Ranks&) {
+      const auto own = held();
+      const std::lock_guard guard(one_by_one);
+      all += own, least = std::min(least, own);
+    });
+    CHECK(all == whole);
+    CHECK(least == 0);
+  }
 }
