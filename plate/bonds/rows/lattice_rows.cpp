@@ -101,10 +101,10 @@ std::vector<std::uint32_t> LatticeRows<Real>::add_rows(const geometry::FamilyRun
         (first + patterns_[pattern].lowest < 0 ||
          last + patterns_[pattern].highest + std::int64_t(FoldLane<Real>::size()) > q_.size()))
       pattern = pattern_of(run.pattern, false);  // a fold also reads beyond what its points see
-    rows_.push_back(
-        {run.first_point, run.length, pattern, part.waits(run.first_point, run.length, patterns.of(run.pattern))});
-    in_rows += run.length;
-    if (patterns_[pattern].fold) folded += run.length;
+    const auto read = run.length + (patterns_[pattern].fold ? std::uint32_t(FoldLane<Real>::size()) : 0);
+    const bool waits = part.waits(run.first_point, read, patterns.of(run.pattern));
+    rows_.push_back({run.first_point, run.length, pattern, waits});
+    in_rows += run.length, folded += patterns_[pattern].fold ? run.length : 0;
   }
   const double all = std::max<double>(1, double(q_.size()));
   row_share_ = double(in_rows) / all, folded_share_ = double(folded) / all;
