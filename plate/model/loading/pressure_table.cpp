@@ -22,7 +22,8 @@ struct Row {
   std::size_t line;
 };
 
-[[noreturn]] void refuse(std::size_t line, const std::string& what) {
+[[noreturn]] void refuse(std::size_t line, std::string what) {
+  std::ranges::replace(what, '\0', '?');  // it would end there
   throw std::invalid_argument(fmt::format("line {}: {}", line, what));
 }
 
@@ -40,13 +41,14 @@ std::vector<std::string> fields_of(const std::string& line) {
 double number_of(const std::string& text, std::size_t line) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != 0) refuse(line, fmt::format("\"{}\" is no number", text));
+  if (text.empty() || end != text.c_str() + text.size()) refuse(line, fmt::format("\"{}\" is no number", text));
   if (!std::isfinite(value)) refuse(line, fmt::format("{} is not finite", text));
   return value;
 }
 
 /// Lines that begin with # and empty ones say nothing; the first that says something names the columns.
 std::vector<Row> rows_of(const std::string& content) {
+  constexpr double farthest = 1e100;
   std::vector<Row> rows;
   std::stringstream stream(content);
   std::string line;
@@ -61,8 +63,10 @@ std::vector<Row> rows_of(const std::string& content) {
       continue;
     }
     if (fields.size() != 3) refuse(number, fmt::format("{} values given, must be x, y and pressure", fields.size()));
-    rows.push_back(
-        {{number_of(fields[0], number), number_of(fields[1], number)}, number_of(fields[2], number), number});
+    const Point x(number_of(fields[0], number), number_of(fields[1], number));
+    if (x.cwiseAbs().maxCoeff() > farthest)
+      refuse(number, fmt::format("a place beyond {:g} is given, ({:g}, {:g})", farthest, x.x(), x.y()));
+    rows.push_back({x, number_of(fields[2], number), number});
   }
   if (rows.size() < 3) throw std::invalid_argument(fmt::format("{} places given, must be 3 or more", rows.size()));
   return rows;
@@ -100,6 +104,9 @@ struct PressureTable::Values {
   Point low{0, 0}, size{1, 1};        // of the box of all places
 
   bool grid(const std::vector<Row>& given);
+  /// Places on a straight border of them all are seldom on a line to the last bit, and the flat triangles between them
+  /// tell nothing. Triangles are found with the places drawn towards the middle, those on borders most, and flat ones
+  /// are left out: so every place on a border is a corner of one that is not flat.
   void triangulate(const std::vector<Row>& given);
   /// The triangle about x, by a walk from the last one; none outside.
   std::optional<std::size_t> about(const Point& x) const;
@@ -126,8 +133,20 @@ void PressureTable::Values::triangulate(const std::vector<Row>& given) {
   size = high - low;
   if (!(size.minCoeff() > 0)) throw std::invalid_argument("all places lie on one line");
   for (const auto& row : given) places.push_back((row.x - low).cwiseQuotient(size)), pressures.push_back(row.pressure);
-  triangles = geometry::delaunay(places, {});
-  if (triangles.corners.empty()) throw std::invalid_argument("all places lie on one line");
+  constexpr double drawn = 1e-6, flat = 1e-12;
+  const Point middle(0.5, 0.5);
+  std::vector<Point> inwards;
+  for (const Point& u : places) inwards.push_back(u + drawn * (u - middle).squaredNorm() * (u - middle));
+  triangles = geometry::delaunay(inwards, {});
+  const auto is_flat = [&](std::size_t triangle) {
+    const auto& [a, b, c] = triangles.corners[triangle];
+    return !(turn(places[a], places[b], places[c]) > flat);
+  };
+  for (auto& across : triangles.across)
+    for (auto& next : across)
+      if (next != geometry::Triangulated::none && is_flat(std::size_t(next))) next = geometry::Triangulated::none;
+  while (last < triangles.corners.size() && is_flat(last)) ++last;
+  if (last == triangles.corners.size()) throw std::invalid_argument("all places lie on one line");
 }
 
 std::optional<std::size_t> PressureTable::Values::about(const Point& x) const {
@@ -206,11 +225,13 @@ double PressureTable::operator()(const Point& x) const {
     const Point u = (x - v.low).cwiseQuotient(v.size);
     const auto triangle = v.about(u);
     if (!triangle) return factor_ * v.nearest(u);
-    const auto& [a, b, c] = v.triangles.corners[*triangle];
-    const double all = turn(v.places[a], v.places[b], v.places[c]);
-    return factor_ / all *
-           (turn(v.places[b], v.places[c], u) * v.pressures[a] + turn(v.places[c], v.places[a], u) * v.pressures[b] +
-            turn(v.places[a], v.places[b], u) * v.pressures[c]);
+    const auto& corners = v.triangles.corners[*triangle];
+    double all = 0, sum = 0;  // of triangles between two corners and x, which may lie beyond a side by rounding
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double share = std::max(0.0, turn(v.places[corners[(i + 1) % 3]], v.places[corners[(i + 2) % 3]], u));
+      all += share, sum += share * v.pressures[corners[i]];
+    }
+    return factor_ * sum / all;
   }
   const auto place = [](const std::vector<double>& values, double value) {
     const auto next = std::ranges::upper_bound(values, value) - values.begin();

@@ -58,11 +58,38 @@ TEST_CASE("scattered places are linear on triangles, and a linear pressure is ex
   CHECK(!table.reaches({5, 0.101}));
 }
 
+TEST_CASE("places on oblique borders, which are lines but for rounding, are all heard") {
+  const auto along = [](double s) { return 100 + 40 * s * s; };  // s: the place along a border
+  for (const double slope : {1 / 3.7, -0.61, 7.3, 1e-4}) {
+    std::stringstream text;
+    text.precision(17);
+    text << "x,y,pressure\n";
+    constexpr int count = 40;
+    for (const int side : {0, 1})
+      for (int i = 0; i <= count; ++i)
+        text << 0.03 * i + side << "," << 0.03 * i * slope + 2 * side << "," << along(double(i) / count) << "\n";
+    const PressureTable table(text.str(), "pressure.csv");
+    for (double s = 0.0031; s < 1; s += 0.0071) {
+      INFO(slope << " " << s);
+      const double x = 0.03 * count * s, below = std::floor(s * count) / count, above = below + 1.0 / count;
+      const double linear = along(below) + (along(above) - along(below)) * (s - below) * count;
+      for (const int side : {0, 1}) {
+        CHECK(table.reaches({x + side, x * slope + 2 * side}));
+        CHECK(table({x + side, x * slope + 2 * side}) == Approx(linear).epsilon(1e-9));
+      }
+    }
+  }
+}
+
 TEST_CASE("what is wrong with a table is said with its line") {
   using Catch::Contains;
   CHECK_THAT(fault("x,y\n1,2\n"), Contains("line 1") && Contains("must be x,y,pressure"));
   CHECK_THAT(fault("x,y,pressure\n1,2,3\n# a word\n1,2\n"), Contains("line 4: 2 values given"));
   CHECK_THAT(fault("x,y,pressure\n1,2,3a\n"), Contains("line 2: \"3a\" is no number"));
+  CHECK_THAT(fault("x,y,pressure\n1,2,3" + std::string(1, 0) + "7\n"), Contains("line 2") && Contains("is no number"));
+  CHECK_THAT(fault("x,y,pressure\n" + std::string(1, 0) + ",2,3\n"), Contains("line 2") && Contains("is no number"));
+  CHECK_THAT(fault("x,y,pressure\n0,-1,0\n1,4.4e23,1\n0,0.1,1.5\n"), Contains("at one place"));
+  CHECK_THAT(fault("x,y,pressure\n1,2e100,3\n"), Contains("line 2: a place beyond 1e+100"));
   CHECK_THAT(fault("x,y,pressure\n1,2,nan\n"), Contains("line 2: nan is not finite"));
   CHECK_THAT(fault("x,y,pressure\n1,2,3\n2,2,3\n1,2,4\n"), Contains("line 4: the place (1, 2) is given in line 2"));
   CHECK_THAT(fault("x,y,pressure\n1,2,3\n2,2,3\n"), Contains("2 places given"));
