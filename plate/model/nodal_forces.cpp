@@ -53,14 +53,15 @@ void add_edge_load(const Load& load, const geometry::Tessellation& cells, Forces
 
 }  // namespace
 
-Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas) {
+Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
+                    const std::vector<char>& own) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
   if (load.moves()) return forces;
   switch (load.kind) {
     case Load::Kind::pressure:
       for (std::size_t k = 0; load.uniform() && k < areas.size(); ++k)
         forces(0, Eigen::Index(k)) = load.value * areas[k];
-      if (!load.uniform()) add_pressure(load, cells, forces);
+      if (!load.uniform()) add_pressure(load, cells, own, forces);
       break;
     case Load::Kind::line_load:
       add_line_load(load, cells, forces);

@@ -36,6 +36,7 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
 
 /// The same on points that lie on the edges: half of every piece of an edge at either end, with the couples that make a
 /// shear force do the right work on deflections of the third order. `areas` of the points [length^2].
-Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas);
+Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
+                    const std::vector<char>& own = {});
 
 }  // namespace plate

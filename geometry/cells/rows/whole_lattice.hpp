@@ -25,9 +25,6 @@ public:
   Tessellation cells() const;
   /// All cells with a corner in a box, in the order of the whole, and their points.
   CellsPart cells_at(const CellBox& box) const;
-  /// visit(numbers of corners, their places [length]) of all cells, in order, of which none is kept.
-  template <typename Visit>
-  void for_cells(const Visit& visit) const;
   /// The first point with squares all about it and its neighbours.
   std::optional<Cell> first_inside() const;
 
@@ -49,18 +46,5 @@ private:
   std::vector<std::string> names_;
   double longest_side_ = 1;
 };
-
-template <typename Visit>
-void WholeLattice::for_cells(const Visit& visit) const {
-  const auto with_places = [&](const auto& cell) {
-    std::array<Point, std::tuple_size_v<std::decay_t<decltype(cell)>>> at;
-    for (std::size_t c = 0; c < at.size(); ++c) at[c] = units_.from_lattice(place(cell[c]));
-    visit(cell, at);
-  };
-  for (long j = 0; j < squares_.rows(); ++j)
-    for (const auto& run : squares_.row(j))
-      for (long i = run.from; i < run.to; ++i) with_places(square(i, j));
-  for (const auto& triangle : triangles_) with_places(triangle);
-}
 
 }  // namespace geometry

@@ -113,10 +113,13 @@ private:
     layout_.emplace(
         Layout{problem_, std::move(paths), tips, std::move(boundary), restricted(cut_share(cells, areas), part), {}});
     masses_ = restricted(stiffener_masses(problem_, cells), part);
+    std::vector<char> own;
+    for (const int owner : seen.owners) own.push_back(owner == all.rank());
     for (const auto& load : problem_.loads) {
-      auto& acting = acting_.emplace_back(restricted(seen_forces(load, whole, seen, areas), part), nullptr);
+      auto& acting = acting_.emplace_back(restricted(nodal_forces(load, cells, areas, own), part), nullptr);
       if (load.moves())
-        acting.moving = std::make_shared<MovingForces>(restricted(moving_forces(load, cells, areas.size()), *part_));
+        acting.moving =
+            std::make_shared<MovingForces>(restricted(moving_forces(load, cells, areas.size(), own), *part_));
     }
     cells_ = std::move(part_->part.cells);
   }

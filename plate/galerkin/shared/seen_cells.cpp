@@ -7,8 +7,6 @@
 
 #include "geometry/cells/rows/shared_lattice.hpp"
 #include "plate/galerkin/shared/part_of_cells.hpp"
-#include "plate/model/loading/spread.hpp"
-#include "plate/model/nodal_forces.hpp"
 #include "plate/model/refused.hpp"
 
 namespace plate {
@@ -113,15 +111,6 @@ SeenCells seen_cells(const Ranks& all, const Problem& problem, WholeCells& whole
                      const std::vector<geometry::Tip>& tips, const std::optional<CellBox>& besides) {
   if (auto* cells = std::get_if<Tessellation>(&whole)) return all_cells(all, std::move(*cells));
   return cells_about(all, problem, std::get<WholeLattice>(whole), tips, besides);
-}
-
-Forces seen_forces(const Load& load, const WholeCells& whole, const SeenCells& seen, const std::vector<double>& areas) {
-  const auto* lattice = std::get_if<WholeLattice>(&whole);
-  if (!lattice || load.kind != Load::Kind::pressure || !load.evaluated() || load.moves())
-    return nodal_forces(load, seen.cells, areas);
-  Forces result = Forces::Zero(3, Eigen::Index(areas.size()));
-  add_pressure(load, *lattice, seen.number, result);
-  return result;
 }
 
 Tessellation about_first_inside(const WholeCells& whole) {

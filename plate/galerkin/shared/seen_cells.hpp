@@ -36,10 +36,6 @@ void require_parts(const WholeCells& whole, int processes);
 SeenCells seen_cells(const Ranks& all, const Problem& problem, WholeCells& whole,
                      const std::vector<geometry::Tip>& tips, const std::optional<geometry::CellBox>& besides = {});
 
-/// Of the points that are seen; nodal_forces(). A pressure that has to be evaluated is integrated over cell after cell
-/// of the whole, as each integral goes by the largest pressure before it.
-Forces seen_forces(const Load& load, const WholeCells& whole, const SeenCells& seen, const std::vector<double>& areas);
-
 /// The first point with squares all about it and its neighbours, with the cells that tell its weights; empty where
 /// there is none.
 geometry::Tessellation about_first_inside(const WholeCells& whole);

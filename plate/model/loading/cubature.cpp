@@ -51,11 +51,14 @@ Integral Cubature::refined(const Triangle& triangle, const Integral& coarse, con
 Integral Cubature::operator()(const std::vector<Point>& ring, const Point& about) {
   Point middle(0, 0);
   for (const Point& x : ring) middle += x / double(ring.size());
-  Integral result;
+  largest_ = 0;
+  std::vector<std::pair<Triangle, Integral>> parts;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Triangle triangle{middle, ring[i], ring[(i + 1) % ring.size()]};
-    result += refined(triangle, rule(triangle, about), about, 0);
+    parts.emplace_back(triangle, rule(triangle, about));
   }
+  Integral result;
+  for (const auto& [triangle, coarse] : parts) result += refined(triangle, coarse, about, 0);
   return result;
 }
 

@@ -15,9 +15,9 @@ struct Integral {
   Integral& operator+=(const Integral& other);
 };
 
-/// Integrates over one polygon after the other. Triangles are parted into four until that changes an integral by less
-/// than 1e-4 of what the largest |f| so far would give there, at most five times more than once: a jump of f is placed
-/// within a hundredth of a triangle, and what is narrower than a tenth of it may be missed.
+/// Integrates over polygons, each as if it stood alone. Triangles are parted into four until that changes an integral
+/// by less than 1e-4 of what the largest |f| of the polygon so far would give there, at most five times more than once:
+/// a jump of f is placed within a hundredth of a triangle, and what is narrower than a tenth of it may be missed.
 class Cubature {
 public:
   using Function = std::function<double(const geometry::Point&)>;
@@ -32,7 +32,7 @@ private:
   Integral refined(const Triangle& triangle, const Integral& coarse, const geometry::Point& about, int depth);
 
   Function f_;
-  double largest_ = 0;
+  double largest_ = 0;  // |f|, of the polygon in hand
 };
 
 }  // namespace plate

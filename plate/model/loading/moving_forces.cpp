@@ -105,10 +105,11 @@ MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const
   return result;
 }
 
-MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points) {
+MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points,
+                           const std::vector<char>& own) {
   return stations(
       load, cells.positions, points, cells.units.spacing, [&](const Point& x) { return cells.sees(x); },
-      [&](const Load& now, Forces& forces) { add_pressure(now, cells, forces); });
+      [&](const Load& now, Forces& forces) { add_pressure(now, cells, own, forces); });
 }
 
 }  // namespace plate

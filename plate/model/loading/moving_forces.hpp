@@ -42,6 +42,7 @@ private:
 
 /// Of a load with a path and a speed, from time 0 on. `own`: points that no other process has, empty: all.
 MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own = {});
-MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points);
+MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points,
+                           const std::vector<char>& own = {});
 
 }  // namespace plate

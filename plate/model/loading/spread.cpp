@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "geometry/cells/rows/whole_lattice.hpp"
+#include "geometry/cells/tessellation.hpp"
 #include "geometry/shape/patch.hpp"
 #include "plate/model/loading/cubature.hpp"
 #include "plate/model/ranks/exact_sum.hpp"
@@ -113,17 +113,18 @@ private:
   Integral all_;
 };
 
-/// add(corner, force) for the corners of a cell.
-template <std::size_t N, typename Add>
-void add_cell(Thrust& thrust, const std::array<Point, N>& places, const Add& add) {
-  const Ring ring(places.begin(), places.end());
+template <std::size_t N>
+void add_cell(Thrust& thrust, const std::array<std::uint32_t, N>& cell, const std::vector<Point>& positions,
+              bool counts, Forces& forces) {
+  Ring ring;
   Point middle(0, 0);
-  for (const Point& x : ring) middle += x / double(N);
+  for (const auto k : cell) ring.push_back(positions[k]), middle += positions[k] / double(N);
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const Point& x : ring) spread += (x - middle) * (x - middle).transpose();
-  const auto found = thrust(ring, middle);
+  const auto found = thrust(ring, middle, counts);
   const Point slope = spread.inverse() * found.first;
-  for (std::size_t i = 0; i < N; ++i) add(i, found.value / double(N) + slope.dot(ring[i] - middle));
+  for (std::size_t i = 0; i < N; ++i)
+    forces(0, Eigen::Index(cell[i])) += found.value / double(N) + slope.dot(ring[i] - middle);
 }
 
 }  // namespace
@@ -145,27 +146,13 @@ void add_pressure(const Load& load, const geometry::Cloud& cloud, const std::vec
   thrust.require_known();
 }
 
-void add_pressure(const Load& load, const geometry::Tessellation& cells, Forces& forces) {
+void add_pressure(const Load& load, const geometry::Tessellation& cells, const std::vector<char>& own, Forces& forces) {
   Thrust thrust(load);
   const auto add = [&](const auto& cell) {
-    std::array<Point, std::tuple_size_v<std::decay_t<decltype(cell)>>> places;
-    for (std::size_t i = 0; i < places.size(); ++i) places[i] = cells.positions[cell[i]];
-    add_cell(thrust, places, [&](std::size_t i, double force) { forces(0, Eigen::Index(cell[i])) += force; });
+    add_cell(thrust, cell, cells.positions, own.empty() || own[cell[0]], forces);
   };
   for (const auto& square : cells.squares) add(square);
   for (const auto& triangle : cells.triangles) add(triangle);
-  thrust.require_known();
-}
-
-void add_pressure(const Load& load, const geometry::WholeLattice& cells, const std::vector<std::uint32_t>& number,
-                  Forces& forces) {
-  Thrust thrust(load);
-  cells.for_cells([&](const auto& cell, const auto& places) {
-    add_cell(thrust, places, [&](std::size_t i, double force) {
-      const auto found = std::ranges::lower_bound(number, cell[i]);
-      if (found != number.end() && *found == cell[i]) forces(0, found - number.begin()) += force;
-    });
-  });
   thrust.require_known();
 }
 

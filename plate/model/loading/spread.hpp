@@ -5,7 +5,6 @@
 namespace geometry {
 struct Cloud;
 struct Tessellation;
-class WholeLattice;
 }  // namespace geometry
 
 namespace plate {
@@ -22,10 +21,7 @@ Eigen::Vector3d moved_force(double force, const geometry::Point& lever);
 void add_pressure(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own, Forces& forces);
 
 /// The same to the corners of cells, by the linear function that corners carry.
-void add_pressure(const Load& load, const geometry::Tessellation& cells, Forces& forces);
-/// The same of all cells of a lattice, one after the other, on some of its points, by ascending numbers.
-void add_pressure(const Load& load, const geometry::WholeLattice& cells, const std::vector<std::uint32_t>& number,
-                  Forces& forces);
+void add_pressure(const Load& load, const geometry::Tessellation& cells, const std::vector<char>& own, Forces& forces);
 
 /// A short piece of a line, and the point nearest to its middle.
 struct LinePiece {

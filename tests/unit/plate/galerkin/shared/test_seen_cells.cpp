@@ -95,10 +95,12 @@ Told told_of(const Ranks& all, const Problem& problem, const std::vector<geometr
   add_boundary(restricted(boundary, part, problem.loads.size()), problem.loads.size(), told);
   told.add("cut", restricted(cut_share(cells, areas), part.part));
   told.add("masses", restricted(stiffener_masses(problem, cells), part.part));
+  std::vector<char> own;
+  for (const int owner : seen.owners) own.push_back(owner == all.rank());
   for (const auto& load : problem.loads) {
-    told.add_matrix("forces", restricted(seen_forces(load, whole, seen, areas), part.part));
+    told.add_matrix("forces", restricted(nodal_forces(load, cells, areas, own), part.part));
     if (!load.moves()) continue;
-    for (const auto& [time, forces] : restricted(moving_forces(load, cells, areas.size()), part).stations)
+    for (const auto& [time, forces] : restricted(moving_forces(load, cells, areas.size(), own), part).stations)
       for (const auto& [dof, force] : forces) told.add("station", std::array{time, double(dof), force});
   }
   return told;
