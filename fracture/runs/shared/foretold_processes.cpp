@@ -112,7 +112,8 @@ RunByOne run_by_one(const ForetoldRun& run, const RunPlan& plan) {
 }
 
 double bytes_of_process(const ForetoldProcesses& processes, const RunByOne& run) {
-  constexpr double libraries = 43e6;  // of Open MPI and PETSc: measured, where a plate has few points
+  // of Open MPI and PETSc, and of what solves coarse plates: measured, where a plate has few points
+  const double libraries = run.moves ? 43e6 : 69e6;
   const double others = processes.all_made ? bytes_while_cells_are_made * (run.points - processes.seen) : 0;
   return libraries + run.program + run.bytes * processes.seen / run.points + others;
 }
