@@ -1,6 +1,7 @@
 #include "tests/unit/plate/bonds/parts.hpp"
 
 #include <catch2/catch.hpp>
+#include <stdexcept>
 
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
@@ -114,7 +115,7 @@ Rest at_rest(const Problem& given, StaticMethod method, Preconditioning wanted) 
   const auto plate = discretise(problem).plate;
   const auto part = part_of_lattice(problem.outline, problem.discretization);
   const auto found = solve_static(*plate, plate->total_load(), method, wanted, {1e-7, 20000, {}}).solution;
-  CHECK(found.converged);
+  if (!found.converged) throw std::runtime_error("the plate has no equilibrium");  // in any of several threads
   Rest rest{found.iterations, plate->strain_energy(found.state), {}, {}};
   for (const auto& piece : plate->pieces())
     rest.pieces.push_back({double(piece.points), double(piece.free_modes), piece.position.x()});
