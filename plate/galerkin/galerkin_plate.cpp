@@ -211,13 +211,7 @@ Discretised discretised(const Problem& problem) {
   Discretised result;
   auto& stopwatch = result.stopwatch;
   auto paths = crack_paths(problem);
-  auto cells = [&] {
-    try {
-      return whole_cells_of(problem, paths, 1);
-    } catch (const std::invalid_argument& error) {
-      throw Refused({{Subject::geometry, 0, fmt::format("{}; refine", error.what())}});
-    }
-  }();
+  auto cells = required_cells(problem, paths, ranks() != nullptr);
   stopwatch.lap("geometry");
   result.plate = std::make_unique<GalerkinPlate>(laid_out(problem, std::move(paths), std::move(cells), stopwatch));
   stopwatch.lap("parameters");

@@ -28,6 +28,7 @@ ForetoldProcesses foretold_processes(const plate::Problem& problem, int count);
 /// A run by one process, as it is foretold.
 struct RunByOne {
   double points = 0, program = 0, bytes = 0;            // memory at its peak: of the program, and of the plate
+  double factor = 0;                                    // of that a factor of the whole plate
   std::vector<std::pair<std::string, double>> seconds;  // of its stages
   bool moves = false;
   // of a step or an iteration: to each neighbour, and for each point whose values come to it

@@ -1,32 +1,20 @@
 #include "plate/galerkin/shared/foretold_parts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/cells/rows/shared_lattice.hpp"
-#include "plate/formulation/supports/inside.hpp"
+#include "geometry/lattice/boxes.hpp"
 #include "plate/galerkin/shared/laid_out.hpp"
 #include "plate/galerkin/shared/part_of_cells.hpp"
 #include "plate/galerkin/shared/seen_cells.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/model/refused.hpp"
 
 namespace plate {
 namespace {
 
 using geometry::CellBox;
 using geometry::Point;
-
-CellBox common(const CellBox& a, const CellBox& b) {
-  return {{std::max(a.low[0], b.low[0]), std::max(a.low[1], b.low[1])},
-          {std::min(a.high[0], b.high[0]), std::min(a.high[1], b.high[1])}};
-}
-
-bool is_empty(const CellBox& box) {
-  return box.side(0) <= 0 || box.side(1) <= 0;
-}
 
 /// A plate and its shares, where points are counted by boxes of cells.
 struct Shares {
@@ -37,19 +25,13 @@ struct Shares {
   bool whole = false;
 };
 
-CellBox box_between(const geometry::LatticeUnits& units, const Point& low, const Point& high) {
-  CellBox result{geometry::cell_of(units.to_lattice(low)), geometry::cell_of(units.to_lattice(high))};
-  for (long& side : result.high) ++side;
-  return result;
-}
-
 Shares shares_of(const geometry::WholeLattice& lattice, int processes) {
   const geometry::SharedLattice shared(lattice, processes);
   Shares result{lattice.units(), {}, {}, {}, false};
   for (int one = 0; one < processes; ++one) {
     const auto& part = shared.part(one);
     result.points.push_back(double(part.points));
-    result.boxes.push_back(box_between(lattice.units(), part.low, part.high));
+    result.boxes.push_back(geometry::box_between(lattice.units(), part.low, part.high));
   }
   result.count = [&lattice](const CellBox& box) {
     double found = 0;
@@ -72,7 +54,7 @@ Shares shares_of(const geometry::Tessellation& cells, int processes) {
     low[one] = low[one].cwiseMin(cells.positions[k]), high[one] = high[one].cwiseMax(cells.positions[k]);
   }
   for (std::size_t one = 0; one < low.size(); ++one)
-    result.boxes.push_back(box_between(cells.units, low[one], high[one]));
+    result.boxes.push_back(geometry::box_between(cells.units, low[one], high[one]));
   result.count = [&cells](const CellBox& box) {
     return double(std::ranges::count_if(
         cells.positions, [&](const Point& x) { return box.contains(geometry::cell_of(cells.units.to_lattice(x))); }));
@@ -101,14 +83,7 @@ std::vector<ForetoldPart> foretold_parts(const Problem& problem, int processes) 
   const auto paths = crack_paths(problem);
   const auto& d = problem.discretization;
   const bool graded = d.tip_spacing || d.hole_spacing;
-  const WholeCells whole = [&]() -> WholeCells {
-    try {
-      if (graded) return cells_of(problem, paths, 1);
-      return geometry::WholeLattice(problem.outline, paths, d.spacing, own_places(problem, paths, d.spacing));
-    } catch (const std::invalid_argument& error) {
-      throw Refused({{Subject::geometry, 0, fmt::format("{}; refine", error.what())}});
-    }
-  }();
+  const auto whole = required_cells(problem, paths, true);
   require_parts(whole, processes);
   const auto shares = std::visit([&](const auto& cells) { return shares_of(cells, processes); }, whole);
   std::vector<ForetoldPart> result;
@@ -121,7 +96,7 @@ std::vector<ForetoldPart> foretold_parts(const Problem& problem, int processes) 
       const double reach = reach_about_tip(problem, tip) + (graded ? 0 : rings * d.spacing);
       part.seen += beyond(shares, tip.position, reach, box);
       const Point corner = Point::Constant(reach);
-      looked_at.push_back(box_between(shares.units, tip.position - corner, tip.position + corner));
+      looked_at.push_back(geometry::box_between(shares.units, tip.position - corner, tip.position + corner));
     }
     for (std::size_t other = 0; other < shares.boxes.size(); ++other)
       part.neighbours += other != one && std::ranges::any_of(looked_at, [&](const CellBox& cells) {

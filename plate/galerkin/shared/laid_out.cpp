@@ -28,11 +28,29 @@ Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& 
                                 {times(d.tip_spacing), times(d.hole_spacing), d.spacing_growth});
 }
 
-WholeCells whole_cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
+namespace {
+
+WholeCells whole_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor, bool shared) {
   const auto& d = c.discretization;
-  if (!ranks() || d.tip_spacing || d.hole_spacing) return cells_of(c, paths, factor);
+  if (!shared || d.tip_spacing || d.hole_spacing) return cells_of(c, paths, factor);
   const double spacing = factor * d.spacing;
   return geometry::WholeLattice(c.outline, paths, spacing, own_places(c, paths, spacing));
+}
+
+}  // namespace
+
+WholeCells whole_cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
+  return whole_cells(c, paths, factor, ranks() != nullptr);
+}
+
+WholeCells required_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, bool shared) {
+  try {
+    return whole_cells(c, paths, 1, shared);
+  } catch (const std::invalid_argument& error) {
+    throw Refused({{Subject::geometry, 0, fmt::format("{}; refine", error.what())}});
+  } catch (const std::length_error& error) {
+    throw Refused({{Subject::spacing, 0, fmt::format("{:g} given makes {}", c.discretization.spacing, error.what())}});
+  }
 }
 
 std::vector<double> cut_share(const Tessellation& cells, const std::vector<double>& areas) {

@@ -12,6 +12,9 @@ geometry::Tessellation cells_of(const Problem& problem, const std::vector<geomet
 
 /// The same; where processes share them and they are on a lattice, what tells them.
 WholeCells whole_cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
+/// Those of the plate. `shared`: whether processes share them, or are to.
+/// @throws Refused  cracks and edges are too close to each other, or the points too many to be numbered
+WholeCells required_cells(const Problem& problem, const std::vector<geometry::CrackPath>& paths, bool shared);
 
 /// The share of what lies about a place that other points there stand for: both faces of a crack, parted from each
 /// other.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/cells/rows/shared_lattice.hpp"
+#include "geometry/lattice/boxes.hpp"
 #include "plate/galerkin/shared/part_of_cells.hpp"
 #include "plate/model/refused.hpp"
 
@@ -41,13 +42,6 @@ geometry::SharedLattice checked_shares(const WholeLattice& whole, int processes)
   return shares;
 }
 
-/// Of the cells of points between two corners.
-CellBox box_between(const geometry::LatticeUnits& units, const Point& low, const Point& high) {
-  CellBox box{geometry::cell_of(units.to_lattice(low)), geometry::cell_of(units.to_lattice(high))};
-  for (long& side : box.high) ++side;
-  return box;
-}
-
 void extend(CellBox& box, const CellBox& by) {
   for (const std::size_t axis : {0, 1})
     box.low[axis] = std::min(box.low[axis], by.low[axis]), box.high[axis] = std::max(box.high[axis], by.high[axis]);
@@ -60,7 +54,7 @@ SeenCells all_cells(const Ranks& all, Tessellation whole) {
   for (std::size_t k = 0; k < result.owners.size(); ++k)
     if (result.owners[k] == all.rank())
       low = low.cwiseMin(whole.positions[k]), high = high.cwiseMax(whole.positions[k]);
-  result.own = box_between(whole.units, low, high);
+  result.own = geometry::box_between(whole.units, low, high);
   result.cells = std::move(whole);
   return result;
 }
@@ -75,13 +69,13 @@ SeenCells cells_about(const Ranks& all, const Problem& problem, const WholeLatti
   const auto& units = whole.units();
   const auto& part = shares.part(all.rank());
   SeenCells result;
-  result.own = box_between(units, part.low, part.high);
+  result.own = geometry::box_between(units, part.low, part.high);
   auto inner = result.own.grown(seen);
   if (besides) extend(inner, *besides);
   for (const auto& tip : tips) {
     if (!result.own.grown(2).contains(geometry::cell_of(units.to_lattice(tip.position)))) continue;
     const Point reach = Point::Constant(reach_about_tip(problem, tip));
-    extend(inner, box_between(units, tip.position - reach, tip.position + reach).grown(1));
+    extend(inner, geometry::box_between(units, tip.position - reach, tip.position + reach).grown(1));
   }
   const auto side = long(std::ceil(whole.longest_side()));
   constexpr long rings = 4;  // of cells about what is wanted; geometry::cells_about() takes three

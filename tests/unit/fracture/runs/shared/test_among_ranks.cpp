@@ -39,6 +39,15 @@ TEST_CASE("what processes cannot run: motions are not in it, however they begin,
   CHECK(refused({"discretization.formulation=galerkin"}).empty());
 }
 
+TEST_CASE("what processes cannot run: a factor of a million points and more, vectors of Lanczos") {
+  using Keys = std::vector<std::string>;
+  CHECK(refused({"analysis.method=direct"}).empty());
+  CHECK(refused({"analysis.method=direct", "discretization.spacing=0.0005"}) == Keys{"analysis.method"});
+  CHECK(refused({"discretization.spacing=0.0005"}).empty());
+  CHECK(refused({"discretization.formulation=galerkin", "analysis={kind=\"dynamic\",duration=1,method=\"lanczos\"}"}) ==
+        Keys{"analysis.method"});
+}
+
 TEST_CASE("the share of the soil that touches is the same for any number of processes") {
   const auto file = read(plain, {"discretization.formulation=ordinary", "discretization.spacing=0.02",
                                  "foundation=[{modulus=1,lifts_off=true},{modulus=2,on={circle=[0.1,0.2,0.4]}}]"});

@@ -96,14 +96,22 @@ TEST_CASE(
 }
 
 TEST_CASE("processes foretold: more than there are blocks are refused as by the run") {
-  CHECK_THROWS_AS(foretold_processes(problem_of(geometry::rectangle(0, 0, 3, 0.7)), 100), plate::Refused);
+  auto problem = problem_of(geometry::rectangle(0, 0, 3, 0.7));
+  CHECK_THROWS_AS(foretold_processes(problem, 100), plate::Refused);
+  problem.discretization.formulation = &plate::galerkin;
+  CHECK_THROWS_AS(foretold_processes(problem, 5000), plate::Refused);
+  problem.discretization.spacing = 1e-5;  // 2e10 points, which have no numbers
+  CHECK_THROWS_AS(foretold_processes(problem, 4), plate::Refused);
 }
 
 TEST_CASE("processes foretold: memory and time follow what each has") {
-  const RunByOne run{1000, 14e6, 2e9, {{"setting up", 10}, {"solution", 100}, {"files", 1}}, true, 2, 4};
+  const RunByOne run{1000, 14e6, 2e9, 0, {{"setting up", 10}, {"solution", 100}, {"files", 1}}, true, 2, 4};
   const ForetoldProcesses half{2, 500, 500, 600, 30, 1, false};
   CHECK(bytes_of_process(half, run) > 1.2e9);
   CHECK(bytes_of_process(half, run) < 1.3e9);
+  auto factorised = run;
+  factorised.factor = 1e9;  // which grows by MUMPS and is shared by points, not by what is seen
+  CHECK(bytes_of_process(half, factorised) - bytes_of_process(half, run) == Approx(1.6e9 / 2 - 0.6e9));
   CHECK(seconds_of_processes(half, run) == Approx(6 + 50 + 0.5));
   const auto text = to_text(half, run);
   CHECK(text.find("2, of 500 to 500 points, which see up to 600") != std::string::npos);
