@@ -253,7 +253,7 @@ Discretised discretised(const Problem& problem) {
   auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
   Forces load = Forces::Zero(3, Eigen::Index(boundary.cloud.size()));
   for (const auto& one : problem.loads) {
-    layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline, boundary.own), one.history,
+    layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline, boundary.own, paths), one.history,
                             free_curvature(one, problem.section, boundary.cloud.positions, boundary.cloud.plate_points),
                             lift_of(one, layout.loads.size(), boundary)});
     if (auto& last = layout.loads.back(); last.curvature.size() > 0)

@@ -88,7 +88,7 @@ Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const
 }
 
 Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline,
-                    const std::vector<char>& own) {
+                    const std::vector<char>& own, const std::vector<geometry::CrackPath>& cracks) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(cloud.size()));
   if (load.moves()) return forces;
   switch (load.kind) {
@@ -98,7 +98,7 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
       if (!load.uniform()) add_pressure(load, cloud, own, forces);
       break;
     case Load::Kind::line_load:
-      add_line_load(load, cloud, forces);
+      add_line_load(load, cloud, cracks, forces);
       break;
     case Load::Kind::point_force: {
       if (!cloud.seeded(load.position)) break;

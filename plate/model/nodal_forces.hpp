@@ -29,10 +29,10 @@ struct TimedLoad {
 /// Generalised nodal forces (3 x points: work-conjugate to w, theta_x, theta_y) of one load at factor 1.
 /// A temperature, whose forces are of the formulation, gives none, nor do loads that move (moving_forces()).
 /// Edge loads act on the edge line: what a point takes over is moved to it with the couple of its lever.
-/// `outline` is in the cloud's own units; `own`: points that no other process has, empty: all. Throws
-/// std::invalid_argument for an edge without points beside it.
+/// `outline` is in the cloud's own units; `own`: points that no other process has, empty: all; `cracks`: a line load
+/// stays on its side of them. Throws std::invalid_argument for an edge without points beside it.
 Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline,
-                    const std::vector<char>& own = {});
+                    const std::vector<char>& own = {}, const std::vector<geometry::CrackPath>& cracks = {});
 
 /// The same on points that lie on the edges: half of every piece of an edge at either end, with the couples that make a
 /// shear force do the right work on deflections of the third order. `areas` of the points [length^2].

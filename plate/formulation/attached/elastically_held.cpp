@@ -52,12 +52,11 @@ void add_piece(const Spring& spring, double length, const Place& at, const Point
   if (spring.rotation_tangential > 0) sum.add(length * spring.rotation_tangential, slope(at, {-n.y(), n.x()}));
 }
 
-/// `points`: a cloud, or those of cells.
-template <typename Points>
-void add_line(const Spring& spring, const Points& points, AttachmentSum& sum) {
-  for (const auto& [k, middle, way] : line_pieces(spring.along, points)) {
+void add_line(const Spring& spring, const std::vector<LinePiece>& pieces, const std::vector<Point>& positions,
+              AttachmentSum& sum) {
+  for (const auto& [k, middle, way] : pieces) {
     const Point n = Point(way.y(), -way.x()) / way.norm();
-    add_piece(spring, way.norm(), {{{std::uint32_t(k), 1}}, middle - points.positions[k]}, n, sum);
+    add_piece(spring, way.norm(), {{{std::uint32_t(k), 1}}, middle - positions[k]}, n, sum);
   }
 }
 
@@ -146,7 +145,8 @@ AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Clo
       problem, cloud.size(), [&](const Foundation& one, AttachmentSum& sum) { add_foundation(one, cloud, sum); },
       [&](const Spring& one, AttachmentSum& sum) {
         add_edges(one, problem, cloud, sum);
-        if (!one.along.empty()) add_line(one, cloud, sum);
+        if (!one.along.empty())
+          add_line(one, line_pieces(one.along, cloud, crack_paths(problem)), cloud.positions, sum);
         if (one.position && cloud.seeded(*one.position)) add_point(one, cloud.positions, cloud.plate_points, sum);
       },
       [](const Stiffener&, AttachmentSum&) {});  // refused before
@@ -158,7 +158,7 @@ AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Tes
       problem, points, [&](const Foundation& one, AttachmentSum& sum) { add_foundation(one, cells, sum); },
       [&](const Spring& one, AttachmentSum& sum) {
         add_edges(one, cells, sum);
-        if (!one.along.empty()) add_line(one, cells, sum);
+        if (!one.along.empty()) add_line(one, line_pieces(one.along, cells), cells.positions, sum);
         if (one.position && cells.sees(*one.position)) add_point(one, cells.positions, points, sum);
       },
       [&](const Stiffener& one, AttachmentSum& sum) { add_stiffener(one, cells, sum); });

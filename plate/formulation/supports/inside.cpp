@@ -21,7 +21,7 @@ using geometry::Point;
 void hold_line(Boundary& boundary, const geometry::Polyline& along, std::uint32_t holder, const MovedSupports& moved) {
   const auto& cloud = boundary.cloud;
   std::map<std::size_t, std::pair<Point, double>> feet;  // of every point: sum of places times lengths, of lengths
-  for (const auto& [k, middle, way] : line_pieces(along, cloud)) {
+  for (const auto& [k, middle, way] : line_pieces(along, cloud, {})) {
     auto& [sum, length] = feet.try_emplace(k, Point(0, 0), 0.0).first->second;
     sum += way.norm() * middle, length += way.norm();
   }

@@ -158,24 +158,57 @@ void add_pressure(const Load& load, const geometry::Tessellation& cells, const s
 
 namespace {
 
-/// `positions`: of `count` points of the plate and maybe of others; `seeded`: are the points about a place there?
-template <typename Seeded>
-std::vector<LinePiece> pieces_of(const geometry::Polyline& line, const Ring& positions, std::size_t count,
-                                 double spacing, const Seeded& seeded) {
+using Segment = std::pair<Point, Point>;
+
+/// The line in pieces of an eighth of a spacing at most, none of which crosses a crack.
+std::vector<Segment> pieces_beside(const std::vector<Segment>& cracks, const Point& from, const Point& to,
+                                   double spacing) {
+  std::vector<double> ends{0, 1};
+  const Point way = to - from;
+  for (const auto& [a, b] : cracks) {
+    const Point along = b - a, off = a - from;
+    const double turn = way.x() * along.y() - way.y() * along.x();
+    if (turn == 0) continue;
+    const double at = (off.x() * along.y() - off.y() * along.x()) / turn,
+                 on_crack = (off.x() * way.y() - off.y() * way.x()) / turn;
+    if (at > 0 && at < 1 && on_crack >= 0 && on_crack <= 1) ends.push_back(at);
+  }
+  std::ranges::sort(ends);
+  std::vector<Segment> result;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double share = ends[i + 1] - ends[i];
+    const int pieces = std::max(1, int(std::ceil(8 * share * way.norm() / spacing - 1e-6)));
+    for (int n = 0; share > 0 && n < pieces; ++n)
+      result.emplace_back(from + (ends[i] + share * n / pieces) * way,
+                          from + (ends[i] + share * (n + 1) / pieces) * way);
+  }
+  return result;
+}
+
+/// `positions`: of `count` points of the plate and maybe of others, those on a face of a crack moved off it; `seeded`:
+/// are the points about a place there? `parted(x, k)`: does a crack lie between a place and point k?
+template <typename Seeded, typename Parted>
+std::vector<LinePiece> pieces_of(const geometry::Polyline& line, const std::vector<Segment>& cracks,
+                                 const Ring& positions, std::size_t count, double spacing, const Seeded& seeded,
+                                 const Parted& parted) {
   std::vector<LinePiece> result;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Point &from = line[i], &to = line[i + 1];
     std::vector<std::size_t> near;
     for (std::size_t k = 0; k < count; ++k)
       if (geometry::distance(geometry::Polyline{from, to}, positions[k]) < 2 * spacing) near.push_back(k);
-    const int pieces = std::max(1, int(std::ceil(8 * (to - from).norm() / spacing - 1e-6)));
-    for (int n = 0; n < pieces; ++n) {
-      const Point middle = from + (n + 0.5) / pieces * (to - from);
+    for (const auto& [begin, end] : pieces_beside(cracks, from, to, spacing)) {
+      const Point middle = (begin + end) / 2;
       if (!seeded(middle)) continue;
-      if (near.empty()) throw std::invalid_argument("a line has no point of the plate within two spacings");
       const auto away = [&](std::size_t k) { return (positions[k] - middle).squaredNorm(); };
-      const auto k = *std::ranges::min_element(near, [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
-      result.push_back({k, middle, (to - from) / pieces});
+      const auto closer = [&](std::size_t a, std::size_t b) { return away(a) < away(b); };
+      auto next = near.begin();
+      for (; next != near.end(); ++next) {  // the nearest first, as far as it takes
+        std::iter_swap(next, std::min_element(next, near.end(), closer));
+        if (!parted(middle, *next)) break;
+      }
+      if (next == near.end()) throw std::invalid_argument("a line has no point of the plate within two spacings");
+      result.push_back({*next, middle, end - begin});
     }
   }
   return result;
@@ -188,18 +221,35 @@ void add_pieces(const Load& load, const std::vector<LinePiece>& pieces, const Ri
 
 }  // namespace
 
-std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Cloud& cloud) {
-  return pieces_of(line, cloud.positions, cloud.plate_points, cloud.units.spacing,
-                   [&](const Point& x) { return cloud.seeded(x); });
+std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Cloud& cloud,
+                                   const std::vector<geometry::CrackPath>& cracks) {
+  std::vector<Segment> segments;
+  for (const auto& crack : cracks)
+    for (std::size_t i = 0; i + 1 < crack.vertices.size(); ++i)
+      segments.emplace_back(crack.vertices[i], crack.vertices[i + 1]);
+  return pieces_of(
+      line, segments, cloud.positions, cloud.plate_points, cloud.units.spacing,
+      [&](const Point& x) { return cloud.seeded(x); },
+      [&](const Point& x, std::size_t k) {
+        return std::ranges::any_of(cracks,
+                                   [&](const auto& crack) { return geometry::severs(crack, x, cloud.positions[k]); });
+      });
 }
 
 std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Tessellation& cells) {
-  return pieces_of(line, cells.positions, cells.positions.size(), cells.units.spacing,
-                   [&](const Point& x) { return cells.sees(x); });
+  std::vector<Segment> segments;
+  for (const auto& border : cells.borders)
+    if (border.edge == geometry::Curves::crack && border.from < border.to)
+      segments.emplace_back(cells.positions[border.from], cells.positions[border.to]);
+  // points on the faces are nearer than any beyond the crack, and know their side
+  return pieces_of(
+      line, segments, geometry::seen_positions(cells), cells.positions.size(), cells.units.spacing,
+      [&](const Point& x) { return cells.sees(x); }, [](const Point&, std::size_t) { return false; });
 }
 
-void add_line_load(const Load& load, const geometry::Cloud& cloud, Forces& forces) {
-  add_pieces(load, line_pieces(load.along, cloud), cloud.positions, forces);
+void add_line_load(const Load& load, const geometry::Cloud& cloud, const std::vector<geometry::CrackPath>& cracks,
+                   Forces& forces) {
+  add_pieces(load, line_pieces(load.along, cloud, cracks), cloud.positions, forces);
 }
 
 void add_line_load(const Load& load, const geometry::Tessellation& cells, Forces& forces) {

@@ -1,4 +1,5 @@
 #pragma once
+#include "geometry/shape/crack_path.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/state.hpp"
 
@@ -29,14 +30,17 @@ struct LinePiece {
   geometry::Point middle, way;  // way: from its begin to its end [length]
 };
 
-/// A line in pieces of an eighth of a spacing, as far as it was seeded.
+/// A line in pieces of an eighth of a spacing at most, as far as it was seeded. No piece crosses a crack, and the point
+/// of a piece lies on the same side of all cracks as the piece.
 /// @throws std::invalid_argument  where a piece has no point of the plate within two spacings
-std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Cloud& cloud);
+std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Cloud& cloud,
+                                   const std::vector<geometry::CrackPath>& cracks);
 /// The same of points that lie on the edges.
 std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Tessellation& cells);
 
 /// Adds a line load by the pieces of its line.
-void add_line_load(const Load& load, const geometry::Cloud& cloud, Forces& forces);
+void add_line_load(const Load& load, const geometry::Cloud& cloud, const std::vector<geometry::CrackPath>& cracks,
+                   Forces& forces);
 void add_line_load(const Load& load, const geometry::Tessellation& cells, Forces& forces);
 
 }  // namespace plate

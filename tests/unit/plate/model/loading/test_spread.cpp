@@ -97,6 +97,39 @@ TEST_CASE("a line load has its resultant and moments") {
   CHECK_THROWS_AS(nodal_forces(load, geometry::lattice(outline, 0.1), outline), std::invalid_argument);
 }
 
+TEST_CASE("a line load across a crack gives each side what lies on it, with its moments") {
+  Load load;
+  load.kind = Load::Kind::line_load, load.value = 2;
+  const std::vector<Point> crack{{0.3, 0.41}, {1.4, 0.83}};
+  const Point along = (crack[1] - crack[0]).normalized(), left(-along.y(), along.x());
+  const auto side = [&](const Point& x) { return left.dot(x - crack[0]) > 0; };
+  const auto paths = std::vector<geometry::CrackPath>{{crack, geometry::End::tip, geometry::End::tip}};
+  for (const double turn : {0.1, 0.9, 1.7, 2.6}) {
+    const Point cross = crack[0] + 0.613 * (crack[1] - crack[0]), way(std::cos(turn), std::sin(turn));
+    load.along = {cross - 0.17 * way, cross + 0.23 * way};
+    const auto check_sides = [&](const Forces& forces, const std::vector<Point>& seen, const std::vector<Point>& at) {
+      for (const bool above : {true, false}) {
+        Forces own = forces;
+        for (Eigen::Index k = 0; k < own.cols(); ++k)
+          if (side(seen[std::size_t(k)]) != above) own.col(k).setZero();
+        const bool ahead = side(load.along[1]) == above;
+        const double length = ahead ? 0.23 : 0.17;
+        const Point middle = cross + (ahead ? 0.5 : -0.5) * length * way;
+        const Eigen::Vector3d expected = load.value * length * Eigen::Vector3d(1, middle.x(), middle.y());
+        CAPTURE(turn, above);
+        CHECK((resultant(own, at) - expected).norm() < 1e-12);  // measured: 2e-15
+      }
+    };
+    const auto cloud = geometry::lattice(outline, 0.1);
+    check_sides(nodal_forces(load, cloud, outline, {}, paths), cloud.positions, cloud.positions);
+    for (const geometry::Grading& grading : {geometry::Grading{}, geometry::Grading{0.03, std::nullopt, 0.2}}) {
+      const auto cells = geometry::tessellation(outline, paths, 0.1, {}, grading);
+      const std::vector<double> areas(cells.positions.size());
+      check_sides(nodal_forces(load, cells, areas), geometry::seen_positions(cells), cells.positions);
+    }
+  }
+}
+
 TEST_CASE("spread: expressions do what pressures by values do, on parts too, and their own curves on the whole") {
   Load value, formula;
   value.value = 2, value.gradient = {-1, 3}, value.from = {0.1, 0.2};
