@@ -1,13 +1,25 @@
 #include "plate/galerkin/law.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plate {
 
 using geometry::Point;
 
+namespace {
+
+/// Stiffness against equal curvatures over that against opposite ones, at most 1: (1 + nu) / (1 - nu) where nu < 0.
+/// There the residuals of bonds, which are mostly of the second kind, would hide a field that is mostly of the first.
+double softness(const Eigen::Matrix3d& bending) {
+  const double sum = bending(0, 0) + bending(1, 1), mixed = 2 * bending(0, 1);
+  return std::min(1.0, (sum + mixed) / (sum - mixed));
+}
+
+}  // namespace
+
 GalerkinStiffness::GalerkinStiffness(const LocalSection& section, double spacing_square, const GalerkinWeights& weights)
-    : bending(section.bending), bending_residual(weights.bending_residual) {
+    : bending(section.bending), bending_residual(softness(section.bending) * weights.bending_residual) {
   const double square = section.thickness * section.thickness;
   shear = square / (square + weights.shear_scaling * spacing_square) * section.shear;
   shear_residual =
