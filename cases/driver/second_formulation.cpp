@@ -1,5 +1,6 @@
 #include "cases/driver/second_formulation.hpp"
 
+#include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "plate/formulations.hpp"
 
@@ -22,6 +23,7 @@ CaseFile in_other_formulation(const CaseFile& file) {
   Reading reading("");
   reading.found().places = file.source.places;
   reading.kind = c.analysis.kind;
+  settle_grading(c, reading);
   check_case(c, reading);
   auto problems = reading.problems();
   for (auto& problem : problems) problem.what = "srif.second_formulation: " + problem.what;

@@ -56,6 +56,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
                                                     plate::key_of_load(content, *without)));
   snap_cracks(content, reading);
   settle_formulation(states_formulation(root), content, reading);
+  settle_grading(content, reading);
   settle_method(content, reading);
   check_case(content, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "plate/formulations.hpp"
+#include "post/factors/plate_factors.hpp"
 
 namespace cases {
 namespace {
@@ -121,6 +122,16 @@ void settle_formulation(bool stated, Case& content, Reading& reading) {
       reading.complain(
           key, fmt::format("is used with formulation = {} only, and bonds are asked for by {}: remove it or that",
                            known.front()->name, fmt::join(words, ", ")));
+}
+
+void settle_grading(Case& content, const Reading& reading) {
+  auto& d = content.discretization;
+  const bool asked =
+      d.refine_tips && content.srif && !content.growth && content.analysis.kind == Analysis::Kind::static_;
+  if (!asked || d.tip_spacing || reading.finds_spacing || !d.formulation->offers(Feature::graded_points)) return;
+  if (!reading.problems().empty()) return;  // lengths may be missing
+  d.tip_spacing = post::tip_spacing_for(content);
+  if (d.tip_spacing && !reading.given("discretization.spacing_growth")) d.spacing_growth = 0.1;
 }
 
 void settle_method(Case& content, const Reading& reading) {

@@ -57,6 +57,7 @@ struct TipTrust {
   double layer;             // of the largest factor, in K3, where `width` is as wide as the layer beside the faces
   double width;             // [length]
   double doubt;          // beyond this the difference between those energies counts in full, and as a turn of K1 and K2
+  double lost;           // K3 is not resolved where its error is above this share of the largest factor
   bool domain_integral;  // is always the better of the two integrals
 };
 

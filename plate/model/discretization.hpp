@@ -53,6 +53,7 @@ struct Discretization {
 
   const FormulationKind* formulation = nullptr;     // which one discretises
   std::optional<double> tip_spacing, hole_spacing;  // of graded points [length]
+  bool refine_tips = true;                          // graded points where factors need them, without being asked
   double spacing_growth = 0.2;                      // of the spacing of graded points, per distance from tips and holes
 
   double horizon() const { return horizon_ratio * spacing; }

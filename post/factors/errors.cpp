@@ -14,11 +14,12 @@ Eigen::Vector3d vector_of(const Factors& K) {
   return {K.K1, K.K2, K.K3};
 }
 
-/// Of sqrt(G): from another integral, or from the next ring where there is no other.
+/// Of sqrt(G): from another integral, or from the next ring where there is no other. An integral that is not positive
+/// contradicts: it counts as one that finds nothing.
 std::optional<double> difference_of_energies(const Srif& srif, const std::vector<Srif>& found) {
   std::optional<double> result;
   const auto compare = [&](double G) {
-    if (G > 0) result = std::max(result.value_or(0), std::abs(1 - std::sqrt(G / *srif.G)));
+    result = std::max(result.value_or(0), std::abs(1 - std::sqrt(std::max(G, 0.0) / *srif.G)));
   };
   for (const auto& other : found)
     if (other.G && other.method != srif.method) compare(*other.G);
@@ -45,11 +46,11 @@ public:
     Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least * largest).cwiseQuotient(scale_);
     result[2] += layer() * largest / at_.section.thickness;
     if (fits_.empty()) {
-      // the split is that of the first samples of the opening: nothing vouches for it
-      const Eigen::Vector3d energy = at_.unit_release().cwiseProduct(K.cwiseAbs2());
-      const double other_modes = energy.sum() > 0 ? 1 - energy[0] / energy.sum() : 0;
-      return result +
-             Eigen::Vector3d((2 * energies + other_modes / 2) * std::abs(K[0]), largest, largest).cwiseQuotient(scale_);
+      // the split is that of the first samples of the opening, and nothing vouches for it: K1 may be anything up to
+      // what the whole energy gives, and as much less
+      const double whole = std::sqrt(*srif.G / at_.unit_release()[0]);
+      const double missing = std::max(0.0, whole - std::abs(K[0]));
+      return result + Eigen::Vector3d(2 * energies * whole + 2 * missing, largest, largest).cwiseQuotient(scale_);
     }
     // a fit that is far from the energy tells neither the size nor the mode mix
     const double apart = disagreement(*srif.G), far = std::max(0.0, apart - shares_.doubt),
@@ -77,7 +78,12 @@ public:
   }
 
 private:
-  double layer() const { return shares_.layer * std::pow(std::min(shares_.width, 1.5), 3); }
+  /// Of the largest factor, in K3: what points at the tip and on the faces do not resolve of the layer beside these.
+  double layer() const {
+    constexpr double of_faces = 0.0018, widest = 4;
+    const double faces = shares_.faces > 0 ? of_faces * (1 + std::min(shares_.faces, widest)) : 0;
+    return shares_.layer * std::pow(std::min(shares_.width, 1.5), 3) + faces;
+  }
 
   /// Largest difference between the first fit and the others, of each factor; where there is no other, a share of the
   /// largest.
@@ -121,6 +127,7 @@ void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits,
   const Estimate estimate(fits, at, shares);
   const double h = at.section.thickness;
   const Srif* best = nullptr;
+  for (auto& srif : found) srif.lost_shear = shares.lost;
   for (auto& srif : found) {
     if (!srif.G) continue;
     if (*srif.G <= 0) {
@@ -175,7 +182,8 @@ void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& 
     const bool none = srif.G && *srif.G <= 0;
     const double scale = !none ? largest[srif.tip] : srif.tip < before.size() ? before[srif.tip] : 0;
     for (std::size_t i = 0; i < 3; ++i)
-      srif.resolved[i] = srif.errors[i].value_or(0) * (i == 2 ? thickness : 1) <= lost * scale;
+      srif.resolved[i] =
+          srif.errors[i].value_or(0) * (i == 2 ? thickness : 1) <= (i == 2 ? srif.lost_shear : lost) * scale;
   }
 }
 

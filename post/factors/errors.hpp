@@ -16,6 +16,8 @@ struct ErrorShares {
                  // the faces
   double width;  // of that spacing [layers]
   double doubt;  // beyond this the difference between those energies counts in full, and as a turn of K1 and K2
+  double faces = 0;   // spacing on the faces away from the tip [layers]
+  double lost = 0.1;  // of the largest factor: an error of K3 above this leaves nothing of it
   double mixing = 0;  // of the largest factor, in K3, where the mix comes from interaction integrals
 };
 

@@ -42,29 +42,48 @@ double distance_to(const geometry::Hole& part, const geometry::Point& x) {
 
 }  // namespace
 
+double undisturbed_distance(const plate::Problem& c, const geometry::Tip& tip) {
+  double result = INFINITY;
+  const auto take = [&](const geometry::Point& x) { result = std::min(result, (x - tip.position).norm()); };
+  const auto take_line = [&](const geometry::Polyline& along) {
+    if (!along.empty()) result = std::min(result, geometry::distance(along, tip.position));
+  };
+  for (const auto& load : c.loads) {
+    if (load.kind == plate::Load::Kind::point_force && !load.moves()) take(load.position);
+    take_line(load.along);
+  }
+  for (const auto& spring : c.springs) {
+    if (spring.position) take(*spring.position);
+    take_line(spring.along);
+  }
+  for (const auto& stiffener : c.stiffeners) take_line(stiffener.along);
+  if (c.impact) take(c.impact->position);
+  for (const auto& support : c.supports) {
+    for (const auto& point : support.points) take(point);
+    take_line(support.along);
+    if (support.patch) result = std::min(result, distance_to(*support.patch, tip.position));
+  }
+  return result;
+}
+
 double clear_distance(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths,
                       const geometry::Tip& tip) {
   const double spacing = c.discretization.spacing_at_tips();
-  double clear = clear_distance(c.outline, paths, tip, spacing);
-  for (const auto& load : c.loads) {
-    if (load.kind == plate::Load::Kind::point_force && !load.moves())
-      clear = std::min(clear, (load.position - tip.position).norm());
-    if (!load.along.empty()) clear = std::min(clear, geometry::distance(load.along, tip.position));
-  }
-  for (const auto& spring : c.springs) {
-    if (spring.position) clear = std::min(clear, (*spring.position - tip.position).norm());
-    if (!spring.along.empty()) clear = std::min(clear, geometry::distance(spring.along, tip.position));
-  }
-  for (const auto& stiffener : c.stiffeners)
-    if (!stiffener.along.empty()) clear = std::min(clear, geometry::distance(stiffener.along, tip.position));
-  if (c.impact) clear = std::min(clear, (c.impact->position - tip.position).norm());
-  for (const auto& support : c.supports) {
-    for (const auto& point : support.points) clear = std::min(clear, (point - tip.position).norm());
-    if (!support.along.empty()) clear = std::min(clear, geometry::distance(support.along, tip.position));
-    if (support.patch) clear = std::min(clear, distance_to(*support.patch, tip.position));
-  }
+  const double clear = std::min(clear_distance(c.outline, paths, tip, spacing), undisturbed_distance(c, tip));
   // families next to where the section changes have some of both
   return std::min(clear, std::max(0.0, c.section.uniform_within(tip.position) - spacing));
+}
+
+/// What is around a tip, of which points within `reach` are known.
+TipPlace place_of(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip,
+                  double reach) {
+  const auto& d = c.discretization;
+  const double clear = std::min(reach, clear_distance(c, paths, tip));
+  const double faces = std::min(d.spacing, d.spacing_at_tips() + d.spacing_growth * clear);
+  const bool heated = std::ranges::any_of(c.loads, [](const plate::Load& load) {
+    return load.kind == plate::Load::Kind::temperature && load.formula.given();
+  });
+  return {tip, paths[tip.crack], clear, clear, undisturbed_distance(c, tip), faces, heated};
 }
 
 double least_clear_distance(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths,
@@ -81,6 +100,23 @@ double widest_ring(const plate::Problem& c, double wider) {
   if (tips.empty()) return 0;
   if (c.discretization.tip_spacing) return widest;
   return std::min(widest, least_clear_distance(c, paths, tips) / (wider * c.discretization.spacing));
+}
+
+std::optional<double> tip_spacing_for(const plate::Problem& problem) {
+  constexpr double thick = 12, far = 24;  // spacings: enough for the points of a lattice
+  constexpr double of_layer = 1.0 / 6, of_clear = 1.0 / 32;
+  constexpr double least = 1.0 / 256;  // of the spacing
+  plate::Problem fine = problem;       // bends count, however slight
+  const double spacing = problem.discretization.spacing;
+  fine.discretization.tip_spacing = 1e-6 * spacing;
+  const auto paths = plate::crack_paths(problem);
+  const auto tips = geometry::tips(paths);
+  if (tips.empty()) return std::nullopt;
+  const double clear = least_clear_distance(fine, paths, tips);
+  double result = spacing;
+  if (problem.section.thickness < thick * spacing) result = std::min(result, of_layer * problem.section.layer());
+  if (clear < far * spacing) result = std::min(result, of_clear * clear);
+  return result < spacing ? std::optional(std::max(result, least * spacing)) : std::nullopt;
 }
 
 bool ringed(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip) {
@@ -126,8 +162,9 @@ std::vector<TipMethods> tip_methods(const plate::Formulation& plate, const SrifO
       continue;
     }
     if (!view) view = plate.tip_view();
-    const double clear = clear_distance(plate.problem(), plate.paths(), tip);
-    result.emplace_back(view, TipPlace{tip, plate.paths()[tip.crack], clear, narrowest, stairs}, options);
+    auto place = place_of(plate.problem(), plate.paths(), tip, INFINITY);
+    place.narrowest = narrowest, place.known_error = stairs;
+    result.emplace_back(view, place, options);
   }
   if (const auto* all = plate::ranks()) tell(*all, result);
   return result;
@@ -136,8 +173,7 @@ std::vector<TipMethods> tip_methods(const plate::Formulation& plate, const SrifO
 std::optional<TipMethods> tip_methods(std::shared_ptr<const TipView> view, const plate::Problem& problem,
                                       const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip,
                                       const SrifOptions& options, double reach) {
-  const double clear = std::min(reach, clear_distance(problem, paths, tip));
-  TipMethods result(std::move(view), TipPlace{tip, paths[tip.crack], clear, clear, 0}, options);
+  TipMethods result(std::move(view), place_of(problem, paths, tip, reach), options);
   return result.works() ? std::optional(std::move(result)) : std::nullopt;
 }
 

@@ -17,9 +17,17 @@ namespace post {
 double clear_distance(const plate::Problem& problem, const std::vector<geometry::CrackPath>& paths,
                       const geometry::Tip& tip);
 
+/// Distance from a tip to the next point force, line load, pin, spring, stiffener or support inside [length].
+double undisturbed_distance(const plate::Problem& problem, const geometry::Tip& tip);
+
 /// The least of all these tips; infinite without tips.
 double least_clear_distance(const plate::Problem& problem, const std::vector<geometry::CrackPath>& paths,
                             const std::vector<geometry::Tip>& tips);
+
+/// The spacing at the tips that intensity factors need where the points of a plate are too far apart for them: a sixth
+/// of the layer beside the faces where the plate is thinner than 6 spacings, a part of the clear distance where that is
+/// below 16 spacings [length]. Absent where its points serve.
+std::optional<double> tip_spacing_for(const plate::Problem& problem);
 
 /// Does a ring of points fit about the tip, as every energy release rate needs?
 bool ringed(const plate::Problem& problem, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip);

@@ -47,11 +47,11 @@ Eigen::MatrixXd rows_of(Eigen::MatrixXd fields, const Eigen::Matrix3Xd& factors)
 }  // namespace
 
 std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& tip, const FitRange& range,
-                                   const std::vector<double>& shares) {
+                                   const std::vector<double>& shares, bool heated) {
   const TipFrame frame(tip);
   const auto points = points_within(plate, frame, range);
   const plate::Section section = plate.section.at(tip.position);
-  const TipSeries series(section, range.outer, range.order);
+  const TipSeries series(section, range.outer, range.order, heated);
   std::vector<Polar> places;
   for (const auto k : points) places.push_back(polar(frame, plate.positions[k], plate.spacing));
   const Eigen::MatrixXd fields = series(places);
@@ -108,7 +108,9 @@ std::optional<FitRange> fit_range(const plate::Section& section, double clear, d
   constexpr double resolved = 5,
                    possible = 7;  // widths of the layer beside the faces; beyond, the series has too many fields
   const double layer = section.layer();
-  double outer = std::min(0.6 * clear, resolved * layer);
+  // where nu < 0, fields of higher order look like the first one
+  const double softness = std::min(1.0, (1 + section.poisson) / (1 - section.poisson));
+  double outer = std::min(0.6 * clear, resolved * std::sqrt(softness) * layer);
   // graded points resolve the layer beside the faces only near the tip
   outer = std::min(outer, graded ? std::max(usual * spacing, 2.5 * layer) : usual * spacing);
   if (outer < least * spacing) outer = std::min(0.9 * clear, least * spacing);

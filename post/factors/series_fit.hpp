@@ -22,9 +22,10 @@ struct SeriesFit {
   Eigen::Vector3d operator()(const NearField& field) const;
 };
 
-/// Fits over `range` and over the given shares of it, as far as these hold enough points: 1 is the first.
+/// Fits over `range` and over the given shares of it, as far as these hold enough points: 1 is the first. `heated`: by
+/// temperatures that vary about the tip.
 std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& tip, const FitRange& range,
-                                   const std::vector<double>& shares);
+                                   const std::vector<double>& shares, bool heated = false);
 
 /// The range that serves a tip best, `clear` [length] being free about it: as large as the series allows.
 /// Nothing where it would hold too few points.

@@ -57,11 +57,12 @@ struct Srif {
   std::size_t tip = 0;
   geometry::Point position{0, 0};
   std::string method;
-  double K1 = 0, K2 = 0, K3 = 0;                   // [force length^(1/2)] moments, [force / length^(1/2)] shear
-  std::optional<double> F1, F2, F3;                // where a normalisation is given
-  std::optional<double> estimated_error;           // relative to the largest of |K1|, |K2|, |K3| h
-  std::array<std::optional<double>, 3> errors;     // estimated, of K1, K2, K3, in their units
-  std::optional<double> accuracy_reached;          // where it was asked for: the largest estimated error of this tip
+  double K1 = 0, K2 = 0, K3 = 0;                // [force length^(1/2)] moments, [force / length^(1/2)] shear
+  std::optional<double> F1, F2, F3;             // where a normalisation is given
+  std::optional<double> estimated_error;        // relative to the largest of |K1|, |K2|, |K3| h
+  std::array<std::optional<double>, 3> errors;  // estimated, of K1, K2, K3, in their units
+  std::optional<double> accuracy_reached;       // where it was asked for: the largest estimated error of this tip
+  double lost_shear = 0.1;                      // an error of K3 above this share of the largest leaves nothing of it
   std::array<bool, 3> resolved{true, true, true};  // false: this discretisation does not give that factor
   std::optional<SecondSrif> second;                // of a case that is run in both formulations
   std::optional<double> G;                         // energy release rate [force], of methods that find it

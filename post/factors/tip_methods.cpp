@@ -34,6 +34,8 @@ ErrorShares shares_of(const TipView& plate, const TipPlace& place, const plate::
           trust.layer,
           trust.width / section.layer(),
           trust.doubt,
+          plate.graded ? place.faces / section.layer() : 0,
+          trust.lost,
           section.isotropic() ? 0 : interaction_error * plate.spacing / section.thickness};
 }
 
@@ -71,7 +73,7 @@ private:
           const Eigen::VectorXd& forward_work, const std::function<double(const Ring&)>& heat) const;
   std::size_t rings_of(const Integral& integral, bool all) const;
   Srif by_fit(const std::vector<FitSrif>& fits) const;
-  void fit(const geometry::Tip& tip, double clear, bool first_only);
+  void fit(const geometry::Tip& tip, const TipPlace& place, bool first_only);
   std::vector<FitSrif> fitted(const NearField& field) const;
   Eigen::Vector3d split(const std::vector<FitSrif>& fits, const plate::State& state) const;
 
@@ -98,7 +100,7 @@ TipMethods::AtTip::AtTip(std::shared_ptr<const TipView> view, const TipPlace& pl
   const TipView& plate = *view_;
   const geometry::Tip tip = centred(place.tip, plate);
   const PlateScale scale{at_.section, plate.spacing, plate.horizon, plate.points_on_faces};
-  if (!std::ranges::all_of(methods_, of_opening)) fit(tip, place.clear, options.first_ring_only);
+  if (!std::ranges::all_of(methods_, of_opening)) fit(tip, place, options.first_ring_only);
   const std::vector<geometry::Point> positions(plate.positions.begin(),
                                                plate.positions.begin() + std::ptrdiff_t(plate.plate_points));
   for (const auto& method : methods_) {
@@ -143,11 +145,13 @@ TipMethods::AtTip::Integral TipMethods::AtTip::integral_of(const std::string& me
 }
 
 /// Fits over the widest range that serves, and over parts of it for the estimate of the error.
-void TipMethods::AtTip::fit(const geometry::Tip& tip, double clear, bool first_only) {
+void TipMethods::AtTip::fit(const geometry::Tip& tip, const TipPlace& place, bool first_only) {
+  // the fields of a force are singular: their series converges slowly towards it
+  const double clear = std::min(place.clear, place.undisturbed / 2);
   const TipView& plate = *view_;
   if (!at_.section.isotropic()) {
     no_fit_ = "series_fit: all fields about a tip are known for isotropic sections alone";
-    auto around = rings(clear, plate.spacing, plate.graded);
+    auto around = rings(place.clear, plate.spacing, plate.graded);
     if (first_only && !around.empty()) around.resize(1);
     fits_ = interaction_integrals(plate, tip, at_, around);
     return;
@@ -159,7 +163,7 @@ void TipMethods::AtTip::fit(const geometry::Tip& tip, double clear, bool first_o
         "load; refine";
     return;
   }
-  fits_ = series_fits(plate, tip, *range, first_only ? std::vector{1.0} : std::vector{1.0, 0.65, 0.5});
+  fits_ = series_fits(plate, tip, *range, first_only ? std::vector{1.0} : std::vector{1.0, 0.65, 0.5}, place.heated);
   if (fits_.empty()) no_fit_ = "series_fit: too few points about the tip for a fit of its fields; refine";
 }
 

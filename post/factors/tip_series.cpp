@@ -28,7 +28,7 @@ class TipSeries::Maker {
 public:
   Maker(double poisson, double s) : nu_(poisson), s_(s) {}
 
-  std::vector<Field> fields(int order) {
+  std::vector<Field> fields(int order, bool heated) {
     std::vector<Field> result;
     for (const bool even : {true, false}) {
       sign_ = even ? 1 : -1;
@@ -36,6 +36,8 @@ public:
       for (int p = even ? 0 : 1; p <= order + 2; ++p)
         if (p % 2 == (even ? 0 : 1)) result.push_back(series(harmonic(p), p - 2));
       if (even) result.push_back(series(Powers(4, {{2, 0.25}}), 2));  // w = r^2 / 4: an even load
+      // psi = z^2 / 2 has the curvature kappa_0 = x' and no moments, i psi that of -y'
+      if (heated) result.push_back(series(Powers(4, {{4, 0.5}}), {}, 4, 4));
     }
     return result;
   }
@@ -187,10 +189,10 @@ private:
   double sign_ = 1;  // of even fields; -1 of odd ones, where conjugation changes the sign
 };
 
-TipSeries::TipSeries(const plate::Section& section, double radius, int order) : radius_(radius) {
+TipSeries::TipSeries(const plate::Section& section, double radius, int order, bool heated) : radius_(radius) {
   const double D = section.bending_stiffness(), S = section.shear_stiffness();
   Maker maker(section.poisson, S * radius * radius / D);
-  const auto fields = maker.fields(order);
+  const auto fields = maker.fields(order, heated);
   factors_.resize(3, Eigen::Index(fields.size()));
   const double root = std::sqrt(2 * radius);
   for (const auto& field : fields) {

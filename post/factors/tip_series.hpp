@@ -13,8 +13,9 @@ using plate::Polar, plate::TipFrame;
 class TipSeries {
 public:
   /// All fields that begin with a power r^(n/2) of psi or r^(n/2+1) of w, n <= order, and are bounded. They are made
-  /// for distances up to `radius` [length].
-  TipSeries(const plate::Section& section, double radius, int order);
+  /// for distances up to `radius` [length]. `heated`: two more, of free curvatures kappa_0 that grow straight ahead and
+  /// to the left.
+  TipSeries(const plate::Section& section, double radius, int order, bool heated = false);
 
   Eigen::Index size() const { return Eigen::Index(orders_.size()); }
   /// The n with which every field begins.

@@ -51,10 +51,10 @@ void serialize(Archive& archive, SecondSrif& second) {
 
 template <typename Archive>
 void serialize(Archive& archive, Srif& srif) {
-  auto& [tip, position, method, K1, K2, K3, F1, F2, F3, error, errors, accuracy, resolved, second, G, rings, fits,
-         residual, samples] = srif;
-  archive(tip, position, method, K1, K2, K3, F1, F2, F3, error, errors, accuracy, resolved, second, G, rings, fits,
-          residual, samples);
+  auto& [tip, position, method, K1, K2, K3, F1, F2, F3, error, errors, accuracy, lost_shear, resolved, second, G, rings,
+         fits, residual, samples] = srif;
+  archive(tip, position, method, K1, K2, K3, F1, F2, F3, error, errors, accuracy, lost_shear, resolved, second, G,
+          rings, fits, residual, samples);
 }
 
 template <typename Archive>

@@ -15,6 +15,17 @@ Words<const plate::FormulationKind*> formulation_words() {
   return words;
 }
 
+Field<plate::Discretization> refine_tips() {
+  using D = plate::Discretization;
+  return value<D>(
+      {"refine_tips", "-", "true or false", "",
+       "static Galerkin plates without tip_spacing: closer points at the tips where the plate is thinner than 6 "
+       "spacings, "
+       "or something lies within 16 spacings of a tip"},
+      [](const Value& given, D& d) { d.refine_tips = given.boolean().value_or(d.refine_tips); },
+      [](const D& d) { return std::string(d.refine_tips ? "true" : "false"); });
+}
+
 }  // namespace
 
 Fields<plate::Discretization> discretization_fields() {
@@ -58,6 +69,7 @@ Fields<plate::Discretization> discretization_fields() {
                             "nodes or fictitious nodes; bonds only"),
       number<D>("tip_spacing", "length", &D::tip_spacing, positive, "distance of the points at crack tips")
           .with(graded),
+      refine_tips().with(graded),
       number<D>("hole_spacing", "length", &D::hole_spacing, positive, "distance of the points at holes").with(graded),
       number<D>("spacing_growth", "-", &D::spacing_growth, {0.02, 1}, "growth of that distance per length from there")
           .with(graded),

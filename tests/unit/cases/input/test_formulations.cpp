@@ -1,6 +1,7 @@
 // Which formulation "auto" stands for, and that a resolved case keeps it.
 #include "cases/input/formulations.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cases/driver/run.hpp"
@@ -155,4 +156,32 @@ TEST_CASE("auto: a run says which it was and why, and its resolved case gives th
     CHECK(json["formulation_reason"] ==
           (bonds ? "auto: the case asks for surface_correction" : "auto: nothing asks for bonds"));
   }
+}
+
+TEST_CASE("points are refined at tips where factors need it, and the resolved case keeps them") {
+  const auto spacing_at_tips = [&](const std::string& text, const std::vector<std::string>& settings) {
+    const auto content = read(text, settings).content;
+    CHECK(cases::resolved_toml(read(cases::resolved_toml(content)).content) == cases::resolved_toml(content));
+    return content.discretization.tip_spacing;
+  };
+  const std::string asked = plain + "[srif]\n";
+  const double layer = read(asked).content.section.layer() / read(asked).content.section.thickness;
+  const auto with_thickness = [](double thickness) { return fmt::format("section.thickness={}", thickness); };
+  const std::string spacing = "discretization.spacing=0.01", crack = "geometry.cracks=[[[-0.3, 0.0], [0.3, 0.0]]]";
+  CHECK_FALSE(spacing_at_tips(asked, {spacing, crack, with_thickness(0.12)}));
+  CHECK(*spacing_at_tips(asked, {spacing, crack, with_thickness(0.11)}) == Approx(0.11 * layer / 6));
+  CHECK(*spacing_at_tips(asked, {spacing, crack, with_thickness(0.02)}) == Approx(0.02 * layer / 6));
+  // no closer than the spacing over 256
+  CHECK(*spacing_at_tips(asked, {spacing, crack, with_thickness(1e-5)}) == Approx(0.01 / 256));
+  // what lies within 24 spacings of a tip
+  const std::string short_kink = "geometry.cracks=[[[-0.3, 0.0], [0.25, 0.0], [0.3, 0.05]]]";
+  CHECK(*spacing_at_tips(asked, {spacing, short_kink, with_thickness(0.2)}) == Approx(std::hypot(0.05, 0.05) / 32));
+  // not where nothing asks for factors, points are given, tips grow, or the plate moves
+  CHECK_FALSE(spacing_at_tips(plain, {spacing, crack, with_thickness(0.02)}));
+  CHECK_FALSE(spacing_at_tips(asked, {spacing, crack, with_thickness(0.02), "discretization.refine_tips=false"}));
+  CHECK(*spacing_at_tips(asked, {spacing, crack, with_thickness(0.02), "discretization.tip_spacing=0.004"}) == 0.004);
+  CHECK_FALSE(spacing_at_tips(asked, {spacing, crack, with_thickness(0.02), "growth={fracture_energy=1}"}));
+  CHECK_FALSE(spacing_at_tips(asked, {spacing, crack, with_thickness(0.02), "discretization.formulation=ordinary"}));
+  CHECK_FALSE(spacing_at_tips(asked, {spacing, crack, with_thickness(0.02), "section.density=1",
+                                      "analysis={kind=\"dynamic\", duration=0.05}"}));
 }

@@ -64,6 +64,54 @@ TEST_CASE("without a fit K2 and K3 are not resolved") {
   CHECK(found.resolved == std::array{true, false, false});
 }
 
+TEST_CASE("without a fit K1 is given where the whole energy is its own, and not where others may have a part of it") {
+  const double h = section.thickness;
+  const auto of = [&](double K3) {
+    return estimated({by_energy("a", 1, 0, K3 / h), by_energy("b", 1, 0, K3 / h)}, {}).front();
+  };
+  const double whole = std::sqrt(*of(0.5).G / unit_release(section)[0]);
+  CHECK(of(0.5).resolved[0] == (2 * (whole - 1) < 0.1 * std::max(1.0, 0.5)));
+  CHECK(*of(3).errors[0] > 2 * (std::sqrt(*of(3).G / unit_release(section)[0]) - 1));
+  CHECK_FALSE(of(3).resolved[0]);
+}
+
+TEST_CASE("an integral that is not positive contradicts the others: nothing is resolved, with a fit or without") {
+  for (const double energy : {0.0, -0.5}) {
+    Srif contrary = by_energy("domain_integral", 0, 0, 0);
+    contrary.G = energy * unit_release(section)[0];
+    for (const auto& fits : {std::vector<FitSrif>{}, std::vector<FitSrif>{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}}}) {
+      const auto found = estimated({by_energy("virtual_crack_extension", 1, 0.2, 3), contrary}, fits);
+      CHECK(*found.front().errors[0] > 0.9);
+      CHECK_FALSE(found.front().resolved[0]);
+    }
+  }
+}
+
+TEST_CASE("K3 counts as lost from the share on that its formulation sets") {
+  ErrorShares strict = shares;
+  strict.lost = 0.045;
+  std::vector<Srif> found{by_energy("domain_integral", 1, 0, 0)};
+  const std::vector<FitSrif> fits{{1, 4, 1, 0, 0}, {1, 3, 1, 0, 0.6}};  // K3 h differs by 6 %
+  CHECK(estimated(found, fits).front().resolved[2]);
+  std::vector<double> largest;
+  estimate_errors(found, fits, section, strict);
+  mark_lost(found, section.thickness, largest);
+  CHECK(found.front().resolved == std::array{true, true, false});
+}
+
+TEST_CASE("points on the faces that are wider apart than the layer make K3 uncertain, the wider the more") {
+  const std::vector<FitSrif> fits{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}};
+  double before = 0;
+  for (const double faces : {0.0, 0.3, 1.0, 3.0}) {
+    ErrorShares graded = shares;
+    graded.faces = faces;
+    std::vector<Srif> found{by_energy("domain_integral", 1, 0.2, 3)};
+    estimate_errors(found, fits, section, graded);
+    CHECK(*found.front().errors[2] > before);
+    before = *found.front().errors[2];
+  }
+}
+
 TEST_CASE("an energy release rate that is not positive gives no factors, unless others of its tip were far larger") {
   Srif none = by_energy("virtual_crack_extension", 0, 0, 0);
   none.G = -1e-4 * unit_release(section)[0];  // as K1 = 0.01

@@ -59,6 +59,31 @@ TEST_CASE("fields about a tip: equilibrium inside") {
     }
 }
 
+TEST_CASE("fields about a tip: free curvatures that grow ahead and to the left, with free faces") {
+  const plate::Section section{1000, 0.3, 0.8, 5.0 / 6, 1};
+  const double nu = section.poisson, s = section.shear_stiffness() / section.bending_stiffness();
+  const TipSeries series(section, 1, 8, true), cold(section, 1, 8);
+  REQUIRE(series.size() == cold.size() + 2);
+  // the last field of either symmetry: kappa_0 = x, and kappa_0 = -y
+  const Eigen::Index even = cold.size() / 2;
+  int found = 0;
+  for (Eigen::Index n = 0; n < series.size(); ++n) {
+    // mx, my of equilibrium are (1 + nu) grad kappa_0
+    const auto residual = [&](double angle) -> Eigen::Vector2d {
+      const auto d = derivatives(series, 0.6, angle, 2e-3);
+      return {d.xx(1, n) + (1 - nu) / 2 * d.yy(1, n) + (1 + nu) / 2 * d.xy(2, n) + s * (d.x(0, n) - d.value(1, n)),
+              d.yy(2, n) + (1 - nu) / 2 * d.xx(2, n) + (1 + nu) / 2 * d.xy(1, n) + s * (d.y(0, n) - d.value(2, n))};
+    };
+    if (residual(0.9).norm() < 1e-4) continue;
+    const Eigen::Vector2d gradient = n <= even + 2 ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, -1);
+    for (const double angle : {-2.5, -0.4, 0.9, 2.0})
+      CHECK((residual(angle) - (1 + nu) * gradient).norm() < 1e-4);  // measured: 2e-6
+    CHECK(series.factors().col(n).isZero(0));
+    ++found;
+  }
+  CHECK(found == 2);
+}
+
 TEST_CASE("fields about a tip: free faces, and the factors of what is ahead") {
   const plate::Section section{1000, 0.3, 0.8, 5.0 / 6, 1};
   const double nu = section.poisson, D = section.bending_stiffness(), S = section.shear_stiffness();
