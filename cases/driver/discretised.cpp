@@ -48,7 +48,7 @@ plate::Discretised discretised(const CaseFile& file) {
   for (const auto& some : {suits.warnings, plate.distrust(c.srif.has_value()),
                            plate::distrust_of_rotary_inertia(plate, c.analysis.rotary_inertia),
                            c.growth ? fracture::distrust_of_bonds(*c.growth, plate) : std::vector<std::string>(),
-                           plate::distrust_of_mechanisms(plate, c.analysis.finds_equilibrium())})
+                           plate::distrust_of_mechanisms(plate)})
     warnings.insert(warnings.end(), some.begin(), some.end());
   return result;
 }

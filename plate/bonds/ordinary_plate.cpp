@@ -260,6 +260,7 @@ Discretised discretised(const Problem& problem) {
       last.forces = force_of_curvature(families, shapes, boundary.cloud.areas, weights, last.curvature, boundary.own);
     if (one.moves())
       layout.loads.back().moving = std::make_shared<MovingForces>(moving_forces(one, boundary.cloud, boundary.own));
+  if (layout.mechanisms.twisting > 0 && !ranks()) tie_twists(boundary, families);
     const double share = 1 + (problem.load_cases.empty() ? 0 : 0.1 * double(layout.loads.size()));
     load += share * layout.loads.back().forces;  // those of load cases do not act together: none takes another away
   }

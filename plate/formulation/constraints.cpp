@@ -96,6 +96,13 @@ void Constraints::resolve() {
   followers_ = sums(ties_, false), leaders_ = sums(ties_, true);
 }
 
+void Constraints::tie_more(std::vector<std::pair<std::uint32_t, std::vector<Leader>>> ties) {
+  for (const Tie& old : ties_) wanted_[old.follower].push_back({old.leader, old.factor});
+  ties_.clear();
+  for (auto& [follower, leaders] : ties) tie(follower, std::move(leaders));
+  resolve();
+}
+
 Constraints::Sums Constraints::sums(const std::vector<Tie>& ties, bool by_leader) {
   const auto target = [&](const Tie& tie) { return by_leader ? tie.leader : tie.follower; };
   std::vector<Tie> sorted = ties;

@@ -37,6 +37,9 @@ public:
   /// Replaces chains of ties by ties to free leaders. Call once, after the last fix and tie.
   void resolve();
 
+  /// Ties free degrees of freedom after resolve(). What they follow moves with no support.
+  void tie_more(std::vector<std::pair<std::uint32_t, std::vector<Leader>>> ties);
+
   /// Points that other processes own: impose() fetches their values before anything follows them, fold() leaves no
   /// forces on them. After resolve().
   void copy(std::vector<std::uint32_t> points, std::shared_ptr<const Exchange> exchange);

@@ -41,6 +41,10 @@ void check_pins(const Formulation& plate, const Analysis& analysis, Suitability&
 
 /// In motion a plate may move as it is; that pieces do is worth a word.
 void check_held(const Formulation& plate, const Analysis& analysis, Suitability& result) {
+  if (analysis.kind == Analysis::Kind::frequencies) {
+    const auto zero = swinging(plate);
+    result.refusals.insert(result.refusals.end(), zero.begin(), zero.end());
+  }
   const auto found = loose(plate);
   if (analysis.finds_equilibrium())
     result.refusals.insert(result.refusals.end(), found.begin(), found.end());

@@ -75,8 +75,9 @@ Supports::Supports(const plate::Boundary& boundary) : boundary_(&boundary) {
     Wrench unit = wrench(positions[dof / 3], dof % 3, 1);
     for (; tie != ties.end() && tie->follower == dof; ++tie)
       unit += wrench(positions[tie->leader / 3], tie->leader % 3, -tie->factor);
-    const auto& all = holders.at(dof);
-    for (const auto holder : all) shares_.push_back({holder, i, 1.0 / double(all.size()) * unit});
+    const auto all = holders.find(dof);
+    if (all == holders.end()) continue;  // a turn that follows another point's (plate::tie_twists): no force in sum
+    for (const auto holder : all->second) shares_.push_back({holder, i, 1.0 / double(all->second.size()) * unit});
   }
   std::ranges::stable_sort(shares_, {}, &Share::holder);
   Point low = positions.front(), high = low;

@@ -48,14 +48,24 @@ std::vector<Refusal> loose(const Formulation& plate) {
   return result;
 }
 
-std::vector<std::string> distrust_of_mechanisms(const Formulation& plate, bool statics) {
+std::vector<Refusal> swinging(const Formulation& plate) {
+  const auto& found = plate.mechanisms();
+  const bool twists = ranks() && found.twisting > 0;  // tied by one process only
+  if (!plate.held() || (found.motions == 0 && found.searched && !twists)) return {};
+  return {
+      {Subject::cracks, 0,
+       "cracks and edges leave ligaments one row of points wide, which are hinges: what hangs by them would have the "
+       "frequency 0; a finer spacing gives them two rows"}};
+}
+
+std::vector<std::string> distrust_of_mechanisms(const Formulation& plate) {
   const auto& found = plate.mechanisms();
   std::vector<std::string> warnings;
   if (found.twisting > 0)
-    warnings.push_back(fmt::format(
-        "{} point{} bonds along one line only, in ligaments one row of points wide: the "
-        "rotation about that line has no stiffness{}",
-        found.twisting, found.twisting == 1 ? " has" : "s have", statics ? " and no load, and stays zero" : ""));
+    warnings.push_back(
+        fmt::format("{} point{} bonds along one line only, in ligaments one row of points wide: the "
+                    "rotation about that line has no stiffness and follows the next point",
+                    found.twisting, found.twisting == 1 ? " has" : "s have"));
   if (found.motions > 0)
     warnings.push_back(fmt::format("parts that hang by bonds along one line can move in {} way{} without resistance{}",
                                    found.motions, found.motions == 1 ? "" : "s",

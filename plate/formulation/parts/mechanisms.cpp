@@ -152,6 +152,41 @@ void find_twists(const Boundary& boundary, const RigidParts& parts, const Forces
 
 }  // namespace
 
+namespace {
+
+/// The nearest point along bonds that has bonds in two directions; absent in a chain of its own.
+std::optional<std::uint32_t> next_rigid(std::uint32_t from, const RigidParts& parts,
+                                        const geometry::Families& families) {
+  std::vector<std::uint32_t> reached{from};
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (const auto& bond : families[reached[i]]) {
+      const auto j = bond.neighbour;
+      if (!parts.has(j) || std::ranges::find(reached, j) != reached.end()) continue;
+      if (!parts.on_line(j)) return j;
+      reached.push_back(j);
+    }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void tie_twists(Boundary& boundary, const geometry::Families& families) {
+  const RigidParts parts(boundary, families);
+  auto& constraints = boundary.constraints;
+  std::vector<std::pair<std::uint32_t, std::vector<Constraints::Leader>>> ties;
+  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) {
+    if (!parts.on_line(k)) continue;
+    const Point& n = parts.line(k);
+    const std::uint32_t main = std::abs(n.x()) >= std::abs(n.y()) ? 1 : 2, other = 3 - main;
+    const auto rigid = next_rigid(k, parts, families);
+    if (!rigid || constraints.held(3 * k + main)) continue;
+    auto& leaders = ties.emplace_back(3 * k + main, std::vector<Constraints::Leader>{{3 * *rigid + main, 1}}).second;
+    const double share = main == 1 ? n.y() / n.x() : n.x() / n.y();
+    if (share != 0) leaders.push_back({3 * *rigid + other, share}), leaders.push_back({3 * k + other, -share});
+  }
+  if (!ties.empty()) constraints.tie_more(std::move(ties));
+}
+
 Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& families, const std::vector<Piece>& pieces,
                       const Forces& load) {
   RigidParts parts(boundary, families);

@@ -27,4 +27,8 @@ struct Mechanisms {
 Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& families, const std::vector<Piece>& pieces,
                       const Forces& load);
 
+/// Ties the turn of every point about the line of its bonds to that of the next point that has bonds in two directions,
+/// so that it moves with the plate and has no motion of its own. Changes no other point. Of one process.
+void tie_twists(Boundary& boundary, const geometry::Families& families);
+
 }  // namespace plate

@@ -55,8 +55,8 @@ TEST_CASE("held: a ligament one row of points wide is a hinge for what the load 
   REQUIRE(found.size() == 1);
   CHECK(found[0].subject == Subject::cracks);
   CHECK_THAT(found[0].what, Catch::Contains("is a hinge") && Catch::Contains("the part of 50 points"));
-  const auto warnings = distrust_of_mechanisms(*plate, false);
+  const auto warnings = distrust_of_mechanisms(*plate);
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0], Catch::Contains("can move in 1 way without resistance"));
-  CHECK(distrust_of_mechanisms(*vp::assembled(vp::square(0.2)), true).empty());
+  CHECK(distrust_of_mechanisms(*vp::assembled(vp::square(0.2))).empty());
 }

@@ -92,6 +92,37 @@ TEST_CASE("points of a row between two cracks turn about it") {
   CHECK((mechanisms_of(m, couple).twisted->position - geometry::Point(0.65, 0.45)).norm() < 1e-12);
 }
 
+TEST_CASE("points whose turn about their bonds is tied move with the plate and have no zero mode") {
+  const std::vector<CrackPath> across{{{{2, 4}, {10, 4}}, End::tip, End::tip}, {{{2, 5}, {10, 5}}, End::tip, End::tip}};
+  const std::vector<CrackPath> oblique{{{{2, 1.5}, {8, 7.5}}, End::tip, End::tip},
+                                       {{{1.5, 2}, {7.5, 8}}, End::tip, End::tip}};
+  for (const auto& cracks : {across, oblique}) {
+    auto m = cracked(cracks);
+    REQUIRE(mechanisms_of(m, pressure(m)).twisting > 0);
+    REQUIRE(zero_modes(m) > 0);
+    const auto held = m.boundary.constraints.held().size();
+    tie_twists(m.boundary, m.plate.families());
+    CHECK(m.boundary.constraints.held().size() == held + mechanisms_of(m, pressure(m)).twisting);
+    CHECK(zero_modes(m) == 0);
+  }
+}
+
+TEST_CASE("a point whose turn is tied turns with the plate as a rigid body") {
+  const std::vector<CrackPath> oblique{{{{2, 1.5}, {8, 7.5}}, End::tip, End::tip},
+                                       {{{1.5, 2}, {7.5, 8}}, End::tip, End::tip}};
+  auto m = small_plate::model(geometry::rectangle(0, 0, 1.2, 0.9), {}, small_plate::spaced(0.1), oblique);
+  tie_twists(m.boundary, m.plate.families());
+  REQUIRE(!m.boundary.constraints.held().empty());
+  State u(3, m.points());
+  for (Eigen::Index k = 0; k < u.cols(); ++k) {
+    const auto& x = m.boundary.cloud.positions[std::size_t(k)];
+    u.col(k) << 1 + 2 * x.x() - 3 * x.y(), -3, -2;  // psi = (-theta_y, theta_x) = (2, -3)
+  }
+  State imposed = u;
+  m.boundary.constraints.impose(imposed);
+  CHECK((imposed - u).cwiseAbs().maxCoeff() < 1e-12);  // measured: 1e-15
+}
+
 TEST_CASE("a bridge of one row is a hinge: a pressure is in balance about it in the middle, and not elsewhere") {
   for (const double y : {0.4, 0.3}) {  // a little narrower than a row, so that no oblique bond touches a corner
     geometry::Outline dumbbell{{{{0, 0},
