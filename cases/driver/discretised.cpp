@@ -14,13 +14,17 @@
 namespace cases {
 namespace {
 
-/// Probes that have no points about them.
-void check_probes(const CaseFile& file, const plate::Formulation& plate, std::vector<Problem>& problems) {
-  for (const auto& [name, x] : file.content.output.probes) try {
+/// Probes and places of impacts that have no points about them.
+void check_places(const CaseFile& file, const plate::Formulation& plate, std::vector<Problem>& problems) {
+  const auto check = [&](const std::string& key, const geometry::Point& x) {
+    try {
       if (plate.here(x)) plate.interpolation(x);
     } catch (const plate::Refused& error) {
-      problems.push_back({file.place("output.probes." + name), "output.probes." + name, error.what()});
+      problems.push_back({file.place(key), key, error.what()});
     }
+  };
+  for (const auto& [name, x] : file.content.output.probes) check("output.probes." + name, x);
+  if (file.content.impact) check("impact.position", file.content.impact->position);
 }
 
 }  // namespace
@@ -41,7 +45,7 @@ plate::Discretised discretised(const CaseFile& file) {
   const auto& plate = *result.plate;
   const auto suits = plate::suitability(plate, c.analysis);
   auto problems = problems_of(file, suits.refusals);
-  check_probes(file, plate, problems);
+  check_places(file, plate, problems);
   if (!problems.empty()) throw CaseError(problems);
   auto& warnings = result.warnings;
   warnings.insert(warnings.begin(), file.source.notes.begin(), file.source.notes.end());

@@ -15,7 +15,7 @@ std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>&
                                    const plate::Formulation& plate) {
   std::vector<post::Probe> result;
   for (const auto& [name, x] : places)
-    result.push_back({name, x, plate.here(x) ? plate.interpolation(x) : std::vector<plate::Share>{}});
+    result.push_back({name, x, plate.here(x) ? plate.interpolation(x) : std::vector<plate::PlaceShare>{}});
   return result;
 }
 

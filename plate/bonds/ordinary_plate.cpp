@@ -98,7 +98,7 @@ public:
   Resultants resultants(const State& state) const override {
     return plate::resultants(state, op_.families(), op_.shapes(), cloud().areas, cloud().plate_points, section());
   }
-  std::vector<Share> interpolation(const Point& at) const override;
+  std::vector<PlaceShare> interpolation(const Point& at) const override;
   Mesh mesh() const override { return plate::mesh(boundary(), problem().outline, paths(), cut(), section().thickness); }
   std::vector<double> cut_at(const StartOfCracks& start) const override { return start.cut; }
   std::unique_ptr<TipView> tip_view() const override {
@@ -125,15 +125,11 @@ private:
   std::optional<MatchCounts> match_;
 };
 
-std::vector<Share> OrdinaryPlate::interpolation(const Point& at) const {
-  constexpr double reach = 1.6;  // spacings: a place lies between points as near as this
-  if (const double away = distance_to_points(cloud(), at); away > reach)
-    throw Refused({{Subject::geometry, 0, too_far("probe", at, away, reach)}});
-  const Point u = cloud().units.to_lattice(at);
-  auto near =
-      seen_from(u, reach, boundary().lattice, cloud().plate_points, geometry::to_lattice(paths(), cloud().units));
-  if (near.empty()) near.emplace_back(geometry::nearest_plate_point(cloud(), at), u);
-  return plate::interpolation(near, u);
+std::vector<PlaceShare> OrdinaryPlate::interpolation(const Point& at) const {
+  if (const double away = distance_to_points(cloud(), at); away > reach_of_places)
+    throw Refused({{Subject::geometry, 0, too_far("place", at, away, reach_of_places)}});
+  const auto& units = cloud().units;
+  return seen_place(at, units, boundary().lattice, cloud().plate_points, geometry::to_lattice(paths(), units));
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {
@@ -260,11 +256,11 @@ Discretised discretised(const Problem& problem) {
       last.forces = force_of_curvature(families, shapes, boundary.cloud.areas, weights, last.curvature, boundary.own);
     if (one.moves())
       layout.loads.back().moving = std::make_shared<MovingForces>(moving_forces(one, boundary.cloud, boundary.own));
-  if (layout.mechanisms.twisting > 0 && !ranks()) tie_twists(boundary, families);
     const double share = 1 + (problem.load_cases.empty() ? 0 : 0.1 * double(layout.loads.size()));
     load += share * layout.loads.back().forces;  // those of load cases do not act together: none takes another away
   }
   layout.mechanisms = mechanisms(boundary, families, layout.pieces, load);
+  if (layout.mechanisms.twisting > 0 && !ranks()) tie_twists(boundary, families);
   LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights),
                                     std::move(operated_part)));
   op.attach(boundary.attached);

@@ -29,7 +29,7 @@ struct Mesh;
 struct Piece;
 struct Resultants;
 struct Section;
-struct Share;
+struct PlaceShare;
 struct TimedLoad;
 
 /// The choice that was made. Without `inverse`: the diagonal.
@@ -101,8 +101,8 @@ public:
   /// Strain energy of every point [points].
   virtual Eigen::VectorXd energies(const State& state) const = 0;
   virtual Resultants resultants(const State& state) const = 0;
-  /// The points of the plate about a place that no crack parts from it. Throws Refused where none is near enough.
-  virtual std::vector<Share> interpolation(const geometry::Point& at) const = 0;
+  /// The state at a place, exact under rigid motions. Throws Refused where it sees no point near enough.
+  virtual std::vector<PlaceShare> interpolation(const geometry::Point& at) const = 0;
   virtual Mesh mesh() const = 0;
   /// Share of each point's surroundings that cracks severed when they were as at the start of their growth.
   virtual std::vector<double> cut_at(const StartOfCracks& start) const = 0;

@@ -1,9 +1,15 @@
 #include "plate/formulation/interpolation.hpp"
 
+#include <fmt/format.h>
+
 #include "geometry/cells/locator.hpp"
+#include "geometry/lattice/cloud.hpp"
 #include "plate/model/algebra/dense.hpp"
+#include "plate/model/refused.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 namespace plate {
 
@@ -36,9 +42,78 @@ std::vector<Share> interpolation(const std::vector<PlacedPoint>& points, const g
   return shares;
 }
 
-std::vector<Share> interpolation(const geometry::CellLocator& cells, double spacing, const geometry::Point& at) {
+namespace {
+
+/// Do the shares reproduce all linear fields, by weights that do not enlarge what varies from point to point?
+bool spans(const std::vector<Share>& shares, const std::vector<PlacedPoint>& points, const geometry::Point& at) {
+  constexpr double largest = 3;  // beside a straight edge 1.5
+  double sum = -1;
+  geometry::Point moment(0, 0);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (!(std::abs(shares[i].weight) <= largest)) return false;
+    sum += shares[i].weight, moment += shares[i].weight * (points[i].second - at);
+  }
+  return std::abs(sum) < 1e-9 && moment.norm() < 1e-9;
+}
+
+}  // namespace
+
+std::vector<PlaceShare> place_shares(const std::vector<PlacedPoint>& points, const geometry::Point& at,
+                                     double spacing) {
+  if (points.empty()) throw std::invalid_argument("a place without points");
+  const auto shares = interpolation(points, at);
+  std::vector<PlaceShare> result;
+  if (shares.size() < points.size() || spans(shares, points, at)) {
+    for (const auto& [point, weight] : shares) result.push_back({point, weight});
+    return result;
+  }
+  double sum = 0;
+  for (const auto& [point, position] : points) {
+    const geometry::Point way = at - position;
+    const double weight = 1 / way.squaredNorm();
+    sum += weight;
+    result.push_back({point, weight, spacing * weight * way});
+  }
+  for (auto& share : result) share.weight /= sum, share.lever /= sum;
+  return result;
+}
+
+std::vector<PlaceShare> seen_place(const geometry::Point& at, const geometry::LatticeUnits& units,
+                                   const std::vector<geometry::Point>& points, std::size_t count,
+                                   const std::vector<geometry::CrackPath>& cracks) {
+  for (const double reach : {reach_of_places, 2 * reach_of_places})
+    if (const auto near = seen_from(units.to_lattice(at), reach, points, count, cracks); !near.empty())
+      return place_shares(near, units.to_units(at), units.spacing);
+  throw Refused(
+      {{Subject::geometry, 0,
+        fmt::format("({:g}, {:g}) sees no point of the plate within {:g} spacings that no crack parts from it: "
+                    "refine, or choose formulation = \"galerkin\"",
+                    at.x(), at.y(), 2 * reach_of_places)}});
+}
+
+Eigen::Vector3d value_at(const std::vector<PlaceShare>& place, const State& state) {
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  for (const auto& [k, weight, lever] : place) {
+    result += weight * state.col(k);
+    if (lever != geometry::Point(0, 0)) result[0] += lever.y() * state(1, k) - lever.x() * state(2, k);
+  }
+  return result;
+}
+
+DofTerms terms_of(const std::vector<PlaceShare>& place, std::uint32_t component) {
+  DofTerms result;
+  for (const auto& [k, weight, lever] : place) {
+    result.emplace_back(3 * k + component, weight);
+    if (component > 0 || lever == geometry::Point(0, 0)) continue;
+    result.emplace_back(3 * k + 1, lever.y());
+    result.emplace_back(3 * k + 2, -lever.x());
+  }
+  return result;
+}
+
+std::vector<PlaceShare> interpolation(const geometry::CellLocator& cells, double spacing, const geometry::Point& at) {
   const auto found = cells(at + spacing * geometry::Point(1e-6, 1e-7), at);
-  std::vector<Share> result;
+  std::vector<PlaceShare> result;
   for (std::size_t i = 0; i < found.count; ++i) result.push_back({found.points[i], found.weights[i]});
   return result;
 }

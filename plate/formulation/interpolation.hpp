@@ -3,10 +3,12 @@
 #include <utility>
 #include <vector>
 #include "geometry/shape/crack_path.hpp"
+#include "plate/model/state.hpp"
 
 namespace geometry {
 class CellLocator;
-}
+struct LatticeUnits;
+}  // namespace geometry
 
 namespace plate {
 
@@ -16,6 +18,22 @@ struct Share {
   double weight;
 };
 
+/// A point's part in the state at a place: every component takes weight times that of the point, and the deflection
+/// lever . psi beside it, with psi = (-theta_y, theta_x).
+struct PlaceShare {
+  std::uint32_t point;
+  double weight;
+  geometry::Point lever{0, 0};  // [length]
+};
+
+/// Degrees of freedom 3 * point + component and their factors.
+using DofTerms = std::vector<std::pair<std::uint32_t, double>>;
+
+/// w, theta_x and theta_y at a place.
+Eigen::Vector3d value_at(const std::vector<PlaceShare>& place, const State& state);
+/// One component of them as a sum over degrees of freedom.
+DofTerms terms_of(const std::vector<PlaceShare>& place, std::uint32_t component);
+
 using PlacedPoint = std::pair<std::uint32_t, geometry::Point>;
 
 /// Of the first `count` points those as near as `reach` from which no crack parts the place. Lengths in spacings.
@@ -23,11 +41,26 @@ std::vector<PlacedPoint> seen_from(const geometry::Point& at, double reach, cons
                                    std::size_t count, const std::vector<geometry::CrackPath>& cracks);
 
 /// Linear moving least squares with weight 1/distance^2 over the points given: exact for linear fields where the
-/// points span the plane, the point's own value where `at` is one of them, empty without points. Lengths in spacings.
+/// points span the plane, the point's own value where `at` is one of them, empty without points. Points on one line
+/// give the weights of least norm, which do not add up to 1: place_shares() does. Lengths in spacings.
 std::vector<Share> interpolation(const std::vector<PlacedPoint>& points, const geometry::Point& at);
+
+/// Between points as near as this lie all places of a plate but those in acute corners [spacings].
+constexpr double reach_of_places = 1.6;
+
+/// The state at a place that moves with the points as a rigid body where they do: interpolation(); where that has
+/// weights above 3, or the points do not span the plane, the mean of the tangent planes of the points with weight
+/// 1/distance^2. Positions in spacings, the levers in lengths. Throws std::invalid_argument without points.
+std::vector<PlaceShare> place_shares(const std::vector<PlacedPoint>& points, const geometry::Point& at, double spacing);
+
+/// The state at a place [length] by the first `count` points that it sees within 1.6 spacings, else within 3.2;
+/// `cracks` in spacings. Throws Refused where it sees none.
+std::vector<PlaceShare> seen_place(const geometry::Point& at, const geometry::LatticeUnits& units,
+                                   const std::vector<geometry::Point>& points, std::size_t count,
+                                   const std::vector<geometry::CrackPath>& cracks);
 
 /// Linear in a triangle, bilinear in a square: in the cell about `at` [length], or nearest to it. A place on a crack
 /// belongs to the cell on the side of +x, or of +y where the crack is horizontal.
-std::vector<Share> interpolation(const geometry::CellLocator& cells, double spacing, const geometry::Point& at);
+std::vector<PlaceShare> interpolation(const geometry::CellLocator& cells, double spacing, const geometry::Point& at);
 
 }  // namespace plate

@@ -97,7 +97,7 @@ public:
   Resultants resultants(const State& state) const override {
     return plate::resultants(state, op_.families(), sections());
   }
-  std::vector<Share> interpolation(const Point& at) const override {
+  std::vector<PlaceShare> interpolation(const Point& at) const override {
     return plate::interpolation(geometry::CellLocator(cells_), cells_.units.spacing, at);
   }
   Mesh mesh() const override {

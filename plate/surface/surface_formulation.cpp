@@ -114,7 +114,7 @@ public:
     return plate::resultants(everywhere(state), around_.families, shapes, around_.areas, cloud().plate_points,
                              section());
   }
-  std::vector<Share> interpolation(const Point& at) const override;
+  std::vector<PlaceShare> interpolation(const Point& at) const override;
   Mesh mesh() const override { return plate::mesh(boundary(), problem().outline, paths(), cut(), section().thickness); }
   std::vector<double> cut_at(const StartOfCracks& start) const override { return start.cut; }
   std::unique_ptr<TipView> tip_view() const override {
@@ -181,13 +181,8 @@ Eigen::VectorXd SurfaceNodePlate::energies(const State& state) const {
 }
 
 /// Surface nodes are points like others there.
-std::vector<Share> SurfaceNodePlate::interpolation(const Point& at) const {
-  constexpr double reach = 1.6;  // spacings
-  const Point u = cloud().units.to_lattice(at);
-  const auto near = seen_from(u, reach, boundary().lattice, std::size_t(plate_.unknowns() / 3), cracks_);
-  if (near.empty())
-    throw Refused({{Subject::geometry, 0, "no point of the plate is within 1.6 spacings of the place"}});
-  return plate::interpolation(near, u);
+std::vector<PlaceShare> SurfaceNodePlate::interpolation(const Point& at) const {
+  return seen_place(at, cloud().units, boundary().lattice, std::size_t(plate_.unknowns() / 3), cracks_);
 }
 
 /// Over the sizes of the loads, as the residual of the balance (post::Balance).

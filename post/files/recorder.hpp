@@ -39,7 +39,7 @@ Mesh points_of(const plate::Formulation& plate);
 struct Probe {
   std::string name;
   geometry::Point position;
-  std::vector<plate::Share> shares;
+  std::vector<plate::PlaceShare> shares;
 };
 
 /// The results of a run as they come: rows are kept, frames go on to the sink at once, and everything whole at the end,

@@ -42,7 +42,7 @@ std::function<plate::Forces(const plate::State&)> inertial_force(const plate::Fo
 
 plate::Forces pressing(const plate::Blow& blow, Eigen::Index points) {
   plate::Forces result = plate::Forces::Zero(3, points);
-  for (const auto& [point, weight] : blow.shares) result(0, point) += weight * blow.force;
+  for (const auto& [dof, factor] : blow.terms) plate::at_dof(result, dof) += factor * blow.force;
   return result;
 }
 

@@ -59,12 +59,7 @@ std::vector<Response> responses_of(double frequency, const std::vector<Srif>& in
 
 std::vector<Response> responses_of(double frequency, const Probe& probe, const plate::State& in_phase,
                                    const plate::State& quadrature, double change, double thickness) {
-  const auto at = [&](const plate::State& state) {
-    Eigen::Vector3d u = Eigen::Vector3d::Zero();
-    for (const auto& share : probe.shares) u += share.weight * state.col(share.point);
-    return u;
-  };
-  const Eigen::Vector3d a = at(in_phase), b = at(quadrature);
+  const Eigen::Vector3d a = plate::value_at(probe.shares, in_phase), b = plate::value_at(probe.shares, quadrature);
   double largest = 0;
   for (Eigen::Index c = 0; c < 3; ++c) largest = std::max(largest, std::hypot(a[c], b[c]) * (c == 0 ? 1 : thickness));
   std::vector<Response> result;
@@ -84,9 +79,9 @@ std::vector<Response> responses_of(double frequency, const Probe& probe, const p
 Eigen::MatrixXd functionals(const Probe& probe, std::size_t points, double thickness) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 3 * Eigen::Index(points));
   const plate::State columns(3, Eigen::Index(points));  // for the order of its numbers alone
-  for (const auto& share : probe.shares)
-    for (Eigen::Index c = 0; c < 3; ++c)
-      result(c, &columns(c, share.point) - columns.data()) = share.weight * (c == 0 ? 1 : thickness);
+  for (std::uint32_t c = 0; c < 3; ++c)
+    for (const auto& [dof, factor] : plate::terms_of(probe.shares, c))
+      result(c, &plate::at_dof(columns, dof) - columns.data()) = factor * (c == 0 ? 1 : thickness);
   return result;
 }
 

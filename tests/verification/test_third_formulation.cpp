@@ -76,7 +76,7 @@ public:
   plate::Resultants resultants(const State& u) const override {
     return plate::resultants(u, families_, shapes_, cloud().areas, cloud().plate_points, section());
   }
-  std::vector<plate::Share> interpolation(const geometry::Point& x) const override {
+  std::vector<plate::PlaceShare> interpolation(const geometry::Point& x) const override {
     return {{std::uint32_t(geometry::nearest_plate_point(cloud(), x)), 1.0}};
   }
   plate::Mesh mesh() const override {

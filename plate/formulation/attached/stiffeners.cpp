@@ -84,7 +84,8 @@ void for_elements(const Stiffener& beam, const geometry::Tessellation& cells,
     Node node{x, {}, {}};
     for (const auto& share : interpolation(locate, cells.units.spacing, x))
       if (std::abs(share.weight) > 1e-9)
-        node.shares.push_back(share), node.levers.push_back((x - cells.positions[share.point]) / 2);
+        node.shares.push_back({share.point, share.weight}),
+            node.levers.push_back((x - cells.positions[share.point]) / 2);
     return node;
   };
   for (std::size_t i = 0; i + 1 < beam.along.size(); ++i) {

@@ -91,10 +91,8 @@ Impactor impactor_of(const Impact& impact, const Formulation& plate) {
   Impactor result{{}, impact.mass, impact.velocity, impact.stiffness};
   const bool here = touches(plate, impact.position), anywhere = largest_of_all(here) > 0;
   if (anywhere && !here) return result;
-  for (const auto& share : plate.interpolation(impact.position)) {
-    result.shares.emplace_back(share.point, share.weight);
-    result.own.push_back(plate.boundary().owns(share.point));
-  }
+  result.terms = terms_of(plate.interpolation(impact.position), 0);
+  for (const auto& [dof, factor] : result.terms) result.own.push_back(plate.boundary().owns(dof / 3));
   return result;
 }
 

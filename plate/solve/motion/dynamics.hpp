@@ -26,11 +26,11 @@ Forces driven_mass(const Formulation& plate, double rotary);
 
 /// A mass that meets the plate at time 0 at a place of it, and presses on it by a spring that does not pull.
 struct Impactor {
-  std::vector<std::pair<std::uint32_t, double>> shares;  // of the points about the place, as far as they are seen
-  double mass = 0;                                       // [mass]
-  double velocity = 0;                                   // along w [length/time]; its sign tells the side
-  double stiffness = 0;                                  // of the contact [force/length]
-  std::vector<char> own = {};                            // of the shares: no other process has the point; empty: all
+  std::vector<std::pair<std::uint32_t, double>> terms;  // w of the place: degrees of freedom and their factors
+  double mass = 0;                                      // [mass]
+  double velocity = 0;                                  // along w [length/time]; its sign tells the side
+  double stiffness = 0;                                 // of the contact [force/length]
+  std::vector<char> own = {};                           // of the terms: no other process has the point; empty: all
 };
 
 /// Where the mass is: along w, and half a step before how fast; how it has pressed so far.
@@ -41,10 +41,10 @@ struct Striker {
 
 /// What the mass does at an instant.
 struct Blow {
-  double place, velocity;    // along w [length, length/time]
-  double force;              // that it presses with, on the plate along w [force]
-  double largest, touching;  // of all steps so far: force, how long it presses [time]
-  std::vector<std::pair<std::uint32_t, double>> shares;
+  double place, velocity;                               // along w [length, length/time]
+  double force;                                         // that it presses with, on the plate along w [force]
+  double largest, touching;                             // of all steps so far: force, how long it presses [time]
+  std::vector<std::pair<std::uint32_t, double>> terms;  // of the Impactor
 };
 
 /// How a plate begins to move, beside loads: what its case gives, on all of its points.

@@ -11,9 +11,9 @@ namespace {
 
 /// Of the place, the same for all processes.
 double deflection(const Impactor& impactor, const State& state) {
-  return ordered_sum<1>(impactor.shares.size(), [&](std::size_t i) {
-    const auto& [point, weight] = impactor.shares[i];
-    return std::array<double, 1>{impactor.own.empty() || impactor.own[i] ? weight * state(0, point) : 0};
+  return ordered_sum<1>(impactor.terms.size(), [&](std::size_t i) {
+    const auto& [dof, factor] = impactor.terms[i];
+    return std::array<double, 1>{impactor.own.empty() || impactor.own[i] ? factor * at_dof(state, dof) : 0};
   })[0];
 }
 
@@ -27,12 +27,12 @@ void Contact::press(const State& state, Forces& forces) {
   overlap_ = std::max(0.0, towards * (striker_.place - deflection(impactor_, state)));
   force_ = towards * impactor_.stiffness * overlap_;
   if (std::abs(force_) > std::abs(striker_.largest)) striker_.largest = force_;
-  for (const auto& [point, weight] : impactor_.shares) forces(0, point) += weight * force_;
+  for (const auto& [dof, factor] : impactor_.terms) at_dof(forces, dof) += factor * force_;
 }
 
 Blow Contact::blow(double half) const {
-  return {striker_.place,  striker_.velocity + half * acceleration(), force_, striker_.largest, striker_.touching,
-          impactor_.shares};
+  return {striker_.place, striker_.velocity + half * acceleration(), force_, striker_.largest, striker_.touching,
+          impactor_.terms};
 }
 
 double Contact::spring() const {
@@ -59,7 +59,7 @@ void Contact::move(double share, double time_step) {
 /// by (dt Omega)^2 of the energy there, Omega^2 = k (1 / m + b M^-1 b): at most a hundredth.
 double stable_step(double free, const Impactor& impactor, const Constraints& constraints, const Forces& mass) {
   Forces unit = Forces::Zero(3, mass.cols());
-  for (const auto& [point, weight] : impactor.shares) unit(0, point) += weight;
+  for (const auto& [dof, factor] : impactor.terms) at_dof(unit, dof) += factor;
   constraints.fold(unit);
   const auto [of_plate] = ordered_sum<1>(std::size_t(unit.size()), [&](std::size_t i) {
     const double f = unit.data()[i], m = mass.data()[i];

@@ -73,6 +73,37 @@ TEST_CASE("interpolation: points on one line, one point, none") {
   CHECK(interpolation({}, {0, 0}).empty());
 }
 
+TEST_CASE("place shares: of points on one line, of one point and of none") {
+  const Points line{{0, {0, 0}}, {1, {1, 0}}, {2, {2, 0}}}, one{{3, {1, 2}}},
+      bent{{0, {0, 0}}, {1, {1, 0}}, {2, {2, 0.1}}};
+  constexpr double spacing = 0.5;
+  for (const auto& points : {line, one, bent})
+    for (const Point& at : {Point(0.5, 0.8), Point(-1, 0), Point(1, 0)}) {
+      plate::State u = plate::State::Zero(3, 4);  // w = 2 + 3 x - y
+      for (const auto& [k, x] : points) u.col(k) << 2 + spacing * (3 * x.x() - x.y()), -1, -3;
+      const Eigen::Vector3d expected(2 + spacing * (3 * at.x() - at.y()), -1, -3);
+      const auto place = plate::place_shares(points, at, spacing);
+      CHECK((plate::value_at(place, u) - expected).norm() < 1e-12);  // measured: 1e-15
+      for (std::uint32_t component = 0; component < 3; ++component) {
+        double sum = 0;
+        for (const auto& [dof, factor] : plate::terms_of(place, component)) sum += factor * plate::at_dof(u, dof);
+        CHECK(sum == Approx(expected[component]).epsilon(1e-12));
+      }
+    }
+  CHECK_THROWS_AS(plate::place_shares({}, {0, 0}, spacing), std::invalid_argument);
+}
+
+TEST_CASE("place shares: where points span the plane, those of the interpolation") {
+  const Points points{{0, {0, 0}}, {1, {1, 0}}, {2, {0, 1}}, {3, {1, 1}}};
+  const auto expected = interpolation(points, {0.3, 0.2});
+  const auto place = plate::place_shares(points, {0.3, 0.2}, 0.1);
+  REQUIRE(place.size() == expected.size());
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    CHECK(place[i].weight == expected[i].weight);
+    CHECK(place[i].lever == Point(0, 0));
+  }
+}
+
 TEST_CASE("interpolation: of the points that a place sees, those near it and on its side of a crack") {
   const std::vector<Point> lattice{{0.5, 0.5}, {1.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}, {2.5, 1.5}, {1.5, 1.2}};
   const std::vector<geometry::CrackPath> crack{{{{0, 1}, {3, 1}}, geometry::End::tip, geometry::End::tip}};
