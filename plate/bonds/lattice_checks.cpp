@@ -148,10 +148,21 @@ void check_loaded_edges(const Problem& problem, const geometry::Cloud& cloud, co
 /// Single places that would act somewhere else.
 void check_places(const Problem& problem, const geometry::Cloud& cloud, const Seeded& seeded,
                   std::vector<Refusal>& refusals) {
+  const auto cracks = geometry::to_lattice(crack_paths(problem), cloud.units);
   const auto check = [&](Subject subject, std::size_t number, const char* what, const Point& x) {
     if (!cloud.seeded(x)) return;
-    if (const double away = seeded.distance_from(x); away > largest_move)
+    if (const double away = seeded.distance_from(x); away > largest_move) {
       refusals.push_back({subject, number, too_far(what, x, away, largest_move)});
+      return;
+    }
+    const Point u = cloud.units.to_lattice(x),
+                nearest = cloud.units.to_lattice(cloud.positions[geometry::nearest_plate_point(cloud, x)]);
+    if (std::ranges::any_of(cracks, [&](const auto& crack) { return geometry::severs(crack, u, nearest); }))
+      refusals.push_back(
+          {subject, number,
+           fmt::format("a crack parts the {} at ({:g}, {:g}) from the nearest point of the lattice, which "
+                       "would stand for it: refine, or choose formulation = \"galerkin\"",
+                       what, x.x(), x.y())});
   };
   std::map<std::size_t, Point> pins;  // by the point that stands for them
   for (std::size_t i = 0; i < problem.supports.size(); ++i)
