@@ -76,18 +76,36 @@ struct Stretch {
   Point moment{0, 0}, normal{0, 0};  // integrals of the place and of the outward normal
 };
 
-/// A spring and the strip of the plate between the edge and the point next to it, `away` wide, one after the other.
-Spring behind(Spring spring, double away, const Section& section) {
+/// Loads on an edge: forces, and moments.
+struct EdgeLoads {
+  bool shear = false, moment = false;
+};
+
+EdgeLoads loads_on(const std::string& edge, const Problem& problem) {
+  EdgeLoads result;
+  for (const auto& load : problem.loads) {
+    if (std::ranges::find(load.edges, edge) == load.edges.end()) continue;
+    result.shear |= load.kind == Load::Kind::edge_shear;
+    result.moment |= load.kind == Load::Kind::edge_moment;
+  }
+  return result;
+}
+
+/// A spring and the strip of the plate between the edge and the point next to it, `away` wide, one after the other. A
+/// load on the same edge, which bonds take at that point too, must not pass through the strip: then the spring alone.
+Spring behind(Spring spring, double away, const Section& section, const EdgeLoads& loads) {
   const auto soften = [&](double& stiffness, double of_plate) { stiffness /= 1 + stiffness * away / of_plate; };
   const double D = section.bending_stiffness();
-  soften(spring.deflection, section.shear_stiffness());
+  if (!loads.shear) soften(spring.deflection, section.shear_stiffness());
+  if (loads.moment) return spring;
   soften(spring.rotation_normal, D);
   soften(spring.rotation_tangential, D * (1 - section.poisson) / 2);
   return spring;
 }
 
 void add_edges(const Spring& spring, const Problem& problem, const geometry::Cloud& cloud, AttachmentSum& sum) {
-  for (const auto& name : spring.edges)
+  for (const auto& name : spring.edges) {
+    const auto loads = loads_on(name, problem);
     for (const auto& border : edge_borders(name, cloud, problem.outline)) {
       std::map<std::uint32_t, Stretch> by_point;
       for (const auto& [middle, normal] : border.pieces) {
@@ -97,9 +115,10 @@ void add_edges(const Spring& spring, const Problem& problem, const geometry::Clo
       for (const auto& [k, stretch] : by_point) {
         const Point n = stretch.normal.normalized(), lever = stretch.moment / stretch.length - cloud.positions[k];
         const double away = std::max(0.0, lever.dot(n));
-        add_piece(behind(spring, away, problem.section), stretch.length, {{{k, 1}}, lever}, n, sum);
+        add_piece(behind(spring, away, problem.section, loads), stretch.length, {{{k, 1}}, lever}, n, sum);
       }
     }
+  }
 }
 
 /// Between the ends of a piece all is linear; two places of Gauss are exact for its square.
