@@ -76,28 +76,29 @@ struct Stretch {
   Point moment{0, 0}, normal{0, 0};  // integrals of the place and of the outward normal
 };
 
-/// Loads on an edge: forces, and moments.
+/// Loads on an edge: forces beside any others, moments and nothing else.
 struct EdgeLoads {
-  bool shear = false, moment = false;
+  bool shear = false, moments_alone = false;
 };
 
 EdgeLoads loads_on(const std::string& edge, const Problem& problem) {
-  EdgeLoads result;
+  EdgeLoads result{false, !problem.loads.empty()};
   for (const auto& load : problem.loads) {
-    if (std::ranges::find(load.edges, edge) == load.edges.end()) continue;
-    result.shear |= load.kind == Load::Kind::edge_shear;
-    result.moment |= load.kind == Load::Kind::edge_moment;
+    const bool here = std::ranges::find(load.edges, edge) != load.edges.end();
+    result.shear |= here && load.kind == Load::Kind::edge_shear;
+    result.moments_alone &= here && load.kind == Load::Kind::edge_moment;
   }
   return result;
 }
 
 /// A spring and the strip of the plate between the edge and the point next to it, `away` wide, one after the other. A
-/// load on the same edge, which bonds take at that point too, must not pass through the strip: then the spring alone.
+/// force on the same edge acts at that point too and must not pass through the strip: then the spring alone; also under
+/// moments, but for other loads the strip turns.
 Spring behind(Spring spring, double away, const Section& section, const EdgeLoads& loads) {
   const auto soften = [&](double& stiffness, double of_plate) { stiffness /= 1 + stiffness * away / of_plate; };
   const double D = section.bending_stiffness();
   if (!loads.shear) soften(spring.deflection, section.shear_stiffness());
-  if (loads.moment) return spring;
+  if (loads.moments_alone) return spring;
   soften(spring.rotation_normal, D);
   soften(spring.rotation_tangential, D * (1 - section.poisson) / 2);
   return spring;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "plate/formulation/boundary.hpp"
+#include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/parts/held.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
@@ -33,6 +34,28 @@ State rigid(const Formulation& plate, double c, const Point& g) {
 }
 
 }  // namespace
+
+TEST_CASE("a load on an edge with stiff springs moves it by the load over their stiffness") {
+  for (const auto* kind : both)
+    for (const bool force : {true, false}) {
+      auto c = free_square(*kind);
+      c.analysis.kind = cases::Analysis::Kind::static_;
+      c.section = {1, 0, 0.3, 5.0 / 6, 1};
+      c.springs = {springs(force ? 300 : 0, force ? 0 : 30, 0, {"right"}, {})};
+      c.supports = {vp::held(SupportKind::simply_supported, {"bottom", "top", "left"})};
+      Load load;
+      load.kind = force ? Load::Kind::edge_shear : Load::Kind::edge_moment;
+      load.value = 0.003, load.edges = {"right"};
+      c.loads = {load};
+      const auto plate = vp::assembled(c);
+      const auto u = value_at(plate->interpolation({0.999, 0.5}), vp::solved(*plate).state);
+      CAPTURE(kind->name, force, u);
+      if (force)
+        CHECK(u[0] == Approx(1e-5).epsilon(0.05));  // measured: 1.025e-5, 1.007e-5
+      else
+        CHECK(std::abs(u[2]) == Approx(1e-4).epsilon(0.2));  // measured: 1.00e-4, 1.16e-4
+    }
+}
 
 TEST_CASE("springs have their energy under rigid motions") {
   const Point g(0.7, -0.4);
