@@ -5,6 +5,7 @@
 #include "cases/driver/discretised.hpp"
 #include "cases/driver/results.hpp"
 #include "cases/input/refused.hpp"
+#include "fracture/runs/bonds/bonds_error.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/solve/motion/begin.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -60,6 +61,8 @@ Prepared::Prepared(CaseFile wanted) : file(std::move(wanted)) {
     }
     stopwatch.lap("solve");
   }
+  if (c.analysis.kind != Analysis::Kind::static_ || !c.load_cases.empty())
+    fracture::compare_under_pressure(*plate, c, warnings), stopwatch.lap("second_formulation");
   tip_methods = cases::tip_methods(file, *plate);
   for (auto& one : post::distrust_of_ligaments(*plate)) warnings.push_back(std::move(one));
   stopwatch.lap("srif");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fracture/growth/motion/moving_growth.hpp"
+#include "fracture/runs/bonds/bonds_error.hpp"
 #include "fracture/runs/kept_motion.hpp"
 #include "fracture/runs/shared/among_ranks.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -96,6 +97,8 @@ void solve_static(const Going& run) {
   results.sample(end, true);
   stopwatch.lap("srif");
   results.frame(end);
+  compare_with_galerkin(plate, solution.state, run.plan().problem, summary.warnings);
+  stopwatch.lap("second_formulation");
   summary.multipliers = plate.multipliers(solution.state);
   summary.energy = {{"strain", results.strain_energy()}, {"external_work", results.external_work()}};
   book_attached(plate, solution.state, summary);

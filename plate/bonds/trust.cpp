@@ -14,18 +14,31 @@
 namespace plate {
 namespace {
 
-/// Bending that varies over the plate locks where the horizon is much larger than the thickness (theory (66)).
+/// Bending that varies over the plate locks where the horizon is much larger than the thickness (theory (66)): beside
+/// clamped edges and point forces up to twelve times as much as in the longest wave.
 void check_thickness(const Formulation& plate, std::vector<std::string>& warnings) {
   const double h = plate.section().thickness, spacing = plate.discretization().spacing,
                horizon = plate.discretization().horizon();
   const double number = horizon / h * lowest_wave(plate) * horizon, locking = 0.0016 * number * number;
   constexpr double trusted = 2.5;  // 1 % by theory (66)
   if (number <= trusted) return;
-  warnings.push_back(
-      fmt::format("thickness is 1/{:.3g} of the spacing: (horizon/thickness) k horizon = {:.3g}, above "
-                  "{:g}, with k of the longest wave between the supports: shear locking makes deflections "
-                  "about {:.2g} % too small; a spacing of {:.3g} brings it to 1 %",
-                  spacing / h, number, trusted, 100 * locking / (1 + locking), spacing * std::sqrt(trusted / number)));
+  warnings.push_back(fmt::format(
+      "thickness is 1/{:.3g} of the spacing: shear locking makes deflections some {:.2g} % too small, beside "
+      "clamped edges several times as much; set formulation = \"galerkin\"",
+      spacing / h, 100 * locking / (1 + locking)));
+}
+
+/// Round holes and clamped edges on random plates, 14 to 48 spacings a side: 3 to 33 % below what is there, the median
+/// 21 %; 100 spacings a side 9 %.
+void check_stress(const Formulation& plate, std::vector<std::string>& warnings) {
+  const auto& sides = plate.boundary().sides;
+  const bool hole = !plate.problem().outline.holes.empty(),
+             clamped = std::ranges::any_of(sides, [](const auto&side) { return side.kind == SupportKind::clamped; });
+  if (!hole && !clamped) return;
+  warnings.push_back(fmt::format("stress of bonds comes out 5 to 30 % too small at {}; set formulation = \"galerkin\"",
+                                 !clamped ? "holes"
+                                 : hole   ? "holes and clamped edges"
+                                          : "clamped edges"));
 }
 
 /// Beside free edges, soft supports and crack faces twist and shear change within a layer of this width.
@@ -93,9 +106,15 @@ double error_of_stairs(const Formulation& plate) {
   return 3 * plate.discretization().spacing / (high - low).minCoeff();
 }
 
-std::vector<std::string> distrust_of_bonds(const Formulation& plate, bool factors) {
+std::vector<std::string> foretold_errors(const Formulation& plate) {
   std::vector<std::string> warnings;
   check_thickness(plate, warnings);
+  check_stress(plate, warnings);
+  return warnings;
+}
+
+std::vector<std::string> distrust_of_bonds(const Formulation& plate, bool factors) {
+  auto warnings = foretold_errors(plate);
   check_edge_layer(plate, factors, warnings);
   check_isotropy(plate, warnings);
   check_oblique_edges(plate, warnings);

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plate/model/state.hpp"
+
+namespace plate {
+class Formulation;
+struct Problem;
+}  // namespace plate
+
+namespace fracture {
+
+/// Replaces what is foretold of deflections and stresses of bonds (plate::foretold_errors) by how far they are from
+/// those of the Galerkin plate with the same spacing. Nothing happens to plates that are not compared: those of more
+/// than 40,000 points that are thick, and those that processes share. `problem`: as the case has it.
+void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& state, const plate::Problem& problem,
+                           std::vector<std::string>& warnings);
+
+/// The same of deflections under a uniform pressure, for plates that are thin, held and not solved at rest.
+void compare_under_pressure(const plate::Formulation& bonds, const plate::Problem& problem,
+                            std::vector<std::string>& warnings);
+
+}  // namespace fracture
