@@ -52,13 +52,15 @@ struct Holding {
   std::vector<const SupportMotion*> motions;  // of its support
 };
 
+/// The first holder says where w is: settlements that move others at one place elsewhere are refused.
 void hold(Held& held, const Holding& by, const Point& x) {
   using enum SupportKind;
   const Point& normal = by.normal;
   const Point along(-normal.y(), normal.x());
   if (by.kind != symmetry) {
+    if (!held.w)
+      for (const auto* motion : by.motions) held.of_w[motion->load] = motion->at(x)[0];
     held.w = true, held.holders_of_w.insert(by.holder);
-    for (const auto* motion : by.motions) held.of_w[motion->load] = motion->at(x)[0];
   }
   if (by.kind != simply_supported) held.holders_of_psi.insert(by.holder);
   const auto direction = [&](const Point& d) {

@@ -50,6 +50,11 @@ std::vector<Place> held_at(const Support& support, const geometry::Outline& outl
       const Point way = (edge.to - edge.from).normalized();
       result.push_back({x, {way.y(), -way.x()}});
     }
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole);
+        circle && std::ranges::find(support.edges, circle->name) != support.edges.end() &&
+        std::abs((x - circle->centre).norm() - circle->radius) <= tolerance)
+      result.push_back({x, (circle->centre - x).normalized()});
   bool inside = along(support.along, x, tolerance);
   for (const auto& point : support.points) inside = inside || (point - x).norm() <= tolerance;
   if (auto ring = support.patch ? geometry::Patch(*support.patch).ring() : std::vector<Point>(); !ring.empty()) {
@@ -70,6 +75,32 @@ std::vector<Point> ends_of(const Support& support, const geometry::Outline& outl
       result.push_back(edge.from), result.push_back(edge.to);
   if (support.patch)
     for (const auto& x : geometry::Patch(*support.patch).ring()) result.push_back(x);
+  return result;
+}
+
+/// Lines within the plate that a support holds, and the boundary of the part that it holds.
+std::vector<geometry::Polyline> lines_of(const Support& support) {
+  std::vector<geometry::Polyline> result;
+  if (!support.along.empty()) result.push_back(support.along);
+  if (support.patch) {
+    result.push_back(geometry::Patch(*support.patch).ring());
+    result.back().push_back(result.back().front());
+  }
+  return result;
+}
+
+/// Where lines of two supports cross.
+std::vector<Point> crossings(const Support& one, const Support& other) {
+  std::vector<Point> result;
+  for (const auto& first : lines_of(one))
+    for (const auto& second : lines_of(other))
+      for (std::size_t i = 0; i + 1 < first.size(); ++i)
+        for (std::size_t j = 0; j + 1 < second.size(); ++j) {
+          const Point a = first[i], d = first[i + 1] - a, b = second[j], e = second[j + 1] - b;
+          const double sine = d.x() * e.y() - d.y() * e.x();
+          if (sine == 0 || !geometry::meet(a, a + d, b, b + e)) continue;
+          result.emplace_back(a + ((b - a).x() * e.y() - (b - a).y() * e.x()) / sine * d);
+        }
   return result;
 }
 
@@ -100,21 +131,27 @@ Kept kept(const Problem& problem, std::size_t number, const Place& at, const Tog
 }
 
 /// Do both hold the same of the place, at different values?
-bool apart(const Kept& one, const Kept& other, double size) {
+bool apart(const Kept& one, const Kept& other, double deflection, double slope) {
   constexpr double rounding = 1e-9, parallel = 1 - 1e-9;
-  if (one.w && other.w && std::abs(*one.w - *other.w) > rounding * size) return true;
+  if (one.w && other.w && std::abs(*one.w - *other.w) > rounding * deflection) return true;
   for (const auto& [d, value] : one.slopes)
     for (const auto& [e, wanted] : other.slopes) {
       const double along = d.dot(e);
-      if (std::abs(along) > parallel && std::abs(value - (along > 0 ? wanted : -wanted)) > rounding) return true;
+      if (std::abs(along) > parallel && std::abs(value - (along > 0 ? wanted : -wanted)) > rounding * slope)
+        return true;
     }
   return false;
 }
 
 /// A place that two supports, or two edges of one, hold apart under settlements; empty where there is none.
 std::string torn(const Problem& problem, const Together& motions) {
-  double size = 0;
-  for (const auto& one : motions) size += std::abs(one.deflection) + one.slope.norm() + std::abs(one.rotation);
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  double slope = 0, deflection = 0;  // at most, anywhere
+  for (const auto& one : motions) {
+    const double reach = std::max((one.from - low).norm(), (one.from - high).norm()) + (high - low).norm();
+    slope += one.slope.norm() + std::abs(one.rotation);
+    deflection += std::abs(one.deflection) + one.slope.norm() * reach;
+  }
   const auto moves = [&](std::size_t i) {
     return std::ranges::find(motions, i, &SupportMotion::support) != motions.end();
   };
@@ -124,10 +161,11 @@ std::string torn(const Problem& problem, const Together& motions) {
       if (!moves(i) && !moves(j)) continue;
       auto places = ends_of(supports[i], problem.outline);
       for (const auto& x : ends_of(supports[j], problem.outline)) places.push_back(x);
+      for (const auto& x : crossings(supports[i], supports[j])) places.push_back(x);
       for (const auto& x : places)
         for (const auto& here : held_at(supports[i], problem.outline, x))
           for (const auto& there : held_at(supports[j], problem.outline, x))
-            if (apart(kept(problem, i, here, motions), kept(problem, j, there, motions), size))
+            if (apart(kept(problem, i, here, motions), kept(problem, j, there, motions), deflection, slope))
               return fmt::format("support[{}] and {} hold the plate at {}, which would be torn there", i,
                                  j == i ? "another edge of it" : fmt::format("support[{}]", j), text_of(x));
     }

@@ -96,3 +96,19 @@ TEST_CASE("Galerkin supports: a small hole that is simply supported is free to t
     }
   }
 }
+
+TEST_CASE("Galerkin supports: a corner of two edges that settle alike is moved once") {
+  using enum SupportKind;
+  const std::vector<double> areas(cells.positions.size(), 0.01);
+  const std::vector<SupportMotion> motions{{0, 0, 0.01}, {1, 1, 0.01}};
+  for (const auto first : {clamped, simply_supported, simply_supported_hard})
+    for (const auto second : {clamped, simply_supported, simply_supported_hard}) {
+      const auto boundary =
+          galerkin_boundary(cells, areas, outline, {{first, {"west"}, {}}, {second, {"south"}, {}}}, motions);
+      const auto points = cells.positions.size();
+      const State lift = boundary.constraints.lift(0, points) + boundary.constraints.lift(1, points);
+      CHECK(lift.row(0).maxCoeff() == 0.01);
+      CHECK(lift.row(0).minCoeff() == 0);
+      CHECK(lift.bottomRows(2).isZero(1e-15));
+    }
+}

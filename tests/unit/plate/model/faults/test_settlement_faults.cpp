@@ -55,3 +55,32 @@ TEST_CASE("settlements do not tear the plate where two supports meet") {
   late.history.kind = History::Kind::ramp, late.history.rise_time = 1;
   CHECK_THAT(fault({left, bottom}, {moved(0, 1), late}), Contains("torn"));
 }
+
+TEST_CASE("settlements do not tear the plate where lines and parts cross, nor at a round hole") {
+  using Catch::Contains;
+  using enum SupportKind;
+  Support across{pinned, {}, {}}, down{pinned, {}, {}}, part{clamped, {}, {}}, pin{pinned, {}, {{0.7, 0.5}}};
+  across.along = {{0.1, 0.4}, {0.9, 0.4}}, down.along = {{0.3, 0.1}, {0.3, 0.9}};
+  part.patch = geometry::Circle{{0.5, 0.4}, 0.1, ""};
+  CHECK_THAT(fault({across, down}, {moved(0, 1)}), Contains("support[0] and support[1] hold the plate at [0.3, 0.4]"));
+  CHECK(fault({across, down}, {moved(0, 1), moved(1, 1)}).empty());
+  CHECK_THAT(fault({across, part}, {moved(0, 1)}), Contains("torn"));
+  CHECK(fault({across, part}, {moved(0, 1), moved(1, 1)}).empty());
+  Problem problem;
+  problem.outline = geometry::rectangle(0, 0, 1, 1);
+  problem.outline.holes = {geometry::Circle{{0.5, 0.5}, 0.2, "hole0"}};
+  problem.supports = {{simply_supported, {"hole0"}, {}}, pin}, problem.loads = {moved(0, 1)};
+  CHECK(faults_of_settlements(problem).size() == 1);
+  problem.loads.push_back(moved(1, 1));
+  CHECK(faults_of_settlements(problem).empty());
+}
+
+TEST_CASE("settlements that tear are found whatever their size") {
+  using enum SupportKind;
+  const Support left{clamped, {"left"}, {}}, bottom{clamped, {"bottom"}, {}};
+  for (const double size : {1e-12, 1.0, 1e9}) {
+    CHECK_FALSE(fault({left, bottom}, {moved(0, 0, {size, 0})}).empty());
+    CHECK_FALSE(fault({left, bottom}, {moved(0, size)}).empty());
+    CHECK(fault({left, bottom}, {moved(0, size, {size, 2 * size}), moved(1, size, {size, 2 * size})}).empty());
+  }
+}
