@@ -33,6 +33,9 @@ struct Case {
   plate::Forces load;
   plate::State lift, state;  // lift: of supports that have moved, without columns where none has
   plate::Heat heat;
+  plate::State strained = plate::State(3, 0);  // plate::StaticResult
+
+  const plate::State& what_strains() const { return strained.cols() > 0 ? strained : state; }
 };
 
 double folded_norm(const plate::Formulation& plate, const Case& one) {
@@ -87,27 +90,28 @@ private:
 
 /// What is to be known of a state in equilibrium under a load.
 void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t step) {
-  const auto& [load, lift, state, heat] = known;
+  const auto& [load, lift, state, heat, less] = known;
+  const auto& strained = known.what_strains();
   const auto when = fmt::format("in {}", one.name);
   const auto number = double(found_.size() + 1);
   post::require_finite(state, when);
   const plate::Settled settled(plate_, load, lift);
-  const double work = post::slow_work(plate_, load, state) + settled.work(state);
-  const double strain = plate_.strain_energy(state), heated = plate::stored(plate_, heat, state);
+  const double work = post::slow_work(plate_, load, state) + settled.work(strained);
+  const double strain = plate_.strain_energy(strained), heated = plate::stored(plate_, heat, state);
   one.strain_energy = strain + heated, one.external_work = work + heated;
   const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain - 2 * work;
   recorder_.row(row, probes_, plate_.boundary());
   post::ReactionRows reactions;
-  reactions.add(number, plate_, plate_, state, load);
+  reactions.add(number, plate_, plate_, strained, load);
   if (!reactions.empty()) {
     auto table = reactions.table();
     reactions_.columns = table.columns;
     std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
     one.reactions = reactions.summary();
   }
-  if (plan_.srif) one.srif = of_all(post::srifs(plate_, *plan_.srif, ready_.tip_methods, state, true, &heat));
+  if (plan_.srif) one.srif = of_all(post::srifs(plate_, *plan_.srif, ready_.tip_methods, strained, true, &heat));
   if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
@@ -115,7 +119,8 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
   post::Extremes extremes(plate_);
   extremes.row(now);
   if (recorder_.draws() || recorder_.stores()) {
-    auto frame = post::frame_of(plate_, number, step, state, recorder_.draws(), &heat);
+    auto frame = post::frame_of(plate_, number, step, strained, recorder_.draws(), &heat);
+    if (less.cols() > 0) frame.state = state.leftCols(frame.state.cols());
     if (plan_.report && !drawing_) pictures_.look(frame);
     if (recorder_.draws()) extremes.frame(number, frame.resultants);
     recorder_.frame(drawing_ ? drawing_->frame(std::move(frame)) : std::move(frame), {}, {});
@@ -186,7 +191,7 @@ void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
     if (!solution.converged)
       throw plate::NumericalError(fmt::format("{}, {}: {}, residual {:.2e} above tolerance {:.1e}", name, result.method,
                                               solution.stop_reason, solution.residual, analysis.tolerance));
-    now.state = std::move(solution.state);
+    now.state = std::move(solution.state), now.strained = std::move(result.strained);
     look({name, {}, solution.iterations, solution.residual}, now, solution.iterations);
     stopwatch.lap("srif");
     progress.update(double(i + 1) / double(problem.load_cases.size()), name);
@@ -203,12 +208,14 @@ void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
 Case LoadCases::loaded(std::size_t which) const {
   Case result{plate::Forces::Zero(3, Eigen::Index(plate_.points())), plate::State(3, 0), {}, {}};
   std::vector<double> shares(plate_.loads().size(), 0);
+  std::vector<plate::Forces> acting;
   for (const auto k : plate::loads_of(plate_.problem(), which)) {
     const auto& one = plate_.loads()[k];
     shares[k] = 1;
-    result.load += one.forces;
+    result.load += acting.emplace_back(one.forces);
     if (one.lifts()) result.lift = result.lift.cols() > 0 ? plate::State(result.lift + one.lift) : one.lift;
   }
+  if (plate::cancel(plate_, acting)) result.load.setZero();
   result.heat = plate::heat_of(plate_, shares);
   return result;
 }
@@ -218,10 +225,12 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
   constexpr double rounding = 1e-12;
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
   const plate::State zero = plate::State::Zero(3, Eigen::Index(plate_.points()));
-  Case sum{zero, plate::settles(plate_) ? zero : plate::State(3, 0), zero, {}};
+  const plate::State of_supports = plate::settles(plate_) ? zero : plate::State(3, 0);
+  Case sum{zero, of_supports, zero, {}, of_supports};
   double largest = 0, residual = 0;  // of the parts: load, and at most what is left of it
   for (std::size_t i = 0; i < factors.size(); ++i) {
     sum.state += factors[i] * cases[i].state, sum.load += factors[i] * cases[i].load;
+    if (plate::settles(plate_)) sum.strained += factors[i] * cases[i].what_strains();
     if (cases[i].lift.cols() > 0) sum.lift += factors[i] * cases[i].lift;
     const double part = std::abs(factors[i]) * folded_norm(plate_, cases[i]);
     largest = std::max(largest, part), residual += part * found_[i].residual.value_or(0);

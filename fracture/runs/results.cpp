@@ -76,7 +76,7 @@ void Results::sample(const plate::Instant& now, bool last) {
   const auto factors = [&]() -> std::vector<post::Srif> {
     if (growth_) return of_all(growth_->factors(now.state));
     if (!plan_.srif || factors_.known()) return {};
-    return of_all(post::srifs(plate_, *plan_.srif, tip_methods_, now.state, last, &heat));
+    return of_all(post::srifs(plate_, *plan_.srif, tip_methods_, now.what_strains(), last, &heat));
   };
   factors_.add(factors(), fmt::format("at step {}, time {:g}", now.step, now.time));
 }
@@ -86,7 +86,8 @@ void Results::frame(const plate::Instant& now) {
   if (!recorder_.draws() && !recorder_.stores()) return;
   const bool of_mode = plan_.analysis.kind == plate::Analysis::Kind::frequencies;
   const auto heat = of_mode ? plate::Heat{} : plate::heat_at(plate_, now.time);
-  auto frame = post::frame_of(plate_, now.time, now.step, now.state, recorder_.draws() && !growth_, &heat);
+  auto frame = post::frame_of(plate_, now.time, now.step, now.what_strains(), recorder_.draws() && !growth_, &heat);
+  if (now.rest) frame.state = now.state.leftCols(frame.state.cols());
   std::optional<plate::Mesh> mesh;
   if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state, factors_.last());
   if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);

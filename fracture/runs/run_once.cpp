@@ -14,6 +14,7 @@
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
+#include "plate/solve/settled.hpp"
 #include "post/balance/supports.hpp"
 #include "post/factors/watched_motion.hpp"
 #include "post/files/gate.hpp"
@@ -69,6 +70,10 @@ struct Going {
   const Analysis& analysis() const { return plan().analysis; }
 };
 
+bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulation& plate) {
+  return result.strained.cols() > 0 && post::is_zero(result.strained) && !post::is_zero(plate::total_lift(plate));
+}
+
 void solve_static(const Going& run) {
   auto& [ready, results, summary, stopwatch] = run;
   const auto& analysis = run.analysis();
@@ -91,9 +96,12 @@ void solve_static(const Going& run) {
     summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate.cloud().plate_points), 0});
   post::describe(summary.analysis, result.method, solution, analysis.tolerance);
   post::require_finite(solution.state, "in equilibrium");
-  const double work = post::slow_work(plate, solution.state);
-  const double strain = plate.strain_energy(solution.state);
-  const plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
+  const double work = post::slow_work(plate, result);
+  const double strain = plate.strain_energy(result.what_strains());
+  plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
+  if (result.strained.cols() > 0) end.rest = &result.strained;
+  if (moved_as_one_body(result, plate))
+    summary.warnings.emplace_back("the supports move the plate as one rigid body: nothing in it is strained");
   results.sample(end, true);
   stopwatch.lap("srif");
   results.frame(end);

@@ -43,7 +43,7 @@ FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e}", when, solution.stop_reason, solution.residual));
   const auto heat = plate::heat_of(plate, 1);
-  auto factors = post::srifs(plate, options, methods, solution.state, true, &heat);
+  auto factors = post::srifs(plate, options, methods, result.what_strains(), true, &heat);
   return {std::move(result), std::move(factors)};
 }
 
@@ -55,7 +55,7 @@ post::AccuracyTrial trial(Ready& ready, const plate::Analysis& analysis, const p
     const auto where = fmt::format("on the way to srif.accuracy, {} points", ready.plate->points());
     auto [equilibrium, factors] = factors_at_rest(*ready.plate, ready.tip_methods, analysis, options, where);
     ready.stopwatch.lap("solve");
-    result.strain_energy = ready.plate->strain_energy(equilibrium.solution.state);
+    result.strain_energy = ready.plate->strain_energy(equilibrium.what_strains());
     ready.solution = std::move(equilibrium), result.rows = {std::move(factors)};
     ready.stopwatch.lap("srif");
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <vector>
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -15,6 +16,20 @@ State first_lift(const Formulation& plate);
 /// Mass per degree of freedom, before what is held is carried over to what it follows. `rotary`: factor of the rotary
 /// inertia.
 Forces whole_mass(const Formulation& plate, double rotary = 1);
+
+/// Do loads that act together cancel, to rounding, wherever the plate may move? Not of one load alone.
+bool cancel(const Formulation& plate, const std::vector<Forces>& loads);
+/// All loads at their last values together; zero where they cancel.
+Forces acting_load(const Formulation& plate);
+
+/// What settlements ask of a plate as two parts.
+struct Parted {
+  State rigid;  // a motion of the whole plate as one rigid body, which strains nothing; without columns: none
+  State rest;   // the lift beside it; exactly zero where all supports move as that body
+};
+/// `lift`: as total_lift(). The body is the one next to what is held, so that rounding of the stiffness is that of the
+/// smaller motion. Nothing is taken out of plates on foundations and springs, which resist it. Collective.
+Parted parted(const Formulation& plate, const State& lift);
 
 /// A plate at rest whose supports have moved. What is held is put where it is, all that is free rests: that state pulls
 /// at the free points with far larger forces than those of the equilibrium, by which the residual is to be measured

@@ -18,7 +18,7 @@ StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMe
 }
 
 StaticResult static_solution(const Formulation& plate, const Analysis& analysis, const StaticOptions& options) {
-  return solve_static(plate, plate.total_load(), analysis.static_method(), analysis.preconditioner, options,
+  return solve_static(plate, acting_load(plate), analysis.static_method(), analysis.preconditioner, options,
                       total_lift(plate));
 }
 

@@ -17,6 +17,10 @@ struct StaticResult {
   std::string method;                         // as in case files
   std::optional<std::string> preconditioner;  // of conjugate gradients
   std::size_t factor_bytes = 0;
+  /// The state less a motion of the whole plate with its supports, as one rigid body: what strains it, to more digits
+  /// than the state has. Without columns where it is the state.
+  State strained = State(3, 0);
+  const State& what_strains() const { return strained.cols() > 0 ? strained : solution.state; }
 };
 
 /// By a method, and with a preconditioner for conjugate gradients. `lift`: of supports that have moved; without columns

@@ -145,10 +145,11 @@ StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& o
   if (plate_->boundary().attached.lifts_off()) return in_contact(load, options);
   if (lift.cols() == 0) return solved(*plate_, load, options, again);
   constexpr int most = 4;
-  const Settled settled(*plate_, load, lift);
+  const auto [rigid, rest] = parted(*plate_, lift);
+  const Settled settled(*plate_, load, rest);
   auto result = solved(*plate_, settled.pull(), options, again);
   auto& [state, iterations, residual, converged, stop_reason] = result.solution;
-  state += lift;
+  state += rest;
   for (int n = 0; converged; ++n) {
     const auto left = settled.left(state);
     residual = left.share;
@@ -160,6 +161,7 @@ StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& o
     iterations += correction.iterations, converged = correction.converged, stop_reason = correction.stop_reason;
     state += correction.state;
   }
+  if (rigid.cols() > 0) result.strained = state, state += rigid;
   return result;
 }
 

@@ -40,11 +40,24 @@ void require_finite(const plate::State& state, const std::string& when) {
     throw plate::NumericalError(fmt::format("the displacements are too large for double precision {}", when));
 }
 
-double slow_work(const plate::Formulation& plate, const plate::State& state) {
+namespace {
+
+/// `strained`: the state less what moves it as one rigid body.
+double work_of_all(const plate::Formulation& plate, const plate::State& state, const plate::State& strained) {
   double work = 0;
   for (const auto& load : plate.loads()) work += slow_work(plate, load.forces, state);
-  return plate::settles(plate) ? work + plate::Settled(plate, plate.total_load(), plate::total_lift(plate)).work(state)
-                               : work;
+  if (!plate::settles(plate)) return work;
+  return work + plate::Settled(plate, plate.total_load(), plate::total_lift(plate)).work(strained);
+}
+
+}  // namespace
+
+double slow_work(const plate::Formulation& plate, const plate::State& state) {
+  return work_of_all(plate, state, state);
+}
+
+double slow_work(const plate::Formulation& plate, const plate::StaticResult& result) {
+  return work_of_all(plate, result.solution.state, result.what_strains());
 }
 
 double energy_about(const plate::Formulation& plate, const plate::State& lift) {
@@ -90,6 +103,10 @@ void require_motion(const plate::Formulation& plate, const std::vector<plate::Fo
   });
   if (!loaded) {
     warnings.emplace_back("no load reaches a part of the plate that may move: it stays as it is");
+    return;
+  }
+  if (is_zero(state) && plate::cancel(plate, loads)) {
+    warnings.emplace_back("the loads cancel: the plate stays at rest");
     return;
   }
   if (is_zero(state))

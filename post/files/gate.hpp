@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "plate/formulation/formulation.hpp"
+#include "plate/solve/solution.hpp"
 #include "post/factors/srif.hpp"
 
 /// What must hold of every number before it is written: each throws plate::NumericalError, saying what failed and when.
@@ -17,6 +18,7 @@ void require_finite(const plate::State& state, const std::string& when);
 
 /// Work of loads that grow slowly from zero.
 double slow_work(const plate::Formulation& plate, const plate::State& state);
+double slow_work(const plate::Formulation& plate, const plate::StaticResult& result);
 /// Of one load [3 x points].
 double slow_work(const plate::Formulation& plate, const plate::Forces& load, const plate::State& state);
 /// Of a plate whose supports have moved while all that is free rests, beside which equilibria are small; 0 of one whose
@@ -32,7 +34,7 @@ bool is_zero(const plate::State& values);
 bool moves(const plate::State& state, double work);
 
 /// For a plate that does not: a plate with a load on any degree of freedom that nothing holds should. Else warns
-/// that no load reaches what may move. `loads`: nodal forces, those that act together as one.
+/// that no load reaches what may move, or that loads cancel. `loads`: nodal forces, those that act together as one.
 void require_motion(const plate::Formulation& plate, const std::vector<plate::Forces>& loads, const plate::State& state,
                     double work, std::vector<std::string>& warnings);
 

@@ -64,7 +64,7 @@ ReactionRows::ReactionRows(const plate::Formulation& plate, double rotary, bool 
 
 void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces) {
   if (supports_.empty()) return;
-  if (!now.acceleration) return add(now.time, *plate_, forces, now.state, 1);
+  if (!now.acceleration) return add(now.time, *plate_, forces, now.what_strains(), 1);
   if (!moving_) moving_ = std::make_shared<const Moving>(*plate_, rotary_, mass_of_cells_);
   const auto& [supports, each, inertial_force] = *moving_;
   auto loads = supports.nothing();
@@ -85,7 +85,7 @@ void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces)
 
 void ReactionRows::add(double time, const plate::Formulation& plate, const plate::Operator& forces,
                        const plate::State& state, double share) {
-  add(time, plate, forces, state, plate::Forces(share * plate.total_load()));
+  add(time, plate, forces, state, plate::Forces(share * plate::acting_load(plate)));
 }
 
 void ReactionRows::add(double time, const plate::Formulation& plate, const plate::Operator& forces,

@@ -22,12 +22,14 @@ double strain_energy(const plate::Problem& problem, plate::Analysis analysis) {
   if (auto refusals = plate::suitability(*found.plate, analysis).refusals; !refusals.empty())
     throw plate::Refused(std::move(refusals));
   analysis.method = plate::Analysis::Method::cg;
-  const auto solution = plate::static_solution(*found.plate, analysis, {1e-9, analysis.max_iterations, {}}).solution;
+  const auto result = plate::static_solution(*found.plate, analysis, {1e-9, analysis.max_iterations, {}});
+  const auto& solution = result.solution;
   if (!solution.converged) throw plate::NumericalError("energy check: conjugate gradients: " + solution.stop_reason);
   const auto& plate = *found.plate;
   const auto load = plate.total_load();
   const auto lift = plate::total_lift(plate);  // of supports, which hold what they move while the crack grows
-  return plate.strain_energy(solution.state) - 2 * plate::Settled(plate, load, lift).work(solution.state);
+  const auto& strained = result.what_strains();
+  return plate.strain_energy(strained) - 2 * plate::Settled(plate, load, lift).work(strained);
 }
 
 /// The problem with the tip moved straight ahead by `step`.

@@ -96,7 +96,7 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
 
 void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMethods>& methods) {
   const plate::Formulation& plate = *found.plate;
-  auto solved = plate::solve_static(plate, plate.total_load(), solver_.method, solver_.preconditioning, solver_.options,
+  auto solved = plate::solve_static(plate, plate::acting_load(plate), solver_.method, solver_.preconditioning, solver_.options,
                                     plate::total_lift(plate));
   stopwatch_.lap("solve");
   auto& solution = solved.solution;
@@ -105,7 +105,7 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
                                             solution.stop_reason, solution.residual, solver_.options.tolerance));
   post::require_finite(solution.state, "in equilibrium");
   const auto heat = plate::heat_of(plate, 1);
-  auto factors = of_all(post::srifs(plate, options_of_factors_, methods, solution.state, true, &heat));
+  auto factors = of_all(post::srifs(plate, options_of_factors_, methods, solved.what_strains(), true, &heat));
   post::require_finite(factors, "under the whole load");
   stopwatch_.lap("srif");
   latest_ = Solved{std::move(found), std::move(solution.state), std::move(factors)};

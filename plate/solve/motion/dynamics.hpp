@@ -74,6 +74,9 @@ struct Instant {
   /// The state to which the stiffness answers: u + beta v; where it does not damp, none.
   std::function<State()> strained = {};
   std::optional<Blow> blow = {};
+  /// In statics the state less a motion as one rigid body (StaticResult); none where it is the state.
+  const State* rest = nullptr;
+  const State& what_strains() const { return rest ? *rest : state; }
 };
 
 /// A step of a motion, as those who change the plate see it. Before the force they may change state and velocity too.

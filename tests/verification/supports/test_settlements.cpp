@@ -2,6 +2,7 @@
 // annulus of Mindlin, reciprocity.
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
+#include <random>
 
 #include "plate/formulations.hpp"
 #include "plate/model/nodal_forces.hpp"
@@ -100,6 +101,66 @@ TEST_CASE("a plate whose supports all move as one body moves with them, without 
       CHECK((found.state() - rigid).cwiseAbs().maxCoeff() < 1e-8);  // measured: below 2e-10
       CHECK(found.plate->strain_energy(found.state()) < 1e-12 * found.plate->strain_energy(total_lift(*found.plate)));
     }
+}
+
+namespace {
+
+/// A plate of `sides` corners, every edge, pins, a line and a part held by supports of their own, all moved by loads of
+/// their own as one body.
+cases::Case held_piece_by_piece(const FormulationKind* kind, std::mt19937& random, const Point& slope, double value) {
+  using enum SupportKind;
+  std::uniform_real_distribution<double> any(-1, 1);
+  auto outline = geometry::rectangle(-1, -1, 1, 1);
+  if (kind->offers(Feature::any_direction))
+    for (auto& corner : outline.outer.vertices) corner += 0.2 * Point(any(random), any(random));
+  auto c = case_of(kind, outline, 0.1);
+  constexpr std::array kinds{clamped, simply_supported, simply_supported_hard};
+  for (const auto* edge : {"left", "right", "bottom", "top"})
+    if (random() % 4 > 0) c.supports.push_back(vp::held(kinds[random() % 3], {edge}));
+  Support pins{pinned, {}, {{0.3, 0.2}, {-0.3, 0.15}, {0, -0.2}}}, line{random() % 2 ? pinned : clamped, {}, {}},
+      part{random() % 2 ? pinned : clamped, {}, {}};
+  line.along = {{-0.4, -0.4}, {0.4, -0.35}}, part.patch = geometry::Circle{{0.1, 0.5}, 0.15, ""};
+  for (const auto& one : {pins, line, part}) c.supports.push_back(one);
+  for (std::size_t i = 0; i < c.supports.size(); ++i) {
+    const Point from(any(random), any(random));
+    for (const double share : {0.3, 0.7})
+      c.loads.push_back(settlement(i, share * (value + slope.dot(from)), share * slope, from));
+  }
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("supports that settle one by one as one body strain nothing, and add nothing where they meet") {
+  std::mt19937 random(41);
+  std::uniform_real_distribution<double> any(-0.5, 0.5);
+  for (const auto* kind : formulations())
+    for (int n = 0; n < 20; ++n) {
+      const Point slope = n % 3 == 0 ? Point(0, 0) : Point(any(random), any(random));
+      const double value = n % 2 == 0 ? 0.3 : 1e-5;
+      const auto found = solved(held_piece_by_piece(kind, random, slope, value));
+      const auto rigid = vp::field(
+          *found.plate, [&](const Point& x) { return Eigen::Vector3d(value + slope.dot(x), slope.y(), -slope.x()); });
+      CAPTURE(kind->name, n);
+      CHECK((found.state() - rigid).cwiseAbs().maxCoeff() < 1e-12);  // measured: below 3e-15
+      CHECK(found.result.what_strains().isZero(0));
+    }
+}
+
+TEST_CASE("a rigid motion of all supports leaves alone what their differences do") {
+  std::mt19937 random(42);
+  for (const auto* kind : formulations()) {
+    auto c = case_of(kind, geometry::rectangle(-1, -1, 1, 1), 0.1);
+    c.supports = {vp::held(SupportKind::clamped, {"left"}), vp::held(SupportKind::simply_supported, {"right"})};
+    c.loads = {settlement(1, 1e-6), pressure(1e-6)};
+    const auto alone = solved(c);
+    c.loads = {settlement(0, 10), settlement(1, 10 + 1e-6), pressure(1e-6)};
+    const auto far = solved(c);
+    const auto &one = alone.result.what_strains(), &other = far.result.what_strains();
+    const auto curved = [](const Found& found, const State& state) { return found.plate->strain_energy(state); };
+    CAPTURE(kind->name);
+    CHECK(curved(far, other) == Approx(curved(alone, one)).epsilon(1e-6));
+  }
 }
 
 TEST_CASE("ends of beams that settle and turn have the forces and moments of Timoshenko") {

@@ -29,3 +29,49 @@ TEST_CASE("the work of settled supports is the energy of the plate, and what is 
   CHECK(Settled(*plate, none, State(3, 0)).work(found.solution.state) == 0);
   CHECK(Settled(*plate, none, State(3, 0)).pull() == none);
 }
+
+namespace {
+
+Load moved(std::size_t support, double value, const geometry::Point& slope = {0, 0}) {
+  Load load;
+  load.kind = Load::Kind::settlement, load.support = support, load.value = value, load.slope = slope;
+  return load;
+}
+
+cases::Case two_edges(const std::vector<Load>& loads) {
+  auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.1);
+  c.supports = {vp::held(SupportKind::clamped, {"left"}), vp::held(SupportKind::simply_supported, {"right"})};
+  c.loads = loads;
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("settlements that move all supports as one body leave nothing beside it; others leave their difference") {
+  const geometry::Point slope(0.2, -0.1);
+  const auto together = vp::assembled(two_edges({moved(0, 0.3, slope), moved(1, 0.3, slope)}));
+  const auto parts = parted(*together, total_lift(*together));
+  CHECK(parts.rest.isZero(0));
+  CHECK(parts.rigid(0, 0) == Approx(0.3 + slope.dot(together->cloud().positions[0])).epsilon(1e-13));
+  const auto apart = vp::assembled(two_edges({moved(0, 0.3, slope), moved(1, 0.4, slope)}));
+  CHECK(parted(*apart, total_lift(*apart)).rest.cwiseAbs().maxCoeff() < 0.1);
+  CHECK_FALSE(parted(*apart, total_lift(*apart)).rest.isZero(0.01));
+  CHECK(parted(*apart, State(3, 0)).rigid.cols() == 0);
+  auto c = two_edges({moved(0, 0.3)});
+  c.foundations.emplace_back();
+  c.foundations.back().modulus = 1;
+  const auto on_soil = vp::assembled(c);
+  CHECK(parted(*on_soil, total_lift(*on_soil)).rigid.cols() == 0);  // soil resists rigid motions
+}
+
+TEST_CASE("loads that cancel are no load, but a part of them is") {
+  auto c = two_edges({});
+  Load one, other;
+  one.value = 1, other.formula = Formula("-1 - 0.3*x + 0.3*x");
+  c.loads = {one, other};
+  const auto plate = vp::assembled(c);
+  CHECK(acting_load(*plate).isZero(0));
+  CHECK(cancel(*plate, {plate->loads()[0].forces, plate->loads()[1].forces}));
+  CHECK_FALSE(cancel(*plate, {plate->loads()[0].forces}));
+  CHECK_FALSE(cancel(*plate, {plate->loads()[0].forces, 0.999999 * plate->loads()[1].forces}));
+}

@@ -72,3 +72,14 @@ TEST_CASE("a plate under a load moves") {
                       "load=[{kind=\"line_load\",along=[[-1,-1],[-1,1]],value=1}]"}));  // along a clamped edge
   CHECK_THAT(warnings.at(0), Catch::Contains("no load reaches"));
 }
+
+TEST_CASE("a plate under loads that cancel stays at rest, with a word") {
+  const auto file = read(plain, {"discretization.spacing=0.2", "geometry.cracks=[]",
+                                 "load=[{kind=\"pressure\",value=1},{kind=\"pressure\",value=-1}]"});
+  const auto plate = cases::discretised(file).plate;
+  const auto result = plate::static_solution(*plate, file.content.analysis, {1e-6, 10000, {}});
+  CHECK(post::is_zero(result.solution.state));
+  std::vector<std::string> warnings;
+  post::require_motion(*plate, post::forces_of(*plate), result.solution.state, 0, warnings);
+  CHECK_THAT(warnings.at(0), Catch::Contains("the loads cancel"));
+}
