@@ -46,6 +46,11 @@ double folded_norm(const plate::Formulation& plate, const Case& one) {
   return std::sqrt(squared);
 }
 
+double largest_deflection(const post::LoadCaseSummary& one) {
+  const auto found = std::ranges::find(one.extremes, "w", &post::Peak::quantity);
+  return found == one.extremes.end() ? 0 : std::abs(found->value);
+}
+
 /// Load cases and combinations as they are found.
 class LoadCases {
 public:
@@ -157,6 +162,8 @@ std::vector<std::string> LoadCases::warnings() const {
     std::erase_if(alone.srif,
                   [&](const post::Srif& srif) { return post::largest_factor(srif, h) < hardly * largest[srif.tip]; });
     for (auto& text : post::distrust_of_factors(alone.srif, {}, h, plate_.remedy())) said.push_back(std::move(text));
+    for (auto& text : post::sinking_supports(one.reactions, plate_.problem(), largest_deflection(one)))
+      said.push_back(std::move(text));
     if (one.reactions && one.reactions->largest_residual > close)
       said.push_back(
           fmt::format("the reactions balance the loads to {:.2g} % only", 100 * one.reactions->largest_residual));

@@ -160,6 +160,8 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
        {post::left_out(plate_.tips(), tip_methods_),
         post::distrust_of_factors(summary.srif, factors_.largest(), section.thickness, plate_.remedy()),
         factors_.distrust(), post::tips_that_grow(summary),
+        post::sinking_supports(summary.reactions, plan_.problem,
+                               section.thickness * summary.deflection_over_thickness.value_or(0)),
         post::distrust_of_faces(overlaps, section, growth_ ? std::function<std::size_t(std::size_t)>() : crack,
                                 plan_.moves() ? at_time : std::function<std::string(double)>())})
     summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());

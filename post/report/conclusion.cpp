@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
+#include "plate/model/problem.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
@@ -59,6 +62,30 @@ void conclude(Summary& summary, Found found) {
           "stretches and bends less; look at units and loads if this is a surprise",
           *w, *summary.deflection_over_thickness));
   }
+}
+
+std::vector<std::string> sinking_supports(const std::optional<ReactionSummary>& reactions,
+                                          const plate::Problem& problem, double largest) {
+  constexpr double told = 0.005, close = 1e-3;  // of the largest deflection; of the plate's size
+  if (!reactions || largest == 0) return {};
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  const double side = close * (high - low).norm();
+  double most = told;
+  std::string worst;
+  for (std::size_t i = 0; i < reactions->supports.size(); ++i) {
+    const auto& [name, position] = reactions->supports[i];
+    if (!position || !name.starts_with("pin")) continue;
+    const double around = geometry::clipped_cell_area(problem.outline, *position, side) / (side * side);
+    const double angle = 2 * std::numbers::pi * std::max(around, 0.1);
+    const double sinks = std::abs(reactions->largest[i].force) * std::numbers::ln2 /
+                         (angle * problem.section.at(*position).shear_stiffness());
+    if (sinks > most * largest) most = sinks / largest, worst = name;
+  }
+  if (worst.empty()) return {};
+  return {
+      fmt::format("{} is a single point: deflections grow by {:.1g} % with every halving of the spacing; "
+                  "support a part (on) instead",
+                  worst, 100 * most)};
 }
 
 void look_for_largest(Summary& summary, const plate::Section& section, std::vector<Peak> found,

@@ -10,6 +10,7 @@ namespace plate {
 class Formulation;
 struct Heat;
 struct Instant;
+struct Problem;
 struct Resultants;
 struct StaticSolution;
 }  // namespace plate
@@ -78,6 +79,12 @@ struct Found {
 /// Sets what summaries of all runs say alike: factors, at the faces too, reactions, the largest deflection, and warns
 /// where a plate bends farther than small deflections reach: in SI units only, cases without units may be scaled.
 void conclude(Summary& summary, Found found);
+
+/// A warning of the point support whose reaction makes deflections grow most without limit as points get closer: by
+/// R / (alpha S) log 2 with every halving of the spacing, alpha the angle of the plate about it. None below a share of
+/// the `largest` deflection.
+std::vector<std::string> sinking_supports(const std::optional<ReactionSummary>& reactions,
+                                          const plate::Problem& problem, double largest);
 
 /// Where a run on one plate was largest, in motion with times. `found` by its Extremes; `rows` of factors at `times`.
 void look_for_largest(Summary& summary, const plate::Section& section, std::vector<Peak> found,

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "plate/model/problem.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/report/reactions.hpp"
@@ -56,4 +57,23 @@ TEST_CASE("conclusion: tips that reach the toughness by their recommended method
   summary.peaks = {{"K1", 0, 7, 0, {}, {}}, {"utilisation", 0, 1, 0.25, {}, {}}, {"utilisation", 1, 0.99, 0.5, {}, {}}};
   CHECK(post::tips_that_grow(summary) ==
         std::vector<std::string>{"tip 0: the equivalent K is 1 times the toughness at t = 0.25: the crack grows"});
+}
+
+TEST_CASE("conclusion: point supports that sink in are named, by the reaction and the plate about them") {
+  plate::Problem problem;
+  problem.section = section, problem.outline = geometry::rectangle(0, 0, 1, 1);
+  const auto said = [&](const geometry::Point& at, double force, const std::string& name = "pin1") {
+    post::ReactionSummary reactions;
+    reactions.supports = {{"left", {}}, {name, at}};
+    reactions.largest = {{0, 100}, {0, force}};
+    return post::sinking_supports(reactions, problem, 1);
+  };
+  const double S = section.shear_stiffness(), force = 0.02 * 2 * std::acos(-1.0) * S / std::log(2.0);  // 2 % inside
+  REQUIRE(said({0.5, 0.5}, force).size() == 1);
+  CHECK_THAT(said({0.5, 0.5}, force)[0], Catch::Contains("pin1 is a single point: deflections grow by 2 %"));
+  CHECK_THAT(said({0.5, 0}, force)[0], Catch::Contains("4 %"));
+  CHECK_THAT(said({1, 1}, -force)[0], Catch::Contains("8 %"));
+  CHECK(said({0.5, 0.5}, force / 10).empty());
+  CHECK(said({0.5, 0.5}, force, "spring0").empty());
+  CHECK(post::sinking_supports({}, problem, 1).empty());
 }
