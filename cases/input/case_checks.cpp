@@ -8,6 +8,7 @@
 #include "fracture/runs/faults/growth_faults.hpp"
 #include "fracture/runs/faults/section_faults.hpp"
 #include "fracture/runs/load_cases_run.hpp"
+#include "geometry/shape/merging.hpp"
 #include "geometry/shape/snapping.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/faults/edge_faults.hpp"
@@ -110,6 +111,14 @@ void snap_cracks(Case& content, Reading& reading) {
                     snap.at_back ? "last point" : "first point",
                     text_of(snap.at_back ? content.cracks[snap.crack].back() : content.cracks[snap.crack].front()),
                     snap.distance, snap.onto));
+}
+
+void merge_cracks(Case& content, Reading& reading) {
+  auto found = geometry::merged(content.outline, std::move(content.cracks));
+  content.cracks = std::move(found.cracks);
+  for (const auto& [crack, onto] : found.continuations)
+    reading.found().notes.push_back(fmt::format(
+        "geometry.cracks[{}] continues geometry.cracks[{}] in one line: both are taken as one crack", crack, onto));
 }
 
 void check_case(const Case& content, Reading& reading) {

@@ -60,6 +60,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   settle_method(content, reading);
   check_case(content, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
+  merge_cracks(content, reading);
   if (content.srif && content.srif->accuracy)
     content.discretization = post::discretization_of(content, content.analysis.kind == Analysis::Kind::dynamic, 1);
   return {std::move(content), reading.found()};

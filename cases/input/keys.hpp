@@ -75,6 +75,8 @@ const std::vector<Key>& keys();
 
 /// Puts ends of cracks that all but touch an edge, a hole or another crack onto it, and notes that.
 void snap_cracks(Case& content, Reading& reading);
+/// Gives every crack one description (geometry::merged), and notes what was joined. Of a case without problems.
+void merge_cracks(Case& content, Reading& reading);
 
 /// An expression in x and y.
 std::optional<plate::Formula> formula_of(const Value& value);
