@@ -14,6 +14,7 @@ std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem)
                                                           {region, "section.regions[{}]"},
                                                           {region_shape, "section.regions[{}].on"},
                                                           {cracks, "geometry.cracks"},
+                                                          {crack, "geometry.cracks[{}]"},
                                                           {spacing, "discretization.spacing"},
                                                           {volume_correction, "discretization.volume_correction"},
                                                           {edge_method, "discretization.boundary"},

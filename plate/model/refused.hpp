@@ -14,6 +14,7 @@ enum class Subject {
   region,        // of the section
   region_shape,  // where it lies
   cracks,
+  crack,  // one of them
   spacing,
   volume_correction,
   edge_method,

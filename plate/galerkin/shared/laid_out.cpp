@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -14,6 +16,7 @@
 #include "plate/model/loading/moving_forces.hpp"
 #include "plate/model/loading/temperature.hpp"
 #include "plate/model/refused.hpp"
+#include "plate/solve/reduction.hpp"
 
 namespace plate {
 
@@ -88,6 +91,7 @@ public:
   LaidOut laid_out() && {
     auto& layout = *layout_;
     auto families = part_ ? galerkin_families(cells_, inside_) : galerkin_families(cells_);
+    require_few_neighbours(families);
     require_consistent(families);
     layout.sections.emplace(problem_.section, cells_);
     layout.sections->add_masses(masses_, families.areas);
@@ -140,6 +144,41 @@ private:
             std::make_shared<MovingForces>(restricted(moving_forces(load, cells, areas.size(), own), *part_));
     }
     cells_ = std::move(part_->part.cells);
+  }
+
+  /// Vertices and places far closer together than points are give points near them more neighbours than are kept.
+  void require_few_neighbours(const GalerkinFamilies& families) const {
+    constexpr double most = 32, wanted = 5;  // neighbours; times the distance of the places
+    std::size_t worst = 0;
+    const auto count = [&](std::size_t k) { return families.families[k].size(); };
+    for (std::size_t k = 0; k < families.areas.size(); ++k)
+      if (count(k) > count(worst)) worst = k;
+    const double largest = largest_of_all(double(count(worst)));
+    if (largest <= most) return;
+    const geometry::Point& x = cells_.positions[worst];
+    double near = geometry::distance_to_boundary(problem_.outline, x);
+    Refusal refusal{Subject::geometry, 0, "corners"};
+    for (std::size_t i = 0; i < problem_.cracks.size(); ++i)
+      if (const double away = geometry::distance(problem_.cracks[i], x); away < near)
+        near = away, refusal = {Subject::crack, i, "vertices or further cracks"};
+    refusal.what = fmt::format(
+        "{} about ({:.4g}, {:.4g}) are far closer together than points: take fewer, or discretization.spacing = {:.2g}",
+        refusal.what, x.x(), x.y(),
+        std::min(wanted * usual_distance(families, worst), problem_.discretization.spacing / 2));
+    throw Refused({refusal});
+  }
+
+  /// Of the neighbours of a point from the next one of them: the median.
+  double usual_distance(const GalerkinFamilies& families, std::size_t k) const {
+    std::vector<double> least;
+    for (const auto& one : families.families[k]) {
+      least.push_back(INFINITY);
+      for (const auto& other : families.families[k])
+        if (const double away = (cells_.positions[one.neighbour] - cells_.positions[other.neighbour]).norm(); away > 0)
+          least.back() = std::min(least.back(), away);
+    }
+    std::ranges::nth_element(least, least.begin() + std::ptrdiff_t(least.size() / 2));
+    return least[least.size() / 2];
   }
 
   void require_consistent(const GalerkinFamilies& families) const {
