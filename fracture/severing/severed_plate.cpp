@@ -229,6 +229,7 @@ void SeveredPlate::sever(const std::vector<PointPair>& bonds, unsigned steps) {
   std::ranges::sort(touched);
   touched.erase(std::ranges::unique(touched).begin(), touched.end());
   for (const auto k : touched) retarget(k);
+  std::ranges::sort(easing_);  // energies are added in an order that a resumed run finds again
   easing_left_ = std::max(easing_left_, steps);
 }
 

@@ -136,7 +136,7 @@ private:
   mutable std::vector<Eigen::Vector3d> own_force_;
   mutable std::vector<std::array<double, 2>> given_;
   std::vector<Severing> going_;
-  std::vector<std::uint32_t> easing_;  // points that lose single bonds
+  std::vector<std::uint32_t> easing_;  // points that lose single bonds, ascending
   unsigned easing_left_ = 0;           // steps until no process has any
   std::size_t severings_ = 0;          // so far, of pieces of cracks
   std::uint64_t events_ = 0;           // and of bonds

@@ -65,6 +65,7 @@ void SeveredPlate::recall(const SeveredMemory& memory) {
     if (one->left > 0) easing_.push_back(k);
     if (one->severing) std::ranges::find(going_, *one->severing, &Severing::number)->points.push_back(k);
   }
+  std::ranges::sort(easing_);
   for (auto& one : going_) std::ranges::sort(one.points);
   events_ = memory.events, severings_ = memory.severings, easing_left_ = memory.easing_left;
 }
