@@ -15,8 +15,10 @@
 #include "post/files/summary.hpp"
 #include "post/report/html/report.hpp"
 #include "post/report/html/study_report.hpp"
+#include "post/report/say.hpp"
 #include "post/studies/fatigue.hpp"
 #include "post/studies/neighbouring_cracks.hpp"
+#include "post/studies/runs/read_summary.hpp"
 
 namespace cases {
 namespace {
@@ -98,6 +100,17 @@ post::Table energy_check(const CaseFile& file) {
   return unless_refused(file, [&] { return post::energy_check(c, c.analysis); });
 }
 
+/// Says what of the growth is uncertain: its cycles are so too.
+void say_doubts_of_growth(const std::filesystem::path& folder) {
+  const auto summary = post::read_summary(folder / "summary.json");
+  if (!summary || !summary->growth) return;
+  if (summary->growth->outcome.find("not resolved") != std::string::npos)
+    post::say(fmt::format("warning: the growth ended before its cracks did: {}\n", summary->growth->outcome));
+  for (const auto& warning : summary->warnings)
+    if (warning.starts_with("load factors are uncertain") || warning.starts_with("directions of tips"))
+      post::say(fmt::format("warning: {}\n", warning));
+}
+
 post::Table fatigue(const std::filesystem::path& folder, const post::ParisLaw& law, double load, double ratio) {
   const CaseFile file = read_case(folder / "case.resolved.toml", {});
   const Case& c = file.content;
@@ -105,6 +118,7 @@ post::Table fatigue(const std::filesystem::path& folder, const post::ParisLaw& l
     throw CaseError({{file.place("growth"), "growth",
                       "cycles are counted along tips that grow quasi-statically: a static case with [growth] and "
                       "criterion = \"energy_release\""}});
+  say_doubts_of_growth(folder);
   return post::fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section, law, load,
                        ratio);
 }

@@ -48,6 +48,12 @@ void serialize(Archive& archive, Piece& piece) {
 }
 
 template <typename Archive>
+void serialize(Archive& archive, StoppedTip& stopped) {
+  auto& [time, tip, position, asked, error] = stopped;
+  archive(time, tip, position, asked, error);
+}
+
+template <typename Archive>
 void serialize(Archive& archive, LoadedBond& one) {
   auto& [bond, demand] = one;
   archive(bond, demand);

@@ -14,6 +14,7 @@ enum class End {
   most_advances,  // the largest number of advances that was asked for
   longest,        // the largest length of cracks that was asked for
   unstable,       // the next advance would be unstable, and growth must not jump
+  not_resolved,   // the points do not tell which tip goes on, or in which direction
   split,          // a piece of the plate is not held any more
   interrupted,    // a signal asked for it
   failed          // the numbers failed
@@ -21,7 +22,7 @@ enum class End {
 
 struct Ended {
   End how = End::failed;
-  std::string detail = {};  // of a split: what is not held; of a failure: what failed
+  std::string detail = {};  // what is not resolved; of a split: what is not held; of a failure: what failed
 };
 
 /// What became of a growth in motion.
@@ -29,6 +30,8 @@ struct Moved {
   std::size_t advances = 0;                 // pieces of crack, or steps in which bonds broke
   std::optional<std::size_t> broken;        // bonds
   std::vector<std::string> reached;         // edges, holes and cracks by tips
+  std::vector<std::string> stopped = {};    // tips whose direction is not resolved, and when
+  bool unseen = false;                      // tips have gone straight on whose direction is not known
   std::size_t parts = 1, parts_before = 1;  // of the plate
   bool frozen = false;                      // pieces that fell off stay where they were
   std::optional<double> spent;              // energy taken over fracture energy and area of the new crack

@@ -1,11 +1,26 @@
 #include "fracture/growth/kink.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 namespace fracture {
 namespace {
+
+constexpr double least_turn = std::numbers::pi / 180;
+constexpr double not_known = std::numbers::pi / 6;  // error of a direction: a kink is up to 70 degrees
+constexpr double slight = std::numbers::pi / 12;    // left away with a warning where it is not known
+
+/// What factors of 1 release, but for a common share: K1 and K2, K3.
+struct Releases {
+  double bending, shear;
+};
+
+Releases releases(const plate::Section& section) {
+  return {12 / (section.young * std::pow(section.thickness, 3)),
+          (1 + section.poisson) / (section.young * section.thickness) / section.shear_correction};
+}
 
 /// The place of the largest value in [-pi/2, pi/2]: of half-degree steps, then by golden section.
 double largest(const std::function<double(double)>& value) {
@@ -38,8 +53,7 @@ double kink_angle(const Factors& f, Growth::Direction direction, const plate::Se
     case Growth::Direction::tangential_moment:
       return opening.K2 == 0 ? 0 : largest([&](double angle) { return kinked(opening, angle).K1; });
     case Growth::Direction::energy_release: {
-      const double bending = 12 / (section.young * std::pow(section.thickness, 3));
-      const double shear = (1 + section.poisson) / (section.young * section.thickness) / section.shear_correction;
+      const auto [bending, shear] = releases(section);
       return opening.K2 == 0 ? 0 : largest([&](double angle) {
         const Factors k = kinked(opening, angle);
         return bending * (k.K1 * k.K1 + k.K2 * k.K2) + shear * k.K3 * k.K3;
@@ -47,6 +61,50 @@ double kink_angle(const Factors& f, Growth::Direction direction, const plate::Se
     }
   }
   return 0;
+}
+
+double kink_error(const Factors& factors, const Factors& errors, Growth::Direction direction,
+                  const plate::Section& section) {
+  if (direction == Growth::Direction::straight) return 0;
+  if (!std::isfinite(errors.K1) || !std::isfinite(errors.K2) || !std::isfinite(errors.K3)) return std::numbers::pi;
+  const double angle = kink_angle(factors, direction, section);
+  double result = 0;
+  for (const double a : {-1, 1})
+    for (const double b : {-1, 1})
+      for (const double c : {-1, 1}) {
+        const Factors off{factors.K1 + a * errors.K1, factors.K2 + b * errors.K2, factors.K3 + c * errors.K3};
+        result = std::max(result, std::abs(kink_angle(off, direction, section) - angle));
+        if (direction == Growth::Direction::tangential_moment) break;  // K3 does not matter
+      }
+  return result;
+}
+
+double release_error(const Factors& factors, const Factors& errors, const plate::Section& section) {
+  if (!std::isfinite(errors.K1) || !std::isfinite(errors.K2) || !std::isfinite(errors.K3)) return INFINITY;
+  const auto [bending, shear] = releases(section);
+  const double whole = bending * (factors.K1 * factors.K1 + factors.K2 * factors.K2) + shear * factors.K3 * factors.K3;
+  const double off = bending * (std::abs(factors.K1) * errors.K1 + std::abs(factors.K2) * errors.K2) +
+                     shear * std::abs(factors.K3) * errors.K3;
+  return whole > 0 ? off / whole : INFINITY;
+}
+
+bool turns(double angle) {
+  return std::abs(angle) > least_turn;
+}
+
+bool Turn::known() const {
+  return error <= not_known;
+}
+
+bool Turn::resolved() const {
+  return known() || std::abs(asked) <= slight;
+}
+
+Turn turn_of(const Factors& factors, const Factors& errors, Growth::Direction direction, const plate::Section& section,
+             double share) {
+  const double angle = kink_angle(factors, direction, section);
+  const double error = kink_error(factors, errors, direction, section);
+  return {std::abs(angle) > share * error ? angle : 0, error, angle};
 }
 
 }  // namespace fracture

@@ -17,10 +17,20 @@ post::Cell cell(const std::optional<double>& value) {
 }  // namespace
 
 Record::Record() {
-  growth.columns = {
-      "advance",        "time", "load_factor",  "displacement",  "critical_load_factor", "stable",
-      "crack_length",   "tips", "broken_bonds", "external_work", "strain_energy",        "fracture_energy",
-      "released_energy"};
+  growth.columns = {"advance",
+                    "time",
+                    "load_factor",
+                    "displacement",
+                    "critical_load_factor",
+                    "stable",
+                    "crack_length",
+                    "tips",
+                    "broken_bonds",
+                    "external_work",
+                    "strain_energy",
+                    "fracture_energy",
+                    "released_energy",
+                    "critical_load_factor_error"};
   tips.columns = {"advance", "time", "tip", "crack", "x",     "y",     "angle", "length", "moves",
                   "G",       "K1",   "K2",  "K3",    "begin", "piece", "speed", "spent",  "reached"};
 }
@@ -29,7 +39,7 @@ void Record::add(const GrowthRow& row) {
   growth.rows.push_back({row.advance, cell(row.time), cell(row.load_factor), cell(row.displacement),
                          cell(row.critical_load_factor), cell(row.stable), row.crack_length, double(row.tips),
                          cell(row.broken_bonds), cell(row.external_work), cell(row.strain_energy), row.fracture_energy,
-                         cell(row.released_energy)});
+                         cell(row.released_energy), cell(row.critical_load_factor_error)});
 }
 
 void Record::add(const TipRow& row) {

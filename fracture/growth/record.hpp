@@ -22,6 +22,7 @@ struct GrowthRow {
   std::optional<double> external_work = {}, strain_energy = {};
   double fracture_energy = 0;
   std::optional<double> released_energy = {};
+  std::optional<double> critical_load_factor_error = {};  // quasi-static by tips: estimated, relative
 };
 
 /// A row of tips.csv: a tip at an advance.

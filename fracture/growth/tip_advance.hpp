@@ -20,12 +20,13 @@ TipAdvance advance(const Growth& growth, const geometry::Outline& outline,
                    const std::vector<geometry::Polyline>& cracks, double spacing, const geometry::Tip& tip,
                    double angle, bool long_leg);
 
-/// Is a turn made?
-bool turns(double angle);
+/// Breaks through to what is nearest ahead or beside: of tips so near to an edge or a crack that no ring fits between.
+/// None where what leaves no room for a ring is neither.
+std::optional<TipAdvance> break_through(const geometry::Outline& outline, const std::vector<geometry::Polyline>& cracks,
+                                        double spacing, const geometry::Tip& tip);
 
-/// Breaks through to what is nearest: of tips beside an edge or a crack.
-TipAdvance break_through(const geometry::Outline& outline, const std::vector<geometry::Polyline>& cracks,
-                         const geometry::Tip& tip);
+/// Lets tips that have reached each other's meet halfway, as none is before the other.
+void meet_halfway(const std::vector<geometry::Tip>& tips, std::vector<std::optional<TipAdvance>>& ways);
 
 /// "crack 1"; of an edge or a hole its name, "'left'"
 std::string name_of(const geometry::Obstacle& obstacle);

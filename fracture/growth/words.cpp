@@ -22,6 +22,8 @@ std::string in_words(const Ended& ended, bool by_bonds) {
       return by_bonds ? "the largest length of cracks" : "the largest length of a crack";
     case unstable:
       return by_bonds ? "the next bond breaks unstably" : "the next advance is unstable";
+    case not_resolved:
+      return "the next advance is not resolved: " + ended.detail;
     case split:
       return "the plate split: " + ended.detail;
     case interrupted:
@@ -39,6 +41,8 @@ std::string in_words(const Moved& moved) {
   else
     result = moved.advances == 0 ? "no growth" : fmt::format("{} pieces of crack", moved.advances);
   if (!moved.reached.empty()) result += fmt::format(", {} reached", fmt::join(moved.reached, ", "));
+  if (!moved.stopped.empty())
+    result += fmt::format("; not resolved, and stopped there: {}", fmt::join(moved.stopped, "; "));
   if (moved.parts > moved.parts_before)
     result += fmt::format("; the plate split in {} parts{}", moved.parts, moved.frozen ? "" : ", which move on");
   return result;

@@ -11,7 +11,7 @@ template <typename Archive>
 void QuasiStaticRun::memory(Archive& archive) {
   auto& [work, strain, fracture] = grown_.ledger;
   archive(reactions_, pictures_, srifs_, latest_, work, strain, fracture, advance_, factor_, largest_factor_, doubt_,
-          first_factor_, framed_);
+          doubtful_, first_factor_, first_error_, framed_);
 }
 
 /// `load`: to go on from.

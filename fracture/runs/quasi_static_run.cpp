@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "fracture/growth/quasi_static/bonds.hpp"
 #include "fracture/growth/quasi_static/growing_plate.hpp"
 #include "fracture/runs/shared/own_drawing.hpp"
@@ -86,11 +88,12 @@ void QuasiStaticRun::observe(const Equilibrium& now) {
   reactions_.add(time, plate, model_->forces(), state_, now.factor);
   if (auto factors = model_->factors(now.factor)) {
     post::require_finite(*factors, when);
-    if (tips_) doubt_ = std::max(doubt_, post::error_of_leading(*factors, plan_.problem.section.thickness));
     post::append(srifs_, time, *factors);
     latest_ = std::move(*factors);
   }
+  if (tips_ && !first_factor_) first_error_ = now.critical_error;
   if (!now.ends && !first_factor_) first_factor_ = now.factor;
+  if (std::isfinite(now.critical) && now.critical_error > doubt_) doubt_ = now.critical_error, doubtful_ = advance_;
   largest_factor_ = std::max(largest_factor_, now.factor);
   grown_.ledger = now.ledger;
   framed_ = false;

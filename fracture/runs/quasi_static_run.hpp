@@ -57,8 +57,9 @@ private:
   Grown grown_;
   std::size_t advance_ = 0;  // its number
   double factor_ = 0, largest_factor_ = 0;
-  double doubt_ = 0;  // largest estimated error of a leading factor that tips go by, relative
-  std::optional<double> first_factor_;
+  double doubt_ = 0;                                  // largest estimated error of a load factor, relative
+  std::size_t doubtful_ = 0;                          // the advance that has it
+  std::optional<double> first_factor_, first_error_;  // of the first advance; its estimated error, relative
   bool framed_ = true;
 };
 

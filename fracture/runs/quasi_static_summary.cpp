@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "fracture/growth/quasi_static/bonds.hpp"
 #include "fracture/growth/quasi_static/growing_plate.hpp"
 #include "fracture/growth/words.hpp"
@@ -40,6 +42,7 @@ post::GrowthSummary QuasiStaticRun::growth_summary() const {
   growth.advances = model_->advances();
   growth.first_load_factor = tips_ ? first_factor_.value_or(0) : first_factor_;
   growth.largest_load_factor = largest_factor_;
+  if (first_error_ && std::isfinite(*first_error_)) growth.first_load_factor_error = *first_error_ * *first_factor_;
   growth.broken_bonds = model_->broken_bonds();
   growth.lengths = model_->lengths();
   const auto& books = grown_.ledger;
@@ -50,14 +53,16 @@ post::GrowthSummary QuasiStaticRun::growth_summary() const {
 }
 
 post::Summary QuasiStaticRun::finish() {
-  constexpr double much = 0.1;  // load factors are square roots of energy release rates
+  constexpr double much = 0.03;  // as of factors
   record();
+  if (grown_.ended.how == End::not_resolved && !first_factor_ && factor_ > 0) first_factor_ = factor_;
   const bool solved = state_.cols() > 0;  // else there may be no plate
   if (solved && doubt_ > much)
     warnings_.push_back(
-        fmt::format("the largest intensity factor of a tip is uncertain by {:.0f} % at some advance, and "
-                    "so are load factors{}; {}",
-                    100 * doubt_, doubt_ >= 1 ? ", which mean nothing" : "", model_->plate().remedy()));
+        fmt::format("load factors are uncertain: {} at advance {} by the estimated errors of the factors (growth.csv, "
+                    "critical_load_factor_error); {}",
+                    doubt_ >= 1 ? "they mean nothing" : fmt::format("by {:.0f} %", 100 * doubt_), doubtful_,
+                    model_->plate().remedy()));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   for (auto& one : model_->record().cut_places(plan_.problem)) warnings_.push_back(std::move(one));
   const auto overlaps = post::face_overlaps(srifs_);

@@ -125,8 +125,8 @@ post::Cracks Results::finish_growth(post::Summary& summary) {
   const auto moved = growth_->moved();
   summary.growth = post::GrowthSummary{in_words(moved), moved.advances,      {},           {},
                                        moved.spent,     moved.largest_speed, moved.broken, moved.lengths};
-  for (const auto& some :
-       {distrust_of_spent(*plan_.growth, moved, plan_.problem.section), record.cut_places(plan_.problem)})
+  for (const auto& some : {distrust_of_spent(*plan_.growth, moved, plan_.problem.section),
+                           distrust_of_directions(moved, plate_.remedy()), record.cut_places(plan_.problem)})
     summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
   summary.energy.emplace_back("fracture", growth_->fracture_energy());
   if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());

@@ -10,10 +10,13 @@ double cross(const Point& a, const Point& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Distance along the ray from x to the segment ab.
+/// Distance along the ray from x to the segment ab; of one that lies on the ray, to its nearer end.
 std::optional<double> hit(const Point& x, const Point& direction, const Point& a, const Point& b) {
-  const double turn = cross(direction, b - a);
-  if (turn == 0) return std::nullopt;
+  const double turn = cross(direction, b - a), on_ray = 1e-9 * ((a - x).norm() + (b - x).norm());
+  if (std::abs(cross(direction, a - x)) <= on_ray && std::abs(cross(direction, b - x)) <= on_ray) {
+    const double nearer = std::min(direction.dot(a - x), direction.dot(b - x));
+    return nearer > 0 ? std::optional(nearer) : std::nullopt;
+  }
   const double along = cross(a - x, b - a) / turn, share = cross(a - x, direction) / turn;
   if (along <= 0 || share < 0 || share > 1) return std::nullopt;
   return along;
@@ -30,6 +33,15 @@ std::optional<double> hit(const Point& x, const Point& direction, const Circle& 
 Point nearest_on(const Point& a, const Point& b, const Point& x) {
   const double share = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
   return a + share * (b - a);
+}
+
+/// ... on what of the segment lies ahead of the tip; what is beside it counts.
+std::optional<Point> nearest_ahead(Point a, Point b, const Tip& tip) {
+  const double from = (a - tip.position).dot(tip.direction), to = (b - tip.position).dot(tip.direction);
+  const double rounding = 1e-9 * (std::abs(from) + std::abs(to) + (b - a).norm());
+  if (std::max(from, to) < -rounding) return std::nullopt;
+  if (std::min(from, to) < -rounding) (from < to ? a : b) = a + from / (from - to) * (b - a);
+  return a == b ? a : nearest_on(a, b, tip.position);
 }
 
 /// Calls visit(a, b) for the segments of all cracks but the one that ends at the tip.
@@ -59,18 +71,22 @@ std::optional<Obstacle> obstacle_ahead(const Outline& outline, const std::vector
   return first;
 }
 
-Obstacle nearest_obstacle(const Outline& outline, const std::vector<Polyline>& cracks, const Tip& tip) {
-  Obstacle nearest{INFINITY, tip.position, "", {}};
-  const auto take = [&](const Point& at, const std::string& name, std::optional<std::size_t> crack) {
-    const double distance = (at - tip.position).norm();
-    if (distance < nearest.distance) nearest = {distance, at, name, crack};
+std::optional<Obstacle> nearest_obstacle(const Outline& outline, const std::vector<Polyline>& cracks, const Tip& tip,
+                                         double reach) {
+  std::optional<Obstacle> nearest;
+  const auto take = [&](const std::optional<Point>& at, const std::string& name, std::optional<std::size_t> crack) {
+    if (!at) return;
+    const double distance = (*at - tip.position).norm();
+    if (distance <= (nearest ? nearest->distance : reach)) nearest = {distance, *at, name, crack};
   };
-  for (const auto& edge : straight_edges(outline)) take(nearest_on(edge.from, edge.to, tip.position), edge.name, {});
+  for (const auto& edge : straight_edges(outline)) take(nearest_ahead(edge.from, edge.to, tip), edge.name, {});
   for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole))
-      take(circle->centre + circle->radius * (tip.position - circle->centre).normalized(), circle->name, {});
+    if (const auto* circle = std::get_if<Circle>(&hole)) {
+      const Point at = circle->centre + circle->radius * (tip.position - circle->centre).normalized();
+      take(nearest_ahead(at, at, tip), circle->name, {});
+    }
   for_each_segment(cracks, tip, [&](std::size_t c, const Point& a, const Point& b) {
-    if (c != tip.crack) take(nearest_on(a, b, tip.position), "", c);
+    if (c != tip.crack) take(nearest_ahead(a, b, tip), "", c);
   });
   return nearest;
 }

@@ -17,8 +17,10 @@ struct Obstacle {
 std::optional<Obstacle> obstacle_ahead(const Outline& outline, const std::vector<Polyline>& cracks, const Tip& tip,
                                        const Point& direction, double reach);
 
-/// The point of edges, holes and other cracks that is nearest to the tip.
-Obstacle nearest_obstacle(const Outline& outline, const std::vector<Polyline>& cracks, const Tip& tip);
+/// The point of edges, holes and other cracks that is nearest to the tip in the half plane ahead of it, within `reach`
+/// [length]. What lies behind a tip, a crack that has met its own among it, is nothing that it can reach.
+std::optional<Obstacle> nearest_obstacle(const Outline& outline, const std::vector<Polyline>& cracks, const Tip& tip,
+                                         double reach);
 
 /// Moves the end of a crack on to a point: straight on the last vertex moves, else it becomes a bend.
 void extend(Polyline& crack, bool at_back, const Point& to);

@@ -78,12 +78,13 @@ struct ResponsePeak {
 struct GrowthSummary {
   std::string outcome;
   std::size_t advances = 0;
-  std::optional<double> first_load_factor;    // quasi-static: at which the first tip moved; 0 where none did
-  std::optional<double> largest_load_factor;  // quasi-static
-  std::optional<double> spent;                // energy taken over fracture energy and area of the new crack
-  std::optional<double> largest_speed;        // in motion, of a piece of crack [length/time]
-  std::optional<std::size_t> broken_bonds;    // where bonds break one by one
-  std::vector<double> lengths;                // of every crack at the end [length]
+  std::optional<double> first_load_factor;             // quasi-static: at which the first tip moved; 0 where none did
+  std::optional<double> largest_load_factor;           // quasi-static
+  std::optional<double> spent;                         // energy taken over fracture energy and area of the new crack
+  std::optional<double> largest_speed;                 // in motion, of a piece of crack [length/time]
+  std::optional<std::size_t> broken_bonds;             // where bonds break one by one
+  std::vector<double> lengths;                         // of every crack at the end [length]
+  std::optional<double> first_load_factor_error = {};  // estimated, of tips
 };
 
 /// How the discretisation was found.

@@ -31,7 +31,8 @@ void growth(Text out, const GrowthSummary& growth) {
   if (lengths.empty()) lengths.push_back("none");
   fmt::format_to(out, "growth: {}; lengths of the cracks: {}", growth.outcome, fmt::join(lengths, ", "));
   if (growth.first_load_factor && *growth.first_load_factor > 0)
-    fmt::format_to(out, "; load factor {:.5g} at the first advance, {:.5g} at most", *growth.first_load_factor,
+    fmt::format_to(out, "; load factor {:.5g}{} at the first advance, {:.5g} at most", *growth.first_load_factor,
+                   growth.first_load_factor_error ? fmt::format(" +- {:.2g}", *growth.first_load_factor_error) : "",
                    *growth.largest_load_factor);
   if (growth.spent) fmt::format_to(out, "; energy spent {:.3f} of the fracture energy", *growth.spent);
   if (growth.largest_speed) fmt::format_to(out, "; largest speed {:.4g}", *growth.largest_speed);

@@ -11,6 +11,15 @@
 #include "plate/model/numerical_error.hpp"
 
 namespace post {
+namespace {
+
+/// a + factor b
+std::vector<double> sum(std::vector<double> a, double factor, const std::vector<double>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+  return a;
+}
+
+}  // namespace
 
 std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengths, const std::vector<double>& ranges) {
   if (lengths.size() != ranges.size()) throw std::invalid_argument("as many ranges as lengths are needed");
@@ -49,13 +58,19 @@ Table fatigue(const Table& growth, const Table& tip_table, const plate::Section&
     return std::get<double>(row.at(tip_table.column(name)));
   };
   std::map<double, double> load_factors;  // by advance
-  for (const auto& row : growth.rows)
-    load_factors[std::get<double>(row.at(growth.column("advance")))] =
-        std::get<double>(row.at(growth.column("load_factor")));
+  std::map<double, double> errors;        // ... estimated, relative; without those that are not known
+  const bool has_errors = std::ranges::count(growth.columns, "critical_load_factor_error") > 0;
+  for (const auto& row : growth.rows) {
+    const double advance = std::get<double>(row.at(growth.column("advance")));
+    load_factors[advance] = std::get<double>(row.at(growth.column("load_factor")));
+    if (!has_errors) continue;
+    if (const auto* error = std::get_if<double>(&row.at(growth.column("critical_load_factor_error"))))
+      errors[advance] = *error;
+  }
   struct Way {
-    std::vector<double> lengths, ranges;
-    double crack = 0;      // length of the whole crack at the last row
-    double own_share = 0;  // of what the crack grows to the next row
+    std::vector<double> lengths, ranges, errors;  // the last: absolute, of the ranges
+    double crack = 0;                             // length of the whole crack at the last row
+    double own_share = 0;                         // of what the crack grows to the next row
   };
   const auto tips = [&](double advance, double crack, const char* only) {
     return std::ranges::count_if(tip_table.rows, [&](const auto& row) {
@@ -74,12 +89,23 @@ Table fatigue(const Table& growth, const Table& tip_table, const plate::Section&
     const double full = std::sqrt(3 * section.young * value(row, "G") / section.thickness) / load_factors.at(advance);
     way.lengths.push_back(own);
     way.ranges.push_back((1 - ratio) * load * full);
+    if (const auto error = errors.find(advance); error != errors.end())
+      way.errors.push_back(error->second * way.ranges.back());
   }
-  Table result{{"tip", "length", "K_range", "cycles"}, {}};
+  Table result{{"tip", "length", "K_range", "cycles", "K_range_error", "cycles_least", "cycles_most"}, {}};
   for (const auto& [tip, way] : ways) {
     const auto found = cycles(law, way.lengths, way.ranges);
-    for (std::size_t i = 0; i < found.size(); ++i)
-      result.rows.push_back({tip, way.lengths[i], way.ranges[i], found[i]});
+    std::vector<double> least, most;
+    if (way.errors.size() == found.size())
+      least = cycles(law, way.lengths, sum(way.ranges, 1, way.errors)),
+      most = cycles(law, way.lengths, sum(way.ranges, -1, way.errors));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      result.rows.push_back({tip, way.lengths[i], way.ranges[i], found[i], Cell(), Cell(), Cell()});
+      if (!least.empty()) {
+        auto& row = result.rows.back();
+        row[4] = way.errors[i], row[5] = least[i], row[6] = most[i];
+      }
+    }
   }
   if (result.rows.size() <= ways.size())
     throw std::runtime_error("tips.csv has no tip that moved: there is no way to count cycles on");

@@ -22,9 +22,10 @@ struct ParisLaw {
 std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengths, const std::vector<double>& ranges);
 
 /// Cycles of loads between `ratio` times `load` and `load` (factors of the case's loads) for every tip on its way
-/// through growth.csv and tips.csv: tip, length, K_range, cycles. The length of a crack with two tips is half of it at
-/// first, and grows by what the tip itself goes. K is that of mode 1 with the same energy, K^2 h / (3 E) = G. Throws
-/// std::runtime_error where no tip has moved.
+/// through growth.csv and tips.csv: tip, length, K_range, cycles, and by the estimated errors of the load factors
+/// K_range_error, cycles_least and cycles_most, empty where these are not known. The length of a crack with two tips is
+/// half of it at first, and grows by what the tip itself goes. K is that of mode 1 with the same energy,
+/// K^2 h / (3 E) = G. Throws std::runtime_error where no tip has moved.
 Table fatigue(const Table& growth, const Table& tips, const plate::Section& section, const ParisLaw& law, double load,
               double ratio);
 

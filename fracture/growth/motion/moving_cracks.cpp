@@ -16,6 +16,7 @@ constexpr double recent_length = 3;    // spacings: a lattice's steps under an a
 constexpr double gain = 0.45, gain_of_all = 1.5;
 constexpr double gauge_reach = 20;  // spacings: rings of 7.6 and two horizons about them, and more than that
 constexpr double look_after = 5;    // spacings gone without a look at the direction
+constexpr double alike = 1e-6;      // of energies: what rounding leaves between mirror images
 
 std::vector<geometry::Polyline> polylines(const std::vector<geometry::CrackPath>& paths) {
   std::vector<geometry::Polyline> result;
@@ -55,7 +56,11 @@ MovingCracks::Seen MovingCracks::look(MovingTip& tip, const plate::State& state,
     if (!tip.gauge) tip.gauge = gauge(tip.tip);
     if (tip.gauge) {
       const auto srif = (*tip.gauge)(state, force, false).front();
-      seen.push_back({true, *srif.G, srif.K1, srif.K2, srif.K3});
+      const auto& [K1, K2, K3] = srif.errors;
+      seen.push_back({true,
+                      *srif.G,
+                      {srif.K1, srif.K2, srif.K3},
+                      {K1.value_or(INFINITY), K2.value_or(INFINITY), K3.value_or(INFINITY)}});
     } else {
       seen.emplace_back();
     }
@@ -76,26 +81,41 @@ bool MovingCracks::stays(const MovingTip& tip, double G, double K1) const {
          (growth_.tension_only && K1 <= 0);
 }
 
-void MovingCracks::start(MovingTip& tip, const Factors& factors, double time) {
-  const double angle = kink_angle(factors, growth_.direction, problem_.section);
-  const auto way = advance(growth_, problem_.outline, polylines(paths_), spacing_, tip.tip, angle, turns(angle));
-  auto path = paths_[tip.tip.crack];
-  geometry::extend(path.vertices, tip.tip.at_back, way.to);
-  if (way.reached)
-    (tip.tip.at_back ? path.back : path.front) = way.reached->crack ? geometry::End::junction : geometry::End::mouth;
-  const auto severing = plate_.sever(path, tip.tip.at_back, way.length);
-  if (!severing) return;  // another tip severs bonds of the same points: wait for it
-  paths_[tip.tip.crack] = std::move(path);
-  tip.running = Running{*severing, time, way.length / tip.speed, way.length, 0, tip.tip.position, way};
-  tip.tip.direction = (way.to - tip.tip.position).normalized();
-  tip.tip.position = way.to;
-  tip.since_look += way.length;
-  for (auto& other : tips_)  // what severs bonds in the rings of another gauge makes that wrong
-    if ((other.tip.position - way.to).norm() <= way.length + gauge_reach * spacing_) other.gauge.reset();
-  length_ += way.length, tip.length += way.length;
+/// False: the tip stops, because its direction is not resolved.
+bool MovingCracks::finds_direction(std::size_t tip, const Seen& seen, double time, double& angle) {
+  const auto turn = turn_of(seen.factors, seen.errors, growth_.direction, problem_.section);
+  angle = turn.angle;
+  unseen_ |= !turn.known() && turn.resolved();
+  if (turn.resolved()) return true;
+  tips_[tip].ended = true;
+  stopped_.push_back({time, tip, tips_[tip].tip.position, turn.asked, turn.error});
+  return false;
 }
 
-void MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
+/// Every tip sees the cracks as they are before any of them goes on.
+void MovingCracks::depart(const std::vector<Departure>& departures) {
+  const auto before = polylines(paths_);
+  for (const auto& [number, angle, time] : departures) {
+    auto& tip = tips_[number];
+    const auto way = advance(growth_, problem_.outline, before, spacing_, tip.tip, angle, turns(angle));
+    auto path = paths_[tip.tip.crack];
+    geometry::extend(path.vertices, tip.tip.at_back, way.to);
+    if (way.reached)
+      (tip.tip.at_back ? path.back : path.front) = way.reached->crack ? geometry::End::junction : geometry::End::mouth;
+    const auto severing = plate_.sever(path, tip.tip.at_back, way.length);
+    if (!severing) continue;  // another tip severs bonds of the same points: wait for it
+    paths_[tip.tip.crack] = std::move(path);
+    tip.running = Running{*severing, time, way.length / tip.speed, way.length, 0, tip.tip.position, way};
+    tip.tip.direction = (way.to - tip.tip.position).normalized();
+    tip.tip.position = way.to;
+    tip.since_look += way.length;
+    for (auto& other : tips_)  // what severs bonds in the rings of another gauge makes that wrong
+      if ((other.tip.position - way.to).norm() <= way.length + gauge_reach * spacing_) other.gauge.reset();
+    length_ += way.length, tip.length += way.length;
+  }
+}
+
+bool MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
   const Running done = *tip.running;
   tip.running.reset();
   const double taken = done.spent / (toughness_ * done.length);
@@ -104,7 +124,7 @@ void MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
                      done.way.reached ? name_of(*done.way.reached) : "", std::size_t(&tip - tips_.data()), 0});
   tip.ended = done.way.reached.has_value();
   pieces_.back().tips = tips().size();
-  if (tip.ended) return;
+  if (tip.ended) return false;
   tip.gauge.reset();
   tip.next_look = now.step;
   tip.recent.push_back({done.length, done.spent});
@@ -117,27 +137,34 @@ void MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
   tip.speed = std::clamp(tip.speed * std::pow(lately, gain) * std::pow(all, gain_of_all), least_speed * speed_limit_,
                          speed_limit_);
   const bool straight = growth_.direction == Growth::Direction::straight || tip.since_look < look_after * spacing_;
-  if (lately >= 1 && straight && !stays(tip, toughness_, 1)) start(tip, {1, 0, 0}, done.begin + done.duration);
+  return lately >= 1 - alike && straight && !stays(tip, toughness_, 1);
 }
 
 void MovingCracks::before_force(const plate::Step& now) {
   if (std::ranges::any_of(tips_, [](const auto& tip) { return tip.running.has_value(); }))
     plate_.constraints().fetch(now.velocity);
-  for (auto& tip : tips_) {
+  std::vector<Departure> departures;
+  for (std::size_t i = 0; i < tips_.size(); ++i) {
+    auto& tip = tips_[i];
     if (!tip.running) continue;
     auto& running = *tip.running;
     const double share = std::min(1.0, (now.time - running.begin) / running.duration);
     const double spent = plate_.carry_on(running.severing, share, {now.state, now.velocity, now.time_step});
     running.spent += spent, spent_ += spent;
-    if (share >= 1) arrive(tip, now);
+    const double end = running.begin + running.duration;
+    if (share >= 1 && arrive(tip, now)) departures.push_back({i, 0, end});
   }
+  depart(departures);
 }
 
 void MovingCracks::after_force(const plate::Step& now, const plate::Forces& force) {
   const auto& attached = plate_.base().attached();
   plate::Forces
       own;  // where something is attached, without that; where processes share the plate, with those of others
-  for (auto& tip : tips_) {
+  std::vector<std::pair<std::size_t, Seen>> looked;
+  bool any = false;  // does one of them start?
+  for (std::size_t i = 0; i < tips_.size(); ++i) {
+    auto& tip = tips_[i];
     if (tip.running || tip.ended || now.step < tip.next_look) continue;
     if ((plate::ranks() || !attached.parts().empty()) && own.size() == 0) {
       own = force;
@@ -149,8 +176,16 @@ void MovingCracks::after_force(const plate::Step& now, const plate::Forces& forc
     if (tip.ended) continue;
     tip.next_look = now.step + look_every;
     tip.since_look = 0;
-    if (!stays(tip, seen.G, seen.K1)) start(tip, {seen.K1, seen.K2, seen.K3}, now.time);
+    any |= !stays(tip, seen.G, seen.factors.K1);
+    looked.emplace_back(i, seen);
   }
+  std::vector<Departure> departures;
+  for (const auto& [i, seen] : looked) {
+    double angle = 0;
+    if (any && !stays(tips_[i], seen.G * (1 + alike), seen.factors.K1) && finds_direction(i, seen, now.time, angle))
+      departures.push_back({i, angle, now.time});
+  }
+  depart(departures);
 }
 
 }  // namespace fracture

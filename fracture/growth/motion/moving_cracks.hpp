@@ -21,8 +21,17 @@ struct Piece {
   std::size_t tip, tips;  // number of the tip; how many may still go on
 };
 
+/// A tip that stopped because it would have turned, and its direction is not resolved.
+struct StoppedTip {
+  double time;
+  std::size_t tip;  // number
+  geometry::Point position;
+  double asked, error;  // of the turn [rad]
+};
+
 /// Cracks that run through a plate of bonds over a horizon (theory.md, "Growth"). A tip at rest starts when its
-/// energy release rate reaches the fracture energy. Bonds across the next piece are then severed gradually; the energy
+/// energy release rate reaches the fracture energy, and those whose rate is the same but for rounding with it. It stops
+/// where its direction is not resolved. Bonds across the next piece are then severed gradually; the energy
 /// that this takes is counted step by step, and tells how fast the tip goes on: faster where a piece took more than the
 /// fracture energy, slower or not at all where it took less.
 class MovingCracks : public plate::Changes {
@@ -36,6 +45,9 @@ public:
 
   const std::vector<geometry::CrackPath>& paths() const { return paths_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
+  const std::vector<StoppedTip>& stopped() const { return stopped_; }
+  /// Has a tip gone straight on whose direction is not known?
+  bool unseen() const { return unseen_; }
   /// Energy taken so far, and length gone.
   double fracture_energy() const { return spent_; }
   double length() const { return length_; }
@@ -46,7 +58,7 @@ public:
 
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(paths_, tips_, pieces_, spent_, length_);
+    archive(paths_, tips_, pieces_, stopped_, unseen_, spent_, length_);
   }
 
 private:
@@ -79,16 +91,24 @@ private:
     }
   };
 
-  /// Energy release rate and factors of a tip; `fits`: a ring does.
+  /// Energy release rate and factors of a tip with their errors; `fits`: a ring does.
   struct Seen {
     bool fits = false;
-    double G = 0, K1 = 0, K2 = 0, K3 = 0;
+    double G = 0;
+    Factors factors{0, 0, 0}, errors{0, 0, 0};
+  };
+  /// A tip that goes on at a time, under an angle to its direction [rad].
+  struct Departure {
+    std::size_t tip;
+    double angle, time;
   };
   Seen look(MovingTip& tip, const plate::State& state, const plate::Forces& force) const;
   std::shared_ptr<const post::TipMethods> gauge(const geometry::Tip& tip) const;
   bool stays(const MovingTip& tip, double G, double K1) const;
-  void start(MovingTip& tip, const Factors& factors, double time);
-  void arrive(MovingTip& tip, const plate::Step& now);
+  bool finds_direction(std::size_t tip, const Seen& seen, double time, double& angle);
+  void depart(const std::vector<Departure>& departures);
+  /// Does the tip go straight on?
+  bool arrive(MovingTip& tip, const plate::Step& now);
 
   const Growth& growth_;
   const plate::Problem& problem_;
@@ -97,6 +117,8 @@ private:
   double spacing_, toughness_, speed_limit_;
   std::vector<MovingTip> tips_;
   std::vector<Piece> pieces_;
+  std::vector<StoppedTip> stopped_;
+  bool unseen_ = false;
   double spent_ = 0, length_ = 0;
 };
 

@@ -21,8 +21,10 @@ namespace {
 /// The factors of a tip under a share of the load.
 post::Srif scaled(post::Srif srif, double factor) {
   for (double* value : {&srif.K1, &srif.K2, &srif.K3}) *value *= factor;
-  for (auto* value : {&srif.F1, &srif.F2, &srif.F3})
+  for (auto* value : {&srif.F1, &srif.F2, &srif.F3, &srif.errors[0], &srif.errors[1], &srif.errors[2]})
     if (*value) **value *= factor;
+  for (auto& fit : srif.fits) fit.K1 *= factor, fit.K2 *= factor, fit.K3 *= factor;
+  if (auto& second = srif.second) second->K1 *= factor, second->K2 *= factor, second->K3 *= factor;
   if (srif.G) *srif.G *= factor * factor;
   for (auto& ring : srif.rings) {
     for (double* value : {&ring.K1, &ring.K2, &ring.K3}) *value *= factor;
@@ -33,6 +35,32 @@ post::Srif scaled(post::Srif srif, double factor) {
 
 std::string at(const geometry::Tip& tip) {
   return fmt::format("the tip at ({:g}, {:g})", tip.position.x(), tip.position.y());
+}
+
+/// A tip by its recommended row of these, which are in order, and has an energy release rate.
+LoadedTip loaded(const geometry::Tip& tip, const post::Srif& srif, const std::vector<post::Srif>& all,
+                 const plate::Section& section) {
+  LoadedTip result{tip, {srif.K1, srif.K2, srif.K3}, srif.G, {INFINITY, INFINITY, INFINITY}, INFINITY};
+  if (*srif.G <= 0) return result;
+  double apart = INFINITY;  // of the square roots of energy release rates
+  const auto compare = [&](double G) {
+    const double now = G > 0 ? std::abs(1 - std::sqrt(G / *srif.G)) : 1;
+    apart = std::isfinite(apart) ? std::max(apart, now) : now;
+  };
+  for (const auto& other : all)
+    if (other.tip == srif.tip && other.G && other.method != srif.method) compare(*other.G);
+  if (!std::isfinite(apart) && srif.rings.size() > 1) compare(srif.rings[1].G);
+  const auto& [K1, K2, K3] = srif.errors;
+  if (!K1 || !K2 || !K3) {
+    result.release_error = 2 * apart;
+    return result;
+  }
+  result.errors = {*K1, *K2, *K3};
+  // where nothing vouches for the modes, the integrals alone tell how well their energy is known
+  const bool modes = *K2 < post::largest_factor(srif, section.thickness);
+  result.release_error = modes ? release_error(result.factors, result.errors, section)
+                               : std::max(2 * apart, *K1 / std::hypot(srif.K1, srif.K2, srif.K3 * section.thickness));
+  return result;
 }
 
 }  // namespace
@@ -71,7 +99,8 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
   if (!split.empty()) return {fmt::format("{}", fmt::join(split, "; ")), 0, {}};
   LoadedPlate result;
   for (const auto& tip : plate.tips())
-    if (!post::ringed(problem_, plate.paths(), tip)) result.tips.push_back({tip, {}, std::nullopt});
+    if (!post::ringed(problem_, plate.paths(), tip) && way_through(cracks, tip))
+      result.tips.push_back({tip, {}, std::nullopt});
   if (!result.tips.empty()) return result;  // they break through
   const auto methods = post::tip_methods(plate, options_of_factors_);
   const auto tips = plate.tips();
@@ -85,11 +114,15 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
   if (!post::moves(state, result.displacement))
     post::require_motion(*solved.plate, post::forces_of(*solved.plate), state, result.displacement, warnings_);
   for (std::size_t i = 0; i < tips.size(); ++i) {
+    if (!post::ringed(problem_, solved.plate->paths(), tips[i])) {
+      result.tips.push_back({tips[i], {}, std::nullopt});
+      continue;
+    }
     const auto srif = std::ranges::find_if(srifs, [i](const auto& one) { return one.tip == i && one.G; });
     if (srif == srifs.end())
       throw plate::NumericalError(
           fmt::format("no energy release rate at {}: {}", at(tips[i]), fmt::join(methods[i].left_out(), "; ")));
-    result.tips.push_back({tips[i], {srif->K1, srif->K2, srif->K3}, srif->G});
+    result.tips.push_back(loaded(tips[i], *srif, srifs, problem_.section));
   }
   return result;
 }
@@ -133,8 +166,13 @@ double GrowingPlate::heated(double factor) const {
 
 std::optional<std::vector<post::Srif>> GrowingPlate::factors(double factor) {
   auto result = seen_.srifs;
-  for (auto& srif : result) srif = scaled(std::move(srif), factor);
+  const auto& tips = seen_.found.plate->tips();
+  for (auto& srif : result) srif = scaled(std::move(srif), factor), srif.tip = number_of(tips[srif.tip]);
   return result;
+}
+
+std::string GrowingPlate::remedy() const {
+  return latest_ ? latest_->found.plate->remedy() : seen_.found.plate->remedy();
 }
 
 plate::Mesh GrowingPlate::draw(post::Frame& frame, const plate::State& state) const {

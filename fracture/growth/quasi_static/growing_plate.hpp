@@ -36,6 +36,7 @@ public:
 
 private:
   LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) override;
+  std::string remedy() const override;
   /// A plate under the whole load.
   struct Solved {
     plate::Discretised found;

@@ -12,6 +12,7 @@ std::optional<End> end_of(const Growth& growth, const QuasiStaticModel& model, c
   if (model.advances() >= growth.max_advances) return End::most_advances;
   if (model.longest()) return End::longest;
   if (!step.stable && growth.unstable != Growth::Unstable::jump) return End::unstable;
+  if (!plate.unresolved.empty()) return End::not_resolved;
   return std::nullopt;
 }
 
@@ -25,10 +26,15 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
     const double heated = model.heated(load.factor());
     return Ledger{load.ledger.external_work + heated, load.ledger.strain + heated, model.fracture_energy()};
   };
+  const auto goes_on = [&] {
+    model.advance(load.factor());
+    if (auto why = model.stuck(); !why.empty()) result.ended = {End::not_resolved, std::move(why)};
+    return result.ended.how != End::not_resolved;
+  };
   if (continuation.from) {
     load = *continuation.from;
     result.ledger = books();
-    model.advance(load.factor());
+    if (!goes_on()) return result;
   }
   while (true) {
     const auto plate = model.solve();
@@ -40,16 +46,16 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
     result.ledger = books();
     const auto end = end_of(growth, model, plate, step);
     const Equilibrium state{model.advances(), load.factor(),   load.displacement(), plate.critical,
-                            step.stable,      end.has_value(), result.ledger};
+                            step.stable,      end.has_value(), result.ledger,       plate.error};
     model.choose(state);
     observe(state);
     if (end) {
-      result.ended = {*end};
+      result.ended = {*end, *end == End::not_resolved ? plate.unresolved : ""};
       return result;
     }
     if (continuation.hold) continuation.hold(load);
     plate::stop_if_asked("a quasi-static growth");
-    model.advance(load.factor());
+    if (!goes_on()) return result;
   }
 }
 

@@ -18,6 +18,8 @@ struct Loaded {
   double critical = 0;          // load factor of the next advance; infinite where none comes
   std::optional<End> end = {};  // what ends the growth whatever the load
   double held = 0;              // of the displacement, what is of supports that move
+  double error = 0;             // estimated, of `critical`, relative to it; infinite where not known
+  std::string unresolved = {};  // why the next advance is not known; empty: it is
 };
 
 /// One equilibrium on the way, just before something gives way.
@@ -28,6 +30,7 @@ struct Equilibrium {
   bool stable;   // no load that was reached before would have been enough
   bool ends;     // nothing gives way any more
   Ledger ledger;
+  double critical_error = 0;  // estimated, of `critical`, relative to it; infinite where not known
 };
 
 /// What grows quasi-statically: tips of cracks, or bonds that break one by one.
@@ -41,6 +44,8 @@ public:
   virtual void choose(const Equilibrium& state) = 0;
   /// Lets it give way.
   virtual void advance(double factor) = 0;
+  /// Why the last advance was not made; empty: it was.
+  virtual std::string stuck() const { return {}; }
 
   virtual std::size_t advances() const = 0;
   virtual double fracture_energy() const = 0;  // taken so far

@@ -9,7 +9,9 @@ namespace fracture {
 struct LoadedTip {
   geometry::Tip tip;
   Factors factors{0, 0, 0};
-  std::optional<double> G;  // energy release rate of the plate [force]; none: no ring fits about it any more
+  std::optional<double> G;     // energy release rate of the plate [force]; none: no ring fits about it any more
+  Factors errors{0, 0, 0};     // estimated, of the factors; infinite where not known
+  double release_error = 0.0;  // estimated, of the square root of G, relative; infinite where not known
 };
 
 /// The plate with certain cracks under the whole load.
@@ -25,7 +27,9 @@ struct LoadedPlate {
 
 /// Tips that grow where their energy release rate lets them, in a plate that is solved anew with every length of its
 /// cracks. Tips whose energy release rates are within a percent of the largest move together. A tip about which no ring
-/// fits breaks through to what is nearest (theory.md, "Growth").
+/// fits breaks through to what is nearest ahead, or stays where nothing is. A tip turns where its turn is larger than
+/// the estimated error of it; growth ends where a tip would turn and its direction is not resolved (theory.md,
+/// "Growth").
 class QuasiStaticTips : public QuasiStaticModel {
 public:
   /// All references must outlive this. `spacing`: of the points at the tips [length].
@@ -35,6 +39,7 @@ public:
   Loaded solve() override;
   void choose(const Equilibrium& state) override;
   void advance(double factor) override;
+  std::string stuck() const override { return stuck_; }
 
   std::size_t advances() const override { return advances_; }
   const Record& record() override;
@@ -50,15 +55,31 @@ public:
 protected:
   /// The plate with these cracks under the whole load.
   virtual LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) = 0;
+  /// What makes factors of the last plate better.
+  virtual std::string remedy() const { return "refine"; }
+  /// Where a tip without a ring breaks through to.
+  std::optional<TipAdvance> way_through(const std::vector<geometry::Polyline>& cracks, const geometry::Tip& tip) const {
+    return fracture::break_through(outline_, cracks, spacing_, tip);
+  }
+  /// The number of a tip among those at the start, which it keeps.
+  std::size_t number_of(const geometry::Tip& tip) const;
 
 private:
   template <typename Archive, typename Self>
   static void memory(Archive& archive, Self& self);
   bool may_grow(const LoadedTip& tip) const;
+  std::vector<char> movers() const;
+  double load_error() const;
+  std::string unresolved();
+  std::string stays(const geometry::Tip& tip);
+  const LoadedTip* end_of(const LoadedPlate& trial, std::size_t mover) const;
+  std::string contradicted(const LoadedPlate& trial, const std::vector<double>& angles) const;
+  std::vector<Turn> turns_of(const std::vector<char>& moves) const;
   void calibrate();
   double calibration() const;
   bool break_through();
   void lay(const std::vector<geometry::Polyline>& before, const std::vector<double>& angles);
+  void stay(const std::vector<geometry::Polyline>& before, double spent, std::string why);
   bool correct(const LoadedPlate& trial, std::vector<double>& angles) const;
   void extend(const geometry::Tip& tip, const TipAdvance& step);
   void draw_cracks(double advance);
@@ -75,6 +96,8 @@ private:
   std::vector<geometry::Polyline> cracks_;
   LoadedPlate plate_;                                     // the last solution
   std::optional<LoadedPlate> solved_;                     // with the cracks as they are
+  std::vector<std::pair<std::size_t, bool>> numbers_;     // of tips: crack, and whether at its back
+  std::string stuck_;                                     // why the last advance was not made
   double most_ = 0;                                       // energy release rate of a tip that may grow
   std::vector<char> moves_;                               // per tip
   std::vector<Moved> moved_;                              // by the last advance

@@ -40,6 +40,7 @@ GrowthSummary growth_of(const Json& json) {
   growth.outcome = json.at("outcome");
   growth.advances = json.at("advances");
   growth.first_load_factor = optional<double>(json, "first_load_factor");
+  growth.first_load_factor_error = optional<double>(json, "first_load_factor_error");
   growth.largest_load_factor = optional<double>(json, "largest_load_factor");
   growth.lengths = json.at("lengths").get<std::vector<double>>();
   return growth;

@@ -59,7 +59,7 @@ TEST_CASE("tips without rings: those next to something, with how near it is") {
   CHECK_THAT(said[1], Catch::StartsWith("tip at (0.875, 0.7): ") && Catch::Contains("2.5 spacings"));
 }
 
-TEST_CASE("distrust of what tips took: far from the fracture energy, and not of bonds") {
+TEST_CASE("distrust of what tips took: a twentieth from the fracture energy, and not of bonds") {
   plate::Section section;
   section.young = 1, section.poisson = 0.25, section.thickness = 0.1, section.density = 0.4;
   const auto said = [&](double spent, Growth::Criterion by = Growth::Criterion::energy_release) {
@@ -67,12 +67,24 @@ TEST_CASE("distrust of what tips took: far from the fracture energy, and not of 
     moved.spent = spent, moved.largest_speed = 0.93 * section.shear_wave_speed();
     return distrust_of_spent(growth(by), moved, section);
   };
-  CHECK(said(0.8).empty());
-  CHECK(said(1.2).empty());
+  CHECK(said(0.96).empty());
+  CHECK(said(1.04).empty());
+  CHECK(said(0.94).size() == 1);
+  CHECK(said(1.06).size() == 1);
   CHECK(said(16, Growth::Criterion::bond_energy).empty());
   CHECK(distrust_of_spent(growth(Growth::Criterion::energy_release), {}, section).empty());
   REQUIRE(said(16.6).size() == 1);
   CHECK_THAT(said(16.6)[0], Catch::Contains("16.60 times") && Catch::Contains("0.93 of the speed of shear waves"));
   REQUIRE(said(0.5).size() == 1);
-  CHECK_THAT(said(0.5)[0], Catch::StartsWith("tips took 0.50 of the fracture energy"));
+  CHECK_THAT(said(0.5)[0], Catch::StartsWith("tips took 0.50 times the fracture energy over 0 pieces"));
+}
+
+TEST_CASE("distrust of directions: tips that stopped, each with its reason, and those that went straight on unseen") {
+  Moved moved;
+  CHECK(distrust_of_directions(moved, "refine").empty());
+  moved.unseen = true, moved.stopped = {"tip 0 would turn by 64 degrees"};
+  const auto said = distrust_of_directions(moved, "refine");
+  REQUIRE(said.size() == 2);
+  CHECK_THAT(said[0], Catch::Contains("went straight on; refine"));
+  CHECK_THAT(said[1], Catch::StartsWith("tip 0 would turn by 64 degrees: it stopped there; refine"));
 }

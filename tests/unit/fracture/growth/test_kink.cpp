@@ -49,3 +49,35 @@ TEST_CASE("kink: most energy is released near where K2 vanishes, and a shear for
     CHECK(std::hypot(at.K1, at.K2) > std::hypot(beside.K1, beside.K2));
   }
 }
+
+TEST_CASE("turn: made where it exceeds its error, left away where it does not, resolved where its direction is known") {
+  const auto turn = [](const Factors& K, const Factors& errors) {
+    return turn_of(K, errors, Direction::tangential_moment, section);
+  };
+  const auto sure = turn({1, -0.1, 0}, {0.01, 0.01, 0.5});
+  CHECK(sure.angle == kink_angle({1, -0.1, 0}, Direction::tangential_moment, section));
+  CHECK(sure.error == Approx(0.02).epsilon(0.2));  // twice the error of K2 / K1
+  CHECK(sure.resolved());
+  CHECK(turn({1, -0.1, 0}, {0.01, 0.12, 0.5}).angle == 0);
+  CHECK(turn({1, -0.1, 0}, {0.01, 0.12, 0.5}).known());
+  const auto slight = turn({1, -0.1, 0}, {0.01, 1, 0.5});  // 11 degrees that nothing vouches for
+  CHECK(slight.angle == 0);
+  CHECK_FALSE(slight.known());
+  CHECK(slight.resolved());
+  CHECK_FALSE(turn({1, -0.5, 0}, {0.01, 1, 0.5}).resolved());
+  CHECK_FALSE(turn({0.02, -0.5, 0}, {0.05, 0.01, 0.5}).resolved());  // the sign of K1 decides, and is not known
+  CHECK_FALSE(turn({1, -0.5, 0}, {INFINITY, INFINITY, INFINITY}).resolved());
+  const auto straight = turn_of({1, -0.5, 0}, {INFINITY, 1, 1}, Direction::straight, section);
+  CHECK((straight.angle == 0 && straight.resolved() && straight.known()));
+  // all loads the other way round
+  CHECK(turn({-1, 0.1, 0}, {0.01, 0.01, 0.5}).angle == Approx(sure.angle));
+  CHECK(turn({-1, 0.1, 0}, {0.01, 0.01, 0.5}).error == Approx(sure.error));
+}
+
+TEST_CASE("release error: that of the factors that hold the energy") {
+  CHECK(release_error({2, 0, 0}, {0.1, 9, 9}, section) == Approx(0.05));
+  CHECK(release_error({0, -4, 0}, {9, 0.1, 9}, section) == Approx(0.025));
+  CHECK(release_error({0, 0, 5}, {9, 9, 0.1}, section) == Approx(0.02));
+  CHECK(std::isinf(release_error({1, 0, 0}, {INFINITY, 0, 0}, section)));
+  CHECK(std::isinf(release_error({0, 0, 0}, {1, 1, 1}, section)));
+}

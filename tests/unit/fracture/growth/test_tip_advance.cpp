@@ -58,10 +58,30 @@ TEST_CASE("tip advance: what lies within five spacings ahead of a piece is reach
   CHECK(name_of(*way.reached) == "'top'");
 }
 
-TEST_CASE("tip advance: what breaks through goes to what is nearest, in whatever direction") {
-  const auto way = break_through(outline, cracks, {{5.8, 3}, {-1, 0}, 0, true});
-  CHECK((way.to - Point(6, 3)).norm() < 1e-12);
-  CHECK(way.length == Approx(0.2));
-  CHECK(way.reached->crack == std::size_t(1));
-  CHECK(name_of(*break_through(outline, cracks, {{4, 0.3}, {1, 0}, 0, true}).reached) == "'bottom'");
+TEST_CASE("tip advance: what breaks through goes to what is nearest ahead or beside, and not far") {
+  const auto way = break_through(outline, cracks, spacing, {{5.8, 3}, {1, 0}, 0, true});
+  REQUIRE(way);
+  CHECK((way->to - Point(6, 3)).norm() < 1e-12);
+  CHECK(way->length == Approx(0.2));
+  CHECK(way->reached->crack == std::size_t(1));
+  CHECK(name_of(*break_through(outline, cracks, spacing, {{4, 0.3}, {1, 0}, 0, true})->reached) == "'bottom'");
+  CHECK_FALSE(break_through(outline, cracks, spacing, {{5.8, 3}, {-1, 0}, 0, true}));  // behind it
+  CHECK_FALSE(break_through(outline, cracks, spacing, {{5.2, 3}, {1, 0}, 0, true}));   // eight spacings
+}
+
+TEST_CASE("tip advance: tips that run at each other meet halfway") {
+  const std::vector<geometry::Polyline> facing{{{0, 3}, {4, 3}}, {{4.6, 3}, {9, 3}}};
+  const std::vector<geometry::Tip> tips{{{4, 3}, {1, 0}, 0, true}, {{4.6, 3}, {-1, 0}, 1, false}};
+  std::vector<std::optional<TipAdvance>> ways;
+  for (const auto& one : tips) ways.push_back(advance({}, outline, facing, spacing, one, 0, false));
+  REQUIRE((ways[0]->reached && ways[0]->reached->crack == std::size_t(1)));  // though it lies along its way
+  auto one = ways;
+  one[1].reset();
+  meet_halfway(tips, one);
+  CHECK((one[0]->to - Point(4.6, 3)).norm() < 1e-12);  // the other stays
+  meet_halfway(tips, ways);
+  for (const auto& way : ways) {
+    CHECK((way->to - Point(4.3, 3)).norm() < 1e-12);
+    CHECK(way->length == Approx(0.3));
+  }
 }

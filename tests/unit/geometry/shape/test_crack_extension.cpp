@@ -40,6 +40,12 @@ TEST_CASE("obstacle ahead: the first of edges, holes and cracks, its own crack t
   CHECK(crack->name.empty());
   CHECK(crack->distance == Approx(0.2));
 
+  const std::vector<Polyline> facing{{{-0.5, -0.8}, {0, -0.8}}, {{0.3, -0.8}, {0.6, -0.8}}};
+  const auto other = obstacle_ahead(outline, facing, tip(0, facing[0], true), Point(1, 0), 1);
+  REQUIRE(other);  // along the way itself
+  CHECK(other->crack == 1u);
+  CHECK(other->distance == Approx(0.3));
+
   const Tip turned = tip(2, cracks[2], true);  // back to its own beginning
   const auto own = obstacle_ahead(outline, cracks, turned, Point(-0.3, -0.2).normalized(), 1);
   REQUIRE(own);
@@ -47,16 +53,26 @@ TEST_CASE("obstacle ahead: the first of edges, holes and cracks, its own crack t
   CHECK((own->position - Point(-0.6, 0.3)).norm() < 1e-12);
 }
 
-TEST_CASE("nearest obstacle: in any direction, other cracks only") {
+TEST_CASE("nearest obstacle: ahead or beside, within reach, other cracks only") {
   auto outline = rectangle(-1, -1, 1, 1);
   outline.holes.push_back(Circle{{0.5, 0.5}, 0.2, "hole0"});
   const std::vector<Polyline> cracks{{{-0.5, 0}, {0.2, 0}}, {{0.3, -0.6}, {0.3, -0.05}}};
-  const auto crack = nearest_obstacle(outline, cracks, tip(0, cracks[0], true));
-  CHECK(crack.crack == 1u);
-  CHECK(crack.distance == Approx(std::hypot(0.1, 0.05)));
-  const auto hole = nearest_obstacle(outline, {{{0.4, 0.1}, {0.5, 0.2}}}, tip(0, {{0.4, 0.1}, {0.5, 0.2}}, true));
-  CHECK(hole.name == "hole0");
-  CHECK(hole.distance == Approx(0.1));
+  const auto crack = nearest_obstacle(outline, cracks, tip(0, cracks[0], true), 0.2);
+  REQUIRE(crack);
+  CHECK(crack->crack == 1u);
+  CHECK(crack->distance == Approx(std::hypot(0.1, 0.05)));
+  CHECK_FALSE(nearest_obstacle(outline, cracks, tip(0, cracks[0], true), 0.1));
+  const auto hole = nearest_obstacle(outline, {{{0.4, 0.1}, {0.5, 0.2}}}, tip(0, {{0.4, 0.1}, {0.5, 0.2}}, true), 1);
+  REQUIRE(hole);
+  CHECK(hole->name == "hole0");
+  CHECK(hole->distance == Approx(0.1));
+  // another crack that ends on this one, behind its tip; its part ahead is farther
+  const std::vector<Polyline> met{{{-0.5, 0}, {0.2, 0}}, {{0, -0.5}, {0, 0}}, {{-0.1, 0.1}, {0.8, 0.1}}};
+  const auto beside = nearest_obstacle(outline, met, tip(0, met[0], true), 1);
+  REQUIRE(beside);
+  CHECK(beside->crack == 2u);
+  CHECK((beside->position - Point(0.2, 0.1)).norm() < 1e-12);
+  CHECK_FALSE(nearest_obstacle(outline, {met[0], met[1]}, tip(0, met[0], true), 0.4));
 }
 
 TEST_CASE("extend: straight on the last vertex moves, else it becomes a bend, at either end") {

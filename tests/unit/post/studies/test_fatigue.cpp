@@ -57,6 +57,13 @@ TEST_CASE("fatigue: K range of the case's loads from energy release rates at oth
   CHECK(std::get<double>(found.rows[2][2]) == Approx(range));
   CHECK(std::get<double>(found.rows[2][3]) == Approx(0.3 / (1e-4 * range * range)));
   CHECK(std::get<double>(found.rows[4][3]) == Approx(0.1 / (1e-4 * range * range)));
+  CHECK(found.rows[4][4] == Cell());  // no errors are known
+  growth.columns.push_back("critical_load_factor_error");
+  for (auto& row : growth.rows) row.push_back(0.1);
+  const auto doubtful = fatigue(growth, tips, section, {1e-4, 2, 0}, 0.5, 0.2);
+  CHECK(std::get<double>(doubtful.rows[2][4]) == Approx(0.1 * range));
+  CHECK(std::get<double>(doubtful.rows[2][5]) == Approx(0.3 / (1e-4 * 1.21 * range * range)));
+  CHECK(std::get<double>(doubtful.rows[2][6]) == Approx(0.3 / (1e-4 * 0.81 * range * range)));
   tips.rows.resize(2);
   CHECK_THROWS_AS(fatigue(growth, tips, section, {1e-4, 2, 0}, 1, 0), std::runtime_error);
 }
