@@ -8,9 +8,10 @@
 namespace geometry {
 namespace {
 
-TriangleMesh filled(const Curves& curves, const Sizing& sizing, const std::vector<Point>& tips) {
+TriangleMesh filled(const Curves& curves, const Sizing& sizing, const RingCentres& centres) {
   TriangleMesh mesh(curves);
-  add_rings(mesh, curves, sizing, tips);
+  add_rings(mesh, curves, sizing, centres.tips);
+  for (const auto& [place, away] : centres.forces) add_rings(mesh, sizing, place, away);
   add_rows(mesh, sizing);
   refine(mesh, sizing);
   smooth(mesh, sizing);
@@ -31,8 +32,8 @@ std::vector<std::uint32_t> in_strips(const std::vector<Point>& points) {
 
 }  // namespace
 
-Cells graded_cells(const Curves& curves, const Sizing& sizing, const std::vector<Point>& tips) {
-  const auto mesh = filled(curves, sizing, tips);
+Cells graded_cells(const Curves& curves, const Sizing& sizing, const RingCentres& centres) {
+  const auto mesh = filled(curves, sizing, centres);
   const auto order = in_strips(mesh.points());
   std::vector<std::uint32_t> index(order.size());
   Cells result;

@@ -55,11 +55,12 @@ std::optional<Point> neighbour(const Curves& curves, const Point& tip) {
   return std::nullopt;
 }
 
+/// `first`: 0, or 1 where there is a point in the direction `back` already.
 void add_ring(TriangleMesh& mesh, const Sizing& sizing, const Point& tip, const Point& back, double r,
-              std::array<std::int32_t, 2>& at) {
+              std::array<std::int32_t, 2>& at, long first = 1) {
   const double wanted = sizing(tip + r * back);
   const auto count = std::max(6L, std::lround(2 * std::numbers::pi * r / (0.93 * wanted)));
-  for (long n = 1; n < count; ++n) {
+  for (long n = first; n < count; ++n) {
     // both sides in turn, so that they look the same
     const double angle = 2 * std::numbers::pi / double(count) * double(n % 2 == 1 ? (n + 1) / 2 : -(n / 2));
     const Point x = tip + r * (std::cos(angle) * back + std::sin(angle) * Point(-back.y(), back.x()));
@@ -86,6 +87,20 @@ void add_rings(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing, c
       size = here;
       add_ring(mesh, sizing, tip, -back, r, at);
     }
+  }
+}
+
+void add_rings(TriangleMesh& mesh, const Sizing& sizing, const Point& place, const Point& away) {
+  const auto start = mesh.locate(place, 0, false).triangle;
+  if (start == TriangleMesh::none) return;
+  std::array<std::int32_t, 2> at{start, start};
+  double r = 0;
+  for (double size = sizing(place); size < 1;) {
+    r += 0.95 * sizing(place + (r + size / 2) * away);
+    const double here = sizing(place + r * away);
+    if (here < size) break;
+    size = here;
+    add_ring(mesh, sizing, place, away, r, at, 0);
   }
 }
 

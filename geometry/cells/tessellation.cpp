@@ -8,28 +8,57 @@
 namespace geometry {
 namespace {
 
-Sizing sizing_of(const Outline& outline, const std::vector<CrackPath>& cracks, double spacing, const Grading& grading) {
+/// A force whose field disturbs that of a tip next to it.
+struct NearForce {
+  Point place, from;  // `from`: the nearest tip
+  double size;        // wanted distance of points there
+};
+
+/// All in units of the spacing.
+std::vector<NearForce> forces_near_tips(const std::vector<Point>& forces, const std::vector<Tip>& tips, double at_tips,
+                                        double growth) {
+  std::vector<NearForce> result;
+  for (const auto& place : forces) {
+    if (tips.empty()) break;
+    const auto away = [&](const Tip& tip) { return (place - tip.position).norm(); };
+    const auto& tip = *std::ranges::min_element(tips, {}, away);
+    const double size = std::max(at_tips, growth * growth * away(tip));
+    if (away(tip) > at_tips && size < std::min(1.0, at_tips + growth * away(tip)))
+      result.push_back({place, tip.position, size});
+  }
+  return result;
+}
+
+Sizing sizing_of(const Outline& outline, const std::vector<CrackPath>& cracks, const std::vector<NearForce>& forces,
+                 double spacing, const Grading& grading) {
   struct Source {
     Point centre;
     double radius, size;
+    bool filled = false;  // with the plate
   };
   std::vector<Source> sources;
   if (grading.at_tips)
     for (const auto& tip : tips(cracks)) sources.push_back({tip.position, 0, *grading.at_tips / spacing});
+  for (const auto& force : forces) sources.push_back({force.place, 0, force.size});
   std::vector<std::pair<Polyline, double>> rims;
-  for (const auto& hole : outline.holes) {
-    if (!grading.at_holes) break;
+  const auto add = [&](const Hole& hole, bool filled) {
     if (const auto* circle = std::get_if<Circle>(&hole))
-      sources.push_back({circle->centre, circle->radius, *grading.at_holes / spacing});
+      sources.push_back({circle->centre, circle->radius, *grading.at_holes / spacing, filled});
     else if (const auto* polygon = std::get_if<Polygon>(&hole)) {
       rims.emplace_back(polygon->vertices, *grading.at_holes / spacing);
       rims.back().first.push_back(polygon->vertices.front());
     }
+  };
+  if (grading.at_holes) {
+    for (const auto& hole : outline.holes) add(hole, false);
+    for (const auto& part : grading.parts) add(part, true);
   }
   return [sources, rims, growth = grading.growth](const Point& x) {
     double size = 1;
-    for (const auto& source : sources)
-      size = std::min(size, source.size + growth * std::max(0.0, (x - source.centre).norm() - source.radius));
+    for (const auto& source : sources) {
+      const double off = (x - source.centre).norm() - source.radius;
+      size = std::min(size, source.size + growth * (source.filled ? std::abs(off) : std::max(0.0, off)));
+    }
     for (const auto& [rim, at_rim] : rims) size = std::min(size, at_rim + growth * distance(rim, x));
     return size;
   };
@@ -48,11 +77,19 @@ Tessellation tessellation(const Outline& outline, const std::vector<CrackPath>& 
   for (auto& path : paths) std::transform(path.vertices.begin(), path.vertices.end(), path.vertices.begin(), place);
   std::vector<Point> places;
   std::transform(singles.begin(), singles.end(), std::back_inserter(places), place);
-  const Sizing sizing = sizing_of(in_cells, paths, spacing, grading);
+  std::vector<Point> acting;
+  std::transform(grading.forces.begin(), grading.forces.end(), std::back_inserter(acting), place);
+  Grading in_units = grading;
+  in_units.parts = placed({{}, grading.parts}, place, 1 / spacing).holes;
+  const auto ends = tips(paths);
+  std::vector<NearForce> forces;
+  if (grading.at_tips) forces = forces_near_tips(acting, ends, *grading.at_tips / spacing, grading.growth);
+  const Sizing sizing = sizing_of(in_cells, paths, forces, spacing, in_units);
   const Curves found = curves(in_cells, paths, places, sizing, false);
-  std::vector<Point> at_tips;
-  for (const auto& tip : tips(paths)) at_tips.push_back(tip.position);
-  Cells cells = graded_cells(found, sizing, at_tips);
+  RingCentres centres;
+  for (const auto& tip : ends) centres.tips.push_back(tip.position);
+  for (const auto& force : forces) centres.forces.emplace_back(force.place, (force.place - force.from).normalized());
+  Cells cells = graded_cells(found, sizing, centres);
   const auto origin = part(cells);
   result.borders = borders(cells, origin);
   result.names = found.names;

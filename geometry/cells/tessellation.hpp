@@ -44,6 +44,11 @@ inline void move(Tessellation& cells, std::size_t k, const Point& by) {
 struct Grading {
   std::optional<double> at_tips, at_holes;  // [length]
   double growth = 0.2;                      // of the distance of neighbouring points per distance from there
+  /// Where forces act: so near to a tip that points are less than a spacing apart, they are as near there as about a
+  /// tip, or growth^2 times the distance from it where that is more. Not closer to a tip than at_tips.
+  std::vector<Point> forces = {};
+  /// Parts of the plate on whose boundary points are as near as at holes.
+  std::vector<Hole> parts = {};
 };
 
 /// The lattice with its squares wherever nothing disturbs it, and triangles (constrained Delaunay) between it and

@@ -24,8 +24,14 @@ inline std::uint64_t side_between(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t(a < b ? a : b) << 32 | (a < b ? b : a);
 }
 
-/// Triangles all over, of the size that is wanted, in rings about the tips.
-Cells graded_cells(const Curves& curves, const Sizing& sizing, const std::vector<Point>& tips);
+/// What rings of points are about.
+struct RingCentres {
+  std::vector<Point> tips;
+  std::vector<std::pair<Point, Point>> forces;  // places, and the unit vector that leads away from the next tip
+};
+
+/// Triangles all over, of the size that is wanted, in rings about the centres.
+Cells graded_cells(const Curves& curves, const Sizing& sizing, const RingCentres& centres);
 
 /// Gives every part of the cells about a point on a curve, as cracks part them, its own point, and leaves out points
 /// without cells; returns for every point the one that it comes from.

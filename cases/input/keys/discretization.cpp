@@ -67,10 +67,13 @@ Fields<plate::Discretization> discretization_fields() {
       choice<D, EdgeMethod>("boundary", &D::boundary, {edge_methods},
                             "held edges by mirror images and rows that follow or by layers, or all edges by surface "
                             "nodes or fictitious nodes; bonds only"),
-      number<D>("tip_spacing", "length", &D::tip_spacing, positive, "distance of the points at crack tips")
+      number<D>("tip_spacing", "length", &D::tip_spacing, positive,
+                "distance of the points at crack tips, and at forces and pins next to them")
+          .with(graded),
+      number<D>("hole_spacing", "length", &D::hole_spacing, positive,
+                "distance of the points at holes and at parts that are held")
           .with(graded),
       refine_tips().with(graded),
-      number<D>("hole_spacing", "length", &D::hole_spacing, positive, "distance of the points at holes").with(graded),
       number<D>("spacing_growth", "-", &D::spacing_growth, {0.02, 1}, "growth of that distance per length from there")
           .with(graded),
   };

@@ -22,13 +22,31 @@ namespace plate {
 
 using geometry::Tessellation;
 
+namespace {
+
+/// Where loads, springs and supports act at a point, and stay there.
+std::vector<geometry::Point> places_of_forces(const Problem& c) {
+  std::vector<geometry::Point> result;
+  for (const auto& load : c.loads)
+    if (load.kind == Load::Kind::point_force && !load.moves()) result.push_back(load.position);
+  for (const auto& spring : c.springs)
+    if (spring.position) result.push_back(*spring.position);
+  for (const auto& support : c.supports) result.insert(result.end(), support.points.begin(), support.points.end());
+  return result;
+}
+
+}  // namespace
+
 Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
   const auto& d = c.discretization;
   const auto times = [&](std::optional<double> spacing) {
     return spacing ? std::optional(factor * *spacing) : spacing;
   };
+  geometry::Grading grading{times(d.tip_spacing), times(d.hole_spacing), d.spacing_growth, places_of_forces(c)};
+  for (const auto& support : c.supports)
+    if (support.patch) grading.parts.push_back(*support.patch);
   return geometry::tessellation(c.outline, paths, factor * d.spacing, own_places(c, paths, factor * d.spacing),
-                                {times(d.tip_spacing), times(d.hole_spacing), d.spacing_growth});
+                                grading);
 }
 
 namespace {

@@ -14,11 +14,14 @@ double exact_clear_distance(const plate::Problem& problem, double side) {
   return std::min(side, least_clear_distance(fine, paths, geometry::tips(paths)));
 }
 
-/// Of the smallest hole; none without holes.
-std::optional<double> least_radius(const geometry::Outline& outline) {
+/// Of the smallest hole or part of the plate that is held; none without them.
+std::optional<double> least_radius(const plate::Problem& problem) {
   std::optional<double> result;
+  auto shapes = problem.outline.holes;
+  for (const auto& support : problem.supports)
+    if (support.patch) shapes.push_back(*support.patch);
   const auto take = [&](double radius) { result = std::min(result.value_or(radius), radius); };
-  for (const auto& hole : outline.holes) {
+  for (const auto& hole : shapes) {
     if (const auto* circle = std::get_if<geometry::Circle>(&hole)) {
       take(circle->radius);
       continue;
@@ -40,8 +43,7 @@ plate::Discretization discretization_of(const plate::Problem& problem, bool move
   result.tip_spacing = std::min(
       size * size * std::min(exact_clear_distance(problem, sides.maxCoeff()) / 20, 0.63 * layer), result.spacing);
   result.hole_spacing.reset();
-  if (const auto radius = least_radius(problem.outline))
-    result.hole_spacing = std::min(size * *radius / 4, result.spacing);
+  if (const auto radius = least_radius(problem)) result.hole_spacing = std::min(size * *radius / 4, result.spacing);
   result.spacing_growth = 0.28 * size;
   return result;
 }

@@ -59,6 +59,25 @@ TEST_CASE("accuracy: the program finds the discretisation, and its factors are a
              Catch::Contains("srif.accuracy finds the lengths of the discretisation: spacing, tip_spacing"));
 }
 
+TEST_CASE("accuracy: a force next to a tip needs no more points than a pressure, and pulls at both faces alike") {
+  constexpr double exact = 0.09589;  // with 175,000 points about the tips and the force
+  std::string text = unmeshed();
+  const std::string pressure = "kind = \"pressure\"\nvalue = 1.0\n";
+  text.replace(text.find(pressure), pressure.size(), "kind = \"point_force\"\nposition = [0.33, 0.0]\nvalue = 1.0\n");
+  const std::string two = "edges = [\"bottom\", \"top\"]";
+  text.replace(text.find(two), two.size(), "edges = [\"left\", \"right\", \"bottom\", \"top\"]");
+  const small_run::TemporaryFolder folder;
+  const auto summary = cases::run(case_text::read(text, {"srif.accuracy=0.003"}), {folder.path(), true});
+  CHECK(summary.accuracy->outcome == "reached");
+  CHECK(summary.points < 10000);  // measured 3,813; 141,998 where points only grow from the tips
+  for (const auto& srif : summary.srif) {
+    if (srif.tip != 1 || srif.method != "refinement") continue;
+    CHECK(std::abs(srif.K1 - exact) < *srif.errors[0]);
+    CHECK(std::abs(srif.K1 / exact - 1) < 0.002);     // measured 0.0010
+    CHECK(std::abs(0.1 * srif.K3) < 0.0005 * exact);  // zero by symmetry; measured 2e-6
+  }
+}
+
 TEST_CASE("accuracy: what ends the search before is said, and the error that was reached") {
   const small_run::TemporaryFolder folder;
   const auto summary = cases::run(case_text::read(unmeshed(), {"srif.accuracy=1e-5", "srif.accuracy_seconds=1e-9"}),

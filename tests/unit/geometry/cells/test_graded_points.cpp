@@ -54,3 +54,34 @@ TEST_CASE("about a tip the triangles are nearly equal") {
       CHECK(longest < 1.4 * at_tips);
     }
 }
+
+TEST_CASE("a force next to a tip has equal triangles about it, as small as growth^2 of the way there") {
+  const auto plate = rectangle(-1, -1, 1, 1);
+  const auto paths = crack_paths(plate, {Polyline{Point(-0.3, 0), Point(0.3, 0)}}, 1e-9);
+  for (const double away : {0.03, 0.1, 0.4})
+    for (int degrees = 0; degrees <= 150; degrees += 30) {
+      const double angle = degrees * std::numbers::pi / 180, at_tips = 1e-4, growth = 0.2;
+      const Point place = Point(0.3, 0) + away * Point(std::cos(angle), std::sin(angle));
+      const auto cells = tessellation(plate, paths, 0.2, {place}, {at_tips, {}, growth, {place}});
+      const double wanted = growth * growth * away;
+      std::size_t fan = 0;
+      double shortest = 1, longest = 0;
+      for (const auto& triangle : cells.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+          if ((cells.positions[triangle[i]] - place).norm() > 1e-9) continue;
+          for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3}) {
+            const double side = (cells.positions[triangle[j]] - place).norm();
+            shortest = std::min(shortest, side), longest = std::max(longest, side);
+          }
+          ++fan;
+        }
+      CAPTURE(away, degrees, fan, shortest / wanted, longest / wanted);
+      CHECK(fan >= 5);
+      CHECK(fan <= 8);
+      CHECK(shortest > 0.8 * wanted);
+      CHECK(longest < 1.4 * wanted);
+      CHECK(measures(cells).least_angle > 15);
+      const auto without = tessellation(plate, paths, 0.2, {place}, {at_tips, {}, growth});
+      CHECK(cells.positions.size() < 1.5 * double(without.positions.size()));
+    }
+}
