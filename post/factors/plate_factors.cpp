@@ -40,6 +40,18 @@ double distance_to(const geometry::Hole& part, const geometry::Point& x) {
   return geometry::distance(ring, x);
 }
 
+/// Over which elastic foundations press back, in proportion to what the fields of a fit do not have: the shortest of
+/// all sqrt(D / G_p) and (D / k)^(1/4) [length].
+double reach_of_foundations(const plate::Problem& c) {
+  double result = INFINITY;
+  const double stiffness = c.section.bending_stiffness();
+  for (const auto& foundation : c.foundations) {
+    if (foundation.modulus > 0) result = std::min(result, std::pow(stiffness / foundation.modulus, 0.25));
+    if (foundation.shear > 0) result = std::min(result, std::sqrt(stiffness / foundation.shear));
+  }
+  return result;
+}
+
 }  // namespace
 
 double undisturbed_distance(const plate::Problem& c, const geometry::Tip& tip) {
@@ -74,6 +86,8 @@ double clear_distance(const plate::Problem& c, const std::vector<geometry::Crack
   return std::min(clear, std::max(0.0, c.section.uniform_within(tip.position) - spacing));
 }
 
+namespace {
+
 /// What is around a tip, of which points within `reach` are known.
 TipPlace place_of(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip,
                   double reach) {
@@ -83,8 +97,11 @@ TipPlace place_of(const plate::Problem& c, const std::vector<geometry::CrackPath
   const bool heated = std::ranges::any_of(c.loads, [](const plate::Load& load) {
     return load.kind == plate::Load::Kind::temperature && load.formula.given();
   });
-  return {tip, paths[tip.crack], clear, clear, undisturbed_distance(c, tip), faces, heated};
+  const double undisturbed = std::min(undisturbed_distance(c, tip), reach_of_foundations(c));
+  return {tip, paths[tip.crack], clear, clear, undisturbed, faces, heated};
 }
+
+}  // namespace
 
 double least_clear_distance(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths,
                             const std::vector<geometry::Tip>& tips) {
@@ -112,7 +129,7 @@ std::optional<double> tip_spacing_for(const plate::Problem& problem) {
   const auto paths = plate::crack_paths(problem);
   const auto tips = geometry::tips(paths);
   if (tips.empty()) return std::nullopt;
-  const double clear = least_clear_distance(fine, paths, tips);
+  const double clear = std::min(least_clear_distance(fine, paths, tips), reach_of_foundations(problem));
   double result = spacing;
   if (problem.section.thickness < thick * spacing) result = std::min(result, of_layer * problem.section.layer());
   if (clear < far * spacing) result = std::min(result, of_clear * clear);

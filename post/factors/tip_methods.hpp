@@ -19,7 +19,7 @@ struct TipPlace {
   geometry::CrackPath path;
   double clear;            // clear_distance, less where loads and pins stand nearer [length]
   double narrowest;        // the least of `clear` of all tips: what is not resolved there errs everywhere [length]
-  double undisturbed;      // distance to the next load, pin or spring [length]
+  double undisturbed;      // to the next load, pin or spring; no more than foundations reach [length]
   double faces;            // spacing of the points on the faces, where `clear` ends [length]
   bool heated = false;     // by temperatures that vary over the plate
   double known_error = 0;  // of all factors, whatever the field about the tip says, as a share of the largest
