@@ -72,7 +72,7 @@ TEST_CASE("nearest obstacle: ahead or beside, within reach, other cracks only") 
   REQUIRE(beside);
   CHECK(beside->crack == 2u);
   CHECK((beside->position - Point(0.2, 0.1)).norm() < 1e-12);
-  CHECK_FALSE(nearest_obstacle(outline, {met[0], met[1]}, tip(0, met[0], true), 0.4));
+  CHECK_FALSE(nearest_obstacle(outline, {met[0], met[1]}, tip(0, met[0], true), 0.3));
 }
 
 TEST_CASE("extend: straight on the last vertex moves, else it becomes a bend, at either end") {

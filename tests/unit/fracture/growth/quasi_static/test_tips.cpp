@@ -294,7 +294,8 @@ TEST_CASE("quasi-static growth: a tip without a ring and without anything ahead 
   Growth growth;
   growth.fracture_energy = 1, growth.max_advances = 4;
   growth.control = Growth::Control::equilibrium;
-  FormulaTips tips(growth, geometry::rectangle(0, -1, 4, 1), {{{1.5, 0}, {2.5, 0}}}, [](const auto& cracks) {
+  const auto outline = geometry::rectangle(0, -1, 4, 1);
+  FormulaTips tips(growth, outline, {{{1.5, 0}, {2.5, 0}}}, [](const auto& cracks) {
     return two_tips(cracks, [](std::size_t i, LoadedTip& tip) {
       if (i == 0) tip.G.reset();
     });
