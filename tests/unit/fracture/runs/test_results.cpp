@@ -29,7 +29,8 @@ TEST_CASE("results: probes by their names, with shares of points that show a lin
   for (const auto& probe : probes) {
     geometry::Point at(0, 0);
     double sum = 0;
-    for (const auto& [point, share] : probe.shares) at += share * plate->cloud().positions[point], sum += share;
+    for (const auto& [point, share, lever] : probe.shares)
+      at += share * plate->cloud().positions[point] + lever, sum += share;
     CHECK(sum == Approx(1));
     CHECK((at - probe.position).norm() < 1e-6);  // measured: 1e-7, beyond the outermost points
   }
