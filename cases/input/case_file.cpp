@@ -56,11 +56,11 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
                                                     plate::key_of_load(content, *without)));
   snap_cracks(content, reading);
   settle_formulation(states_formulation(root), content, reading);
-  settle_grading(content, reading);
   settle_method(content, reading);
   check_case(content, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   merge_cracks(content, reading);
+  settle_grading(content, reading);
   if (content.srif && content.srif->accuracy)
     content.discretization = post::discretization_of(content, content.analysis.kind == Analysis::Kind::dynamic, 1);
   return {std::move(content), reading.found()};

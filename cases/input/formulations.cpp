@@ -126,10 +126,10 @@ void settle_formulation(bool stated, Case& content, Reading& reading) {
 
 void settle_grading(Case& content, const Reading& reading) {
   auto& d = content.discretization;
-  const bool asked =
-      d.refine_tips && content.srif && !content.growth && content.analysis.kind == Analysis::Kind::static_;
+  const auto kind = content.analysis.kind;
+  const bool at_rest = kind == Analysis::Kind::static_ || kind == Analysis::Kind::harmonic;
+  const bool asked = d.refine_tips && content.srif && !content.growth && at_rest;
   if (!asked || d.tip_spacing || reading.finds_spacing || !d.formulation->offers(Feature::graded_points)) return;
-  if (!reading.problems().empty()) return;  // lengths may be missing
   d.tip_spacing = post::tip_spacing_for(content);
   if (d.tip_spacing && !reading.given("discretization.spacing_growth")) d.spacing_growth = 0.1;
 }

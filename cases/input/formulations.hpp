@@ -27,8 +27,8 @@ bool states_formulation(const toml::table& root);
 /// it states another. Complains about keys of graded points in a case that needs a formulation without.
 void settle_formulation(bool stated, Case& content, Reading& reading);
 
-/// At rest, in a formulation with graded points: the spacing at the tips that factors need (post::tip_spacing_for),
-/// unless the case gives one or says `refine_tips = false`.
+/// At rest and for harmonic responses, in a formulation with graded points: the spacing at the tips that factors need
+/// (post::tip_spacing_for), unless the case gives one or says `refine_tips = false`. Of a case without problems.
 void settle_grading(Case& content, const Reading& reading);
 
 /// Unless the case states a method: direct at rest where the stiffness is not symmetric; for graded points in motion,

@@ -97,7 +97,7 @@ TipPlace place_of(const plate::Problem& c, const std::vector<geometry::CrackPath
   const bool heated = std::ranges::any_of(c.loads, [](const plate::Load& load) {
     return load.kind == plate::Load::Kind::temperature && load.formula.given();
   });
-  const double undisturbed = std::min(undisturbed_distance(c, tip), reach_of_foundations(c));
+  const double undisturbed = std::min(undisturbed_distance(c, tip), 2 * reach_of_foundations(c));
   return {tip, paths[tip.crack], clear, clear, undisturbed, faces, heated};
 }
 
@@ -173,7 +173,7 @@ namespace {
 /// What the whole plate errs by, as a share of the largest factor: of the second order in its spacing over its smaller
 /// side.
 double error_of_coarseness(const plate::Problem& problem) {
-  constexpr double share = 5;
+  constexpr double share = 2;
   const auto [low, high] = geometry::bounding_box(problem.outline);
   return share * std::pow(problem.discretization.spacing / (high - low).minCoeff(), 2);
 }

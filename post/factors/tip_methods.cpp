@@ -163,7 +163,8 @@ void TipMethods::AtTip::fit(const geometry::Tip& tip, const TipPlace& place, boo
         "load; refine";
     return;
   }
-  fits_ = series_fits(plate, tip, *range, first_only ? std::vector{1.0} : std::vector{1.0, 0.65, 0.5}, place.heated);
+  const bool heated = place.heated && plate.points_on_faces;  // with bonds two more fields cost more than they give
+  fits_ = series_fits(plate, tip, *range, first_only ? std::vector{1.0} : std::vector{1.0, 0.65, 0.5}, heated);
   if (fits_.empty()) no_fit_ = "series_fit: too few points about the tip for a fit of its fields; refine";
 }
 

@@ -141,14 +141,6 @@ class Lengths(Tree):
         self.assertEqual(self.of_length(60), [])
         self.assertEqual(self.of_length(61), ["plate/model/long.cpp:1: f has 61 lines, 60 are allowed"])
 
-    def test_length_of_files_and_folders(self):
-        for name, lines, right in (("a.hpp", 150, True), ("a.hpp", 151, False), ("a.cpp", 300, True), ("a.cpp", 301, False)):
-            path = self.write(f"post/files/{name}", "\n" * lines)
-            self.assertEqual(not list(lengths.of_file(self.root, path)), right, (name, lines))
-        paths = [pathlib.PurePath(f"post/files/{i}.cpp") for i in range(26)]
-        self.assertEqual(len(list(lengths.of_folders(paths))), 1)
-        self.assertEqual(list(lengths.of_folders(paths[1:])), [])
-
     @unittest.mock.patch.object(lengths, "TESTED", 0.75)
     def test_share_of_units_with_a_test(self):
         paths = [pathlib.PurePath(f"post/files/{name}.cpp") for name in "abcd"]

@@ -19,9 +19,8 @@ Field<plate::Discretization> refine_tips() {
   using D = plate::Discretization;
   return value<D>(
       {"refine_tips", "-", "true or false", "",
-       "static Galerkin plates without tip_spacing: closer points at the tips where the plate is thinner than 6 "
-       "spacings, "
-       "or something lies within 16 spacings of a tip"},
+       "at rest without tip_spacing: closer points at tips where the plate is thinner than 12 spacings, or something "
+       "lies within 24 spacings of a tip"},
       [](const Value& given, D& d) { d.refine_tips = given.boolean().value_or(d.refine_tips); },
       [](const D& d) { return std::string(d.refine_tips ? "true" : "false"); });
 }

@@ -129,8 +129,8 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
 
 void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMethods>& methods) {
   const plate::Formulation& plate = *found.plate;
-  auto solved = plate::solve_static(plate, plate::acting_load(plate), solver_.method, solver_.preconditioning, solver_.options,
-                                    plate::total_lift(plate));
+  auto solved = plate::solve_static(plate, plate::acting_load(plate), solver_.method, solver_.preconditioning,
+                                    solver_.options, plate::total_lift(plate));
   stopwatch_.lap("solve");
   auto& solution = solved.solution;
   if (!solution.converged)

@@ -239,7 +239,7 @@ std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometr
 std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Tessellation& cells) {
   std::vector<Segment> segments;
   for (const auto& border : cells.borders)
-    if (border.edge == geometry::Curves::crack && border.from < border.to)
+    if (border.edge == geometry::Curves::crack)
       segments.emplace_back(cells.positions[border.from], cells.positions[border.to]);
   // points on the faces are nearer than any beyond the crack, and know their side
   return pieces_of(

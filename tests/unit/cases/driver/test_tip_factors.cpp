@@ -6,12 +6,13 @@
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 
-using case_text::plain;
+using case_text::plain, case_text::with_line;
 
 namespace {
 
 const std::string by_energy = "srif.methods=[\"domain_integral\"]";
-const std::string cracked = plain + "[srif]\n[output]\nfields = []\n";
+const std::string cracked =
+    with_line(plain, 9, "spacing = 0.05\nrefine_tips = false") + "[srif]\n[output]\nfields = []\n";
 
 std::set<std::size_t> tips_with_factors(const post::Summary& summary) {
   std::set<std::size_t> result;

@@ -79,8 +79,8 @@ TEST_CASE("growth run: after a failure the last state is that of the last row, n
   const auto inclined = [&](const plate::FormulationKind& kind) {
     auto file = edge_crack(kind);
     auto& c = file.content;
-    c.section.thickness = 0.4;            // the direction is resolved
-    c.cracks = {{{0, 0.3}, {0.5, 0.5}}};  // the piece turns: it is tried, and then laid
+    c.section.thickness = 0.4, c.discretization.spacing = 0.025;  // the direction is resolved
+    c.cracks = {{{0, 0.3}, {0.5, 0.5}}};                          // the piece turns: it is tried, and then laid
     c.growth->direction = fracture::Growth::Direction::tangential_moment;
     c.output.vtk = c.output.hdf5 = true;
     return file;
