@@ -209,16 +209,12 @@ void solve_frequencies(const Going& run) {
   const auto [low, high] = geometry::bounding_box(run.plan().problem.outline);
   post::Progress progress(run.plan().quiet, "Lanczos iteration");
   const double usual = 4 * double(analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
-  const auto coarser = plate::preconditioner_of_frequencies(plate);
-  const plate::FrequencyOptions options{analysis.modes,
-                                        analysis.tolerance,
-                                        analysis.max_iterations,
-                                        plate::shift_of(plate.section(), (high - low).maxCoeff()),
-                                        coarser.get(),
-                                        [&](std::size_t solution) {
-                                          progress.update(std::min(double(solution) / usual, 0.99),
-                                                          fmt::format("solution {}", solution + 1));
-                                        }};
+  const double shift = plate::shift_of(plate.section(), (high - low).maxCoeff());
+  const auto inverse = plate.inverse_of_shifted(shift);
+  const plate::FrequencyOptions options{
+      analysis.modes, analysis.tolerance, analysis.max_iterations, shift, inverse.get(), [&](std::size_t solution) {
+        progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
+      }};
   summary.analysis.method = "lanczos";
   summary.analysis.tolerance = analysis.tolerance;
   const auto solution = plate::frequencies(plate, plate.constraints(), plate.mass(analysis.rotary_inertia), options);

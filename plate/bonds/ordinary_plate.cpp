@@ -105,6 +105,7 @@ public:
     return std::make_unique<BondView>(cloud(), op_.families(), op_.shapes(), section(), discretization());
   }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
+  std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
   std::unique_ptr<Preconditioner> factor() const override;
   SingleForce single_precision() const override {
     return [rows = op_.single_rows(), attached = op_.attached()](const Values<float>& state, Values<float>& force) {
@@ -153,6 +154,11 @@ ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const
   if (wanted == diagonal) return {nullptr, "diagonal"};
   if (wanted == local) return {std::make_unique<LocalPlate>(op_, boundary(), section(), discretization()), "local"};
   return {std::make_unique<TwoLevelPlate>(op_, boundary(), section(), discretization()), "two_level"};
+}
+
+std::unique_ptr<Preconditioner> OrdinaryPlate::inverse_of_shifted(double shift) const {
+  if (ranks() || 4 * factor_bytes(double(points())) > free_memory() / 2) return Formulation::inverse_of_shifted(shift);
+  return std::make_unique<LocalPlate>(op_, boundary(), section(), discretization(), shift * mass());
 }
 
 std::vector<MemoryPart> OrdinaryPlate::memory(bool single) const {
@@ -234,7 +240,6 @@ Discretised discretised(const Problem& problem) {
   result.warnings = boundary.warnings;
   warn_of_edges(boundary, d.spacing, result.warnings);
   stopwatch.lap("geometry");
-
   const auto whole = geometry::families(boundary.cloud, d.horizon(), sees(boundary, outline, d.horizon_ratio));
   auto families = sever(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
   boundary.attached = attached_stiffness(problem, boundary.cloud);
@@ -242,7 +247,6 @@ Discretised discretised(const Problem& problem) {
   if (part) operated_part = operated(*part, boundary, families, layout.tips);
   layout.pieces = pieces(boundary, families);
   stopwatch.lap("families");
-
   auto shapes = bond_shapes(families.vectors(), problem.section, d);
   check_weights(shapes, d.horizon_ratio);
   layout.cut = cut_share(whole, families, shapes, boundary.cloud.plate_points);

@@ -135,6 +135,10 @@ std::size_t Formulation::fictitious_points() const {
   return boundary().fictitious.size();
 }
 
+std::unique_ptr<Preconditioner> Formulation::inverse_of_shifted(double) const {
+  return held() && ranks() ? preconditioner(Preconditioning::automatic).inverse : nullptr;  // as at rest
+}
+
 std::unique_ptr<Preconditioner> Formulation::factor() const {
   throw std::logic_error("a factor was asked of a formulation that does not offer it");
 }

@@ -63,10 +63,8 @@ using SingleForce = std::function<void(const Values<float>& state, Values<float>
 class Formulation : public Operator {
 public:
   ~Formulation() override;
-
   const FormulationKind& kind() const;
   bool offers(Feature feature) const { return kind().offers(feature); }
-
   const Problem& problem() const;
   const Section& section() const;
   const PointSections& sections() const;
@@ -111,6 +109,8 @@ public:
   virtual Inertia inertia(double rotary) const;
 
   virtual ChosenPreconditioner preconditioner(Preconditioning wanted) const = 0;
+  /// What approaches (K + shift M)^-1 in the search for frequencies, shift > 0; nothing: the diagonal.
+  virtual std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const;
   /// The plate itself, factorised. Only of kinds that offer it.
   virtual std::unique_ptr<Preconditioner> factor() const;
   virtual SingleForce single_precision() const { return {}; }  // nothing in kinds that do not offer it

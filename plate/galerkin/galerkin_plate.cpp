@@ -23,6 +23,7 @@
 #include "plate/model/refused.hpp"
 #include "plate/solve/shared_factor.hpp"
 
+#include "plate/solve/matrices/attached_matrix.hpp"
 namespace plate {
 namespace {
 
@@ -122,6 +123,7 @@ public:
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> factor() const override {
     if (const Ranks* all = ranks()) return std::make_unique<SharedFactor>(*all, op_, boundary(), stiffness_matrix(op_));
+  std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
   }
   std::vector<MemoryPart> memory(bool single) const override;
@@ -166,6 +168,14 @@ ChosenPreconditioner GalerkinPlate::preconditioner(Preconditioning wanted) const
 
 std::vector<MemoryPart> GalerkinPlate::memory(bool) const {
   return {
+/// Coarser plates alone do not see the rigid motions of a plate that nothing holds.
+std::unique_ptr<Preconditioner> GalerkinPlate::inverse_of_shifted(double shift) const {
+  if (held()) return preconditioner(Preconditioning::levels).inverse;
+  constexpr std::size_t many = 100000;  // points
+  if (ranks() || points() > many) return nullptr;
+  return std::make_unique<AssembledPlate>(op_, constraints(), plus(stiffness_matrix(op_), shift * mass()));
+}
+
       {"weights of the families, rows and bonds", "parameters", double(op_.bytes())},
       {"cells", "geometry",
        bytes_of(cells_.positions) + bytes_of(cells_.squares) + bytes_of(cells_.triangles) + bytes_of(cells_.borders)}};

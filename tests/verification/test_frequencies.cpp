@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "plate/bonds/rows/lattice_operator.hpp"
+#include "plate/formulation/preconditioner.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/exact.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
@@ -84,4 +86,26 @@ TEST_CASE("a plate cut in two has six rigid motions") {
   CHECK(found.modes[5].frequency < 1e-5 * all[6]);
   CHECK(found.modes[6].frequency == Approx(all[6]).epsilon(1e-9));
   CHECK(found.modes[7].frequency == Approx(all[7]).epsilon(1e-9));
+}
+
+TEST_CASE("frequencies of a plate that nothing holds: few iterations, and those of a free square") {
+  // NAFEMS FV12: sqrt(D / rho h) / (2 pi a^2) times 13.468, 19.596, 24.270, 34.801 twice, 61.093 (thin)
+  for (const auto* kind : {&galerkin, &ordinary}) {
+    auto c = vp::free_plate(geometry::rectangle(0, 0, 10, 10), 0.5);
+    c.discretization.formulation = kind;
+    c.section = {200e9, 0.3, 0.05, 5.0 / 6, 8000};
+    const auto a = vp::assembled(c);
+    FrequencyOptions options;
+    options.modes = 8, options.shift = shift_of(c.section, 10);
+    const auto inverse = a->inverse_of_shifted(options.shift);
+    REQUIRE(inverse);
+    options.preconditioner = inverse.get();
+    const auto found = frequencies(*a, a->constraints(), a->mass(), options);
+    CAPTURE(kind->name, found.iterations, found.solutions);
+    CHECK(found.iterations < 30 * found.solutions);
+    if (kind == &galerkin) CHECK(found.iterations < 3 * found.solutions);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(found.modes[i].frequency < 1e-3);
+    const double exact[]{1.6217, 2.3596, 2.9225, 4.1904, 4.1904};
+    for (std::size_t i = 0; i < 5; ++i) CHECK(found.modes[i + 3].frequency == Approx(exact[i]).epsilon(0.05));
+  }
 }

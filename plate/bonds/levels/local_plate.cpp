@@ -4,6 +4,7 @@
 
 #include "plate/bonds/parameters/position_aware.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/matrices/attached_matrix.hpp"
 
 namespace plate {
 namespace {
@@ -42,13 +43,15 @@ FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& bound
 }
 
 LocalPlate::LocalPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
-                       const Discretization& discretization)
+                       const Discretization& discretization, const Forces& added)
     : plate_(plate, plate.attached(), everywhere(plate.attached())), constraints_(boundary.constraints) {
   const Forces diagonal = folded_diagonal(plate, constraints_);
   inverse_diagonal_ = diagonal.unaryExpr([](double d) { return d > 0 ? sweep / d : 0.0; });
   const FamilyOperator local = local_operator(plate, boundary, section, discretization);
   const Forces both = folded_diagonal(local, constraints_).cwiseMin(diagonal);
-  const PointMatrix matrix = folded(stiffness_matrix(local, false), constraints_);
+  PointMatrix stiffness = stiffness_matrix(local, false);
+  if (added.size() > 0) stiffness = plus(std::move(stiffness), added);
+  const PointMatrix matrix = folded(std::move(stiffness), constraints_);
   unknowns_ = unknowns(both, elimination_order(matrix, both));
   factor_ = factorised(of_unknowns(matrix, unknowns_));
 }

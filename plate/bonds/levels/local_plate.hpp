@@ -14,9 +14,9 @@ namespace plate {
 /// stiffness follows that of the plate for every wave that the lattice carries (theory.md, "Statics").
 class LocalPlate : public Preconditioner {
 public:
-  /// `plate` and `boundary` must outlive this.
+  /// `plate` and `boundary` must outlive this. `added`: to the diagonal of what is factorised; empty: nothing.
   LocalPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
-             const Discretization& discretization);
+             const Discretization& discretization, const Forces& added = {});
 
   void apply(const Forces& residual, State& result) const override;
 

@@ -32,4 +32,10 @@ PointMatrix with(PointMatrix matrix, const AttachedStiffness& attached) {
   return result;
 }
 
+PointMatrix plus(PointMatrix matrix, const Forces& diagonal) {
+  for (std::size_t k = 0; k < matrix.points(); ++k)
+    matrix.block[matrix.first[k]].diagonal() += diagonal.col(Eigen::Index(k));
+  return matrix;
+}
+
 }  // namespace plate

@@ -7,4 +7,7 @@ namespace plate {
 /// The matrix and what is attached; the matrix itself where nothing is.
 PointMatrix with(PointMatrix matrix, const AttachedStiffness& attached);
 
+/// The matrix and a number for every degree of freedom on its diagonal.
+PointMatrix plus(PointMatrix matrix, const Forces& diagonal);
+
 }  // namespace plate

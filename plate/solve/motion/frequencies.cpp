@@ -222,12 +222,6 @@ double shift_of(const Section& section, double length) {
   return section.bending_stiffness() / section.mass() * std::pow(std::numbers::pi / length, 4);
 }
 
-std::unique_ptr<Preconditioner> preconditioner_of_frequencies(const Formulation& plate) {
-  if (!plate.held()) return nullptr;
-  if (plate.offers(Feature::levels)) return plate.preconditioner(Preconditioning::levels).inverse;
-  return ranks() ? plate.preconditioner(Preconditioning::automatic).inverse : nullptr;  // as at rest
-}
-
 FrequencySolution frequencies(const Operator& plate, const Constraints& constraints, const Forces& mass,
                               const FrequencyOptions& options) {
   Inverse inverse(plate, constraints, mass, options);

@@ -6,7 +6,6 @@
 namespace plate {
 
 class Constraints;
-class Formulation;
 class Preconditioner;
 struct Section;
 
@@ -15,7 +14,7 @@ struct FrequencyOptions {
   double tolerance = 1e-4;                         // of the eigenvectors; errors of omega^2 are of its second order
   std::size_t max_iterations = 200000;             // of conjugate gradients in each solution
   double shift = 0;                                // sigma [1/time^2] > 0; shift_of() gives one that suits the plate
-  const Preconditioner* preconditioner = nullptr;  // of K; absent: the diagonal of K + sigma M
+  const Preconditioner* preconditioner = nullptr;  // of K or K + sigma M; absent: the diagonal of K + sigma M
   std::function<void(std::size_t solution)> progress;  // before each solution of (K + sigma M) q = f
 };
 
@@ -34,9 +33,6 @@ struct FrequencySolution {
 /// omega^2 of a strip of this length between simple supports, D / (rho h) (pi / length)^4: of the order of a plate's
 /// lowest frequency, whatever the units.
 double shift_of(const Section& section, double length);
-
-/// What is worth its making; nothing: the diagonal.
-std::unique_ptr<Preconditioner> preconditioner_of_frequencies(const Formulation& plate);
 
 /// The lowest eigenpairs of K q = omega^2 M q on the free degrees of freedom (u = P q): Lanczos iteration with the
 /// inverse of K + sigma M. A plate that is not held has its rigid motions among them, with frequencies near zero.
