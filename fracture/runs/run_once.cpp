@@ -167,6 +167,11 @@ void solve_by_lanczos(const Going& run) {
   for (const double share : motion.truncated_told()) results.reactions().truncated(share);
   motion.observe(rows, observer(run, rows, progress));
   progress.done();
+  if (motion.change() > analysis.tolerance)
+    summary.warnings.push_back(
+        fmt::format("{} Lanczos vectors, the most that are taken, still change the motion by {:.1e}, more than "
+                    "analysis.tolerance = {:g}: forces at a point that begin at once need many",
+                    motion.vectors(), motion.change(), analysis.tolerance));
   summary.analysis.iterations = motion.vectors();
   summary.analysis.residual = motion.change();
   summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors());

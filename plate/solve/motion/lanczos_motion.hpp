@@ -32,7 +32,7 @@ struct LanczosOptions {
 class LanczosMotion {
 public:
   /// Every free degree of freedom must have mass. `inverse`: of K, exact or near. `loads` must outlive this.
-  /// Throws NumericalError where the vectors do not suffice.
+  /// Throws NumericalError where max_vectors leave a change() of more than ten tolerances.
   LanczosMotion(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
                 const std::vector<TimedLoad>& loads, const Preconditioner& inverse, const LanczosOptions& options);
 
