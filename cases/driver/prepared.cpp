@@ -1,5 +1,7 @@
 #include "cases/driver/prepared.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "cases/driver/discretised.hpp"
@@ -12,6 +14,8 @@
 
 namespace cases {
 namespace {
+
+constexpr std::size_t many_steps = 100000;
 
 /// Lanczos vectors need static answers: a plate that moves freely takes steps, unless its case states the vectors.
 void settle_free_motion(CaseFile& file, const plate::Formulation& plate) {
@@ -58,6 +62,12 @@ Prepared::Prepared(CaseFile wanted) : file(std::move(wanted)) {
       const double free = plate::stable_time_step(*plate, c.analysis.rotary_inertia);
       const double limit = plate::stable_step(free, *plate, c.analysis, begin);
       steps = {limit, time_grid(file, limit)};
+      if (limit < 0.2 * free && steps->grid.steps > many_steps)
+        warnings.push_back(
+            fmt::format("{} steps: damping, an impact or given motion shortens the stable step from {:.2g} to {:.2g}; "
+                        "damping by mass alone does not, and with formulation = \"galerkin\" linear plates take no "
+                        "steps (method = \"lanczos\")",
+                        steps->grid.steps, free, limit));
     }
     stopwatch.lap("solve");
   }

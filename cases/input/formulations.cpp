@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "plate/formulations.hpp"
+#include "plate/model/ranks/ranks.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace cases {
@@ -146,7 +147,11 @@ void settle_method(Case& content, const Reading& reading) {
         return load.kind == plate::Load::Kind::settlement || load.moves();
       });
   const bool steps_asked = analysis.time_step || reading.given("analysis.safety") || needs_steps;
-  if (analysis.kind == Analysis::Kind::dynamic && d.formulation->offers(Feature::lanczos) && graded && !steps_asked)
+  // stiffness damping shortens the stable step a hundred times and more; vectors take none
+  const bool damped = analysis.damping && analysis.damping->stiffness > 0 && !plate::ranks() &&
+                      analysis.precision == Analysis::Precision::double_;
+  if (analysis.kind == Analysis::Kind::dynamic && d.formulation->offers(Feature::lanczos) && (graded || damped) &&
+      !steps_asked)
     analysis.method = Analysis::Method::lanczos;
 }
 

@@ -66,8 +66,9 @@ Fields<Analysis> analysis_fields() {
                            "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; dynamic: "
                            "steps, or Lanczos vectors "
                            "that move exactly")
-          .standard("static: \"cg\"; dynamic: \"central_difference\", \"lanczos\" with graded points; frequencies: "
-                    "\"lanczos\""),
+          .standard(
+              "static: \"cg\"; dynamic: \"central_difference\", \"lanczos\" with graded points or stiffness damping; "
+              "frequencies: \"lanczos\""),
       choice<A, plate::Preconditioning>(
           "preconditioner", &A::preconditioner, preconditioners,
           "of cg: the diagonal; the factor of a plate with a horizon of 1.5 spacings; the same on every "

@@ -32,6 +32,26 @@ TEST_CASE("Lanczos vectors: a plate that nothing holds is refused") {
   CHECK(summary.analysis.method == "central_difference");
 }
 
+TEST_CASE("stiffness damping: Lanczos vectors are chosen where they are to be had, else many steps are told of") {
+  const std::vector<std::string> damped{"analysis.damping={mass=0, stiffness=0.2}", "discretization.spacing=0.1"};
+  const cases::Prepared motion(case_text::read(moving(), damped));
+  CHECK(motion.file.content.analysis.method == cases::Analysis::Method::lanczos);
+  const auto with = [&](const std::string& more) {
+    auto all = damped;
+    all.push_back(more);
+    return case_text::read(moving(), all).content.analysis.method;
+  };
+  CHECK(with("analysis.safety=0.9") == cases::Analysis::Method::central_difference);
+  CHECK(with("analysis.method=central_difference") == cases::Analysis::Method::central_difference);
+  CHECK(with("discretization.formulation=ordinary") == cases::Analysis::Method::central_difference);
+  CHECK(with("analysis.damping={mass=0.2, stiffness=0}") == cases::Analysis::Method::central_difference);
+  auto steps = damped;
+  steps.push_back("analysis.method=central_difference"), steps.push_back("analysis.damping={mass=0, stiffness=20}");
+  const cases::Prepared many(case_text::read(moving(), steps));
+  CHECK(many.steps->grid.steps > 100000);
+  CHECK_THAT(many.warnings.back(), Catch::Contains("shortens the stable step"));
+}
+
 TEST_CASE("accuracy in motion: a plate that nothing holds and one that is to take steps are refused") {
   const auto found = case_text::problems(moving(), {"srif.accuracy=0.05", "analysis.method=central_difference"});
   REQUIRE(found.size() == 1);
