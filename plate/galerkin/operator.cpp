@@ -1,6 +1,7 @@
 #include "plate/galerkin/operator.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/galerkin/family_stiffness.hpp"
@@ -16,10 +17,12 @@ GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sect
       attached_(std::move(attached)),
       knows_awaited_(!awaited.empty()) {
   if (sections_.simple()) {
-    rows_.emplace(families_, sections_, stretch, awaited);
+  if (sections_.uniform()) rows_.emplace(families_, sections_, stretch, awaited);
     lists_.emplace(families_, sections_, rows_->others(), awaited);
   } else {
-    whole_.emplace(stiffness_matrix(families_, sections_));
+    std::vector<std::uint32_t> others(families_.areas.size());
+    std::iota(others.begin(), others.end(), 0);
+    whole_.emplace(stiffness_matrix(families_, sections_), rows_ ? rows_->others() : others);
   }
   for (std::uint32_t k = 0; k < stretch.size(); ++k)
     if (stretch[k] == 0) copies_.push_back(k);
@@ -27,10 +30,10 @@ GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sect
 
 void GalerkinOperator::internal_force(const State& state, Forces& forces) const {
   forces.resize(3, state.cols());
-  if (whole_) {
+  if (rows_) rows_->internal_force(state, forces);
+  if (whole_)
     whole_->internal_force(state, forces);
-  } else {
-    rows_->internal_force(state, forces);
+  else
     lists_->internal_force(state, forces);
   }
   complete(state, forces);
@@ -94,11 +97,11 @@ void GalerkinOperator::gather(const Own& own, Forces& result) const {
 
 void GalerkinOperator::absolute_product(const State& state, Forces& forces) const {
   forces.setZero(3, state.cols());
+  if (rows_) rows_->absolute_product(state, forces);
   if (whole_) {
     whole_->absolute_product(state, forces);
     return attached_.add_absolute_product(state, forces);
   }
-  rows_->absolute_product(state, forces);
   const auto own = [&](const FamilyStiffness& K, std::uint32_t k, Eigen::Vector3d* found) {
     const auto family = families_.families[k];
     for (std::size_t i = 0; i < K.members(); ++i) {
@@ -113,10 +116,10 @@ void GalerkinOperator::absolute_product(const State& state, Forces& forces) cons
 
 Forces GalerkinOperator::diagonal() const {
   Forces result = Forces::Zero(3, Eigen::Index(points()));
+  if (rows_) rows_->diagonal(result);
   if (whole_) {
-    result = whole_->diagonal();
+    whole_->diagonal(result);
   } else {
-    rows_->diagonal(result);
     const auto own = [](const FamilyStiffness& K, std::uint32_t, Eigen::Vector3d* found) {
       for (std::size_t i = 0; i < K.members(); ++i) found[i] = K.block(i, i).diagonal();
     };
@@ -136,7 +139,7 @@ Eigen::VectorXd GalerkinOperator::energies(const State& state) const {
 }
 
 std::size_t GalerkinOperator::bytes() const {
-  const auto kernels = whole_ ? whole_->bytes() + sections_.bytes() : rows_->bytes() + lists_->bytes();
+  const auto kernels = (rows_ ? rows_->bytes() : 0) + (whole_ ? whole_->bytes() + sections_.bytes() : lists_->bytes());
   return kernels + families_.bonds.size() * sizeof(GalerkinBond) + families_.first.size() * sizeof(std::size_t) +
          families_.kind.size() * sizeof(std::uint32_t);
 }

@@ -10,8 +10,8 @@
 namespace plate {
 
 /// The Galerkin plate: nodal mean strains of the cells about every point, and residuals of its bonds (theory.md, "The
-/// Galerkin plate"). Points inside the lattice by rows, all others by lists of their bonds; sections that vary or have
-/// directions by the assembled stiffness.
+/// Galerkin plate"). Points inside the lattice by rows, all others by lists of their bonds, or with directions by
+/// the assembled stiffness; sections that vary by that alone.
 /// Forces are gathered: any number of threads gives the same bits. One call at a time.
 class GalerkinOperator : public Operator {
 public:
@@ -43,17 +43,17 @@ private:
 
   GalerkinFamilies families_;
   PointSections sections_;
-  std::optional<GalerkinRows> rows_;  // of simple sections, and lists
-  std::optional<GalerkinLists> lists_;
-  std::optional<PointRows> whole_;  // of others
+  std::optional<GalerkinRows> rows_;    // of uniform sections
+  std::optional<GalerkinLists> lists_;  // of simple sections, all other points
+  std::optional<PointRows> whole_;      // of other sections, likewise
   AttachedStiffness attached_;
   std::vector<std::uint32_t> copies_;  // points that are not one's own
   bool knows_awaited_;
 };
 
 /// What a curvature kappa_0 by points, which heat would give them freely, loads the plate with: minus the derivative of
-/// -sum of V D (1 + nu) kappa_0 times the curvatures, theory (79) [3 x points]. `own`: the points
-/// whose forces are asked for, where processes share the plate.
+/// -sum of V D (1 + nu) kappa_0 times the curvatures, theory (79); with directions of moments_held_flat() [3 x points].
+/// `own`: the points whose forces are asked for, where processes share the plate.
 Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature,
                           const std::vector<char>& own = {});
 

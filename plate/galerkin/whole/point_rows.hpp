@@ -8,12 +8,13 @@ namespace plate {
 /// weights. Any number of threads gives the same bits.
 class PointRows {
 public:
-  explicit PointRows(PointMatrix matrix);
+  /// `points`: those whose rows are wanted; the other columns of a result are left as they are.
+  PointRows(PointMatrix matrix, std::vector<std::uint32_t> points);
 
   const PointMatrix& matrix() const { return matrix_; }
   void internal_force(const State& state, Forces& forces) const;    // -K state
   void absolute_product(const State& state, Forces& forces) const;  // |K| state
-  Forces diagonal() const;
+  void diagonal(Forces& diagonal) const;
   std::size_t bytes() const;
 
 private:
@@ -27,7 +28,8 @@ private:
   void gather(Forces& result, const Add& add) const;
 
   PointMatrix matrix_;
-  std::vector<std::size_t> first_;  // per point [points + 1]
+  std::vector<std::uint32_t> points_;
+  std::vector<std::size_t> first_;  // per point of those [points_ + 1]
   std::vector<Entry> entries_;
 };
 
