@@ -1,5 +1,6 @@
 #include "plate/formulation/resultants.hpp"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 
 namespace plate {
@@ -17,8 +18,9 @@ double von_mises(const Eigen::Vector3d& stress) {
 }  // namespace
 
 double von_mises(const Eigen::Vector3d& moments, const Section& section) {
-  const Eigen::Vector3d stress = moments * (6 / (section.thickness * section.thickness));
-  return von_mises(stress);
+  if (section.isotropic()) return von_mises(Eigen::Vector3d(moments * (6 / (section.thickness * section.thickness))));
+  const LocalSection l(section);
+  return von_mises(Eigen::Vector3d(l.top * l.bending.ldlt().solve(moments)));
 }
 
 Resultants resultants_of(Eigen::Index points) {

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/heated/heat.hpp"
 #include "plate/galerkin/family_stiffness.hpp"
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/solve/reduction.hpp"
@@ -16,8 +17,8 @@ GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sect
       sections_(std::move(sections)),
       attached_(std::move(attached)),
       knows_awaited_(!awaited.empty()) {
-  if (sections_.simple()) {
   if (sections_.uniform()) rows_.emplace(families_, sections_, stretch, awaited);
+  if (sections_.simple()) {
     lists_.emplace(families_, sections_, rows_->others(), awaited);
   } else {
     std::vector<std::uint32_t> others(families_.areas.size());
@@ -35,7 +36,6 @@ void GalerkinOperator::internal_force(const State& state, Forces& forces) const 
     whole_->internal_force(state, forces);
   else
     lists_->internal_force(state, forces);
-  }
   complete(state, forces);
 }
 
@@ -152,12 +152,14 @@ PointMatrix GalerkinOperator::own_matrix() const {
 Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature,
                           const std::vector<char>& own) {
   constexpr double rounding = 1e-12;
-  const double each = section.bending_stiffness() * (1 + section.poisson);
+  const Eigen::Vector3d flat = moments_held_flat(section);
+  Eigen::Matrix2d each;
+  each << flat[0], flat[2], flat[2], flat[1];
   Forces result = Forces::Zero(3, curvature.size());
   double largest = 0;
   for (std::uint32_t k = 0; k < curvature.size(); ++k) {
     const auto family = families.families[k];
-    const double moment = families.areas[k] * each * curvature[k];
+    const Eigen::Matrix2d moment = families.areas[k] * curvature[k] * each;
     for (std::size_t i = 0; i < family.size(); ++i) {
       const geometry::Point psi = moment * families.of(k)[i].gradient;
       const Eigen::Vector2d theta(-psi.y(), psi.x());  // psi = (-theta_y, theta_x)

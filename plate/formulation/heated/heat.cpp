@@ -38,10 +38,18 @@ Heat heat_of(const Formulation& plate, double share) {
   return heat_of(plate, std::vector<double>(plate.loads().size(), share));
 }
 
+Eigen::Vector3d moments_held_flat(const Section& section) {
+  if (section.isotropic()) {
+    const double each = section.bending_stiffness() * (1 + section.poisson);
+    return {each, each, 0};
+  }
+  return LocalSection(section).bending * Eigen::Vector3d(1, 1, 0);
+}
+
 double stored(const Formulation& plate, const Heat& heat, const State& state) {
   const auto heats = [](const Load& load) { return load.kind == Load::Kind::temperature; };
   if (std::ranges::none_of(plate.problem().loads, heats)) return 0;
-  const double each = plate.section().bending_stiffness() * (1 + plate.section().poisson);
+  const double each = moments_held_flat(plate.section()).head<2>().sum() / 2;
   const auto held_flat = [&](Eigen::Index k) {
     return plate.cloud().areas[std::size_t(k)] * heat.curvature[k] * heat.curvature[k];
   };
@@ -59,9 +67,9 @@ double stored(const Formulation& plate, const Heat& heat, const State& state) {
 
 void relieve(Resultants& resultants, const Section& section, const Heat& heat) {
   if (heat.none() || resultants.moments.cols() == 0) return;
-  const double each = section.bending_stiffness() * (1 + section.poisson);
+  const Eigen::Vector3d each = moments_held_flat(section);
   for (Eigen::Index k = 0; k < heat.curvature.size(); ++k) {
-    resultants.moments.col(k).head<2>().array() -= each * heat.curvature[k];
+    resultants.moments.col(k) -= heat.curvature[k] * each;
     resultants.von_mises[k] = von_mises(resultants.moments.col(k), section);
   }
 }

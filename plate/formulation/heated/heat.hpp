@@ -26,12 +26,17 @@ Heat heat_at(const Formulation& plate, double time);
 /// Of all loads times one share.
 Heat heat_of(const Formulation& plate, double share);
 
+/// Moments Mxx, Myy, Mxy per free curvature kappa_0 of a plate that is held flat: D (1 + nu) (1, 1, 0), or with
+/// directions the bending stiffness times (1, 1, 0) [force length].
+Eigen::Vector3d moments_held_flat(const Section& section);
+
 /// What the energy of a heated plate, that of kappa - kappa_0, is more than that of kappa; the work of the loads, with
 /// what the heat puts in, is more by the same [force length]: the energy of the plate held flat, which is the sum of
-/// A D (1 + nu) kappa_0^2, less what the forces do. Processes that share the plate call it at once.
+/// A (kappa_0, kappa_0) M / 2 (isotropic A D (1 + nu) kappa_0^2), less what the forces do. Processes that share the
+/// plate call it at once.
 double stored(const Formulation& plate, const Heat& heat, const State& state);
 
-/// Takes the moments D (1 + nu) kappa_0 that free curvature would have away.
+/// Takes the moments moments_held_flat() kappa_0 that free curvature would have away.
 void relieve(Resultants& resultants, const Section& section, const Heat& heat);
 
 /// A state less the curvature that the plate would take freely under the heat at a place: w = -kappa_0 r^2 / 2 about

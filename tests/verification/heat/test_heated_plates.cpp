@@ -126,6 +126,37 @@ TEST_CASE("a clamped plate that is heated does not move, and has the moments of 
   }
 }
 
+TEST_CASE("a clamped plate with directions that is heated does not move, and has the moments of no curvature") {
+  // MYSTRAN's test 136 in other units
+  auto c = square(galerkin, 0.05, {vp::held_all_round(SupportKind::clamped)});
+  c.section.thickness = 0.05, c.section.thermal_expansion = 1e-5;
+  c.section.orthotropic = Orthotropy{100e3, 10e3, 0.3, 5e3, 5e3, 3e3, 30};
+  c.loads[0].value = 100;
+  const auto plate = vp::assembled(c);
+  const auto u = at_rest(*plate);
+  CHECK(u.cwiseAbs().maxCoeff() < 1e-14);
+  const auto forces = resultants(*plate, u);
+  const Eigen::Vector3d expected(-0.016923, -0.007463, -0.008193);
+  const double stress = von_mises(expected, c.section);
+  for (Eigen::Index k = 0; k < forces.moments.cols(); ++k) {
+    CHECK((forces.moments.col(k) - expected).cwiseAbs().maxCoeff() < 1e-6);
+    CHECK(forces.von_mises[k] == Approx(stress).epsilon(1e-3));
+  }
+  const double kappa = 1e-5 * 100 / 0.05;
+  CHECK(stored(*plate, heat_of(*plate, 1), u) == Approx(-(expected[0] + expected[1]) * kappa / 2).epsilon(1e-4));
+}
+
+TEST_CASE("a free plate with directions that is heated is a paraboloid without stress or energy") {
+  auto c = square(galerkin, 0.1, {pins({{0.05, 0.05}, {0.95, 0.05}, {0.05, 0.95}})});
+  c.section.orthotropic = Orthotropy{1000, 300, 0.3, 150, 150, 100, 30};
+  c.cracks = {{{0.3, 0.45}, {0.62, 0.71}}};
+  const auto plate = vp::assembled(c);
+  const auto u = at_rest(*plate);
+  const double kappa = alpha * difference / c.section.thickness, D = c.section.bending_stiffness();
+  CHECK(resultants(*plate, u).moments.cwiseAbs().maxCoeff() < 1e-8 * D * kappa);
+  CHECK(std::abs(plate->strain_energy(u) + stored(*plate, heat_of(*plate, 1), u)) < 1e-10 * D * kappa * kappa);
+}
+
 TEST_CASE("a hard supported plate that is heated: the series, whatever its thickness") {
   for (const auto* kind : both)
     for (const double thickness : {0.02, 0.1, 0.3}) {

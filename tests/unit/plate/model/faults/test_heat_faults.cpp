@@ -22,6 +22,15 @@ TEST_CASE("temperatures are refused where a plate could not bend freely, all rea
             .size() == 3);
   expect(plain + "[[load]]\nkind = \"temperature\"\nexpression = \"20 * z\"\n", ":20", "load[1].expression", "\"z\"",
          {"section.thermal_expansion=1e-5"});
+  const std::string isotropic = "young = 1000.0\npoisson = 0.3\n";
+  std::string turned = plain;
+  turned.replace(turned.find(isotropic), isotropic.size(),
+                 "thermal_expansion = 1e-5\n"
+                 "orthotropic = { E1 = 1000, E2 = 300, nu12 = 0.3, G12 = 150, G13 = 150, G23 = 100 }\n");
+  CHECK(problems(turned + load).empty());
+  const auto varies = problems(turned + "[[load]]\nkind = \"temperature\"\nexpression = \"20 * x\"\n");
+  REQUIRE(varies.size() == 1);
+  CHECK(varies[0].key == "load[1].expression");
   expect(plain + load, "--set growth.fracture_energy", "growth", "know no temperature",
          {"section.thermal_expansion=1e-5", "growth.fracture_energy=1", "section.density=1", "analysis.kind=dynamic",
           "analysis.duration=1"});
