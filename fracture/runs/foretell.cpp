@@ -125,9 +125,8 @@ void set_motion(const RunPlan& plan, ForetoldRun& result, const post::Samples& f
 }  // namespace
 
 double expected_points(const plate::Problem& problem) {
-  const auto& d = problem.discretization;
-  return geometry::expected_points(problem.outline, geometry::tips(plate::crack_paths(problem)), d.spacing,
-                                   {d.tip_spacing, d.hole_spacing, d.spacing_growth});
+  return geometry::expected_points(problem.outline, geometry::tips(plate::crack_paths(problem)),
+                                   problem.discretization.spacing, plate::grading_of(problem, 1));
 }
 
 plate::Discretization widened(plate::Discretization points, double wider) {

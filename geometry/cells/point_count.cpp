@@ -39,6 +39,8 @@ double expected_points(const Outline& outline, const std::vector<Tip>& tips, dou
   if (grading.at_holes && *grading.at_holes < spacing)
     for (const auto& hole : outline.holes)
       points += perimeter(hole) * along_edge(*grading.at_holes, grading.growth, spacing);
+  for (const auto& [name, at_edge] : grading.edges)
+    points += edge_length({outline.outer, {}}, name) * along_edge(at_edge, grading.growth, spacing);
   return packing * points;
 }
 

@@ -53,6 +53,9 @@ Sizing sizing_of(const Outline& outline, const std::vector<CrackPath>& cracks, c
     for (const auto& hole : outline.holes) add(hole, false);
     for (const auto& part : grading.parts) add(part, true);
   }
+  for (const auto& [name, at_edge] : grading.edges)
+    for (const auto& edge : straight_edges({outline.outer, {}}))
+      if (edge.name == name) rims.emplace_back(Polyline{edge.from, edge.to}, at_edge / spacing);
   return [sources, rims, growth = grading.growth](const Point& x) {
     double size = 1;
     for (const auto& source : sources) {

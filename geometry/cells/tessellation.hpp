@@ -49,6 +49,8 @@ struct Grading {
   std::vector<Point> forces = {};
   /// Parts of the plate on whose boundary points are as near as at holes.
   std::vector<Hole> parts = {};
+  /// Edges of the outer polygon on which points are so near [length].
+  std::vector<std::pair<std::string, double>> edges = {};
 };
 
 /// The lattice with its squares wherever nothing disturbs it, and triangles (constrained Delaunay) between it and

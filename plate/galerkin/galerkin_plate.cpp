@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "geometry/cells/locator.hpp"
@@ -19,11 +20,12 @@
 #include "plate/galerkin/shared/laid_out.hpp"
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/galerkin/tip_view.hpp"
+#include "plate/model/free_memory.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
+#include "plate/solve/matrices/attached_matrix.hpp"
 #include "plate/solve/shared_factor.hpp"
 
-#include "plate/solve/matrices/attached_matrix.hpp"
 namespace plate {
 namespace {
 
@@ -121,9 +123,9 @@ public:
   /// The consistent mass of its cells.
   Inertia inertia(double rotary) const override { return {sections(), cells_, constraints(), rotary}; }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
+  std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
   std::unique_ptr<Preconditioner> factor() const override {
     if (const Ranks* all = ranks()) return std::make_unique<SharedFactor>(*all, op_, boundary(), stiffness_matrix(op_));
-  std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
   }
   std::vector<MemoryPart> memory(bool single) const override;
@@ -166,8 +168,6 @@ ChosenPreconditioner GalerkinPlate::preconditioner(Preconditioning wanted) const
   return {levels(), "levels"};
 }
 
-std::vector<MemoryPart> GalerkinPlate::memory(bool) const {
-  return {
 /// Coarser plates alone do not see the rigid motions of a plate that nothing holds.
 std::unique_ptr<Preconditioner> GalerkinPlate::inverse_of_shifted(double shift) const {
   if (held()) return preconditioner(Preconditioning::levels).inverse;
@@ -176,6 +176,8 @@ std::unique_ptr<Preconditioner> GalerkinPlate::inverse_of_shifted(double shift) 
   return std::make_unique<AssembledPlate>(op_, constraints(), plus(stiffness_matrix(op_), shift * mass()));
 }
 
+std::vector<MemoryPart> GalerkinPlate::memory(bool) const {
+  return {
       {"weights of the families, rows and bonds", "parameters", double(op_.bytes())},
       {"cells", "geometry",
        bytes_of(cells_.positions) + bytes_of(cells_.squares) + bytes_of(cells_.triangles) + bytes_of(cells_.borders)}};
@@ -231,11 +233,15 @@ Discretised discretised(const Problem& problem) {
 }  // namespace
 
 /// A plate of few points is solved by its own factor. On a lattice coarser plates cost little; triangles have to be
-/// found anew for each of them (theory.md, "Statics" of the Galerkin plate).
+/// found anew for each of them, and follow the finer ones badly: 142,000 points took 36 s of a core with them, 5 s with
+/// the factor (theory.md, "Statics" of the Galerkin plate).
 Preconditioning usual_preconditioner_of_cells(const Problem& problem, double points) {
+  constexpr double few = 2000, some = 100000;
   const auto& d = problem.discretization;
-  const double few = d.tip_spacing || d.hole_spacing ? 100000 : 2000;
-  return points <= few ? Preconditioning::automatic : Preconditioning::levels;
+  const double bytes = 850 * points * std::log2(points + 2);  // of the factor, measured
+  const bool graded = d.tip_spacing || d.hole_spacing;
+  const bool factor = points <= few || (graded && (points <= some || bytes < free_memory() / 2));
+  return factor ? Preconditioning::automatic : Preconditioning::levels;
 }
 
 const FormulationKind galerkin{

@@ -2,6 +2,10 @@
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/solver_choices.hpp"
 
+namespace geometry {
+struct Grading;
+}
+
 namespace plate {
 
 /// Families of cells (theory.md, "The Galerkin plate").
@@ -9,5 +13,10 @@ extern const FormulationKind galerkin;
 
 /// What "auto" stands for in a plate of so many points: coarser plates, or, as "automatic", its own factor.
 Preconditioning usual_preconditioner_of_cells(const Problem& problem, double points);
+
+/// How points are graded with all spacings `factor` times as wide: at tips and holes as the case says, about forces
+/// next to tips, about parts that are held, and, where tips are graded, at free and softly supported edges whose layer
+/// is narrower than the spacing (theory.md, "The Galerkin plate").
+geometry::Grading grading_of(const Problem& problem, double factor);
 
 }  // namespace plate

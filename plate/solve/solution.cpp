@@ -37,7 +37,7 @@ State start_of(const Formulation& plate, const Analysis& analysis) {
 std::unique_ptr<Preconditioner> inverse_of(const Formulation& plate) {
   constexpr std::size_t many = 100000;  // points
   if (plate.points() <= many || !plate.offers(Feature::levels)) return plate.factor();
-  return plate.preconditioner(Preconditioning::levels).inverse;
+  return plate.preconditioner(Preconditioning::automatic).inverse;
 }
 
 }  // namespace plate

@@ -10,6 +10,7 @@
 #include "plate/formulation/attached/elastically_held.hpp"
 #include "plate/formulation/attached/stiffeners.hpp"
 #include "plate/formulation/supports/inside.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/galerkin/operator.hpp"
 #include "plate/galerkin/shared/part_of_cells.hpp"
 #include "plate/galerkin/supports.hpp"
@@ -37,16 +38,43 @@ std::vector<geometry::Point> places_of_forces(const Problem& c) {
 
 }  // namespace
 
-Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
+namespace {
+
+/// Edges beside which twist and shear change within the layer h / sqrt(12 k_s).
+std::vector<std::string> layered_edges(const Problem& c) {
+  auto result = geometry::edge_names({c.outline.outer, {}});
+  const auto holds = [](const Support& support) {
+    return support.kind != SupportKind::free && support.kind != SupportKind::simply_supported;
+  };
+  std::erase_if(result, [&](const std::string& name) {
+    return std::ranges::any_of(c.supports, [&](const Support& support) {
+      return holds(support) && std::ranges::find(support.edges, name) != support.edges.end();
+    });
+  });
+  return result;
+}
+
+}  // namespace
+
+geometry::Grading grading_of(const Problem& c, double factor) {
+  constexpr double of_growth = 7;  // a layer that spacings of it at the edge and this growth see: theory.md
   const auto& d = c.discretization;
   const auto times = [&](std::optional<double> spacing) {
     return spacing ? std::optional(factor * *spacing) : spacing;
   };
-  geometry::Grading grading{times(d.tip_spacing), times(d.hole_spacing), d.spacing_growth, places_of_forces(c)};
+  geometry::Grading result{times(d.tip_spacing), times(d.hole_spacing), d.spacing_growth, places_of_forces(c)};
   for (const auto& support : c.supports)
-    if (support.patch) grading.parts.push_back(*support.patch);
-  return geometry::tessellation(c.outline, paths, factor * d.spacing, own_places(c, paths, factor * d.spacing),
-                                grading);
+    if (support.patch) result.parts.push_back(*support.patch);
+  if (!d.tip_spacing) return result;
+  const double at_edges = std::max(d.spacing_growth * d.spacing, of_growth * d.spacing_growth * c.section.layer());
+  if (at_edges < 0.7 * d.spacing)
+    for (auto& name : layered_edges(c)) result.edges.emplace_back(std::move(name), factor * at_edges);
+  return result;
+}
+
+Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
+  const double spacing = factor * c.discretization.spacing;
+  return geometry::tessellation(c.outline, paths, spacing, own_places(c, paths, spacing), grading_of(c, factor));
 }
 
 namespace {
