@@ -85,19 +85,10 @@ Factors pace(const Course& course, std::size_t n, const Value& value) {
          (square(n - 2) - square(n - 1)) / (square(n - 1) - square(n));
 }
 
-/// Errors of K3 are of one order only where its changes say so.
-bool of_one_order(const Course& course, std::size_t n) {
-  if (n < 2) return false;
-  const double share = pace(course, n, [](const Pair& pair) { return pair.domain; })[2];
-  return share > 0.33 && share < 1.5;
-}
-
 /// The result after n + 1 discretisations, at one time.
-Factors result_of(const std::vector<Pair>& found, std::size_t n, bool shear_too) {
+Factors result_of(const std::vector<Pair>& found, std::size_t n) {
   if (n == 0) return mean(found[0]);
-  Factors result = extrapolated<Factors>(mean(found[n - 1]), mean(found[n]), found[n - 1].size, found[n].size);
-  if (!shear_too) result[2] = found[n].domain[2];
-  return result;
+  return extrapolated<Factors>(mean(found[n - 1]), mean(found[n]), found[n - 1].size, found[n].size);
 }
 
 /// How much larger than the last change the rest of a convergence at this pace may be: 1 where errors go with size^2.
@@ -113,16 +104,14 @@ struct Refined {
 /// At all times.
 std::vector<Refined> refined(const Course& course) {
   const std::size_t n = course.front().size() - 1;
-  const std::array shear_too{of_one_order(course, n - 2), of_one_order(course, n - 1), of_one_order(course, n)};
   const Factors paces = pace(course, n, mean);
   std::vector<Refined> all;
   for (const auto& found : course) {
     const Pair &last = found[n], &before = found[n - 1];
-    const Factors result = result_of(found, n, shear_too[2]), result_before = result_of(found, n - 1, shear_too[1]);
+    const Factors result = result_of(found, n), result_before = result_of(found, n - 1);
     const double shrinks = std::pow(last.size / before.size, 2);
-    const Factors change = (result - result_before)
-                               .cwiseAbs()
-                               .cwiseMax(shrinks * (result_before - result_of(found, n - 2, shear_too[0])).cwiseAbs());
+    const Factors change =
+        (result - result_before).cwiseAbs().cwiseMax(shrinks * (result_before - result_of(found, n - 2)).cwiseAbs());
     const Factors step = mean(last) - mean(before);
     const Factors apart =
         extrapolated<Factors>(before.domain - before.extension, last.domain - last.extension, before.size, last.size);
@@ -250,6 +239,36 @@ std::optional<double> largest_error(const std::vector<std::vector<Srif>>& refine
     for (const auto& srif : row)
       if (const double scale = scales(srif.tip); scale > 0)
         result = std::max(result, worst_error(srif, thickness) / scale);
+  return result;
+}
+
+namespace {
+
+/// To the factors of the same tips after a later discretisation.
+void widen_to(const std::vector<std::vector<Srif>>& later, std::vector<std::vector<Srif>>& rows, double thickness) {
+  for (std::size_t row = 0; row < rows.size() && row < later.size(); ++row)
+    for (auto& srif : rows[row]) {
+      const auto other = std::ranges::find(later[row], srif.tip, &Srif::tip);
+      if (other == later[row].end()) continue;
+      const Factors apart(srif.K1 - other->K1, srif.K2 - other->K2, srif.K3 - other->K3);
+      for (std::size_t i = 0; i < 3; ++i) srif.errors[i] = std::max(*srif.errors[i], std::abs(apart[Eigen::Index(i)]));
+      if (const double largest = largest_factor(srif, thickness); largest > 0)
+        srif.estimated_error = worst_error(srif, thickness) / largest;
+    }
+}
+
+}  // namespace
+
+BestFactors best_of(std::vector<std::vector<std::vector<Srif>>> refined, std::size_t tips, double thickness,
+                    double nominal) {
+  BestFactors result;
+  for (std::size_t n = refined.size(); n-- > 0;) {
+    auto rows = refined[n];
+    for (std::size_t later = n + 1; later < refined.size(); ++later) widen_to(refined[later], rows, thickness);
+    const auto error = largest_error(rows, tips, thickness, nominal);
+    if (n + 1 == refined.size() || (error && (!result.error || *error < *result.error)))
+      result = {std::move(rows), error};
+  }
   return result;
 }
 

@@ -32,6 +32,18 @@ void refer_to(const Srif& refined, Srif& srif, double thickness);
 std::optional<double> largest_error(const std::vector<std::vector<Srif>>& refined, std::size_t tips, double thickness,
                                     double nominal);
 
+/// Factors at all times, and their largest_error(); absent unless every tip has factors.
+struct BestFactors {
+  std::vector<std::vector<Srif>> rows;
+  std::optional<double> error;
+};
+
+/// Of what was known after every discretisation of a path, as refined() tells, that with the least error. Errors are
+/// widened first to reach what any later discretisation tells, unless that is within them. The last where none has
+/// factors at every tip.
+BestFactors best_of(std::vector<std::vector<std::vector<Srif>>> refined, std::size_t tips, double thickness,
+                    double nominal);
+
 /// States the accuracy that every tip has reached. Factors whose error is above a tenth of what it counts against are
 /// not resolved.
 void judge(std::vector<std::vector<Srif>>& refined, double thickness, double nominal);

@@ -58,13 +58,6 @@ double nominal_factor(const plate::Problem& problem, double strain_energy) {
   return std::sqrt(strain_energy / (high - low).minCoeff() / unit_release(problem.section)[0]);
 }
 
-/// Where one step that doubles the number of points does not suffice by far, two at once.
-double next_size(double size, const std::optional<double>& error, double asked) {
-  constexpr double enough = 3.5;
-  const bool far = error && *error > enough * asked;
-  return size / (far ? 2 : doubles_the_points);
-}
-
 /// What forbids to go on to a smaller size; empty where nothing does.
 std::string end_before(double size, const std::vector<AccuracyStep>& path, std::size_t vectors, double seconds,
                        const SrifOptions& options) {
@@ -76,6 +69,22 @@ std::string end_before(double size, const std::vector<AccuracyStep>& path, std::
   constexpr double order = 1.3;  // of the time, in the number of points: measured 1.1 to 1.4
   if (seconds + last.seconds * std::pow(ratio, order) > options.accuracy_seconds) return "srif.accuracy_seconds";
   return "";
+}
+
+/// The size after the last one, or what ends the search.
+struct Next {
+  double size;
+  std::string end;
+};
+
+/// Where one step that doubles the number of points does not suffice by far, two at once, if they are to be had.
+Next next_size(const std::vector<AccuracyStep>& path, std::size_t vectors, double seconds, const SrifOptions& options) {
+  constexpr double enough = 3.5;
+  const auto& last = path.back();
+  if (last.error && *last.error > enough * *options.accuracy)
+    if (const double size = last.size / 2; end_before(size, path, vectors, seconds, options).empty()) return {size, ""};
+  const double size = last.size / doubles_the_points;
+  return {size, end_before(size, path, vectors, seconds, options)};
 }
 
 /// Adds what Lanczos vectors leave out to the errors of tips without refined factors, in which it is.
@@ -101,50 +110,79 @@ void put_first(std::vector<Srif> refined, std::vector<Srif>& row, const SrifOpti
   }
 }
 
-}  // namespace
+class Search {
+public:
+  Search(const SrifOptions& options, const Solve& solve, Progress& progress)
+      : options_(options), solve_(solve), progress_(progress) {
+    found_.asked = *options.accuracy;
+  }
 
-AccuracyFound refine(const SrifOptions& options, const std::function<std::variant<AccuracyTrial, Unfit>(double)>& solve,
-                     Progress& progress) {
-  constexpr double first_sizes = 0.2;
-  const auto start = Clock::now();
-  AccuracyFound result;
-  auto& [found, refined] = result;
-  found.asked = *options.accuracy;
-  double nominal = 0, thickness = 0;
-  for (double size = 1; found.outcome.empty();) {
+  AccuracyFound run() {
+    constexpr double first_sizes = 0.2;
+    constexpr int most = 3;  // that fail one after the other
+    int failed = 0;
+    for (double size = 1; found_.outcome.empty();) {
+      const auto why = step(size);
+      failed = why.empty() ? 0 : failed + 1;
+      if (found_.path.empty() && size < first_sizes) return {};
+      if (!why.empty()) {
+        size /= doubles_the_points;
+        if (found_.path.empty()) continue;
+        found_.outcome =
+            failed == most ? why : end_before(size, found_.path, vectors_, seconds_since(start_), options_);
+        continue;
+      }
+      if (found_.path.back().error && *found_.path.back().error <= found_.asked) found_.outcome = "reached";
+      if (!found_.outcome.empty()) break;
+      const auto next = next_size(found_.path, vectors_, seconds_since(start_), options_);
+      size = next.size, found_.outcome = next.end;
+    }
+    auto best = best_of(refined_, tips_, thickness_, nominal_);
+    judge(best.rows, thickness_, nominal_);
+    found_.reached = best.error;
+    return {std::move(found_), std::move(best.rows)};
+  }
+
+private:
+  /// Adds a discretisation to the path; else why there is none.
+  std::string step(double size) {
     const auto begin = Clock::now();
     std::variant<AccuracyTrial, Unfit> next;
     try {
-      next = solve(size);
+      next = solve_(size);
     } catch (const plate::NumericalError& error) {
-      if (found.path.empty()) throw;
-      found.outcome = error.what();
-      break;
+      if (found_.path.empty()) throw;
+      return error.what();
     }
-    if (const auto* unfit = std::get_if<Unfit>(&next)) {
-      if (found.path.empty() && size < first_sizes) return result;
-      if (!found.path.empty()) found.outcome = fmt::format("what forbids the next discretisation: {}", unfit->why);
-      size /= doubles_the_points;
-      continue;
-    }
+    if (const auto* unfit = std::get_if<Unfit>(&next))
+      return fmt::format("what forbids the next discretisation: {}", unfit->why);
     auto& trial = std::get<AccuracyTrial>(next);
     const auto& problem = trial.plate->problem();
-    const std::size_t tips = trial.plate->tips().size(), vectors = trial.vectors;
-    nominal = nominal_factor(problem, trial.strain_energy), thickness = problem.section.thickness;
-    found.path.push_back(step_of(size, std::move(trial), seconds_since(begin)));
-    refined = post::refined(found.path, thickness);
-    const auto error = found.path.back().error = largest_error(refined, tips, thickness, nominal);
-    progress.update(std::min(0.99, error ? found.asked / *error : 0),
-                    fmt::format("{} points, {}", found.path.back().points,
-                                error ? fmt::format("estimated error {:.2g} %", 100 * *error) : "no estimate yet"));
-    if (error && *error <= found.asked) found.outcome = "reached";
-    if (!found.outcome.empty()) break;
-    size = next_size(size, error, found.asked);
-    found.outcome = end_before(size, found.path, vectors, seconds_since(start), options);
+    tips_ = trial.plate->tips().size(), vectors_ = trial.vectors;
+    nominal_ = nominal_factor(problem, trial.strain_energy), thickness_ = problem.section.thickness;
+    found_.path.push_back(step_of(size, std::move(trial), seconds_since(begin)));
+    refined_.push_back(post::refined(found_.path, thickness_));
+    const auto error = found_.path.back().error = largest_error(refined_.back(), tips_, thickness_, nominal_);
+    progress_.update(std::min(0.99, error ? found_.asked / *error : 0),
+                     fmt::format("{} points, {}", found_.path.back().points,
+                                 error ? fmt::format("estimated error {:.2g} %", 100 * *error) : "no estimate yet"));
+    return "";
   }
-  judge(refined, thickness, nominal);
-  found.reached = found.path.back().error;
-  return result;
+
+  const SrifOptions& options_;
+  const Solve& solve_;
+  Progress& progress_;
+  Clock::time_point start_ = Clock::now();
+  AccuracySummary found_;
+  std::vector<std::vector<std::vector<Srif>>> refined_;  // after every discretisation
+  std::size_t tips_ = 0, vectors_ = 0;
+  double nominal_ = 0, thickness_ = 0;
+};
+
+}  // namespace
+
+AccuracyFound refine(const SrifOptions& options, const Solve& solve, Progress& progress) {
+  return Search(options, solve, progress).run();
 }
 
 std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<std::vector<double>>& truncated,

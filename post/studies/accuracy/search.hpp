@@ -26,16 +26,19 @@ struct Unfit {
   std::string why;
 };
 
+/// A discretisation of a size, solved.
+using Solve = std::function<std::variant<AccuracyTrial, Unfit>(double size)>;
+
 struct AccuracyFound {
   AccuracySummary summary;                 // without a path where no discretisation could be had
   std::vector<std::vector<Srif>> refined;  // what all discretisations tend to, for each tip at all times
 };
 
 /// Refines until every factor is known to options.accuracy, or time, memory or sizes end it (theory.md, "To a stated
-/// accuracy"). `solve`: with the lengths of discretization_of() at a size; the plate of a trial lives until the next
-/// one. Throws plate::NumericalError where the first trial does.
-AccuracyFound refine(const SrifOptions& options, const std::function<std::variant<AccuracyTrial, Unfit>(double)>& solve,
-                     Progress& progress);
+/// accuracy"). The factors are those of best_of(): a finer wish never gives less than a coarser one. `solve`: with the
+/// lengths of discretization_of() at a size; the plate of a trial lives until the next one. Throws
+/// plate::NumericalError where the first trial does.
+AccuracyFound refine(const SrifOptions& options, const Solve& solve, Progress& progress);
 
 /// All rows of the search: for each tip what all discretisations tend to, then those of the finest. `truncated`: what
 /// the vectors of the finest leave out of a motion.

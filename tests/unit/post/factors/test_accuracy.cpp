@@ -137,3 +137,22 @@ TEST_CASE("accuracy: in motion factors are found at every time, and a time witho
   // judged by the largest factor at any time
   CHECK(*largest_error(found, 1, h, 0) == Approx(std::max(*found[2][0].errors[0], h * *found[2][0].errors[2]) / 2));
 }
+
+TEST_CASE("accuracy: the best of a path is what is told, widened to what finer points tell") {
+  const auto known = [](double K1, double error) {
+    Srif srif = factors("refinement", K1, 0, 0);
+    srif.errors = {error, 0, 0};
+    return std::vector<std::vector<Srif>>{{srif}};
+  };
+  // a finer discretisation that knows less does not take away what is known
+  auto best = best_of({known(2, 0.1), known(2.02, 0.3)}, 1, h, 0);
+  CHECK(best.rows[0][0].K1 == 2);
+  CHECK(*best.error == Approx(0.05));
+  // but where it is beyond the error, that was too small
+  best = best_of({known(2, 0.1), known(2.2, 0.3)}, 1, h, 0);
+  CHECK(best.rows[0][0].K1 == 2);
+  CHECK(*best.rows[0][0].errors[0] == Approx(0.2));
+  best = best_of({known(2, 0.1), known(3, 0.3)}, 1, h, 0);
+  CHECK(best.rows[0][0].K1 == 3);
+  CHECK_FALSE(best_of({{}, {}}, 1, h, 0).error.has_value());
+}
