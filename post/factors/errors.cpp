@@ -43,8 +43,7 @@ public:
   Eigen::Vector3d by_energy(const Srif& srif, double energies) const {
     const Eigen::Vector3d K = vector_of(srif);
     const double largest = largest_factor(srif, at_.section.thickness);
-    Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least * largest).cwiseQuotient(scale_);
-    result[2] += layer() * largest / at_.section.thickness;
+    Eigen::Vector3d result = unresolved() * largest;
     if (fits_.empty()) {
       // the split is that of the first samples of the opening, and nothing vouches for it: K1 may be anything up to
       // what the whole energy gives, and as much less
@@ -72,17 +71,19 @@ public:
   Eigen::Vector3d by_fit(const Srif& srif, const std::optional<double>& G) const {
     const Eigen::Vector3d K = vector_of(srif);
     const double largest = largest_factor(srif, at_.section.thickness);
-    Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least * largest).cwiseQuotient(scale_);
-    result[2] += layer() * largest / at_.section.thickness;
-    return result + shares_.fits * spread(largest) + (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs();
+    return unresolved() * largest + shares_.fits * spread(largest) + (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs();
   }
 
 private:
-  /// Of the largest factor, in K3: what points at the tip and on the faces do not resolve of the layer beside these.
-  double layer() const {
-    constexpr double of_faces = 0.0018, widest = 4;
-    const double faces = shares_.faces > 0 ? of_faces * (1 + std::min(shares_.faces, widest)) : 0;
-    return shares_.layer * std::pow(std::min(shares_.width, 1.5), 3) + faces;
+  /// Of the largest factor: what the points between the tip and what is next to it, and those in the layer beside the
+  /// faces, at the tip and away from it, do not resolve.
+  Eigen::Vector3d unresolved() const {
+    constexpr double in_bending = 0.0008, in_shear = 0.0015, served = 0.5, widest = 4;  // served, widest: layers
+    const double faces = std::min(shares_.faces, widest);
+    Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least + in_bending * std::max(0.0, faces - served));
+    result[2] += shares_.layer * std::pow(std::min(shares_.width, 1.5), 3);
+    if (faces > 0) result[2] += in_shear * (1 + faces);
+    return result.cwiseQuotient(scale_);
   }
 
   /// Largest difference between the first fit and the others, of each factor; where there is no other, a share of the
