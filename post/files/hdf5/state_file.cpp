@@ -1,5 +1,8 @@
 #include "post/files/hdf5/state_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
@@ -12,6 +15,10 @@ namespace post {
 namespace {
 
 using hdf5::checked, hdf5::Id, hdf5::new_group, hdf5::Series, hdf5::write_attribute, hdf5::write_dataset_in_parts;
+
+std::filesystem::filesystem_error gone(const std::filesystem::path& path) {
+  return {"cannot go on after frames that are gone", path, std::make_error_code(std::errc::no_such_file_or_directory)};
+}
 
 /// Throws where the disk has no room for so many bytes. HDF5 cannot recover from a disk that is full in mid-write: the
 /// frames before would be lost too.
@@ -70,12 +77,35 @@ struct Frames {
   }
 };
 
-/// state.h5 while it is written: frames go to state.h5.0.partial, and to a further file after each part(), which are
-/// put together at the end.
+/// A folder by itself, whatever it is called meanwhile; by its path where no file can be opened any more.
+class HeldFolder {
+public:
+  explicit HeldFolder(const std::filesystem::path& path)
+      : path_(path), opened_(::open(path.empty() ? "." : path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {}
+  ~HeldFolder() {
+    if (opened_ >= 0) ::close(opened_);
+  }
+  HeldFolder(const HeldFolder&) = delete;
+  HeldFolder& operator=(const HeldFolder&) = delete;
+
+  bool has(const std::filesystem::path& name) const { return ::faccessat(opened_, at(name).c_str(), F_OK, 0) == 0; }
+  void remove(const std::filesystem::path& name) const { ::unlinkat(opened_, at(name).c_str(), 0); }
+
+private:
+  std::filesystem::path at(const std::filesystem::path& name) const {
+    return opened_ >= 0 ? name.filename() : std::filesystem::absolute(path_) / name.filename();
+  }
+
+  std::filesystem::path path_;
+  int opened_;
+};
+
+/// state.h5 while it is written: frames go to state.h5.0, and to a further file after each part(), which are put
+/// together at the end. Where the end fails they stay for the checkpoint that knows of them, else nothing does.
 class OpenStateFile : public StateFile::Open {
 public:
   OpenStateFile(StateFile::Options options, const StateFile::Points& points)
-      : options_(std::move(options)), points_(points.count) {
+      : options_(std::move(options)), folder_(options_.path.parent_path()), points_(points.count) {
     hdf5::keep_quiet();
     if (options_.goes_on) return;
     remove_files();  // some may be links to what is somebody's
@@ -103,7 +133,7 @@ public:
   void close() override;
 
 private:
-  std::filesystem::path part(std::size_t number) const { return beside(fmt::format(".{}.partial", number)); }
+  std::filesystem::path part(std::size_t number) const { return beside(fmt::format(".{}", number)); }
   std::filesystem::path beside(const std::string& ending) const {
     auto path = options_.path;
     return path += ending;
@@ -123,11 +153,13 @@ private:
   void remove_files() const;
   void remove_parts(std::size_t first) const;
   std::size_t last_part_of(std::size_t frames);
+  std::size_t known_length(const std::filesystem::path& path);
   void shorten(const std::filesystem::path& path, std::size_t frames) const;
   void drop();
   void assemble();
 
   StateFile::Options options_;
+  HeldFolder folder_;
   hsize_t points_ = 0;
   std::vector<std::size_t> parts_;  // frames of those that are whole
   std::size_t in_part_ = 0;         // of the one that is open
@@ -148,26 +180,23 @@ void OpenStateFile::begin(const StateFile::Points& points) {
 }
 
 void OpenStateFile::remove_files() const {
-  std::error_code ignored;
-  std::filesystem::remove(beside(".partial"), ignored);
+  folder_.remove(beside(".partial"));
   remove_parts(0);
 }
 
 /// The last one first: what is left where the process is killed is found again.
 void OpenStateFile::remove_parts(std::size_t first) const {
-  std::error_code ignored;
   std::size_t end = first;
-  while (std::filesystem::exists(part(end), ignored)) ++end;
-  while (end > first) std::filesystem::remove(part(--end), ignored);
+  while (folder_.has(part(end))) ++end;
+  while (end > first) folder_.remove(part(--end));
 }
 
 /// What is no good, unless another process may go on from it.
 void OpenStateFile::drop() {
-  std::error_code ignored;
-  if (parts_.empty() && !options_.goes_on)
-    remove_files();
-  else
-    std::filesystem::remove(beside(".partial"), ignored);
+  const bool known = folder_.has("checkpoint") || folder_.has("checkpoint.before");
+  if (!known && !options_.goes_on) return remove_files();
+  folder_.remove(beside(".partial"));
+  if (!parts_.empty() && in_part_ > 0) remove_parts(parts_.size());
 }
 
 /// A run that was asked to end has put its parts together.
@@ -181,11 +210,22 @@ void OpenStateFile::go_on(std::size_t frames) {
   remove_parts(last_part_of(frames) + 1);
 }
 
+/// Frames of a part that a checkpoint knows of. A file that is not there is said as it is.
+std::size_t OpenStateFile::known_length(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) throw gone(path);
+  try {
+    return Frames(opened(path, H5F_ACC_RDONLY)).time.length();
+  } catch (const std::exception&) {
+    throw std::runtime_error(
+        fmt::format("{} is damaged: nothing can go on from it; run the case without --resume", options_.path.string()));
+  }
+}
+
 /// Takes the parts with the first frames; all of them are whole, but what follows in the last one is dropped.
 std::size_t OpenStateFile::last_part_of(std::size_t frames) {
   do {  // the first has the points, if no frame
     const auto path = part(parts_.size());
-    const auto length = Frames(opened(path, H5F_ACC_RDONLY)).time.length();
+    const auto length = known_length(path);
     if (length > frames) shorten(path, frames);
     parts_.push_back(std::min(frames, length));
     frames -= parts_.back();
@@ -262,10 +302,13 @@ void OpenStateFile::close() {
   if (closed_) return;
   if (!assembled_) assemble();
   closed_ = true;
-  const auto result = file_.release();
-  if (result < 0) drop();
-  checked(result, "closing");
-  std::filesystem::rename(beside(".partial"), options_.path);
+  try {
+    checked(file_.release(), "closing");
+    std::filesystem::rename(beside(".partial"), options_.path);
+  } catch (...) {
+    drop();
+    throw;
+  }
   remove_files();
 }
 

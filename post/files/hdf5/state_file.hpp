@@ -9,7 +9,7 @@ namespace post {
 
 /// state.h5: points (positions, areas, cut), every written frame (time, step, state), tables (history, probes, srif),
 /// the text of the resolved case; each dataset with attributes `unit` and `description`. Written beside, as
-/// state.h5.0.partial and so on, and put in its place by close().
+/// state.h5.0 and so on, and put in its place by close().
 /// Throws std::runtime_error where HDF5 fails.
 class StateFile {
 public:

@@ -20,11 +20,13 @@ std::string cracks(std::size_t frame) {
 
 }  // namespace
 
-std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame)) {
+std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame),
+                const std::set<std::size_t>& without) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"{}\">\n  <Collection>\n",
       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
   for (std::size_t i = 0; i < times.size(); ++i) {
+    if (without.contains(i)) continue;
     text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", times[i], file_name(i));
   }
   return text + "  </Collection>\n</VTKFile>\n";
@@ -37,8 +39,14 @@ void VtkSeries::write(const Frame& frame) {
   write_whole(folder_ / fields(number), files().vtu(mesh_, frame));
   if (frame.cracks) write_whole(folder_ / cracks(number), files().vtp(*frame.cracks));
   times_.push_back(frame.time);
-  write_whole(folder_ / "fields.pvd", pvd(times_, fields));
-  if (frame.cracks) write_whole(folder_ / "cracks.pvd", pvd(times_, cracks));
+  write_whole(folder_ / "fields.pvd", pvd(times_, fields, gone_));
+  if (frame.cracks) write_whole(folder_ / "cracks.pvd", pvd(times_, cracks, gone_));
+}
+
+void VtkSeries::go_on(std::vector<double> times) {
+  times_ = std::move(times);
+  for (std::size_t i = 0; i < times_.size(); ++i)
+    if (!std::filesystem::exists(folder_ / fields(i))) gone_.insert(i);
 }
 
 std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <set>
 #include "post/files/frame.hpp"
 
 namespace post {
@@ -14,17 +15,19 @@ public:
   /// Of the frames from now on.
   void remesh(Mesh mesh) { mesh_ = std::move(mesh); }
   void write(const Frame& frame);
-  /// Goes on after frames that a run has written which was ended.
-  void go_on(std::vector<double> times) { times_ = std::move(times); }
+  /// Goes on after frames that a run has written which was ended; those that are gone are listed no more.
+  void go_on(std::vector<double> times);
 
 private:
   std::filesystem::path folder_;
   Mesh mesh_;
   std::vector<double> times_;
+  std::set<std::size_t> gone_;  // of the frames
 };
 
-/// A list of frames and their times, as ParaView opens it.
-std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame));
+/// A list of frames and their times, as ParaView opens it. `without`: frames that are not there.
+std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame),
+                const std::set<std::size_t>& without = {});
 
 /// A frame that was written, and the cells that it is drawn with.
 struct Drawn {

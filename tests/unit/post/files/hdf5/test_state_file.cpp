@@ -94,7 +94,7 @@ TEST_CASE("a run that fails keeps its last good frame, one without a frame leave
   const TemporaryFolder folder;
   {
     post::StateFile file({folder / "empty.h5", "", "1"}, small_run::mesh());
-    CHECK(std::filesystem::exists(folder / "empty.h5.0.partial"));
+    CHECK(std::filesystem::exists(folder / "empty.h5.0"));
   }
   CHECK(folder.entries() == 0);
   {
@@ -174,6 +174,35 @@ TEST_CASE("a process that is killed leaves the frames of its parts, and others g
     post::StateFile file(again, small_run::mesh());
     CHECK_THROWS_AS(file.go_on(6), std::filesystem::filesystem_error);  // there are five
   }
+}
+
+TEST_CASE("parts stay after a failure for the checkpoint that knows of them, and go without one") {
+  for (const bool known : {false, true}) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "state.h5");  // in the way
+    if (known) std::ofstream(folder / "checkpoint") << "known";
+    {
+      post::StateFile file({folder / "state.h5", "", "1", true}, small_run::mesh());
+      write_with_velocity(file, 0);
+      file.part();
+      write_with_velocity(file, 1);
+      CHECK_THROWS_AS(file.close(), std::filesystem::filesystem_error);
+    }
+    CHECK(folder.entries() == (known ? 4 : 1));  // with two parts
+    CHECK_FALSE(std::filesystem::exists(folder / "state.h5.partial"));
+  }
+}
+
+TEST_CASE("a folder that gets another name while it is written to keeps nothing half-written") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "one");
+  {
+    post::StateFile file({folder / "one" / "state.h5", "", "1", true}, small_run::mesh());
+    write_with_velocity(file, 0);
+    file.part();
+    std::filesystem::rename(folder / "one", folder / "other");
+  }
+  CHECK(std::filesystem::is_empty(folder / "other"));
 }
 
 TEST_CASE("frames that are dropped once stay dropped: a part is no longer than what goes on after it") {
