@@ -10,6 +10,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/free_memory.hpp"
+#include "plate/model/numerical_error.hpp"
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/stored_factors.hpp"
 #include "post/files/summary.hpp"
@@ -119,8 +120,14 @@ post::Table fatigue(const std::filesystem::path& folder, const post::ParisLaw& l
                       "cycles are counted along tips that grow quasi-statically: a static case with [growth] and "
                       "criterion = \"energy_release\""}});
   say_doubts_of_growth(folder);
-  return post::fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section, law, load,
-                       ratio);
+  try {
+    return post::fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section, law,
+                         load, ratio);
+  } catch (const plate::NumericalError&) {
+    throw;
+  } catch (const std::exception& error) {  // it reads and sums what the argument names, and does nothing else
+    throw CaseError({{"fatigue", folder.string(), error.what()}});
+  }
 }
 
 void report_again(const std::filesystem::path& folder) {
@@ -128,6 +135,9 @@ void report_again(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / "summary.json"))
     throw CaseError({{"report", folder.string(),
                       "holds no summary.json: name the folder of a finished run, study or table of extremes"}});
+  if (!post::read_summary(folder / "summary.json"))
+    throw CaseError(
+        {{"report", (folder / "summary.json").string(), "is damaged, or of another version: run the case again"}});
   const Case c = read_case(folder / "case.resolved.toml", {}).content;
   post::write_report(folder, {c, c.title, c.source, c.units, c.output.probes});
 }

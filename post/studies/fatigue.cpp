@@ -52,21 +52,42 @@ std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengt
   return result;
 }
 
+namespace {
+
+/// Of a table that may have been damaged.
+double number_in(const char* file, const Table& table, const std::vector<Cell>& row, const char* column) {
+  if (std::ranges::find(table.columns, column) == table.columns.end())
+    throw std::runtime_error(fmt::format("{}: there is no column {}", file, column));
+  const auto* number = std::get_if<double>(&row[table.column(column)]);
+  if (!number || !std::isfinite(*number))
+    throw std::runtime_error(fmt::format("{}, row {}: {} is no number", file, &row - table.rows.data() + 1, column));
+  return *number;
+}
+
+}  // namespace
+
 Table fatigue(const Table& growth, const Table& tip_table, const plate::Section& section, const ParisLaw& law,
               double load, double ratio) {
   const auto value = [&](const std::vector<Cell>& row, const char* name) {
-    return std::get<double>(row.at(tip_table.column(name)));
+    return number_in("tips.csv", tip_table, row, name);
   };
   std::map<double, double> load_factors;  // by advance
   std::map<double, double> errors;        // ... estimated, relative; without those that are not known
   const bool has_errors = std::ranges::count(growth.columns, "critical_load_factor_error") > 0;
   for (const auto& row : growth.rows) {
-    const double advance = std::get<double>(row.at(growth.column("advance")));
-    load_factors[advance] = std::get<double>(row.at(growth.column("load_factor")));
+    if (!std::holds_alternative<double>(row[growth.column("load_factor")])) continue;  // one may have none
+    const double advance = number_in("growth.csv", growth, row, "advance");
+    load_factors[advance] = number_in("growth.csv", growth, row, "load_factor");
     if (!has_errors) continue;
-    if (const auto* error = std::get_if<double>(&row.at(growth.column("critical_load_factor_error"))))
+    if (const auto* error = std::get_if<double>(&row[growth.column("critical_load_factor_error")]))
       errors[advance] = *error;
   }
+  const auto load_factor = [&](double advance) {
+    const auto found = load_factors.find(advance);
+    if (found == load_factors.end() || !(found->second > 0))
+      throw std::runtime_error(fmt::format("growth.csv: the advance {:g} of tips.csv has no load factor > 0", advance));
+    return found->second;
+  };
   struct Way {
     std::vector<double> lengths, ranges, errors;  // the last: absolute, of the ranges
     double crack = 0;                             // length of the whole crack at the last row
@@ -86,7 +107,8 @@ Table fatigue(const Table& growth, const Table& tip_table, const plate::Section&
     way.crack = length;
     way.own_share = value(row, "moves") > 0 ? 1 / double(tips(advance, crack, "moves")) : 0;
     if (!way.lengths.empty() && own <= way.lengths.back()) continue;  // this tip has not moved
-    const double full = std::sqrt(3 * section.young * value(row, "G") / section.thickness) / load_factors.at(advance);
+    const double G = std::max(value(row, "G"), 0.0);
+    const double full = std::sqrt(3 * section.young * G / section.thickness) / load_factor(advance);
     way.lengths.push_back(own);
     way.ranges.push_back((1 - ratio) * load * full);
     if (const auto error = errors.find(advance); error != errors.end())

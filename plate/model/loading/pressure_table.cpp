@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "geometry/cells/delaunay.hpp"
@@ -38,10 +40,14 @@ std::vector<std::string> fields_of(const std::string& line) {
   return result;
 }
 
+/// Decimal: 0x10 is none.
 double number_of(const std::string& text, std::size_t line) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || end != text.c_str() + text.size()) refuse(line, fmt::format("\"{}\" is no number", text));
+  double value = 0;
+  const char *begin = text.data() + (text.starts_with('+') ? 1 : 0), *end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  if (begin == end || rest != end || error == std::errc::invalid_argument || text.starts_with("+-"))
+    refuse(line, fmt::format("\"{}\" is no number", text));
+  if (error == std::errc::result_out_of_range) value = std::strtod(text.c_str(), nullptr);  // too small, or too large
   if (!std::isfinite(value)) refuse(line, fmt::format("{} is not finite", text));
   return value;
 }
@@ -49,8 +55,9 @@ double number_of(const std::string& text, std::size_t line) {
 /// Lines that begin with # and empty ones say nothing; the first that says something names the columns.
 std::vector<Row> rows_of(const std::string& content) {
   constexpr double farthest = 1e100;
+  constexpr std::string_view mark = "\xEF\xBB\xBF";  // of the order of bytes, with which spreadsheets begin UTF-8
   std::vector<Row> rows;
-  std::stringstream stream(content);
+  std::stringstream stream(content.starts_with(mark) ? content.substr(mark.size()) : content);
   std::string line;
   bool headed = false;
   for (std::size_t number = 1; std::getline(stream, line); ++number) {

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <string_view>
 
 #include "post/figures/aligned.hpp"
+#include "post/files/digest.hpp"
 #include "post/files/table.hpp"
+#include "post/files/whole_file.hpp"
 
 namespace post {
 namespace {
@@ -71,6 +74,14 @@ RunRecord record_of(const Table& table, const std::vector<Cell>& row) {
   return record;
 }
 
+constexpr std::string_view mark = "# ";  // of the last line: a comment with what the lines before it give
+
+/// Is a record as it was written, to the last bit?
+bool whole(const std::string& text) {
+  const auto end = text.rfind(mark);
+  return end != std::string::npos && text.substr(end) == std::string(mark) + digest(text.substr(0, end)) + "\n";
+}
+
 }  // namespace
 
 Cost cost_of(const std::vector<std::vector<std::pair<std::string, double>>>& seconds) {
@@ -95,7 +106,7 @@ std::filesystem::path Ledger::file_of(const std::string& run) const {
 
 std::optional<RunRecord> Ledger::known(const std::string& run) const {
   try {
-    if (!std::filesystem::exists(file_of(run))) return std::nullopt;
+    if (!std::filesystem::exists(file_of(run)) || !whole(read_text(file_of(run)))) return std::nullopt;
     const auto table = read_csv(file_of(run));
     return record_of(table, table.rows.at(0));
   } catch (const std::exception&) {
@@ -113,7 +124,8 @@ std::optional<RunRecord> Ledger::done(const RunRecord& wanted, std::size_t repea
 
 void Ledger::put(const RunRecord& record) const {
   std::filesystem::create_directories(folder_);
-  write_csv(file_of(record.run), {columns(), {row_of(record)}});
+  const auto text = csv_text({columns(), {row_of(record)}});
+  write_whole(file_of(record.run), text + std::string(mark) + digest(text) + "\n");
 }
 
 void Ledger::forget(const std::string& run) const {

@@ -31,7 +31,7 @@ public:
   /// In a folder of its own below that of the study, whose name no run has.
   explicit Ledger(const std::filesystem::path& study);
 
-  /// What there is of a run, as far as it can be read.
+  /// What there is of a run; nothing where its record is damaged, be it by a bit.
   std::optional<RunRecord> known(const std::string& run) const;
   /// The record of a run that is done, with the same settings, by the same program and at least so often.
   std::optional<RunRecord> done(const RunRecord& wanted, std::size_t repeats) const;

@@ -78,7 +78,7 @@ private:
 /// Why a run that is known to the ledger, or is not, cannot be merged; empty where it can.
 std::string lack(const std::optional<RunRecord>& known, const StudyJob& job, std::size_t repeats,
                  const fs::path& folder) {
-  if (!known) return "not made to its end";
+  if (!known) return "not made to its end (or its record is damaged)";
   if (known->digest != job.wanted.digest) return "made with other settings";
   if (!same_program(*known, job.wanted)) return "made by another build of the program: " + known->version;
   if (known->outcome == "interrupted") return "was interrupted";

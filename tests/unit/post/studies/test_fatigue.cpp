@@ -67,3 +67,36 @@ TEST_CASE("fatigue: K range of the case's loads from energy release rates at oth
   tips.rows.resize(2);
   CHECK_THROWS_AS(fatigue(growth, tips, section, {1e-4, 2, 0}, 1, 0), std::runtime_error);
 }
+
+TEST_CASE("fatigue: damaged tables are named with their row and column") {
+  const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 0};
+  const Table growth{{"advance", "load_factor"}, {{0.0, 1.0}, {1.0, 1.5}}};
+  const Table tips{{"advance", "tip", "crack", "length", "G", "moves"},
+                   {{0.0, 0.0, 0.0, 0.5, 1.0, 1.0}, {1.0, 0.0, 0.0, 0.7, 1.2, 1.0}}};
+  const auto said = [&](const Table& one, const Table& other) {
+    try {
+      fatigue(one, other, section, {1e-4, 2, 0}, 1, 0);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(said(growth, tips).empty());
+  for (std::size_t column = 0; column < 6; ++column)
+    for (const Cell& bad : {Cell(), Cell("word"), Cell(std::nan("")), Cell(INFINITY)}) {
+      auto damaged = tips;
+      damaged.rows[1][column] = bad;
+      CHECK(said(growth, damaged) == "tips.csv, row 2: " + tips.columns[column] + " is no number");
+    }
+  auto other = tips;
+  other.rows[1][0] = 7.0;
+  CHECK_THAT(said(growth, other), Catch::Contains("the advance 7 of tips.csv has no load factor"));
+  auto factor = growth;
+  for (const Cell& bad : {Cell(), Cell("word"), Cell(0.0)}) {
+    factor.rows[1][1] = bad;
+    CHECK_THAT(said(factor, tips), Catch::Contains("the advance 1 of tips.csv has no load factor"));
+  }
+  other = tips;
+  other.columns[4] = "H";
+  CHECK_THAT(said(growth, other), Catch::Contains("tips.csv: there is no column G"));
+}

@@ -81,8 +81,18 @@ TEST_CASE("places on oblique borders, which are lines but for rounding, are all 
   }
 }
 
+TEST_CASE("a table as a spreadsheet writes it, with a mark of the order of bytes, is read") {
+  const PressureTable table("\xEF\xBB\xBFx,y,pressure\r\n0,0,1\r\n1,0,+2.5e0\r\n0,1,3\r\n", "pressure.csv");
+  CHECK(table({1, 0}) == 2.5);
+  CHECK_THROWS(PressureTable("x,y\xEF\xBB\xBF,pressure\n0,0,1\n1,0,2\n0,1,3\n", "pressure.csv"));
+}
+
 TEST_CASE("what is wrong with a table is said with its line") {
   using Catch::Contains;
+  for (const char* word : {"0x10", "+-1", "+", "1e", "1 2", "0b1", "1_000", "1.2.3", "--1"})
+    CHECK_THAT(fault(std::string("x,y,pressure\n1,2,") + word + "\n"), Contains("is no number"));
+  for (const char* word : {"1e400", "-1e999", "inf", "nan"})
+    CHECK_THAT(fault(std::string("x,y,pressure\n1,2,") + word + "\n"), Contains("is not finite"));
   CHECK_THAT(fault("x,y\n1,2\n"), Contains("line 1") && Contains("must be x,y,pressure"));
   CHECK_THAT(fault("x,y,pressure\n1,2,3\n# a word\n1,2\n"), Contains("line 4: 2 values given"));
   CHECK_THAT(fault("x,y,pressure\n1,2,3a\n"), Contains("line 2: \"3a\" is no number"));

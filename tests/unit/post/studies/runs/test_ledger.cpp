@@ -68,6 +68,24 @@ TEST_CASE("ledger: what cannot be read counts for nothing") {
   CHECK_FALSE(ledger.known("none"));
 }
 
+TEST_CASE("ledger: a record with one bit turned over counts for nothing") {
+  const small_run::TemporaryFolder folder;
+  const Ledger ledger(folder.path());
+  ledger.put(record("a"));
+  REQUIRE(ledger.known("a"));
+  const auto text = small_run::text_of(folder / ".runs/a.csv");
+  for (std::size_t i = 0; i < 8 * text.size(); ++i) {
+    auto damaged = text;
+    damaged[i / 8] = char(damaged[i / 8] ^ (1 << i % 8));
+    std::ofstream(folder / ".runs/a.csv", std::ios::binary) << damaged;
+    if (ledger.known("a")) FAIL("bit " << i);
+  }
+  std::ofstream(folder / ".runs/a.csv", std::ios::binary) << text.substr(0, text.rfind('#'));
+  CHECK_FALSE(ledger.known("a"));
+  std::ofstream(folder / ".runs/a.csv", std::ios::binary) << text;
+  CHECK(ledger.known("a"));
+}
+
 TEST_CASE("ledger: a message is kept as it was said, and is a line of runs.csv") {
   const small_run::TemporaryFolder folder;
   const Ledger ledger(folder.path());
