@@ -1,10 +1,11 @@
 #include "cases/python/door.hpp"
 #include <omp.h>
-#include <memory>
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/model/process.hpp"
+#include "plate/solve/interruption.hpp"
 #include "post/files/summary.hpp"
 
 namespace cases::door {
@@ -14,6 +15,20 @@ CaseFile read(const Source& source) {
   return source.path.empty() ? read_case_text(source.text, "case", source.overrides)
                              : read_case(source.path, source.overrides);
 }
+
+/// The number of threads of OpenMP while this lives; 0: as it is.
+class Threads {
+public:
+  explicit Threads(int wanted) : before_(omp_get_max_threads()) {
+    omp_set_num_threads(plate::sensible_threads(wanted > 0 ? wanted : before_));
+  }
+  ~Threads() { omp_set_num_threads(before_); }
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+private:
+  int before_;
+};
 
 template <typename Action>
 auto refused(const Action& action) {
@@ -30,9 +45,9 @@ auto refused(const Action& action) {
 
 Run run(const Source& source, bool fields, int threads) {
   return refused([&] {
+    const plate::StopOnSignals signals;  // from the first point on: Python hears of them when all is over
     const auto file = read(source);
-    const std::shared_ptr<void> at_end(nullptr, [n = omp_get_max_threads()](void*) { omp_set_num_threads(n); });
-    if (threads > 0) omp_set_num_threads(threads);
+    const Threads these(threads);
     Run result;
     result.kept.wants_fields = fields;
     try {
@@ -40,12 +55,16 @@ Run run(const Source& source, bool fields, int threads) {
     } catch (const plate::NumericalError& error) {
       result.failure = error.what();
     }
+    plate::stop_if_asked("a run that has just ended");
     return result;
   });
 }
 
-std::string check(const Source& source) {
-  return refused([&] { return cost(read(source)); });
+std::string check(const Source& source, int threads) {
+  return refused([&] {
+    const Threads these(threads);
+    return cost(read(source));
+  });
 }
 
 std::vector<Key> keys() {

@@ -30,7 +30,7 @@ using Key = std::array<std::string, 5>;  // name, unit, allowed values, default,
 /// Runs a case; with `fields`, its frames are kept. `threads` 0: as many as there are. Throws Wrong.
 Run run(const Source& source, bool fields, int threads);
 /// What a run would cost, as text. Throws Wrong.
-std::string check(const Source& source);
+std::string check(const Source& source, int threads);
 std::vector<Key> keys();
 /// Of the program, and the instruction set of its kernels.
 std::array<std::string, 2> version();

@@ -61,9 +61,9 @@ PYBIND11_MODULE(_door, module) {
                }
                return py::make_tuple(to_python(std::move(run.kept)), run.failure);
              });
-  module.def("check", [](std::string path, std::string text, std::vector<std::string> overrides) {
+  module.def("check", [](std::string path, std::string text, std::vector<std::string> overrides, int threads) {
     const py::gil_scoped_release others_go_on;
-    return door::check({std::move(path), std::move(text), std::move(overrides)});
+    return door::check({std::move(path), std::move(text), std::move(overrides)}, threads);
   });
   module.def("keys", &door::keys);
   module.def("version", &door::version);

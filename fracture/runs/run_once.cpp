@@ -12,6 +12,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/settled.hpp"
@@ -218,6 +219,7 @@ void solve_frequencies(const Going& run) {
   const auto inverse = plate.inverse_of_shifted(shift);
   const plate::FrequencyOptions options{
       analysis.modes, analysis.tolerance, analysis.max_iterations, shift, inverse.get(), [&](std::size_t solution) {
+        plate::stop_if_asked("frequencies");
         progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
       }};
   summary.analysis.method = "lanczos";

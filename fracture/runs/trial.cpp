@@ -7,6 +7,7 @@
 #include "plate/formulation/heated/heat.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/balance/supports.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -48,6 +49,7 @@ FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector
 }
 
 post::AccuracyTrial trial(Ready& ready, const plate::Analysis& analysis, const post::SrifOptions& options) {
+  plate::stop_if_asked("the search for srif.accuracy");
   post::AccuracyTrial result{ready.plate.get(), {}, {}, 0, 0};
   if (analysis.kind == plate::Analysis::Kind::dynamic) {
     result = in_motion(ready, analysis, options);

@@ -1,12 +1,16 @@
 """The Python module against the program: the same cases give the same numbers, to the last digit, and write nothing.
 
 PDPLATE_PROGRAM: the program; PYTHONPATH: where the module is."""
+import concurrent.futures
 import copy
 import csv
 import importlib.util
 import json
+import multiprocessing
 import os
 import pathlib
+import pickle
+import signal
 import subprocess
 import sys
 import tempfile
@@ -195,6 +199,54 @@ class Errors(unittest.TestCase):
         with self.assertRaises(pdplate.NumericalError) as caught:
             pdplate.run(changed(analysis={"kind": "static", "method": "cg", "max_iterations": 1, "preconditioner": "diagonal"}))
         self.assertIn("failed", caught.exception.result.summary["outcome"])
+
+
+def K1_of(poisson):
+    return pdplate.run(PLATE, {"section.poisson": poisson}, fields=False).factors[0]["K1"]
+
+
+class Processes(unittest.TestCase):
+    """Children of multiprocessing by fork, the default of Linux, after a run in the parent: they waited for ever."""
+
+    def test_forked_children_run(self):
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            fresh = pool.map_async(K1_of, [0.2, 0.3]).get(timeout=120)
+        before = [K1_of(0.2), K1_of(0.3)]
+        self.assertEqual(fresh, before)
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            self.assertEqual(pool.map_async(K1_of, [0.2, 0.3]).get(timeout=120), before)
+            self.assertIn("memory", pool.apply_async(pdplate.check, [PLATE]).get(timeout=120))
+
+    def test_errors_of_workers_arrive(self):
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            with self.assertRaises(pdplate.CaseError) as caught:
+                pool.map_async(K1_of, [0.3, 0.7]).get(timeout=120)
+            self.assertEqual([key for _, key, _ in caught.exception.problems], ["section.poisson"])
+        with concurrent.futures.ProcessPoolExecutor(2, multiprocessing.get_context("fork")) as pool:
+            wrong, right = pool.submit(K1_of, 0.7), pool.submit(K1_of, 0.3)
+            with self.assertRaises(pdplate.CaseError):
+                wrong.result(timeout=120)
+            self.assertEqual(right.result(timeout=120), K1_of(0.3))
+
+    def test_errors_go_through_pickle(self):
+        result = pdplate.run(PLATE)
+        for error in (pdplate.CaseError("two words", [("a", "b", "c")]), pdplate.NumericalError("three", result)):
+            again = pickle.loads(pickle.dumps(error))
+            self.assertEqual((type(again), str(again)), (type(error), str(error)))
+        self.assertEqual(again.result.summary, result.summary)
+
+    def test_interrupted_at_once(self):
+        code = ("import pdplate, sys, test_pdplate as t; print('begins', flush=True); "
+                "pdplate.run(t.PLATE, {'analysis.kind': 'frequencies', 'discretization.spacing': 0.006, 'load': None, 'srif': None, 'output': None})")
+        child = subprocess.Popen([sys.executable, "-c", code], cwd=pathlib.Path(__file__).parent, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                 text=True)
+        child.stdout.readline()
+        time.sleep(1)
+        child.send_signal(signal.SIGINT)
+        start = time.monotonic()
+        said = child.communicate(timeout=120)[1]
+        self.assertIn("KeyboardInterrupt", said)
+        self.assertLess(time.monotonic() - start, 30)
 
 
 class Module(unittest.TestCase):

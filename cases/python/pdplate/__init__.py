@@ -27,6 +27,9 @@ class CaseError(ValueError):
         super().__init__(message)
         self.problems = problems
 
+    def __reduce__(self):  # to other processes, as of a pool
+        return type(self), (str(self), self.problems)
+
 
 class NumericalError(ArithmeticError):
     """Numbers that failed; `result`: what was good until then."""
@@ -34,6 +37,9 @@ class NumericalError(ArithmeticError):
     def __init__(self, message, result):
         super().__init__(message)
         self.result = result
+
+    def __reduce__(self):
+        return type(self), (str(self), self.result)
 
 
 def _cells(column):
@@ -124,17 +130,33 @@ def _source(case, overrides):
     return _os.fspath(case), "", settings
 
 
-def _call(function, *arguments):
+_computed = False  # here, or in the process that this one was forked from
+_forked = False
+
+
+def _after_fork():
+    global _forked
+    _forked = _forked or _computed
+
+
+# The threads of OpenMP stay with the process that started them: a child that waited for them would wait for ever.
+_os.register_at_fork(after_in_child=_after_fork)
+
+
+def _call(function, *arguments, threads=0):
+    global _computed
+    _computed = True
     try:
-        return function(*arguments)
+        return function(*arguments, 1 if _forked else threads)
     except _door.Wrong as error:
         message, problems = error.args
         raise CaseError(message, [tuple(problem) for problem in problems]) from None
 
 
 def run(case, overrides=None, *, fields=True, threads=0):
-    """Runs a case and gives its Result. `fields`: keep frames, which `output.every` spaces in motion; `threads`: 0 for all."""
-    raw, failure = _call(_door.run, *_source(case, overrides), fields, threads)
+    """Runs a case and gives its Result. `fields`: keep frames, which `output.every` spaces in motion; `threads`: 0 for all. A process
+    that was forked from one that had run a case, as those of multiprocessing.Pool, runs with one thread."""
+    raw, failure = _call(_door.run, *_source(case, overrides), fields, threads=threads)
     result = Result(raw)
     if failure:
         raise NumericalError(failure, result)
