@@ -124,7 +124,7 @@ std::string own_pages(const CLI::App& app, const Arguments& a) {
 }
 
 int execute(const CLI::App& app, Arguments& a) {
-  if (a.threads > 0) omp_set_num_threads(a.threads);
+  omp_set_num_threads(plate::sensible_threads(a.threads > 0 ? a.threads : omp_get_max_threads()));
   if (app.got_subcommand("run")) {
     const auto file = cases::read_case(a.file, overrides(a));
     const auto folder = folder_of(a);
@@ -242,6 +242,10 @@ int ended(const CLI::App& app, Arguments& a) {
     return said(fmt::format("the numbers failed: {}", error.what()), failed_numbers);
   } catch (const plate::Interrupted& asked) {
     return said(fmt::format("interrupted: {}", asked.what()), interrupted);
+  } catch (const std::system_error& error) {  // whoever read what was printed may have had enough
+    const bool of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error) != nullptr;
+    if (!of_file && error.code() == std::errc::broken_pipe) return done;
+    return said(fmt::format("failed: {}", error.what()), failed_machine);
   } catch (const std::bad_alloc&) {
     return said("failed: the memory does not suffice", failed_machine);
   } catch (const std::exception& error) {

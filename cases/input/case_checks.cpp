@@ -121,6 +121,15 @@ void merge_cracks(Case& content, Reading& reading) {
         "geometry.cracks[{}] continues geometry.cracks[{}] in one line: both are taken as one crack", crack, onto));
 }
 
+void look_at_proportions(const Case& content, Reading& reading) {
+  constexpr double most = 0.5;  // of the shorter side: theories of plates end far below
+  const auto [low, high] = geometry::bounding_box(content.outline);
+  const double share = content.section.thickness / (high - low).minCoeff();
+  if (share > most)
+    reading.found().notes.push_back(
+        fmt::format("section.thickness is {:.2g} times the shorter side: this is no plate; look at the units", share));
+}
+
 void check_case(const Case& content, Reading& reading) {
   const bool begins = content.initial || content.impact;
   if (content.loads.empty() && content.load_cases.empty() && reading.kind != Analysis::Kind::frequencies && !begins &&

@@ -61,6 +61,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   merge_cracks(content, reading);
   settle_grading(content, reading);
+  look_at_proportions(content, reading);
   if (content.srif && content.srif->accuracy)
     content.discretization = post::discretization_of(content, content.analysis.kind == Analysis::Kind::dynamic, 1);
   return {std::move(content), reading.found()};

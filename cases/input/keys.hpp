@@ -77,6 +77,8 @@ const std::vector<Key>& keys();
 void snap_cracks(Case& content, Reading& reading);
 /// Gives every crack one description (geometry::merged), and notes what was joined. Of a case without problems.
 void merge_cracks(Case& content, Reading& reading);
+/// Notes a thickness that no plate has beside its sides. Of a case without problems.
+void look_at_proportions(const Case& content, Reading& reading);
 
 /// An expression in x and y.
 std::optional<plate::Formula> formula_of(const Value& value);

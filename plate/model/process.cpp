@@ -1,8 +1,11 @@
 #include "plate/model/process.hpp"
 
 #include <malloc.h>
+#include <omp.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -54,6 +57,14 @@ void settle_process([[maybe_unused]] char** argv) {
   std::set_terminate(end_in_words);
   mallopt(M_MMAP_THRESHOLD, 1 << 28);
   mallopt(M_TRIM_THRESHOLD, 1 << 28);
+}
+
+int sensible_threads(int wanted) {
+  constexpr rlim_t bytes = 80 << 20;  // of a thread: a stack of 8 MB, and a heap that reserves 64 MB
+  rlim_t most = rlim_t(8 * omp_get_num_procs());
+  if (rlimit space{}; getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY)
+    most = std::min(most, space.rlim_cur / 2 / bytes);
+  return int(std::clamp<rlim_t>(rlim_t(std::max(wanted, 1)), 1, std::max<rlim_t>(most, 1)));
 }
 
 std::string build() {

@@ -39,3 +39,32 @@ TEST_CASE("ends of cracks that are off a hole by rounding are taken to lie on it
   CHECK(geometry::tips(plate::crack_paths(file.content)).size() == 1);
   CHECK(read(with("[[[0.11, 0.17], [0.4, 0.6]]]")).source.notes.empty());  // 0.0025 off: a tip
 }
+
+TEST_CASE("a crack in two pieces of one line is one crack, with a note") {
+  const auto file = cases::read_case_text(
+      "[section]\nyoung = 1000.0\npoisson = 0.3\nthickness = 0.1\n[geometry]\n"
+      "outline = { rectangle = [-1.0, -1.0, 1.0, 1.0] }\n"
+      "cracks = [[[0.1, 0.05], [0.3, 0.15]], [[-0.3, -0.15], [0.0, 0.0], [0.1, 0.05]]]\n"
+      "[discretization]\nspacing = 0.05\n[[support]]\nkind = \"clamped\"\nedges = [\"left\"]\n"
+      "[[load]]\nkind = \"pressure\"\nvalue = 1.0\n[analysis]\nkind = \"static\"\n",
+      "pieces");
+  REQUIRE(file.content.cracks.size() == 1);
+  CHECK(file.content.cracks[0] == geometry::Polyline{{0.3, 0.15}, {-0.3, -0.15}});  // the first piece's tip first
+  REQUIRE(file.source.notes.size() == 1);
+  CHECK_THAT(file.source.notes[0], Catch::Contains("geometry.cracks[1] continues geometry.cracks[0] in one line"));
+}
+
+TEST_CASE("a thickness beyond half of the shorter side is noted") {
+  const auto notes = [](const std::string& thickness) {
+    return cases::read_case_text(
+               "[section]\nyoung = 210e9\npoisson = 0.3\nthickness = " + thickness +
+                   "\n[geometry]\noutline = { rectangle = [0.0, 0.0, 1.0, 0.6] }\n[discretization]\nspacing = 0.05\n"
+                   "[[support]]\nkind = \"clamped\"\nedges = [\"left\"]\n[[load]]\nkind = \"pressure\"\nvalue = 1.0\n"
+                   "[analysis]\nkind = \"static\"\n",
+               "thick")
+        .source.notes;
+  };
+  CHECK(notes("0.29").empty());
+  REQUIRE(notes("10.0").size() == 1);
+  CHECK_THAT(notes("10.0")[0], Catch::Contains("section.thickness is 17 times the shorter side"));
+}
