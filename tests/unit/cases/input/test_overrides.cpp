@@ -47,7 +47,7 @@ TEST_CASE("a crack in two pieces of one line is one crack, with a note") {
       "cracks = [[[0.1, 0.05], [0.3, 0.15]], [[-0.3, -0.15], [0.0, 0.0], [0.1, 0.05]]]\n"
       "[discretization]\nspacing = 0.05\n[[support]]\nkind = \"clamped\"\nedges = [\"left\"]\n"
       "[[load]]\nkind = \"pressure\"\nvalue = 1.0\n[analysis]\nkind = \"static\"\n",
-      "pieces");
+      "pieces", {});
   REQUIRE(file.content.cracks.size() == 1);
   CHECK(file.content.cracks[0] == geometry::Polyline{{0.3, 0.15}, {-0.3, -0.15}});  // the first piece's tip first
   REQUIRE(file.source.notes.size() == 1);
@@ -61,7 +61,7 @@ TEST_CASE("a thickness beyond half of the shorter side is noted") {
                    "\n[geometry]\noutline = { rectangle = [0.0, 0.0, 1.0, 0.6] }\n[discretization]\nspacing = 0.05\n"
                    "[[support]]\nkind = \"clamped\"\nedges = [\"left\"]\n[[load]]\nkind = \"pressure\"\nvalue = 1.0\n"
                    "[analysis]\nkind = \"static\"\n",
-               "thick")
+               "thick", {})
         .source.notes;
   };
   CHECK(notes("0.29").empty());
