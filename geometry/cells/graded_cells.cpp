@@ -14,7 +14,7 @@ TriangleMesh filled(const Curves& curves, const Sizing& sizing, const RingCentre
   for (const auto& [place, away] : centres.forces) add_rings(mesh, sizing, place, away);
   add_rows(mesh, sizing);
   refine(mesh, sizing);
-  smooth(mesh, sizing);
+  smooth(mesh, curves, sizing);
   return mesh;
 }
 

@@ -17,7 +17,7 @@ void add_rows(TriangleMesh& mesh, const Sizing& sizing);
 /// curves allow that and features are not smaller than 1/64 of what is wanted.
 void refine(TriangleMesh& mesh, const Sizing& sizing);
 
-/// Moves points that are on no curve to the middle of the triangles about them.
-void smooth(TriangleMesh& mesh, const Sizing& sizing);
+/// Moves points that are on no curve, and none of its nodes, to the middle of the triangles about them.
+void smooth(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing);
 
 }  // namespace geometry

@@ -9,10 +9,23 @@ namespace {
 
 constexpr int rounds = 5;
 
-/// Points on no curve, with the triangles about each.
+/// Which points of a mesh are nodes of its curves: single places among them are on no side of a triangle that is
+/// marked.
+std::vector<char> nodes_of(const Curves& curves, const TriangleMesh& mesh) {
+  const auto before = [](const Point& a, const Point& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); };
+  auto nodes = curves.nodes;
+  std::ranges::sort(nodes, before);
+  std::vector<char> result;
+  for (const auto& x : mesh.points()) result.push_back(std::ranges::binary_search(nodes, x, before));
+  return result;
+}
+
+/// Points that may move, with the triangles about each. `fixed`: points that may not, beside those on curves.
 class Stars {
 public:
-  explicit Stars(const TriangleMesh& mesh) : first_(mesh.points().size() + 1, 0), free_(mesh.points().size(), 1) {
+  Stars(const TriangleMesh& mesh, const std::vector<char>& fixed)
+      : first_(mesh.points().size() + 1, 0), free_(mesh.points().size(), 1) {
+    for (std::size_t k = 0; k < fixed.size(); ++k) free_[k] = !fixed[k];
     for (const auto& triangle : mesh.triangles()) {
       if (!triangle.inside) continue;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -52,11 +65,12 @@ double quality(const Point& a, const Point& b, const Point& c) {
 
 }  // namespace
 
-void smooth(TriangleMesh& mesh, const Sizing& sizing) {
+void smooth(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing) {
+  const auto fixed = nodes_of(curves, mesh);
   std::vector<double> size;
   for (const auto& x : mesh.points()) size.push_back(sizing(x));
   for (int round = 0; round < rounds; ++round) {
-    const Stars stars(mesh);
+    const Stars stars(mesh, fixed);
     for (std::uint32_t k = 0; k < mesh.points().size(); ++k) {
       if (!stars.is_free(k)) continue;
       const auto& points = mesh.points();

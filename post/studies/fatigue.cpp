@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "plate/model/numerical_error.hpp"
@@ -64,6 +65,38 @@ double number_in(const char* file, const Table& table, const std::vector<Cell>& 
   return *number;
 }
 
+/// The load factors of growth.csv and their estimated errors, relative, by advance.
+class LoadFactors {
+public:
+  explicit LoadFactors(const Table& growth) {
+    const bool has_errors = std::ranges::count(growth.columns, "critical_load_factor_error") > 0;
+    for (const auto& row : growth.rows) {
+      if (!std::holds_alternative<double>(row[growth.column("load_factor")])) continue;  // one may have none
+      const double advance = number_in("growth.csv", growth, row, "advance");
+      values_[advance] = number_in("growth.csv", growth, row, "load_factor");
+      if (!has_errors) continue;
+      if (const auto* error = std::get_if<double>(&row[growth.column("critical_load_factor_error")]))
+        errors_[advance] = *error;
+    }
+  }
+
+  /// @throws std::runtime_error  where an advance has none that is positive
+  double operator()(double advance) const {
+    const auto found = values_.find(advance);
+    if (found == values_.end() || !(found->second > 0))
+      throw std::runtime_error(fmt::format("growth.csv: the advance {:g} of tips.csv has no load factor > 0", advance));
+    return found->second;
+  }
+  /// Absent where it is not known.
+  std::optional<double> error(double advance) const {
+    const auto found = errors_.find(advance);
+    return found == errors_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+private:
+  std::map<double, double> values_, errors_;
+};
+
 }  // namespace
 
 Table fatigue(const Table& growth, const Table& tip_table, const plate::Section& section, const ParisLaw& law,
@@ -71,23 +104,7 @@ Table fatigue(const Table& growth, const Table& tip_table, const plate::Section&
   const auto value = [&](const std::vector<Cell>& row, const char* name) {
     return number_in("tips.csv", tip_table, row, name);
   };
-  std::map<double, double> load_factors;  // by advance
-  std::map<double, double> errors;        // ... estimated, relative; without those that are not known
-  const bool has_errors = std::ranges::count(growth.columns, "critical_load_factor_error") > 0;
-  for (const auto& row : growth.rows) {
-    if (!std::holds_alternative<double>(row[growth.column("load_factor")])) continue;  // one may have none
-    const double advance = number_in("growth.csv", growth, row, "advance");
-    load_factors[advance] = number_in("growth.csv", growth, row, "load_factor");
-    if (!has_errors) continue;
-    if (const auto* error = std::get_if<double>(&row[growth.column("critical_load_factor_error")]))
-      errors[advance] = *error;
-  }
-  const auto load_factor = [&](double advance) {
-    const auto found = load_factors.find(advance);
-    if (found == load_factors.end() || !(found->second > 0))
-      throw std::runtime_error(fmt::format("growth.csv: the advance {:g} of tips.csv has no load factor > 0", advance));
-    return found->second;
-  };
+  const LoadFactors load_factors(growth);
   struct Way {
     std::vector<double> lengths, ranges, errors;  // the last: absolute, of the ranges
     double crack = 0;                             // length of the whole crack at the last row
@@ -108,11 +125,10 @@ Table fatigue(const Table& growth, const Table& tip_table, const plate::Section&
     way.own_share = value(row, "moves") > 0 ? 1 / double(tips(advance, crack, "moves")) : 0;
     if (!way.lengths.empty() && own <= way.lengths.back()) continue;  // this tip has not moved
     const double G = std::max(value(row, "G"), 0.0);
-    const double full = std::sqrt(3 * section.young * G / section.thickness) / load_factor(advance);
+    const double full = std::sqrt(3 * section.young * G / section.thickness) / load_factors(advance);
     way.lengths.push_back(own);
     way.ranges.push_back((1 - ratio) * load * full);
-    if (const auto error = errors.find(advance); error != errors.end())
-      way.errors.push_back(error->second * way.ranges.back());
+    if (const auto error = load_factors.error(advance)) way.errors.push_back(*error * way.ranges.back());
   }
   Table result{{"tip", "length", "K_range", "cycles", "K_range_error", "cycles_least", "cycles_most"}, {}};
   for (const auto& [tip, way] : ways) {

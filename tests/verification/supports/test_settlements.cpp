@@ -114,6 +114,7 @@ cases::Case held_piece_by_piece(const FormulationKind* kind, std::mt19937& rando
   if (kind->offers(Feature::any_direction))
     for (auto& corner : outline.outer.vertices) corner += 0.2 * Point(any(random), any(random));
   auto c = case_of(kind, outline, 0.1);
+  c.supports.clear(), c.loads.clear();
   constexpr std::array kinds{clamped, simply_supported, simply_supported_hard};
   for (const auto* edge : {"left", "right", "bottom", "top"})
     if (random() % 4 > 0) c.supports.push_back(vp::held(kinds[random() % 3], {edge}));

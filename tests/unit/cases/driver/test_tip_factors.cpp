@@ -6,13 +6,13 @@
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 
-using case_text::plain, case_text::with_line;
+using case_text::plain;
 
 namespace {
 
 const std::string by_energy = "srif.methods=[\"domain_integral\"]";
-const std::string cracked =
-    with_line(plain, 9, "spacing = 0.05\nrefine_tips = false") + "[srif]\n[output]\nfields = []\n";
+const std::string cracked = plain + "[srif]\n[output]\nfields = []\n";
+const std::string lattice = "discretization.refine_tips=false";
 
 std::set<std::size_t> tips_with_factors(const post::Summary& summary) {
   std::set<std::size_t> result;
@@ -25,7 +25,8 @@ std::set<std::size_t> tips_with_factors(const post::Summary& summary) {
 TEST_CASE("factors: a tip without room has none and a warning, the others have theirs") {
   const small_run::TemporaryFolder folder;
   const auto summary = cases::run(
-      case_text::read(cracked, {"geometry.cracks=[[[-0.3, 0.0], [0.3, 0.0]], [[0.6, 0.5], [0.95, 0.5]]]", by_energy}),
+      case_text::read(cracked,
+                      {"geometry.cracks=[[[-0.3, 0.0], [0.3, 0.0]], [[0.6, 0.5], [0.95, 0.5]]]", by_energy, lattice}),
       {folder.path(), true});
   CHECK(tips_with_factors(summary) == std::set<std::size_t>{0, 1, 2});
   CHECK(std::ranges::count_if(summary.warnings, [](const auto& text) {
@@ -37,11 +38,12 @@ TEST_CASE("factors: a tip without room has none and a warning, the others have t
   };
   CHECK(std::ranges::count_if(summary.warnings, of_ligament) == 1);
   const auto wider = cases::run(
-      case_text::read(cracked, {"geometry.cracks=[[[-0.3, 0.0], [0.3, 0.0]], [[0.6, 0.5], [0.85, 0.5]]]", by_energy}),
+      case_text::read(cracked,
+                      {"geometry.cracks=[[[-0.3, 0.0], [0.3, 0.0]], [[0.6, 0.5], [0.85, 0.5]]]", by_energy, lattice}),
       {folder.path(), true});
   CHECK(std::ranges::none_of(wider.warnings, of_ligament));
 
-  const auto all_near = case_text::read(cracked, {"geometry.cracks=[[[-0.96, 0.5], [0.95, 0.5]]]", by_energy});
+  const auto all_near = case_text::read(cracked, {"geometry.cracks=[[[-0.96, 0.5], [0.95, 0.5]]]", by_energy, lattice});
   CHECK_THROWS_WITH(cases::run(all_near, {folder / "refused", true}),
                     Catch::Contains("tip at (-0.96, 0.5)") && Catch::Contains("tip at (0.95, 0.5)"));
   CHECK_FALSE(std::filesystem::exists(folder / "refused"));
