@@ -22,7 +22,7 @@ LITTLE = ["--set", "output.every=0.003"]
 CASES = {  # name: case, settings, what its page must have
     "static": ("static/central_crack_pressure.toml", COARSE, ["table:recommended", "table:comparison", "table:energy", "picture:w", "picture:von_mises", "picture:Mxy"]),
     "units": ("dynamic/hole_one_crack.toml", ["--set", "discretization.spacing=0.033", "--set", "discretization.formulation=galerkin", "--set", "analysis.method=lanczos", *LITTLE], ["plot:K1 in time", "plot:Energies", "plot:Deflection of the probes", "table:peaks", "picture:Myy"]),
-    "growth": ("growth/double_torsion.toml", ["--set", "discretization.spacing=0.1", "--set", "growth.max_advances=4"], ["plot:Load against length", "picture:w"]),
+    "growth": ("growth/double_torsion.toml", ["--set", "discretization.spacing=0.05", "--set", "growth.max_advances=4"], ["plot:Load against length", "picture:w"]),
     "breaking": ("growth/pressure_pulse.toml", [*COARSE, "--set", "load[0].value=2.7", "--set", "output.every=0.1"], ["plot:Length of the cracks", "picture:damage"]),
     "modes": ("dynamic/frequencies_hole_one_crack.toml", ["--set", "discretization.spacing=0.1"], ["table:frequencies", "picture:w"]),
 }

@@ -83,8 +83,10 @@ std::vector<geometry::Polyline> lines_of(const Support& support) {
   std::vector<geometry::Polyline> result;
   if (!support.along.empty()) result.push_back(support.along);
   if (support.patch) {
-    result.push_back(geometry::Patch(*support.patch).ring());
-    result.back().push_back(result.back().front());
+    auto ring = geometry::Patch(*support.patch).ring();
+    if (ring.empty()) return result;  // of a shape that is refused elsewhere
+    ring.push_back(ring.front());
+    result.push_back(std::move(ring));
   }
   return result;
 }
