@@ -1,4 +1,6 @@
 #include "cases/driver/foretell.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include "cases/driver/results.hpp"
@@ -53,8 +55,11 @@ fracture::ForetoldRun foretell(const CaseFile& file) {
   const auto run = [&](const plate::UsualSolver& solver, const Less& less) -> std::optional<post::SampleRun> {
     try {
       return run_of(file, solver, less);
-    } catch (const CaseError&) {
-      if (less.wider == 1) throw;
+    } catch (const CaseError& error) {
+      // no number of points helps an expression that has no value, or is noise
+      const bool for_good = std::ranges::any_of(
+          error.problems(), [](const Problem& problem) { return problem.key.ends_with("expression"); });
+      if (less.wider == 1 || for_good) throw;
     } catch (const plate::NumericalError&) {
       if (less.wider == 1) throw;
     }

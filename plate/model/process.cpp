@@ -55,6 +55,11 @@ void settle_process([[maybe_unused]] char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   std::set_terminate(end_in_words);
+  constexpr rlim_t least = 1000 << 20;  // bytes; with less, OpenBLAS may wait for ever for its buffers
+  if (rlimit space{}; getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur < least) {
+    dprintf(STDERR_FILENO, "failed: the address space is limited to less than 1000 MB (ulimit -v)\n");
+    _exit(4);
+  }
   mallopt(M_MMAP_THRESHOLD, 1 << 28);
   mallopt(M_TRIM_THRESHOLD, 1 << 28);
 }

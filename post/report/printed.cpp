@@ -171,8 +171,9 @@ std::array<std::string, 3> factor_texts(const Srif& srif, double thickness) {
   std::array<std::string, 3> result;
   for (std::size_t i = 0; i < 3; ++i) {
     const double size = std::abs(values[i]), moment = i == 2 ? size * thickness : size;
-    const bool zero =
-        moment < rounding * largest || (moment < nothing * largest && size <= srif.errors[i].value_or(INFINITY));
+    constexpr double unknown = 0.05;  // of its estimated error: what refined points leave of a factor that is zero
+    const bool zero = moment < rounding * largest || size <= unknown * srif.errors[i].value_or(0) ||
+                      (moment < nothing * largest && size <= srif.errors[i].value_or(INFINITY));
     result[i] = !srif.resolved[i] ? "-" : zero ? "0" : fmt::format("{:.6g}", values[i]);
   }
   return result;
