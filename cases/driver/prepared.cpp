@@ -7,7 +7,7 @@
 #include "cases/driver/discretised.hpp"
 #include "cases/driver/results.hpp"
 #include "cases/input/refused.hpp"
-#include "fracture/runs/bonds/bonds_error.hpp"
+#include "fracture/runs/bonds_error.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/solve/motion/begin.hpp"
 #include "post/factors/plate_factors.hpp"

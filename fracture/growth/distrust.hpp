@@ -19,8 +19,8 @@ std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Fo
 /// Tips that have too little about them for the energy release rate, which growth by tips needs, and why.
 std::vector<std::string> tips_without_rings(const plate::Formulation& plate);
 
-/// What tips that ran took where that is more than a twentieth from the fracture energy: their speed is then not that
-/// of a crack.
+/// Warns where the energy spent per crack area is more than 5 % from the fracture energy: the speed of the tips is then
+/// not that of a crack.
 std::vector<std::string> distrust_of_spent(const Growth& growth, const Moved& moved, const plate::Section& section);
 
 /// Tips in motion whose directions are not resolved. `remedy`: Formulation::remedy().

@@ -12,7 +12,7 @@ constexpr double least_turn = std::numbers::pi / 180;
 constexpr double not_known = std::numbers::pi / 6;  // error of a direction: a kink is up to 70 degrees
 constexpr double slight = std::numbers::pi / 12;    // left away with a warning where it is not known
 
-/// What factors of 1 release, but for a common share: K1 and K2, K3.
+/// Energy release rates of unit factors, up to a common factor: of K1 or K2, and of K3.
 struct Releases {
   double bending, shear;
 };

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fracture/growth/motion/moving_growth.hpp"
-#include "fracture/runs/bonds/bonds_error.hpp"
+#include "fracture/runs/bonds_error.hpp"
 #include "fracture/runs/kept_motion.hpp"
 #include "fracture/runs/shared/among_ranks.hpp"
 #include "geometry/lattice/cloud.hpp"

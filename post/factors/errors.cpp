@@ -139,8 +139,9 @@ void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits,
       continue;
     }
     if (!best) best = &srif;
-    const auto energies = difference_of_energies(srif, found);
-    if (energies || !fits.empty()) set(srif, estimate.by_energy(srif, energies.value_or(0)), h);
+    // one energy release rate alone, without a fit: nothing vouches for it
+    const double alone = fits.empty() ? 1 : 0;
+    set(srif, estimate.by_energy(srif, difference_of_energies(srif, found).value_or(alone)), h);
   }
   for (auto& srif : found) {
     if (srif.G || largest_factor(srif, h) == 0) continue;

@@ -98,7 +98,13 @@ TipPlace place_of(const plate::Problem& c, const std::vector<geometry::CrackPath
     return load.kind == plate::Load::Kind::temperature && load.formula.given();
   });
   const double undisturbed = std::min(undisturbed_distance(c, tip), 2 * reach_of_foundations(c));
-  return {tip, paths[tip.crack], clear, clear, undisturbed, faces, heated};
+  return {.tip = tip,
+          .path = paths[tip.crack],
+          .clear = clear,
+          .narrowest = clear,
+          .undisturbed = undisturbed,
+          .faces = faces,
+          .heated = heated};
 }
 
 }  // namespace
@@ -165,10 +171,6 @@ void tell(const plate::Ranks& all, std::vector<TipMethods>& methods) {
     }
   }
 }
-
-}  // namespace
-
-namespace {
 
 /// What the whole plate errs by, as a share of the largest factor: of the second order in its spacing over its smaller
 /// side.

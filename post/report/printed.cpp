@@ -171,9 +171,11 @@ std::array<std::string, 3> factor_texts(const Srif& srif, double thickness) {
   std::array<std::string, 3> result;
   for (std::size_t i = 0; i < 3; ++i) {
     const double size = std::abs(values[i]), moment = i == 2 ? size * thickness : size;
-    constexpr double unknown = 0.05;  // of its estimated error: what refined points leave of a factor that is zero
-    const bool zero = moment < rounding * largest || size <= unknown * srif.errors[i].value_or(0) ||
-                      (moment < nothing * largest && size <= srif.errors[i].value_or(INFINITY));
+    // refined points leave a small part of its error of a factor that is zero
+    constexpr double left = 0.05, well_known = 0.03;  // of its estimated error; of the largest factor
+    const double error = srif.errors[i].value_or(INFINITY), scale = i == 2 ? thickness : 1;
+    const bool zero = moment < rounding * largest || (moment < nothing * largest && size <= error) ||
+                      (size <= left * error && error * scale < well_known * largest);
     result[i] = !srif.resolved[i] ? "-" : zero ? "0" : fmt::format("{:.6g}", values[i]);
   }
   return result;

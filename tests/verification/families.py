@@ -93,8 +93,14 @@ def plate(seed):
     poisson = draw.choice([0.3] * 5 + [0.0, 0.45, -0.2, -0.5])
     cracks, holes = cracks_of(kind, draw, spacing)
     load, name = load_of(kind, cracks, thickness, draw)
+    text = case(thickness, poisson, holes, cracks, spacing, support_of(kind, name, draw), load)
+    return kind, thickness, spacing, poisson, text
+
+
+def case(thickness, poisson, holes, cracks, spacing, support, load):
+    """A case file of a square plate from -1 to 1."""
     circles = ", ".join(f"{{ circle = {list(hole)} }}" for hole in holes)
-    text = f"""title = "plate {seed}: {kind}"
+    return f"""title = "square"
 [section]
 young = 1000.0
 poisson = {poisson}
@@ -106,7 +112,7 @@ cracks = {json.dumps(cracks)}
 [discretization]
 spacing = {spacing}
 [[support]]
-{support_of(kind, name, draw)}
+{support}
 [[load]]
 {load}
 [analysis]
@@ -116,7 +122,6 @@ kind = "static"
 fields = []
 report = false
 """
-    return kind, thickness, spacing, poisson, text
 
 
 def run(program, text, settings):
@@ -191,27 +196,7 @@ def plates(program, first, last, settings):
           f"largest {100 * errors[-1]:.2f} %")
 
 
-CENTRAL = """[section]
-young = 1000.0
-poisson = 0.3
-thickness = {thickness}
-[geometry]
-outline = {{ rectangle = [-1.0, -1.0, 1.0, 1.0] }}
-cracks = [[[{left}, 0.0], [{right}, 0.0]]]
-[discretization]
-spacing = {spacing}
-[[support]]
-edges = ["bottom", "top"]
-kind = "simply_supported"
-[[load]]
-{load}
-[analysis]
-kind = "static"
-[srif]
-[output]
-fields = []
-report = false
-"""
+HELD = 'kind = "simply_supported"\nedges = ["bottom", "top"]'
 LOADS = {"pressure": 'kind = "pressure"\nvalue = 1.0',
          "bending": 'kind = "edge_moment"\nedges = ["bottom", "top"]\nvalue = 1.0'}
 
@@ -227,8 +212,8 @@ def places(program, spacing, settings):
     for row in references():
         a, errors = float(row["two_a_over_W"]), []
         for step in range(-4, 5):
-            text = CENTRAL.format(thickness=float(row["h"]), left=-a, right=a, spacing=spacing * (1 + 0.0075 * step),
-                                  load=LOADS[row["load"]])
+            text = case(float(row["h"]), 0.3, [], [[(-a, 0.0), (a, 0.0)]], spacing * (1 + 0.0075 * step), HELD,
+                        LOADS[row["load"]])
             summary = run(program, text, settings)
             if summary is None:
                 continue

@@ -82,7 +82,7 @@ std::string QuasiStaticTips::stays(const geometry::Tip& tip) {
   return why;
 }
 
-/// Those within a percent of the largest energy release rate, and whatever is as near to it but for rounding.
+/// Marks the tips that move: those within a percent of the largest energy release rate.
 std::vector<char> QuasiStaticTips::movers() const {
   double least = most_;
   for (const auto& tip : plate_.tips)
@@ -92,7 +92,7 @@ std::vector<char> QuasiStaticTips::movers() const {
   return result;
 }
 
-/// Of the next load factor, relative to it: within their errors another tip may be the first.
+/// Relative error of the next load factor. Another tip may be the first within the errors of the release rates.
 double QuasiStaticTips::load_error() const {
   double high = 0, low = 0;  // of the square root of the largest energy release rate
   for (const auto& tip : plate_.tips) {
@@ -124,7 +124,7 @@ std::string QuasiStaticTips::unresolved() {
   return {};
 }
 
-/// Of the tips that move. Where one turns, turns of others that exceed their errors but for rounding are made too.
+/// Turns of the tips that move. If one tip turns, the others turn too where their turn equals its error up to rounding.
 std::vector<Turn> QuasiStaticTips::turns_of(const std::vector<char>& moves) const {
   const auto find = [&](double share) {
     std::vector<Turn> result(plate_.tips.size());

@@ -1,4 +1,4 @@
-#include "fracture/runs/bonds/bonds_error.hpp"
+#include "fracture/runs/bonds_error.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
