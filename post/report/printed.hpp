@@ -10,9 +10,9 @@ struct Srif;
 struct Summary;
 
 /// What a user reads at the end of a run: one row of factors per tip by the recommended method, the other methods below
-/// as a comparison, peaks of a motion, growth, warnings. `si`: with the units of SI. A factor is printed as 0 below 1e-8
-/// of the largest of its tip, below 1e-6 of it and its estimated error, or below a twentieth of an error under 3 %. The
-/// error of a row is that of the factors that it has: one that is not resolved is "-" and does not count.
+/// as a comparison, peaks of a motion, growth, warnings. `si`: with the units of SI. A factor is printed as 0 below
+/// 1e-8 of the largest of its tip, below 1e-6 of it and its estimated error, or below a twentieth of an error under 3
+/// %. The error of a row is that of the factors that it has: one that is not resolved is "-" and does not count.
 std::string printed(const Summary& summary, bool si, double thickness, const std::filesystem::path& folder);
 
 /// K1, K2, K3 as they are printed, and the error of a row; empty where it is not known.
