@@ -75,7 +75,7 @@ void check_load_cases(const Case& content, Reading& reading) {
     if (key == "combination" || reading.sound(key)) reading.complain(key, what);
 }
 
-void check_analysis(const Case& content, Reading& reading) {
+void check_beside_analysis(const Case& content, Reading& reading) {
   const auto given = [&](const std::string& key) { return reading.given(key); };
   // what is missing or cannot be read has another value here than the file means
   std::set<std::string> unread;
@@ -143,7 +143,7 @@ void check_case(const Case& content, Reading& reading) {
   check_edges(content, reading);
   check_probes(content, reading);
   check_tips(content, reading);
-  check_analysis(content, reading);
+  check_beside_analysis(content, reading);
 }
 
 }  // namespace cases

@@ -1,5 +1,7 @@
 #include "cases/templates/new_case.hpp"
 
+#include <fmt/format.h>
+
 #include "cases/input/toml_reader.hpp"
 #include "post/files/whole_file.hpp"
 

@@ -9,7 +9,7 @@ namespace geometry {
 namespace {
 
 template <typename Visit>
-void for_cells(const Tessellation& cells, const Visit& visit) {
+void visit_cells(const Tessellation& cells, const Visit& visit) {
   for (const auto& square : cells.squares) visit(square);
   for (const auto& triangle : cells.triangles) visit(triangle);
 }
@@ -22,7 +22,7 @@ bool any(const Cell& cell, const std::vector<char>& marked) {
 /// With all points that share a cell with one of the marked.
 std::vector<char> grown(const Tessellation& cells, const std::vector<char>& marked) {
   auto result = marked;
-  for_cells(cells, [&](const auto& cell) {
+  visit_cells(cells, [&](const auto& cell) {
     if (any(cell, marked))
       for (const auto k : cell) result[k] = 1;
   });
@@ -85,7 +85,7 @@ private:
 CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted) {
   for (int ring = 0; ring < 2; ++ring) wanted = grown(whole, wanted);
   std::vector<char> taken(wanted.size(), 0);
-  for_cells(whole, [&](const auto& cell) {
+  visit_cells(whole, [&](const auto& cell) {
     if (any(cell, wanted))
       for (const auto k : cell) taken[k] = 1;
   });

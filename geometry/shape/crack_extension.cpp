@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/shape/predicates.hpp"
+
 namespace geometry {
 namespace {
-
-double cross(const Point& a, const Point& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Distance along the ray from x to the segment ab; of one that lies on the ray, to its nearer end.
 std::optional<double> hit(const Point& x, const Point& direction, const Point& a, const Point& b) {

@@ -7,12 +7,12 @@ namespace plate {
 namespace {
 
 using Index = LatticeBody::Index;
-constexpr double same = 1e-9;  // spacings: bonds that cross an edge of faces, but for rounding
+constexpr double on_edge = 1e-9;  // spacings: bonds that cross an edge of faces, but for rounding
 
 /// How much of what crosses at `at` belongs to the cell about `cell`: all inside, half on the border, none outside.
 double inside(double at, int cell) {
   const double away = std::abs(at - cell) - 0.5;
-  return away < -same ? 1 : away < same ? 0.5 : 0;
+  return away < -on_edge ? 1 : away < on_edge ? 0.5 : 0;
 }
 
 double share(const Index& from, const Index& to, const Index& cell, int normal, double cut, FluxRule rule) {

@@ -11,7 +11,7 @@ namespace plate {
 namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
-constexpr double same = 1e-9;  // spacings: lattice positions differ by more, or are equal but for rounding
+constexpr double same_position = 1e-9;  // spacings: lattice positions differ by more, or are equal but for rounding
 
 /// What an expansion stands on: a real node, or a surface node and the cells behind it.
 struct Stand {
@@ -68,7 +68,7 @@ void add_expansion(const LatticeBody& b, const Stand& centre, const Eigen::Vecto
                    double share, Triplets& to) {
   std::vector<int> axes;
   for (int axis = 0; axis < b.dimension; ++axis)
-    if (std::abs(at[axis] - centre.position[axis]) > same) axes.push_back(axis);
+    if (std::abs(at[axis] - centre.position[axis]) > same_position) axes.push_back(axis);
   const auto lattice = principal_lattice(axes, order);
   Eigen::MatrixXd nodes(Eigen::Index(axes.size()), Eigen::Index(lattice.size()));
   std::vector<int> unknowns;
@@ -87,8 +87,8 @@ std::vector<Stand> nearest(const std::vector<Stand>& all, const Eigen::Vector3d&
   double least = std::numeric_limits<double>::infinity();
   for (const auto& one : all) {
     const double distance = (one.position - at).norm();
-    if (distance < least - same) result.clear();
-    if (distance < least + same) result.push_back(one);
+    if (distance < least - same_position) result.clear();
+    if (distance < least + same_position) result.push_back(one);
     least = std::min(least, distance);
   }
   return result;

@@ -75,10 +75,10 @@ struct Strains {
 };
 
 /// Moments times area less the sum of t (x) n, shear force times area less the sum of tau n.
-struct Resultants {
+struct CellResultants {
   Vector Mxx, Mxy, Myx, Myy, Qx, Qy;
 
-  Resultants(const Strains& e, const double* own, double nu) {
+  CellResultants(const Strains& e, const double* own, double nu) {
     const auto sum = [&](std::size_t n) { return loaded(own + n * lanes); };
     const double less = (1 - nu) / 2, more = (1 + nu) / 2;
     const Vector VD = sum(0), VS = sum(1), bending = sum(2), residual = sum(3);
@@ -192,7 +192,7 @@ void GalerkinLists::act(std::size_t block, const State& state) const {
   const double* const bonds = bonds_.data() + first * bond_numbers * lanes;
   const double* const own = families_.data() + block * lanes * family_numbers;
   const Strains e(state, kept_lanes_.data() + block * lanes, members_.data() + first * lanes, bonds, count);
-  const Resultants r(e, own, poisson_);
+  const CellResultants r(e, own, poisson_);
   const Vector bending = loaded(own + 2 * lanes), residual = loaded(own + 3 * lanes);
   const double less = (1 - poisson_) / 2, more = (1 + poisson_) / 2;
   Vector sum_w = 0, sum_x = 0, sum_y = 0;

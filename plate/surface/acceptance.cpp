@@ -11,7 +11,7 @@ namespace {
 
 using geometry::Point;
 
-[[noreturn]] void refuse(Subject subject, std::string what) {
+[[noreturn]] void refuse_plate(Subject subject, std::string what) {
   throw Refused({{subject, 0, std::move(what)}});
 }
 
@@ -19,7 +19,7 @@ std::string words(EdgeMethod method) {
   return method == EdgeMethod::surface_nodes ? "surface nodes" : "fictitious nodes";
 }
 
-std::string place(const Point& x) {
+std::string place_text(const Point& x) {
   return fmt::format("({:.4g}, {:.4g})", x.x(), x.y());
 }
 
@@ -35,29 +35,31 @@ void check_outline(const Problem& problem, EdgeMethod method) {
   const double spacing = problem.discretization.spacing;
   const bool oblique = !is_rectilinear(problem.outline);
   if (oblique && method == EdgeMethod::fictitious_nodes)
-    refuse(Subject::geometry,
-           words(method) +
-               " are of edges along the axes, and of holes of such edges, as expansions beyond them run "
-               "along rows of points" +
-               images + " or \"surface_nodes\"");
+    refuse_plate(Subject::geometry,
+                 words(method) +
+                     " are of edges along the axes, and of holes of such edges, as expansions beyond them run "
+                     "along rows of points" +
+                     images + " or \"surface_nodes\"");
   if (const auto shortest = shortest_edge(problem.outline); oblique && shortest.value < spacing / 2)
-    refuse(Subject::geometry,
-           fmt::format("an edge is {:.3g} long at {}: surface nodes, one an edge at least, need half a spacing: take "
-                       "fewer edges, or a smaller spacing",
-                       shortest.value, place(shortest.at)));
+    refuse_plate(
+        Subject::geometry,
+        fmt::format("an edge is {:.3g} long at {}: surface nodes, one an edge at least, need half a spacing: take "
+                    "fewer edges, or a smaller spacing",
+                    shortest.value, place_text(shortest.at)));
   const double horizon = problem.discretization.horizon(), least = horizon * (1 - 1e-9);
   const auto c = clearance_of(problem);
   if (c.gap.value < 2 * least)
-    refuse(Subject::geometry,
-           fmt::format("a hole or notch is {:.3g} wide at {}: {} need two horizons, {:.3g}, between edges that face "
-                       "each other, or points see what lies behind both",
-                       c.gap.value, place(c.gap.at), words(method), 2 * horizon) +
-               images + ", or a smaller spacing");
+    refuse_plate(
+        Subject::geometry,
+        fmt::format("a hole or notch is {:.3g} wide at {}: {} need two horizons, {:.3g}, between edges that face "
+                    "each other, or points see what lies behind both",
+                    c.gap.value, place_text(c.gap.at), words(method), 2 * horizon) +
+            images + ", or a smaller spacing");
   if (c.step.value < least)
-    refuse(Subject::geometry,
-           fmt::format("an edge is {:.3g} long at {}: {} need a horizon, {:.3g}, between two corners", c.step.value,
-                       place(c.step.at), words(method), horizon) +
-               images + ", or a smaller spacing");
+    refuse_plate(Subject::geometry,
+                 fmt::format("an edge is {:.3g} long at {}: {} need a horizon, {:.3g}, between two corners",
+                             c.step.value, place_text(c.step.at), words(method), horizon) +
+                     images + ", or a smaller spacing");
 }
 
 /// What is known on oblique edges is of the local plate and of whole cells: deflections under loads on them did not
@@ -80,10 +82,10 @@ void check_cracks(const Problem& problem, const std::vector<geometry::CrackPath>
   for (const auto& path : paths)
     for (const auto& vertex : path.vertices)
       if (const double away = geometry::distance_to_boundary(problem.outline, vertex); away <= horizon)
-        refuse(Subject::cracks,
-               fmt::format("a crack is {:.3g} away from an edge: {} need more than a horizon, {:.3g}, "
-                           "between them: choose boundary = \"images\"{}",
-                           away, words(method), horizon, away > 1e-9 * horizon ? ", or a smaller spacing" : ""));
+        refuse_plate(Subject::cracks,
+                     fmt::format("a crack is {:.3g} away from an edge: {} need more than a horizon, {:.3g}, "
+                                 "between them: choose boundary = \"images\"{}",
+                                 away, words(method), horizon, away > 1e-9 * horizon ? ", or a smaller spacing" : ""));
 }
 
 /// How wide a horizon may be, over the thickness and over the narrowest part of the plate.
@@ -124,13 +126,14 @@ void check_horizon(const Problem& problem, EdgeMethod method) {
   const double horizon = problem.discretization.horizon(),
                most = std::min(of_thickness * thickness, of_side * side) * (1 + 1e-9);
   if (horizon <= most) return;
-  refuse(Subject::spacing,
-         fmt::format(
-             "the horizon is {:.3g} times the thickness and {:.2g} of the shorter side, or of the narrowest part "
-             "of the plate: with {} on edges like these {:g} and {:g} at most (more where all edges are clamped or "
-             "hard supported), spacing {:.3g}; or choose boundary = \"images\"",
-             horizon / thickness, horizon / side, words(method), of_thickness, of_side,
-             problem.discretization.spacing * most / horizon));
+  refuse_plate(
+      Subject::spacing,
+      fmt::format(
+          "the horizon is {:.3g} times the thickness and {:.2g} of the shorter side, or of the narrowest part "
+          "of the plate: with {} on edges like these {:g} and {:g} at most (more where all edges are clamped or "
+          "hard supported), spacing {:.3g}; or choose boundary = \"images\"",
+          horizon / thickness, horizon / side, words(method), of_thickness, of_side,
+          problem.discretization.spacing * most / horizon));
 }
 
 }  // namespace

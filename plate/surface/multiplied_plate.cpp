@@ -8,7 +8,7 @@ namespace plate {
 
 namespace {
 
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// Values at surface nodes from those of real nodes, three each (Sca21 58).
@@ -18,7 +18,7 @@ WeightRows edge_values(const SurfacePlate& p) {
 }
 
 /// Forces and fluxes from the values of real nodes: rows of real nodes, then of surface nodes (Sca21 50-57).
-Rows forces_and_fluxes(const SurfacePlate& p, FluxRule rule) {
+RowMatrix forces_and_fluxes(const SurfacePlate& p, FluxRule rule) {
   const WeightRows expanded = expansion_of_real(p);
   const PlateActions a = actions(p.body, p.bonds, rule, p.cuts);
   const WeightRows own = a.dilatation * expanded;
@@ -40,12 +40,12 @@ bool implied(const LatticeBody& b, const std::vector<char>& held, int s, int com
   return other >= 0 && held[std::size_t(3 * s + component)] && held[std::size_t(3 * other + component)];
 }
 
-void add(const Rows& from, Eigen::Index of, int row, Triplets& to) {
-  for (Rows::InnerIterator e(from, of); e; ++e) to.emplace_back(row, int(e.col()), e.value());
+void add(const RowMatrix& from, Eigen::Index of, int row, Triplets& to) {
+  for (RowMatrix::InnerIterator e(from, of); e; ++e) to.emplace_back(row, int(e.col()), e.value());
 }
 
-void add_column(const Rows& from, Eigen::Index of, int column, Triplets& to) {
-  for (Rows::InnerIterator e(from, of); e; ++e) to.emplace_back(int(e.col()), column, e.value());
+void add_column(const RowMatrix& from, Eigen::Index of, int column, Triplets& to) {
+  for (RowMatrix::InnerIterator e(from, of); e; ++e) to.emplace_back(int(e.col()), column, e.value());
 }
 
 }  // namespace
@@ -57,10 +57,10 @@ WeightRows expansion_of_real(const SurfacePlate& p) {
 }
 
 MultipliedPlate multiplied_plate(const SurfacePlate& p, const std::vector<char>& held) {
-  const Rows own = forces_and_fluxes(p, p.rule), crossed = forces_and_fluxes(p, FluxRule::crossing_point),
-             values = edge_values(p);
+  const RowMatrix own = forces_and_fluxes(p, p.rule), crossed = forces_and_fluxes(p, FluxRule::crossing_point),
+                  values = edge_values(p);
   const int real = 3 * p.body.real, surface = 3 * int(p.body.surface.size()), count = real + 2 * surface;
-  const Rows booked =
+  const RowMatrix booked =
       rows_with_reactions(p, own, crossed, [&](int i) { return i >= real && held[std::size_t(i - real)]; });
 
   MultipliedPlate result{SparseStiffness(count, count), {}};

@@ -23,17 +23,17 @@ int side(const Edge& e) {
   return normal_axis(e) == 0 ? (e.to.y() > e.from.y() ? 1 : -1) : (e.to.x() > e.from.x() ? -1 : 1);
 }
 
-using Ring = std::vector<Edge>;
+using EdgeRing = std::vector<Edge>;
 
 /// One after the other, with the plate on the left, parts in one line joined.
-Ring joined(Ring edges) {
+EdgeRing joined(EdgeRing edges) {
   if (edges[0].to != edges[1].from) std::ranges::reverse(edges);
   const auto in_line = [](const Edge& a, const Edge& b) {
     return normal_axis(a) == normal_axis(b) && side(a) == side(b);
   };
   const auto corner = std::ranges::adjacent_find(edges, std::not_fn(in_line));
   std::ranges::rotate(edges, corner + 1);
-  Ring result;
+  EdgeRing result;
   for (const Edge& e : edges)
     if (!result.empty() && in_line(result.back(), e))
       result.back().to = e.to;
@@ -42,9 +42,9 @@ Ring joined(Ring edges) {
   return result;
 }
 
-std::vector<Ring> rings(const geometry::Outline& outline) {
+std::vector<EdgeRing> rings(const geometry::Outline& outline) {
   const auto edges = geometry::straight_edges(outline);
-  std::vector<Ring> result;
+  std::vector<EdgeRing> result;
   auto next = edges.begin();
   const auto take = [&](const geometry::Polygon& polygon) {
     const auto end = next + std::ptrdiff_t(polygon.vertices.size());
@@ -67,7 +67,7 @@ void look(Distance& least, double value, const Point& at) {
 }
 
 /// Between edges that run along each other with the plate, or the gap, between.
-void look_between_edges(const Ring& edges, Clearance& c) {
+void look_between_edges(const EdgeRing& edges, Clearance& c) {
   for (const Edge& e : edges)
     for (const Edge& f : edges) {
       const int axis = normal_axis(e), along = 1 - axis;
@@ -103,9 +103,9 @@ bool is_rectilinear(const geometry::Outline& outline) {
 
 Clearance clearance(const geometry::Outline& outline) {
   Clearance result;
-  Ring all;
+  EdgeRing all;
   std::vector<Corner> corners;
-  for (const Ring& ring : rings(outline))
+  for (const EdgeRing& ring : rings(outline))
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Edge &e = ring[i], &next = ring[(i + 1) % ring.size()];
       const Point before = (e.to - e.from).normalized(), after = (next.to - next.from).normalized();

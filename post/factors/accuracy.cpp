@@ -14,7 +14,7 @@ constexpr std::array of_integrals{0.1, 0.05, 0.05};  // of the difference of bot
 constexpr std::array of_change{0.3, 0.3, 0.5};       // of the last change of the result
 constexpr std::array of_size{0.0, 0.01, 0.02};       // of K2 and K3 h together, with size^2: the layer beside the faces
 constexpr double of_others_change = 0.3, of_step = 0.2;
-constexpr double rounding = 5e-5;  // of the largest factor
+constexpr double share_of_rounding = 5e-5;  // of the largest factor
 
 /// Both integrals of a tip, which share their mode mix.
 struct Pair {
@@ -119,8 +119,8 @@ std::vector<Refined> refined(const Course& course) {
                  integrals = (last.domain - last.extension).cwiseAbs().maxCoeff();
     const double unresolved =
         last.size * last.size * std::clamp(last.faces / 1.5, 1.0, 4.0) * last.domain.tail<2>().norm();
-    Factors errors =
-        apart.cwiseAbs() / 2 + of_step * step.cwiseAbs() + Factors::Constant(rounding * result.cwiseAbs().maxCoeff());
+    Factors errors = apart.cwiseAbs() / 2 + of_step * step.cwiseAbs() +
+                     Factors::Constant(share_of_rounding * result.cwiseAbs().maxCoeff());
     for (std::size_t i = 0; i < 3; ++i) {
       const auto j = Eigen::Index(i);
       errors[j] += slowness(paces[j]) * of_change[i] * std::max(change[j], others) + of_integrals[i] * integrals +

@@ -8,13 +8,6 @@
 #include "post/files/gate.hpp"
 
 namespace post {
-namespace {
-
-Cell cell(const std::optional<double>& value) {
-  return value ? Cell(*value) : Cell();
-}
-
-}  // namespace
 
 void FactorRows::add(std::vector<Srif> found, const std::string& when) {
   auto row = known_.empty() ? std::move(found) : known_.at(rows_.size());

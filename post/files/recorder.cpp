@@ -16,13 +16,6 @@
 #include "post/files/shared/processes.hpp"
 
 namespace post {
-namespace {
-
-Cell cell(const std::optional<double>& value) {
-  return value ? Cell(*value) : Cell();
-}
-
-}  // namespace
 
 Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, const plate::State& state,
                bool resultants, const plate::Heat* heat) {

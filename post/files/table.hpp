@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -8,6 +9,16 @@ namespace post {
 
 /// A cell of a table: empty, a number (written so that reading gives the same double) or a word.
 using Cell = std::variant<std::monostate, double, std::string>;
+
+/// The cell of a number or word; empty without one.
+template <class Number>
+Cell cell(const std::optional<Number>& number) {
+  return number ? Cell(static_cast<double>(*number)) : Cell();
+}
+
+inline Cell cell(const std::string& word) {
+  return word.empty() ? Cell() : Cell(word);
+}
 
 /// Rows under named columns; what history.csv, probes.csv and srif.csv are made of.
 struct Table {

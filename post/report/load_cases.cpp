@@ -14,7 +14,7 @@
 namespace post {
 namespace {
 
-constexpr double nothing = 1e-6;  // of the largest factor of a tip
+constexpr double negligible = 1e-6;  // of the largest factor of a tip
 
 bool recommended(const std::vector<Srif>& all, std::size_t i) {
   return i == 0 || all[i - 1].tip != all[i].tip;
@@ -44,7 +44,7 @@ void print_envelope(std::string& text, const Summary& summary, double thickness)
   fmt::format_to(out, "largest of all load cases and combinations:\n");
   for (const auto& one : summary.envelope) {
     const bool noise = one.quantity != "G" && std::ranges::any_of(summary.envelope, [&](const EnvelopeEntry& other) {
-                         return other.tip == one.tip && other.quantity != "G" && size(one) < nothing * size(other);
+                         return other.tip == one.tip && other.quantity != "G" && size(one) < negligible * size(other);
                        });
     const bool known = one.error.value_or(0) <= std::abs(one.value);
     if (!noise)
@@ -62,7 +62,7 @@ void print_reactions(std::string& text, const Summary& summary, bool si) {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < std::min(most, balance.supports.size()); ++i) {
       const double force = balance.supports[i].force;
-      const bool small = std::abs(force) < nothing * std::abs(balance.loads.force);
+      const bool small = std::abs(force) < negligible * std::abs(balance.loads.force);
       parts.push_back(fmt::format("{} {:.5g}", one.reactions->supports[i].name, small ? 0 : force));
     }
     if (balance.supports.size() > most) parts.push_back(fmt::format("... ({} in all)", balance.supports.size()));

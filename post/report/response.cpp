@@ -13,7 +13,7 @@
 namespace post {
 namespace {
 
-constexpr std::array factors{"K1", "K2", "K3"};
+constexpr std::array factor_names{"K1", "K2", "K3"};
 
 /// Of each tip the recommended one, which is its first.
 std::vector<const Srif*> recommended(const std::vector<Srif>& all) {
@@ -39,7 +39,7 @@ std::vector<Response> responses_of(double frequency, const std::vector<Srif>& in
   const auto real = recommended(in_phase), imaginary = recommended(quadrature);
   std::vector<Response> result;
   for (std::size_t t = 0; t < real.size(); ++t)
-    for (std::size_t k = 0; k < factors.size(); ++k) {
+    for (std::size_t k = 0; k < factor_names.size(); ++k) {
       double values[2]{}, error = 0;
       bool known = true;
       for (const auto* part : {real[t], imaginary.at(t)}) {
@@ -51,7 +51,7 @@ std::vector<Response> responses_of(double frequency, const std::vector<Srif>& in
       }
       const std::complex value(values[0], values[1]);
       const bool resolved = std::abs(value) > 0 && error < std::abs(value);
-      result.push_back({frequency, fmt::format("tip {}", real[t]->tip), factors[k], value,
+      result.push_back({frequency, fmt::format("tip {}", real[t]->tip), factor_names[k], value,
                         known ? std::optional(error) : std::nullopt, resolved});
     }
   return result;

@@ -84,7 +84,7 @@ std::string shown(const Way& way) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string percent(double share) {
+std::string rounded_percent(double share) {
   return fmt::format("{:.2g} %", 100 * share);
 }
 
@@ -119,11 +119,11 @@ std::vector<std::string> advice(const StudyTable& study) {
     }
     const auto what = first.place.empty() ? first.quantity : first.quantity + " at " + first.place;
     if (chosen->error <= wanted)
-      result.push_back(fmt::format("for {} of {} take {} (error {})", percent(wanted), what, shown(*chosen),
-                                   percent(chosen->error)));
+      result.push_back(fmt::format("for {} of {} take {} (error {})", rounded_percent(wanted), what, shown(*chosen),
+                                   rounded_percent(chosen->error)));
     else
-      result.push_back(fmt::format("nothing here has {} to {}; the most exact, {}, is {}", what, percent(wanted),
-                                   percent(chosen->error), shown(*chosen)));
+      result.push_back(fmt::format("nothing here has {} to {}; the most exact, {}, is {}", what,
+                                   rounded_percent(wanted), rounded_percent(chosen->error), shown(*chosen)));
   }
   return result;
 }

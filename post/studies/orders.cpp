@@ -49,14 +49,6 @@ Logarithms logarithms(const StudyTable& study, const StudyLine& line, const Refi
   return result;
 }
 
-Cell cell(const std::optional<double>& number) {
-  return number ? Cell(*number) : Cell();
-}
-
-Cell cell(const std::string& word) {
-  return word.empty() ? Cell() : Cell(word);
-}
-
 std::string text_of(const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{:.4g}", *number);
   return std::holds_alternative<std::string>(cell) ? std::get<std::string>(cell) : "";

@@ -13,15 +13,6 @@ namespace post {
 namespace {
 
 template <class Number>
-Cell cell(const std::optional<Number>& number) {
-  return number ? Cell(static_cast<double>(*number)) : Cell();
-}
-
-Cell cell(const std::string& word) {
-  return word.empty() ? Cell() : Cell(word);
-}
-
-template <class Number>
 std::string shown(const char* format, const std::optional<Number>& number) {
   return number ? fmt::format(fmt::runtime(format), *number) : "";
 }

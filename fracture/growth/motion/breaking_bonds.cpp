@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t search_every = 4;  // steps
 constexpr unsigned steps_to_break = 4;
-constexpr double alike = 1e-6;  // of the demand: mirror images break together
+constexpr double equal_demand = 1e-6;  // of the demand: mirror images break together
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::vector<LoadedBond> first_to_break(const std::vector<LoadedBond>& failing) {
   for (const auto& one : failing) {
     const auto free = [&](std::uint32_t k) {
       const auto entry = taken.find(k);
-      return entry == taken.end() || one.demand >= (1 - alike) * entry->second;
+      return entry == taken.end() || one.demand >= (1 - equal_demand) * entry->second;
     };
     if (!free(one.bond[0]) || !free(one.bond[1])) continue;
     for (const auto k : one.bond) taken.try_emplace(k, one.demand);

@@ -16,7 +16,7 @@
 namespace fracture {
 namespace {
 
-constexpr double alike = 1e-5;  // of the demand: mirror images, solved to a residual of 1e-6 or better
+constexpr double equal_demand = 1e-5;  // of the demand: mirror images, solved to a residual of 1e-6 or better
 
 }  // namespace
 
@@ -100,7 +100,7 @@ bool QuasiStaticBonds::longest() const {
 
 void QuasiStaticBonds::choose(const Equilibrium& state) {
   breaks_.clear();
-  if (!state.ends) breaks_ = check_.at_least((1 - alike) * most_, state_);
+  if (!state.ends) breaks_ = check_.at_least((1 - equal_demand) * most_, state_);
   GrowthRow row{double(state.advance), {}, state.factor, state.displacement, {}, double(state.stable)};
   if (std::isfinite(state.critical)) row.critical_load_factor = state.critical;
   row.crack_length = cracks_.length(), row.tips = cracks_.tips().size(), row.broken_bonds = double(cracks_.broken());

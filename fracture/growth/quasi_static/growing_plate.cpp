@@ -33,10 +33,6 @@ post::Srif scaled(post::Srif srif, double factor) {
   return srif;
 }
 
-std::string at(const geometry::Tip& tip) {
-  return fmt::format("the tip at ({:g}, {:g})", tip.position.x(), tip.position.y());
-}
-
 /// A tip by its recommended row of these, which are in order, and has an energy release rate.
 LoadedTip loaded(const geometry::Tip& tip, const post::Srif& srif, const std::vector<post::Srif>& all,
                  const plate::Section& section) {
@@ -121,7 +117,7 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
     const auto srif = std::ranges::find_if(srifs, [i](const auto& one) { return one.tip == i && one.G; });
     if (srif == srifs.end())
       throw plate::NumericalError(
-          fmt::format("no energy release rate at {}: {}", at(tips[i]), fmt::join(methods[i].left_out(), "; ")));
+          fmt::format("no energy release rate at {}: {}", name_of(tips[i]), fmt::join(methods[i].left_out(), "; ")));
     result.tips.push_back(loaded(tips[i], *srif, srifs, problem_.section));
   }
   return result;

@@ -16,18 +16,18 @@ constexpr double least_calibrated = 10;       // spacings of a tip: the lattice'
 constexpr double largest_calibration = 1.15;  // what is further off is wrong in another way
 constexpr double least_correction = 0.009;    // of a turn: half a degree
 constexpr double together = 0.01;  // of the largest energy release rate: twice what integrals scatter with the lattice
-constexpr double alike = 1e-6;     // of an energy release rate or a turn: what solvers leave between mirror images
+constexpr double equal_release = 1e-6;  // of an energy release rate or a turn: what solvers leave between mirror images
 constexpr double contradiction = std::numbers::pi / 4;  // a turn that the end of a piece asks for after its own turn
-
-std::string at(const geometry::Tip& tip) {
-  return fmt::format("the tip at ({:g}, {:g})", tip.position.x(), tip.position.y());
-}
 
 double in_degrees(double angle) {
   return angle * 180 / std::numbers::pi;
 }
 
 }  // namespace
+
+std::string name_of(const geometry::Tip& tip) {
+  return fmt::format("the tip at ({:g}, {:g})", tip.position.x(), tip.position.y());
+}
 
 QuasiStaticTips::QuasiStaticTips(const Growth& growth, const plate::Section& section, const geometry::Outline& outline,
                                  double spacing, std::vector<geometry::Polyline> cracks)
@@ -76,7 +76,8 @@ Loaded QuasiStaticTips::solve() {
 
 /// Says once that a tip has no room for a ring, and nothing ahead of it to break through to.
 std::string QuasiStaticTips::stays(const geometry::Tip& tip) {
-  const auto why = fmt::format("{} has no room for an energy release rate, and nothing is near ahead of it", at(tip));
+  const auto why =
+      fmt::format("{} has no room for an energy release rate, and nothing is near ahead of it", name_of(tip));
   if (std::ranges::none_of(warnings_, [&](const auto& one) { return one.starts_with(why); }))
     warnings_.push_back(fmt::format("{}: it stays where it is; {}", why, remedy()));
   return why;
@@ -88,7 +89,7 @@ std::vector<char> QuasiStaticTips::movers() const {
   for (const auto& tip : plate_.tips)
     if (may_grow(tip) && *tip.G >= (1 - together) * most_) least = std::min(least, *tip.G);
   std::vector<char> result;
-  for (const auto& tip : plate_.tips) result.push_back(may_grow(tip) && *tip.G >= (1 - alike) * least);
+  for (const auto& tip : plate_.tips) result.push_back(may_grow(tip) && *tip.G >= (1 - equal_release) * least);
   return result;
 }
 
@@ -111,15 +112,15 @@ std::string QuasiStaticTips::unresolved() {
     if (!moves_[i]) continue;
     const auto& [tip, K, G, errors, release_error] = plate_.tips[i];
     if (release_error >= 1)
-      return fmt::format("the energy release rate at {} is not known within its own size; {}", at(tip), remedy());
+      return fmt::format("the energy release rate at {} is not known within its own size; {}", name_of(tip), remedy());
     if (!found[i].resolved())
       return fmt::format(
           "{} would turn by {:.0f} degrees, which is not known within {:.0f}; {}, or growth.direction = "
           "\"straight\"",
-          at(tip), in_degrees(found[i].asked), in_degrees(found[i].error), remedy());
+          name_of(tip), in_degrees(found[i].asked), in_degrees(found[i].error), remedy());
     if (!found[i].known() &&
         std::ranges::none_of(warnings_, [&](const auto& one) { return one.starts_with(straight); }))
-      warnings_.push_back(fmt::format("{}: they go straight on, first {}; {}", straight, at(tip), remedy()));
+      warnings_.push_back(fmt::format("{}: they go straight on, first {}; {}", straight, name_of(tip), remedy()));
   }
   return {};
 }
@@ -135,7 +136,7 @@ std::vector<Turn> QuasiStaticTips::turns_of(const std::vector<char>& moves) cons
   };
   const auto result = find(1);
   const bool any = std::ranges::any_of(result, [](const auto& one) { return turns(one.angle); });
-  return any ? find(1 - alike) : result;
+  return any ? find(1 - equal_release) : result;
 }
 
 /// What the last advance has really released under the whole load, of loads half of what its displacement has gained,
@@ -307,7 +308,7 @@ std::string QuasiStaticTips::contradicted(const LoadedPlate& trial, const std::v
     const double further = kink_angle(end->factors, growth_.direction, section_);
     if (std::abs(further) > contradiction)
       return fmt::format("{} would turn by {:.0f} degrees, and five spacings on by {:.0f} more; {}",
-                         at(plate_.tips[i].tip), in_degrees(angles[i]), in_degrees(further), remedy());
+                         name_of(plate_.tips[i].tip), in_degrees(angles[i]), in_degrees(further), remedy());
   }
   return {};
 }

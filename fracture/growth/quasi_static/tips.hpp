@@ -5,6 +5,9 @@
 
 namespace fracture {
 
+/// Text that names a tip by its position, for messages.
+std::string name_of(const geometry::Tip& tip);
+
 /// A tip under the whole load.
 struct LoadedTip {
   geometry::Tip tip;

@@ -93,9 +93,9 @@ void add_cell(const Foundation& foundation, const Shape& patch, const std::array
   sum.add(dofs, (K + K.transpose()) / 2);
 }
 
-using Place = std::pair<double, double>;
+using Corner = std::pair<double, double>;
 
-Place place(const Point& x) {
+Corner corner_at(const Point& x) {
   return {x.x(), x.y()};
 }
 
@@ -105,12 +105,12 @@ void add_below_cracks(const Foundation& foundation, const geometry::Tessellation
   if (const auto patch = patch_of(foundation))
     outline.outer = {patch->ring(), std::vector<std::string>(patch->ring().size())};
   const auto covered = [&](const Point& x) { return !foundation.patch || geometry::contains(outline, x); };
-  std::map<std::pair<Place, Place>, const geometry::Tessellation::Border*> faces;
+  std::map<std::pair<Corner, Corner>, const geometry::Tessellation::Border*> faces;
   for (const auto& border : cells.borders) {
     if (border.edge != geometry::Curves::crack) continue;
     const Point &from = cells.positions[border.from], &to = cells.positions[border.to];
-    const auto twin = faces.find({place(to), place(from)});
-    faces[{place(from), place(to)}] = &border;
+    const auto twin = faces.find({corner_at(to), corner_at(from)});
+    faces[{corner_at(from), corner_at(to)}] = &border;
     if (twin == faces.end() || !covered((from + to) / 2)) continue;
     const double stiffness = foundation.shear * (to - from).norm() / 2 / cells.units.spacing;
     for (const auto& [k, j] : {std::pair{border.from, twin->second->to}, {border.to, twin->second->from}})

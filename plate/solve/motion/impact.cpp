@@ -19,10 +19,10 @@ double deflection(const Impactor& impactor, const State& state) {
 
 }  // namespace
 
-Contact::Contact(const Impactor& impactor, const State& state)
+ImpactContact::ImpactContact(const Impactor& impactor, const State& state)
     : impactor_(impactor), striker_{deflection(impactor, state), impactor.velocity} {}
 
-void Contact::press(const State& state, Forces& forces) {
+void ImpactContact::press(const State& state, Forces& forces) {
   const double towards = impactor_.velocity < 0 ? -1 : 1;
   overlap_ = std::max(0.0, towards * (striker_.place - deflection(impactor_, state)));
   force_ = towards * impactor_.stiffness * overlap_;
@@ -30,26 +30,26 @@ void Contact::press(const State& state, Forces& forces) {
   for (const auto& [dof, factor] : impactor_.terms) at_dof(forces, dof) += factor * force_;
 }
 
-Blow Contact::blow(double half) const {
+Blow ImpactContact::blow(double half) const {
   return {striker_.place, striker_.velocity + half * acceleration(), force_, striker_.largest, striker_.touching,
           impactor_.terms};
 }
 
-double Contact::spring() const {
+double ImpactContact::spring() const {
   return impactor_.stiffness * overlap_ * overlap_ / 2;
 }
 
-double Contact::kinetic(double half) const {
+double ImpactContact::kinetic(double half) const {
   const double v = striker_.velocity + half * acceleration();
   return impactor_.mass * v * v / 2;
 }
 
-double Contact::discrete_kinetic(double half, double time_step) const {
+double ImpactContact::discrete_kinetic(double half, double time_step) const {
   const double change = time_step / 2 * acceleration();
   return kinetic(half) - impactor_.mass * change * change / 2;
 }
 
-void Contact::move(double share, double time_step) {
+void ImpactContact::move(double share, double time_step) {
   striker_.velocity += share * acceleration();
   striker_.place += time_step * striker_.velocity;
   if (force_ != 0) striker_.touching += time_step;

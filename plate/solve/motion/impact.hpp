@@ -4,12 +4,12 @@
 namespace plate {
 
 /// The contact in steps.
-class Contact {
+class ImpactContact {
 public:
   /// `state`: of the plate at time 0.
-  Contact(const Impactor& impactor, const State& state);
+  ImpactContact(const Impactor& impactor, const State& state);
   /// Goes on.
-  Contact(const Impactor& impactor, const Striker& striker) : impactor_(impactor), striker_(striker) {}
+  ImpactContact(const Impactor& impactor, const Striker& striker) : impactor_(impactor), striker_(striker) {}
 
   /// The force in this state; adds it to forces that are not folded.
   void press(const State& state, Forces& forces);

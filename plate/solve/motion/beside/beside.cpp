@@ -8,7 +8,8 @@ Beside::Beside(const DynamicOptions& options, const State& state)
     : damping_{options.mass_damping, options.stiffness_damping}, time_step_(options.time_step), kept_(options.keep) {
   const auto* from = options.from;
   if (from) earlier_ = from->earlier, dissipated_ = from->dissipated;
-  if (options.impact) contact_ = from ? Contact(*options.impact, from->striker) : Contact(*options.impact, state);
+  if (options.impact)
+    contact_ = from ? ImpactContact(*options.impact, from->striker) : ImpactContact(*options.impact, state);
 }
 
 void Beside::find(const State& state, const State& velocity, const Forces& force, const ForceOf& force_of) {

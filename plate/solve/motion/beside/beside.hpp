@@ -21,7 +21,7 @@ public:
   bool acts() const { return contact_ || damps(); }
   bool damps() const { return !damping_.none(); }
   const Damping& damping() const { return damping_; }
-  const std::optional<Contact>& contact() const { return contact_; }
+  const std::optional<ImpactContact>& contact() const { return contact_; }
   /// Of damping by the stiffness alone, and with the contact; folded.
   double viscous(Eigen::Index i) const { return viscous_.size() > 0 ? viscous_.data()[i] : 0; }
   double force(Eigen::Index i) const { return viscous(i) + (pressed_.size() > 0 ? pressed_.data()[i] : 0); }
@@ -39,7 +39,7 @@ private:
   Damping damping_;
   double time_step_;
   bool kept_;  // is what it remembers asked for?
-  std::optional<Contact> contact_;
+  std::optional<ImpactContact> contact_;
   State earlier_;  // of the step before
   Forces before_, viscous_, pressed_;
   double dissipated_ = 0;
