@@ -1,9 +1,9 @@
 #pragma once
 #include <sys/wait.h>
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 /// The program as its user runs it.

@@ -1,9 +1,9 @@
 // Every case file of the tree reads and runs, coarse, through the program itself.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "cases/studies/study.hpp"
 #include "tests/cases/program.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/unit/post/xml.hpp"
 

@@ -1,10 +1,10 @@
 // Studies that are made in parts, by processes that end as they like, through the program itself.
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <map>
 #include <sstream>
 
 #include "tests/cases/program.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 namespace fs = std::filesystem;

@@ -35,10 +35,17 @@ def flags(root, build):
                 kept.append(word + following if word != "-isystem" else f"{word} {following}")
             elif word.startswith(KEPT) and word != "-isystem":
                 kept.append(word)
-        source = (pathlib.Path(entry["directory"]) / entry["file"]).resolve()
-        if source.is_relative_to(root):
-            result[source.relative_to(root)] = kept
+        for source in sources_of((pathlib.Path(entry["directory"]) / entry["file"]).resolve()):
+            if source.is_relative_to(root):
+                result[source.relative_to(root)] = kept
     return result
+
+
+def sources_of(path):
+    """A source alone, or the sources that a unit of CMake includes."""
+    if path.parent.name != "Unity" or not path.is_file():
+        return [path]
+    return [pathlib.Path(name) for name in re.findall(r'^#include "(.+)"$', path.read_text(encoding="utf-8"), re.MULTILINE)]
 
 
 def of_compiler():

@@ -1,10 +1,10 @@
 // Bonds that break one by one, quasi-statically and in motion: toughness, books, symmetry, plates that fall to pieces.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "cases/driver/run.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,8 +1,8 @@
 // Clamped on all sides by general images: polygons of any number of edges, turned by any angle, between the clamped
 // circles inside and around them.
-#include <catch2/catch.hpp>
 #include <numbers>
 
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

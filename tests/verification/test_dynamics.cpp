@@ -1,12 +1,12 @@
 // Central differences conserve energy; threads change no bit.
 #include <omp.h>
 
-#include <catch2/catch.hpp>
 #include <cstring>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,7 +1,7 @@
 // The internal force is the derivative of the strain energy, and the stiffness is symmetric, through all constraints.
-#include <catch2/catch.hpp>
 
 #include "plate/formulation/constraints.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

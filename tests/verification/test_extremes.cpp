@@ -1,8 +1,8 @@
 // Extreme plates and cracks: each must be solved, with finite results.
-#include <catch2/catch.hpp>
 
 #include "plate/formulation/resultants.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

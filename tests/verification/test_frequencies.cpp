@@ -2,13 +2,13 @@
 #include "plate/solve/motion/frequencies.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/exact.hpp"
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 #include "tests/verification/verified_plate.hpp"

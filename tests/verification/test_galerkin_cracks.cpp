@@ -3,7 +3,6 @@
 #include <omp.h>
 
 #include <Eigen/Geometry>
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
 
@@ -11,6 +10,7 @@
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/solve/solution.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,6 +1,6 @@
 // The thesis' own tests of its formulations in plane strain: shape function conditions, patch tests, eigenmodes.
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/verification/galerkin/plane.hpp"
 

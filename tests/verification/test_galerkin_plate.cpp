@@ -1,12 +1,12 @@
 // The Galerkin plate of the program: patch tests, locking, spectrum, convergence. Figures to compare with are those of
 // the formulation's first implementation (theory.md, "The Galerkin plate").
-#include <catch2/catch.hpp>
 
 #include "plate/formulation/resultants.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/exact.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/assembled_plate.hpp"
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 #include "tests/verification/galerkin/plate.hpp"

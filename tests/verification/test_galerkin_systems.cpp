@@ -1,6 +1,6 @@
 // The thesis' formulations on the Mindlin plate beside PG-CA: patch tests, zero modes, spectra, locking.
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/verification/galerkin/formulations.hpp"
 
 namespace gs = galerkin_systems;

@@ -1,10 +1,10 @@
 // Cracks that grow, quasi-statically and in motion, against closed forms and their own energy.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include "cases/driver/run.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,10 +1,10 @@
 // The direction of cracks that grow quasi-statically: smooth, and the same at tips that are alike.
-#include <catch2/catch.hpp>
 
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 namespace {

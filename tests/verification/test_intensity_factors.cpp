@@ -1,9 +1,9 @@
 // Intensity factors of Dai et al., section 4.1: pressure, W/2h = 10, 2a/W = 0.3.
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
 
 #include "post/factors/plate_factors.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

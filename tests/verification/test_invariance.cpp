@@ -1,10 +1,10 @@
 // What must not matter: the direction of the axes, the place of the origin, the units, the direction of a crack's
 // polyline.
-#include <catch2/catch.hpp>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

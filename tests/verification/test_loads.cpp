@@ -1,7 +1,7 @@
 // Loads on a part of the plate against Navier's series: hard simple supports all round, 2 x 2.
-#include <catch2/catch.hpp>
 
 #include "plate/formulations.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

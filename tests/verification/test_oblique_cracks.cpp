@@ -1,7 +1,6 @@
 // Cracks oblique to the lattice, soft supports, pressure, against finite elements
 // (cases/references/oblique_summary.csv).
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -10,6 +9,7 @@
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/solve/solution.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 #include "tests/verification/verified_plate.hpp"
 

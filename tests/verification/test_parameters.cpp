@@ -1,8 +1,8 @@
 // The parameters of a finer and finer lattice approach those of the continuum (Dai 7-8 corrected).
-#include <catch2/catch.hpp>
 
 #include "plate/bonds/parameters/horizon_parameters.hpp"
 #include "plate/bonds/parameters/influence.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

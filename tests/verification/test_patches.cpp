@@ -1,7 +1,7 @@
 // Patch tests inside the plate: fields of constant curvature and of constant shear store the classical energy.
-#include <catch2/catch.hpp>
 
 #include "geometry/lattice/cloud.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,8 +1,8 @@
 // Section forces of solved plates against statics.
-#include <catch2/catch.hpp>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/resultants.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,10 +1,10 @@
 // Plates without cracks against closed forms: deflections under pressure, the first natural frequency.
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/model/exact.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,5 +1,4 @@
 // Intensity factors in motion to a stated accuracy, against finite elements.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "cases/driver/run.hpp"
@@ -7,6 +6,7 @@
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/studies/quantity.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 namespace {

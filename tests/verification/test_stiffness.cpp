@@ -1,7 +1,7 @@
 // The stiffness as a matrix: no negative eigenvalue, no zero mode but the rigid motions.
-#include <catch2/catch.hpp>
 
 #include "plate/formulation/constraints.hpp"
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/verification/verified_plate.hpp"
 

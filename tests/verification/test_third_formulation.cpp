@@ -1,6 +1,5 @@
 // A third formulation of the plate, the bare list of its bonds with constant parameters, goes through statics,
 // dynamics, frequencies, intensity factors and files without a line of the program that knows it.
-#include <catch2/catch.hpp>
 
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
@@ -20,6 +19,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/unit/post/xml.hpp"
 

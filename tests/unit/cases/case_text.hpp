@@ -1,11 +1,11 @@
 #pragma once
 #include "cases/input/case_file.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <unistd.h>
 #include <atomic>
 #include <fstream>
+
+#include "tests/catch.hpp"
 
 /// Case files as text, for tests: written to a file of their own, read, removed.
 namespace case_text {

@@ -1,9 +1,9 @@
 #pragma once
-#include <catch2/catch.hpp>
 
 #include "case_text.hpp"
 #include "cases/driver/run.hpp"
 #include "cases/studies/study.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 /// Study files as text, for tests.

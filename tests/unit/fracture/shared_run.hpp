@@ -1,5 +1,4 @@
 #pragma once
-#include <catch2/catch.hpp>
 #include <map>
 #include <mutex>
 
@@ -10,6 +9,7 @@
 #include "plate/model/supports.hpp"
 #include "post/files/sinks/kept.hpp"
 #include "post/files/summary.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 /// Whole runs of plates that threads share as processes do.

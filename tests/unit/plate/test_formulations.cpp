@@ -1,7 +1,5 @@
 #include "plate/formulations.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <set>
 
 #include "plate/formulation/boundary.hpp"
@@ -9,6 +7,7 @@
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/solution.hpp"
+#include "tests/catch.hpp"
 
 TEST_CASE("formulations: what chooses by itself prefers the Galerkin plate, and finds one for all that can be asked") {
   const auto& known = plate::formulations();

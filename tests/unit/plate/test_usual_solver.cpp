@@ -1,9 +1,8 @@
 #include "plate/usual_solver.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

@@ -1,6 +1,6 @@
 // The four bars of Sca21 5, by Lagrange multipliers (Sca21) and by surface nodes (Sca23), and without corrections.
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 
 namespace bb = boundary_bodies;

@@ -1,6 +1,6 @@
 // The clamped plate of Sca21 6.2 by Lagrange multipliers; local reference by Ritz's method.
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 #include "tests/verification/boundary/loaded.hpp"

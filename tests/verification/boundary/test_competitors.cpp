@@ -1,6 +1,6 @@
 // Surface nodes beside other corrections at boundaries (Sca23 5).
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/verification/boundary/competitors.hpp"
 #include "tests/verification/boundary/plane.hpp"
 

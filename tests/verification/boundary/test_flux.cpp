@@ -1,7 +1,7 @@
 // The surface effect of a bar (Sca21 2.2, tables 1, 2, B1): formulas against quadrature and against sums over a
 // lattice.
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 
 namespace bb = boundary_bodies;

@@ -1,8 +1,7 @@
 // The bar of ScaDyn: held at 0, free at its end, set free with a hump in its middle; against its series (ScaDyn 7).
 #include <Eigen/LU>
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 
 namespace bb = boundary_bodies;

@@ -1,7 +1,7 @@
 // Plane strain with surface nodes (Sca23 5 and, in two dimensions, 4.2).
-#include <catch2/catch.hpp>
 
 #include <Eigen/Eigenvalues>
+#include "tests/catch.hpp"
 #include "tests/verification/boundary/plane.hpp"
 
 namespace bb = boundary_bodies;

@@ -1,7 +1,7 @@
 // Homogeneous states of plates with surface nodes, and a cantilever.
-#include <catch2/catch.hpp>
 
 #include "plate/model/refused.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 
 namespace bb = boundary_bodies;

@@ -1,7 +1,7 @@
 // Square plates with surface nodes under pressure, against the local plate.
-#include <catch2/catch.hpp>
 
 #include "plate/model/exact.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/boundary/local_plate.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 

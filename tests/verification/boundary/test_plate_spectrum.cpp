@@ -1,7 +1,7 @@
 // What edges with surface nodes make of the frequencies of plates.
-#include <catch2/catch.hpp>
 
 #include "plate/surface/spectrum.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 
 namespace bb = boundary_bodies;

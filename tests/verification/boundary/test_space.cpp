@@ -1,6 +1,6 @@
 // Boxes with surface nodes (Sca23 4).
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 #include "tests/verification/boundary/loaded.hpp"
 

@@ -1,5 +1,4 @@
 // Intensity factors of cracked plates on elastic foundations: the pressure of the soil is a load in the ring.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "plate/galerkin/galerkin_plate.hpp"
@@ -7,6 +6,7 @@
 #include "post/factors/plate_factors.hpp"
 #include "post/files/table.hpp"
 #include "post/studies/neighbouring_cracks.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,6 +1,5 @@
 // Plates on Winkler's and Pasternak's foundations and on springs, in both formulations: series of Navier for the plate
 // of Mindlin with k and G_p, the infinite plate of Hertz, limits of springs, rigid plates.
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "plate/formulation/interpolation.hpp"
@@ -11,6 +10,7 @@
 #include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/solution.hpp"
 #include "post/balance/supports.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

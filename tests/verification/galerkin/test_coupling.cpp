@@ -1,6 +1,6 @@
 // Bodies whose left half is four-noded elements and whose right half is families; the interface's nodes are both's.
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/verification/galerkin/plate.hpp"
 #include "tests/verification/galerkin/tasks.hpp"
 

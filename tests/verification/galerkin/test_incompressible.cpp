@@ -1,8 +1,8 @@
 // Nearly incompressible plane strain: which bases lock, which have checkerboards of pressure.
-#include <catch2/catch.hpp>
 
 #include <cmath>
 
+#include "tests/catch.hpp"
 #include "tests/verification/galerkin/tasks.hpp"
 
 namespace gs = galerkin_systems;

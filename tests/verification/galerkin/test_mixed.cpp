@@ -1,6 +1,6 @@
 // The thesis' mixed and enriched bases in plane strain: patch test, modes of a free block, inf-sup values.
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/verification/galerkin/mixed.hpp"
 

@@ -1,6 +1,5 @@
 // Plates that are warmer on one side: free, clamped and simply supported, cracks in them, suddenly heated. Closed forms
 // of the plate of Mindlin with a residual curvature kappa_0 = alpha dT / h, and energies of neighbouring cracks.
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "plate/formulation/heated/heat.hpp"
@@ -12,6 +11,7 @@
 #include "post/factors/plate_factors.hpp"
 #include "post/files/table.hpp"
 #include "post/studies/neighbouring_cracks.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -2,7 +2,6 @@
 // as two degrees of freedom do; a mass hits a plate whose deflection is that of an infinite one for as long as no wave
 // is back from its edges.
 #include <Eigen/Eigenvalues>
-#include <catch2/catch.hpp>
 #include <complex>
 #include <numbers>
 
@@ -19,6 +18,7 @@
 #include "plate/solve/response/harmonic.hpp"
 #include "plate/solve/solution.hpp"
 #include "post/factors/watched_motion.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,11 +1,11 @@
 // Cracks that grow in a plate that is damped, begins by a velocity, is hit, stands on an edge that moves, or carries a
 // load that does: they take the fracture energy, and the books of energy close.
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "cases/driver/run.hpp"
 #include "post/files/sinks/kept.hpp"
 #include "post/files/summary.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using fracture::Growth;

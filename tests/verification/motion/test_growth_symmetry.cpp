@@ -1,10 +1,10 @@
 // Symmetric plates whose cracks grow: mirror images stay mirror images, whatever row of points a crack runs along.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "cases/driver/run.hpp"
 #include "post/files/sinks/kept.hpp"
 #include "post/files/summary.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using fracture::Growth;

@@ -1,5 +1,4 @@
 // Places of plates that move as rigid bodies: what is read at a place, and what a mass that hits it gives to the plate.
-#include <catch2/catch.hpp>
 #include <numbers>
 #include <random>
 
@@ -8,6 +7,7 @@
 #include "plate/model/refused.hpp"
 #include "plate/solve/motion/begin.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

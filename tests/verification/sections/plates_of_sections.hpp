@@ -1,10 +1,10 @@
 #pragma once
-#include <catch2/catch.hpp>
 
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/solve/solution.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 /// Galerkin plates of any section.

@@ -2,7 +2,6 @@
 // middle, the beam alone, mass, reactions and energies.
 #include <Eigen/LU>
 #include <array>
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "plate/formulation/inertia.hpp"
@@ -12,6 +11,7 @@
 #include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/solution.hpp"
 #include "post/balance/supports.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,11 +1,11 @@
 // Cracks that grow because a support moves: by reciprocity that is growth under the force with which it pulls.
-#include <catch2/catch.hpp>
 
 #include "cases/driver/run.hpp"
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/verification/verified_plate.hpp"
 

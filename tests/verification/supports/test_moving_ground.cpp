@@ -1,12 +1,12 @@
 // Supports that move in time, in both formulations: a plate on ground that moves as a whole is one at rest under the
 // inertia that the ground gives it.
-#include <catch2/catch.hpp>
 
 #include "plate/formulations.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/settled.hpp"
 #include "post/balance/supports.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,11 +1,11 @@
 // Loads that move along paths, in both formulations, against the double series of the plate of Mindlin with hard
 // supports: every wave has two motions, of bending and of thickness shear.
 #include <Eigen/Eigenvalues>
-#include <catch2/catch.hpp>
 
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulations.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,11 +1,11 @@
 // Three pins hold a plate as three hands would: what each carries follows from equilibrium, wherever among the points
 // they stand.
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 
 #include "plate/formulations.hpp"
 #include "plate/solve/solution.hpp"
 #include "post/balance/supports.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,7 +1,6 @@
 // Supports that move, and supports within the plate, in both formulations: rigid motions, beams of Timoshenko, an
 // annulus of Mindlin, reciprocity.
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "plate/formulations.hpp"
@@ -9,6 +8,7 @@
 #include "plate/solve/settled.hpp"
 #include "plate/solve/solution.hpp"
 #include "post/balance/supports.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,7 +1,6 @@
 // Soil that lets the plate lift off, in both formulations: a beam of Timoshenko whose ends stand up, full contact,
 // books at rest and in motion, symmetry.
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 #include <complex>
 
 #include "plate/formulation/boundary.hpp"
@@ -10,6 +9,7 @@
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/solution.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

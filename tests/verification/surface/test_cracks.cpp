@@ -1,10 +1,10 @@
 // Cracks inside rectangles with surface nodes on the edges.
-#include <catch2/catch.hpp>
 
 #include <Eigen/Geometry>
 #include "plate/solve/solution.hpp"
 #include "plate/surface/spectrum.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 namespace vp = verified_plate;

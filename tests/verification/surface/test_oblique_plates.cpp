@@ -1,10 +1,10 @@
 // Surface nodes on edges in any direction and on round holes: homogeneous states, frequencies, deflections.
-#include <catch2/catch.hpp>
 
 #include <Eigen/Geometry>
 #include "geometry/lattice/cloud.hpp"
 #include "plate/boundary/conditions.hpp"
 #include "plate/surface/spectrum.hpp"
+#include "tests/catch.hpp"
 
 using geometry::Outline;
 using geometry::Point;

@@ -1,9 +1,9 @@
 // Plates with notches and holes on surface nodes and fictitious nodes: homogeneous states, frequencies.
-#include <catch2/catch.hpp>
 
 #include "plate/boundary/conditions.hpp"
 #include "plate/surface/multiplied_plate.hpp"
 #include "plate/surface/spectrum.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 
 namespace bb = boundary_bodies;

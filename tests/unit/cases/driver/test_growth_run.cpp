@@ -1,7 +1,5 @@
 // What a quasi-static growth writes.
 
-#include <catch2/catch.hpp>
-
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "geometry/shape/crack_extension.hpp"
@@ -13,6 +11,7 @@
 #include "plate/model/supports.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 namespace {

@@ -2,12 +2,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 
 #include "cases/driver/run.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/summary.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 

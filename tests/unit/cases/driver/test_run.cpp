@@ -1,9 +1,9 @@
 // The folder that a run writes to: what an earlier run left goes, what is not of a run is not touched.
-#include <catch2/catch.hpp>
 
 #include "cases/driver/run.hpp"
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/summary.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 

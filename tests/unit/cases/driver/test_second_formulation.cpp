@@ -9,7 +9,7 @@
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 namespace {
 

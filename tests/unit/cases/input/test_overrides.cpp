@@ -1,7 +1,7 @@
 // Keys that are set and keys that are taken out before a case is read.
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using case_text::plain, case_text::read;

@@ -1,6 +1,5 @@
 #include "cases/input/problems.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 TEST_CASE("problems: a key that was not given has the place of its nearest parent") {
   const cases::Source source{{{"", "a.toml"}, {"support", "a.toml:7"}, {"support[1].edges", "--set support[1].edges"}}};

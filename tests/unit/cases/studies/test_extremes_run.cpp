@@ -1,8 +1,7 @@
 #include "cases/studies/extremes.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/cases/studies/extremes_table.hpp"
 
 using extremes_table::row, extremes_table::Table, extremes_table::w;

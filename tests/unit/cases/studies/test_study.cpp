@@ -1,10 +1,10 @@
 #include "cases/studies/study.hpp"
 
-#include <catch2/catch.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/cases/studies.hpp"
 
 using namespace studies;

@@ -1,9 +1,8 @@
 // What single bonds bear: the energy of the plate, and nothing without load.
 #include "fracture/growth/bond_check.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/rows/lattice_operator.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace fracture;

@@ -1,7 +1,6 @@
 #include "fracture/growth/bond_cracks.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace fracture;

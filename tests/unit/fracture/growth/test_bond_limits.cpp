@@ -1,10 +1,9 @@
 // What single bonds bear: the energy of a unit of crack.
 #include "fracture/growth/bond_limits.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "fracture/severing/broken_bonds.hpp"
 #include "plate/bonds/parameters/influence.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace fracture;

@@ -1,9 +1,8 @@
 #include "fracture/growth/distrust.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "fracture/growth/criteria.hpp"
 #include "fracture/growth/ended.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace fracture;

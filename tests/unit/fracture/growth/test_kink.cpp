@@ -1,8 +1,9 @@
 #include "fracture/growth/kink.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "tests/catch.hpp"
 
 using namespace fracture;
 using Direction = Growth::Direction;

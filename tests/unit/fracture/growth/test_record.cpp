@@ -1,8 +1,7 @@
 #include "fracture/growth/record.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 
 TEST_CASE("record: what a growth does not have stays empty, and each row has a cell for every column") {
   fracture::Record record;

@@ -1,7 +1,8 @@
 #include "fracture/growth/tip_advance.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
+
+#include "tests/catch.hpp"
 
 using namespace fracture;
 using geometry::Point;

@@ -1,7 +1,8 @@
 #include "fracture/growth/words.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
+
+#include "tests/catch.hpp"
 
 using fracture::End;
 

@@ -1,8 +1,7 @@
-#include <catch2/catch.hpp>
-
 #include "fracture/runs/results.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/interruption.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 TEST_CASE("a numerical error is given the place of its point and the share of the stable step") {

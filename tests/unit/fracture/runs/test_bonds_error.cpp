@@ -1,11 +1,11 @@
 #include "fracture/runs/bonds_error.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 #include <regex>
 
 #include "plate/bonds/trust.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

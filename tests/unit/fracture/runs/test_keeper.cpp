@@ -1,8 +1,7 @@
 #include "fracture/runs/keeper.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/solve/archive.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using fracture::Keeper;

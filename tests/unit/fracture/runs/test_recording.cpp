@@ -1,8 +1,7 @@
 #include "fracture/runs/recording.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "post/files/summary.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using namespace fracture;

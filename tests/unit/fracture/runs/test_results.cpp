@@ -1,9 +1,8 @@
 #include "fracture/runs/results.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/interpolation.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace fracture;

@@ -1,6 +1,5 @@
 #include "fracture/runs/run_plan.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 namespace {
 

@@ -1,8 +1,7 @@
 #include "fracture/severing/fallen_pieces.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/rows/lattice_operator.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/fracture/severing/broken_plate.hpp"
 
 using namespace fracture;

@@ -1,7 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/mesh.hpp"
 #include "post/files/frame.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/fracture/severing/broken_plate.hpp"
 
 using namespace fracture;

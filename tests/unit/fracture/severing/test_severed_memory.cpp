@@ -1,7 +1,6 @@
 #include "fracture/severing/severed_memory.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -13,6 +12,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/archive.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/fracture/severing/broken_plate.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 

@@ -1,9 +1,8 @@
 // Bonds that are severed while a plate moves, against plates that are made with the crack.
 #include "fracture/severing/severed_plate.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/rows/lattice_operator.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace fracture;

@@ -1,12 +1,12 @@
 #include "fracture/severing/shared_points.hpp"
 
-#include <catch2/catch.hpp>
 #include <map>
 #include <mutex>
 
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/fracture/shared_run.hpp"
 
 TEST_CASE("shared points: a number is a place, and ascends as points do") {

@@ -1,6 +1,5 @@
 #include "fracture/severing/stiffest.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/bonds/ordinary_plate.hpp"
@@ -8,6 +7,7 @@
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 TEST_CASE("stiffest: all processes go by the same full family") {

@@ -1,8 +1,8 @@
 #pragma once
-#include <catch2/catch.hpp>
 
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/shape/predicates.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 
 /// Do cells fill their plate, and lie their borders on its curves?

@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
 #include <map>
 
 #include "geometry/cells/drawn_cells.hpp"
 #include "geometry/lattice/seeding.hpp"
 #include "geometry/shape/crack_extension.hpp"
 #include "geometry/shape/predicates.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 
 using namespace geometry;

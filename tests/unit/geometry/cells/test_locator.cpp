@@ -1,9 +1,9 @@
 #include "geometry/cells/locator.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "geometry/cells/tessellation.hpp"
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

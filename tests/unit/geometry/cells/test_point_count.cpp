@@ -1,6 +1,5 @@
 #include "geometry/cells/point_count.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 namespace {
 

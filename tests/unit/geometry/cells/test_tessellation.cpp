@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <map>
 #include <numbers>
 #include <set>
 
 #include "geometry/cells/tessellation.hpp"
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

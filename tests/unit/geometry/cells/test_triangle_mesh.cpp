@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "geometry/cells/triangle_mesh.hpp"
 #include "geometry/shape/predicates.hpp"
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

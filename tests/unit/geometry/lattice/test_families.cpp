@@ -3,10 +3,10 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "geometry/lattice/seeding.hpp"
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

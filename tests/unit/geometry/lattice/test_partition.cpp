@@ -1,8 +1,7 @@
 #include "geometry/lattice/partition.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "geometry/lattice/seeding.hpp"
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

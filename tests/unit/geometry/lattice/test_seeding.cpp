@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
 #include "geometry/lattice/seeding.hpp"
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

@@ -1,7 +1,8 @@
 #include "geometry/shape/crack_extension.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

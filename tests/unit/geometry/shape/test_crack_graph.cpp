@@ -1,7 +1,6 @@
 // Cracks as sides of the lattice's cells, followed from tip to tip.
 #include "geometry/shape/crack_graph.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

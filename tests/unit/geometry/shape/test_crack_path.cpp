@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "geometry/lattice/cloud.hpp"
 #include "geometry/shape/crack_path.hpp"
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

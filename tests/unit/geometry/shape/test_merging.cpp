@@ -1,9 +1,10 @@
 #include "geometry/shape/merging.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

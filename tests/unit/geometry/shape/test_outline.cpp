@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "geometry/shape/outline.hpp"
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

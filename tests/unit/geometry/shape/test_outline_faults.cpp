@@ -1,6 +1,5 @@
 #include "geometry/shape/outline.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

@@ -1,8 +1,9 @@
 #include "geometry/shape/patch.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 #include <random>
+
+#include "tests/catch.hpp"
 
 using namespace geometry;
 using Ring = std::vector<Point>;

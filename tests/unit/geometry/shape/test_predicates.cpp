@@ -1,7 +1,8 @@
 #include "geometry/shape/predicates.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
+
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

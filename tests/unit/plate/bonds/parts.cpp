@@ -1,6 +1,5 @@
 #include "tests/unit/plate/bonds/parts.hpp"
 
-#include <catch2/catch.hpp>
 #include <stdexcept>
 
 #include "plate/bonds/ordinary_plate.hpp"
@@ -14,6 +13,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/solution.hpp"
 #include "plate/solve/touched_plate.hpp"
+#include "tests/catch.hpp"
 
 namespace parts {
 

@@ -2,14 +2,13 @@
 // in all tests of plates in parts: until they come, copies are no numbers there.
 #include <omp.h>
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
 #include "tests/unit/plate/model/ranks/watched_ranks.hpp"
 

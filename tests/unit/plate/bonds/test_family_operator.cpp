@@ -2,8 +2,7 @@
 
 #include <omp.h>
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

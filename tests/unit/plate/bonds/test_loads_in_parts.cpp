@@ -1,5 +1,4 @@
 // Loads, foundations and springs of plates that processes share.
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "geometry/lattice/cloud.hpp"
@@ -11,6 +10,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/refused.hpp"
 #include "plate/solve/static_solver.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 

@@ -1,10 +1,10 @@
 // How motions of plates that processes share begin, what hits and damps them, loads and supports that move.
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/solve/motion/begin.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 

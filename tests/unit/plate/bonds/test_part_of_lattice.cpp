@@ -1,12 +1,12 @@
 #include "plate/bonds/part_of_lattice.hpp"
 
 #include <fmt/format.h>
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/parts/mechanisms.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 

@@ -1,8 +1,8 @@
 #include "plate/bonds/precrack.hpp"
 
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;

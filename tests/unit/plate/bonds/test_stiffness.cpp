@@ -3,10 +3,10 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/solve/assembled_plate.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

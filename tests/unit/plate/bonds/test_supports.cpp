@@ -1,9 +1,9 @@
 #include "plate/bonds/supports.hpp"
 
-#include <catch2/catch.hpp>
 #include <numeric>
 #include <set>
 
+#include "tests/catch.hpp"
 #include "tests/unit/plate/held_plate.hpp"
 
 using namespace plate;

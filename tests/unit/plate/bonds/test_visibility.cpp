@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <map>
 #include <numbers>
 
+#include "tests/catch.hpp"
 #include "tests/unit/plate/held_plate.hpp"
 
 using namespace plate;

@@ -1,8 +1,7 @@
 #include "plate/boundary/conditions.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

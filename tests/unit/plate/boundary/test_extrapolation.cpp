@@ -1,8 +1,7 @@
 #include "plate/boundary/extrapolation.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/refused.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

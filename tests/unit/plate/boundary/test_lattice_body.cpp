@@ -1,6 +1,5 @@
 #include "plate/boundary/lattice_body.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace plate;
 

@@ -1,7 +1,7 @@
 #include "plate/boundary/scaled_factor.hpp"
 
-#include <catch2/catch.hpp>
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

@@ -1,9 +1,9 @@
 #include "plate/boundary/taylor.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "plate/model/refused.hpp"
+#include "tests/catch.hpp"
 
 using plate::taylor_weights;
 

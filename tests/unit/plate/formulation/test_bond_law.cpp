@@ -1,8 +1,9 @@
 #include "plate/formulation/bond_law.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include "tests/catch.hpp"
 
 using namespace plate;
 

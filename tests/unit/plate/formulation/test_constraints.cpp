@@ -1,8 +1,7 @@
 #include "plate/formulation/constraints.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/ranks/exchange.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using plate::Constraints;

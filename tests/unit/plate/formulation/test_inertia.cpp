@@ -1,9 +1,8 @@
-#include <catch2/catch.hpp>
-
 #include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/inertia.hpp"
 
 #include "geometry/cells/tessellation.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

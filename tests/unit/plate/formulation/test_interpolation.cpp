@@ -1,8 +1,9 @@
 #include "plate/formulation/interpolation.hpp"
 
-#include <catch2/catch.hpp>
 #include <functional>
 #include <random>
+
+#include "tests/catch.hpp"
 
 using geometry::Point;
 using plate::interpolation;

@@ -1,9 +1,8 @@
 #include "plate/formulation/operator.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/ranks/exchange.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/boundary.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

@@ -1,7 +1,8 @@
 #include "plate/formulation/stopwatch.hpp"
 
-#include <catch2/catch.hpp>
 #include <thread>
+
+#include "tests/catch.hpp"
 
 using plate::Stopwatch;
 

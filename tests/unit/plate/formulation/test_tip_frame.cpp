@@ -1,7 +1,8 @@
 #include "plate/formulation/tip_frame.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
+
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

@@ -1,8 +1,7 @@
 #include "plate/galerkin/family_stiffness.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/galerkin/law.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 
 using namespace plate;

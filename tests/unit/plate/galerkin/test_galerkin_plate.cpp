@@ -1,10 +1,9 @@
 #include "plate/galerkin/galerkin_plate.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 
 TEST_CASE(
     "Galerkin plate: a small round hole is warned of where it holds the plate, and not where its points are many") {

@@ -1,7 +1,6 @@
 #include "plate/galerkin/law.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 

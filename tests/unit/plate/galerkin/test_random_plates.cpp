@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "plate/galerkin/families.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 
 using namespace plate;

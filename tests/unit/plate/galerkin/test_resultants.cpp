@@ -1,7 +1,6 @@
 #include "plate/galerkin/resultants.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 
 using namespace plate;

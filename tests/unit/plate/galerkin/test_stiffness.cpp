@@ -1,8 +1,8 @@
 #include "plate/galerkin/stiffness.hpp"
 
 #include <omp.h>
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 #include "tests/unit/plate/solve/matrices/random_matrix.hpp"
 

@@ -1,8 +1,8 @@
 #include "plate/model/exact.hpp"
 
 #include <Eigen/Dense>
-#include <catch2/catch.hpp>
 #include <numbers>
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 
 using plate::Section;

@@ -1,12 +1,11 @@
 #include "plate/model/free_memory.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
+#include "tests/catch.hpp"
 
 TEST_CASE("a plate of more points than the memory holds is refused at once, by either formulation") {
   REQUIRE(plate::free_memory() > 1e6);

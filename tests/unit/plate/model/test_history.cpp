@@ -1,7 +1,8 @@
 #include "plate/model/history.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tests/catch.hpp"
 
 using plate::factor;
 using plate::History;

@@ -1,9 +1,9 @@
 #include "plate/model/nodal_forces.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "geometry/lattice/seeding.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

@@ -1,6 +1,5 @@
 #include "plate/model/section.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using plate::LocalSection;
 using plate::Section;

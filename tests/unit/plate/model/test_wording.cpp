@@ -1,9 +1,10 @@
 #include "plate/model/wording.hpp"
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <cstring>
 #include <random>
+
+#include "tests/catch.hpp"
 
 using namespace plate;
 

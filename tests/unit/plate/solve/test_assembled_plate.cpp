@@ -1,9 +1,8 @@
 #include "plate/solve/assembled_plate.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 
 using namespace plate;

@@ -1,9 +1,9 @@
 #include "plate/solve/finite.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

@@ -1,8 +1,9 @@
 #include "plate/solve/interruption.hpp"
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <optional>
+
+#include "tests/catch.hpp"
 
 using namespace plate;
 

@@ -1,11 +1,10 @@
 #include "plate/solve/settled.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/solution.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,11 +1,10 @@
 #include "plate/solve/shared_factor.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 

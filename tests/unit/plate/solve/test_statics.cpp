@@ -1,12 +1,11 @@
 #include "plate/solve/statics.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "geometry/lattice/seeding.hpp"
 #include "plate/bonds/parameters/position_aware.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

@@ -1,9 +1,8 @@
 #include "plate/solve/touched_plate.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -1,7 +1,7 @@
 #include "plate/surface/actions.hpp"
 
-#include <catch2/catch.hpp>
 #include "plate/surface/surface_plate.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

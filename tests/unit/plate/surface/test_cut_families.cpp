@@ -1,7 +1,7 @@
 #include "plate/surface/cut_families.hpp"
 
-#include <catch2/catch.hpp>
 #include "plate/surface/surface_plate.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

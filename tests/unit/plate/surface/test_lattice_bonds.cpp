@@ -1,6 +1,5 @@
 #include "plate/surface/lattice_bonds.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace plate;
 

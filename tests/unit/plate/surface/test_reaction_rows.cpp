@@ -1,8 +1,7 @@
 #include "plate/surface/reaction_rows.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/boundary/conditions.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

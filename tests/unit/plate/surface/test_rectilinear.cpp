@@ -1,8 +1,7 @@
 #include "plate/surface/rectilinear.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/refused.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

@@ -1,7 +1,5 @@
 #include "plate/surface/surface_formulation.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/discretised.hpp"
@@ -12,6 +10,7 @@
 #include "plate/solve/solution.hpp"
 #include "plate/surface/multiplied_plate.hpp"
 #include "plate/surface/surface_plate.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

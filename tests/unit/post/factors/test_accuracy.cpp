@@ -1,5 +1,5 @@
-#include <catch2/catch.hpp>
 #include "post/factors/accuracy.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 

@@ -1,11 +1,11 @@
 #include "post/factors/displacement_extrapolation.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "geometry/lattice/seeding.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 using geometry::CrackPath;

@@ -1,7 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "post/factors/errors.hpp"
 #include "post/factors/tip_integrals.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 

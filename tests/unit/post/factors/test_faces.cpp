@@ -1,8 +1,8 @@
 // What moment and shear intensity factors are at the faces of the plate.
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "post/factors/srif.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 

@@ -1,12 +1,12 @@
 #include "post/factors/series_fit.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/tip_view.hpp"
 #include "post/factors/tip_rings.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 TEST_CASE("series fit: the points of a symmetric plate are symmetric, also where the circle goes through some") {

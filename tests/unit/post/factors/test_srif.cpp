@@ -1,6 +1,5 @@
 #include "post/factors/srif.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace post;
 

@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "geometry/lattice/seeding.hpp"
 #include "plate/bonds/tip_view.hpp"
 #include "post/factors/series_fit.hpp"
 #include "post/factors/tip_rings.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace post;

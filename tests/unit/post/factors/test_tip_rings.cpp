@@ -1,8 +1,7 @@
 #include "post/factors/tip_rings.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "geometry/shape/crack_path.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 

@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "post/factors/tip_series.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 

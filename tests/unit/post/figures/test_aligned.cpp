@@ -1,6 +1,5 @@
 #include "post/figures/aligned.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 TEST_CASE("columns are aligned by characters, numbers to the right, and lines end without blanks") {
   CHECK(post::aligned({{"L\u00e4nge", false, {"\u00e4", "bb"}}, {"n", true, {"1", "100"}}, {"", false, {"", ""}}}) ==

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <regex>
@@ -9,6 +8,7 @@
 
 #include "post/figures/curve_plot.hpp"
 #include "post/studies/compare.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using post::Curve, post::CurvePlot, post::Line, post::Panel, post::ticks, post::thinned, post::to_svg;

@@ -1,8 +1,9 @@
 #include "post/figures/plot_axis.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tests/catch.hpp"
 
 using post::plot_axis, post::Scale;
 

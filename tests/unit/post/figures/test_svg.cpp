@@ -1,7 +1,8 @@
 #include "post/figures/svg.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
+
+#include "tests/catch.hpp"
 
 using post::svg::Look, post::svg::mark;
 

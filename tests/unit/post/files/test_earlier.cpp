@@ -1,8 +1,8 @@
 #include "post/files/earlier.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 namespace fs = std::filesystem;

@@ -1,11 +1,11 @@
 #include "post/files/factor_rows.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "plate/model/numerical_error.hpp"
 #include "post/factors/srif.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 

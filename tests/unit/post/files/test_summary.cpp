@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "post/files/factor_rows.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 
 using nlohmann::ordered_json;
 

@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <limits>
 #include <numbers>
 
 #include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using post::Cell, post::Table, small_run::TemporaryFolder, small_run::text_of;

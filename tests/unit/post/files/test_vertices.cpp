@@ -1,7 +1,6 @@
 #include "post/files/vertices.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 TEST_CASE("vertices: corners have what their sources give them, by the weights that are wanted") {

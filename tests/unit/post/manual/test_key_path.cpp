@@ -1,6 +1,5 @@
 #include "post/manual/key_path.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace post;
 

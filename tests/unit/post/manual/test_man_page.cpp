@@ -1,5 +1,4 @@
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/post/manual/small_program.hpp"
 
 using Catch::Contains;

@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/unit/post/manual/small_program.hpp"
 
 using small_program::keys;

@@ -1,12 +1,11 @@
 // What all summaries say alike: factors at the faces, cracks that would grow, deflections beyond the theory.
 #include "post/report/conclusion.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/problem.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/report/reactions.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 

@@ -2,8 +2,9 @@
 
 #include "post/figures/curve_plot.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tests/catch.hpp"
 
 namespace {
 

@@ -1,14 +1,13 @@
 // Where deflection and stress of a run are largest.
 #include "post/report/conclusion.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "cases/driver/discretised.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/resultants.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/solution.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;

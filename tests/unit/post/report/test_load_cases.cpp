@@ -1,10 +1,9 @@
 // The largest of all load cases, and how load cases are printed.
 #include "post/report/load_cases.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "post/files/factor_rows.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 

@@ -1,11 +1,11 @@
 // Faces of a crack that pass through each other: on which side, by how much, and when that changes.
 #include "post/report/overlaps.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "post/files/factor_rows.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 

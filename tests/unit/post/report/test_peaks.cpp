@@ -1,8 +1,8 @@
 #include "post/report/peaks.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <numbers>
+
+#include "tests/catch.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 #include "post/report/printed.hpp"
 
 #include <fmt/format.h>
-#include <catch2/catch.hpp>
 
 #include "post/files/summary.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 

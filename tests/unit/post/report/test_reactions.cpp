@@ -2,7 +2,6 @@
 #include "post/report/reactions.hpp"
 
 #include <fmt/format.h>
-#include <catch2/catch.hpp>
 
 #include <numbers>
 
@@ -10,6 +9,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/solve/solution.hpp"
 #include "post/files/summary.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;

@@ -1,10 +1,9 @@
 // Amplitudes and phases of a response over frequencies.
 #include "post/report/response.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "post/files/recorder.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 

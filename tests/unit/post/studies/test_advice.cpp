@@ -1,7 +1,8 @@
 #include "post/studies/advice.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+
+#include "tests/catch.hpp"
 
 namespace {
 

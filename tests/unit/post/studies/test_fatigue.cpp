@@ -1,9 +1,9 @@
 #include "post/studies/fatigue.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 

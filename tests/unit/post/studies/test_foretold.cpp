@@ -1,7 +1,8 @@
 #include "post/studies/foretold.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tests/catch.hpp"
 
 namespace {
 

@@ -1,8 +1,9 @@
 #include "post/studies/norms.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "tests/catch.hpp"
 
 using post::compare;
 

@@ -1,8 +1,7 @@
 #include "post/studies/orders.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/study_of_powers.hpp"
 
 using post::refinement, post::StudyTable, study_of_powers::row, study_of_powers::study;

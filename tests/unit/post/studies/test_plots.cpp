@@ -1,7 +1,6 @@
 #include "post/studies/plots.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/post/study_of_powers.hpp"
 
 using post::Line, post::Scale, post::study_plots, study_of_powers::row, study_of_powers::study;

@@ -1,7 +1,6 @@
 #include "post/studies/quantity.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/post/finished_run.hpp"
 
 using finished_run::FinishedRun, small_run::TemporaryFolder;

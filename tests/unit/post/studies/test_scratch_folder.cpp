@@ -1,8 +1,9 @@
 #include "post/studies/scratch_folder.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <optional>
+
+#include "tests/catch.hpp"
 
 TEST_CASE("scratch folder: of its own for each, counted with all in it, and gone with it") {
   std::optional<post::ScratchFolder> one(std::in_place, "pdplate_scratch"), other(std::in_place, "pdplate_scratch");

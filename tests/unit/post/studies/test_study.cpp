@@ -1,7 +1,6 @@
 #include "post/studies/study.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/post/finished_run.hpp"
 
 using finished_run::FinishedRun, post::Quantity, post::StudyRow, small_run::TemporaryFolder;

@@ -1,8 +1,7 @@
 #include "post/studies/study.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using post::StudyRow, small_run::TemporaryFolder;

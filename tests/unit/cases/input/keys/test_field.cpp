@@ -1,6 +1,5 @@
 #include "cases/input/keys/field.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 TEST_CASE("field: bounds in words") {
   CHECK(cases::finite.text(false) == "a finite number");

@@ -1,6 +1,5 @@
 #include "cases/input/keys/forms.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 TEST_CASE("forms: a list of words leaves out what is unknown or named twice, and says so") {
   const cases::Words<int> words{{{"vtk", 0}, {"hdf5", 1}}};

@@ -1,11 +1,11 @@
 #pragma once
-#include <catch2/catch.hpp>
 #include <sstream>
 
 #include "fracture/growth/motion/moving_growth.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/archive.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 /// A free square of 20 x 20 points with a crack from its left edge, which edge moments open.

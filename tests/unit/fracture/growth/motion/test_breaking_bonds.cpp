@@ -1,6 +1,5 @@
 #include "fracture/growth/motion/breaking_bonds.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace fracture;
 

@@ -1,9 +1,8 @@
 #include "fracture/growth/motion/moving_growth.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "fracture/growth/motion/moving_bonds.hpp"
 #include "fracture/growth/motion/moving_tips.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/fracture/growth/motion/moving_plate.hpp"
 
 using namespace fracture;

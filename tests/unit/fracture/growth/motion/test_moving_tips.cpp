@@ -1,7 +1,6 @@
 #include "fracture/growth/motion/moving_tips.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/fracture/growth/motion/moving_plate.hpp"
 #include "tests/unit/fracture/shared_run.hpp"
 

@@ -1,10 +1,10 @@
 #include "fracture/growth/quasi_static/bonds.hpp"
 
-#include <catch2/catch.hpp>
 #include <sstream>
 
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/solve/archive.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/fracture/shared_run.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,5 +1,4 @@
 // What was found until a growth fails stays: the plate that is seen is that of the last equilibrium, not of a trial.
-#include <catch2/catch.hpp>
 
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
@@ -14,6 +13,7 @@
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/fracture/shared_run.hpp"
 #include "tests/unit/post/small_run.hpp"
 

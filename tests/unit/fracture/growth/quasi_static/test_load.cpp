@@ -1,6 +1,5 @@
 #include "fracture/growth/quasi_static/load.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace fracture;
 using Control = Growth::Control;

@@ -1,10 +1,10 @@
 // The loop over equilibria, with a model that is a list of answers.
 #include "fracture/growth/quasi_static/quasi_static.hpp"
 
-#include <catch2/catch.hpp>
 #include <csignal>
 
 #include "plate/solve/interruption.hpp"
+#include "tests/catch.hpp"
 
 using namespace fracture;
 

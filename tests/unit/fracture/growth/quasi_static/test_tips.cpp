@@ -2,15 +2,15 @@
 #include "fracture/growth/quasi_static/tips.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
 
 #include "fracture/growth/words.hpp"
+#include "tests/catch.hpp"
 
 using namespace fracture;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 namespace {
 

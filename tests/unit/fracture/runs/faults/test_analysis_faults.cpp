@@ -1,12 +1,12 @@
 #include "fracture/runs/faults/analysis_faults.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "plate/formulations.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/analysis.hpp"
 #include "post/factors/srif.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 

@@ -1,13 +1,13 @@
 // What of a growth cannot be: the words of the program are those of tests/unit/cases/input.
 #include "fracture/runs/faults/growth_faults.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "fracture/growth/criteria.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/analysis.hpp"
 #include "post/factors/srif.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 

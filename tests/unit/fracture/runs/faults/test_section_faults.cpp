@@ -1,10 +1,10 @@
 #include "fracture/runs/faults/section_faults.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "plate/model/problem.hpp"
 #include "post/factors/srif.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 

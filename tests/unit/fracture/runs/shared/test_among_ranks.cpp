@@ -1,6 +1,5 @@
 #include "fracture/runs/shared/among_ranks.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "cases/driver/results.hpp"
@@ -8,6 +7,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 

@@ -1,7 +1,6 @@
 // What is told from the outline against what processes then have.
 #include "fracture/runs/shared/foretold_processes.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/bonds/ordinary_plate.hpp"
@@ -13,6 +12,7 @@
 #include "plate/model/problem.hpp"
 #include "plate/model/ranks/traffic.hpp"
 #include "plate/model/refused.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace fracture;

@@ -1,6 +1,5 @@
 #include "fracture/runs/shared/own_drawing.hpp"
 
-#include <catch2/catch.hpp>
 #include <map>
 #include <mutex>
 #include <set>
@@ -14,6 +13,7 @@
 #include "plate/solve/solution.hpp"
 #include "post/files/recorder.hpp"
 #include "post/files/vertices.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace plate;

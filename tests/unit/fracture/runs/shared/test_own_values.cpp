@@ -1,6 +1,5 @@
 #include "fracture/runs/shared/own_values.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/bonds/ordinary_plate.hpp"
@@ -9,6 +8,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
-#include <catch2/catch.hpp>
 
 #include "geometry/cells/rows/whole_lattice.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 
 /// Plates on lattices, and parts of their cells found another way.

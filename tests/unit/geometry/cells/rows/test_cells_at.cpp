@@ -1,5 +1,4 @@
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/geometry/cells/rows/lattices.hpp"
 
 using namespace lattices;

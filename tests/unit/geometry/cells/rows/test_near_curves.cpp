@@ -1,8 +1,7 @@
 #include "geometry/cells/rows/near_curves.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "geometry/shape/predicates.hpp"
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

@@ -1,8 +1,9 @@
 #include "geometry/cells/rows/row_runs.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 #include <set>
+
+#include "tests/catch.hpp"
 
 using namespace geometry;
 

@@ -1,7 +1,6 @@
 #include "geometry/cells/rows/whole_lattice.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/geometry/cells/rows/lattices.hpp"
 
 using namespace lattices;

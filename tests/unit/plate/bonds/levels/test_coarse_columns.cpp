@@ -1,6 +1,5 @@
 #include "plate/bonds/levels/coarse_columns.hpp"
 
-#include <catch2/catch.hpp>
 #include <map>
 #include <mutex>
 
@@ -9,6 +8,7 @@
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

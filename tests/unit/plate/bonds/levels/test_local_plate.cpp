@@ -1,10 +1,9 @@
 #include "plate/bonds/levels/two_level_plate.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/parameters/position_aware.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/statics.hpp"
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

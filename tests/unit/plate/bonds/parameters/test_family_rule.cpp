@@ -1,8 +1,7 @@
 #include "plate/bonds/parameters/family_rule.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/parameters/influence.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;

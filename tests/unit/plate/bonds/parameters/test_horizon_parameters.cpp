@@ -1,9 +1,9 @@
 #include "plate/bonds/parameters/horizon_parameters.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "plate/bonds/parameters/influence.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;

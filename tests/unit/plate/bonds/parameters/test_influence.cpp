@@ -1,8 +1,9 @@
 #include "plate/bonds/parameters/influence.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tests/catch.hpp"
 
 using namespace plate;
 

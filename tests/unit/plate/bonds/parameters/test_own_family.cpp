@@ -1,7 +1,6 @@
 #include "plate/bonds/parameters/own_family.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;

@@ -1,11 +1,11 @@
 #include "plate/bonds/parameters/position_aware.hpp"
 
 #include <Eigen/Geometry>
-#include <catch2/catch.hpp>
 #include <numbers>
 #include <random>
 
 #include "plate/bonds/parameters/influence.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;

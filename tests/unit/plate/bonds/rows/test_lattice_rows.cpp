@@ -2,9 +2,8 @@
 
 #include <omp.h>
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/parameters/position_aware.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;

@@ -1,8 +1,9 @@
 #include "plate/bonds/rows/tasks.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numeric>
+
+#include "tests/catch.hpp"
 
 using plate::Tasks;
 

@@ -1,12 +1,11 @@
 #include "plate/formulation/attached/elastically_held.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/parts/held.hpp"
 #include "plate/formulation/parts/pieces.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

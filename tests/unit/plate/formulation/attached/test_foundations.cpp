@@ -1,13 +1,13 @@
 #include "plate/formulation/attached/foundations.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <catch2/catch.hpp>
 
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/lattice/seeding.hpp"
 #include "geometry/shape/patch.hpp"
 #include "plate/model/elastic/elastic_supports.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

@@ -1,8 +1,7 @@
 #include "plate/formulation/attached/stiffeners.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 
 using namespace plate;

@@ -1,10 +1,9 @@
 #include "plate/formulation/heated/heat.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/resultants.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

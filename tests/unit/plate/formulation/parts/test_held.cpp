@@ -1,8 +1,7 @@
 #include "plate/formulation/parts/held.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/refused.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

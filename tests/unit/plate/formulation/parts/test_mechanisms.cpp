@@ -1,8 +1,8 @@
 #include "plate/formulation/parts/mechanisms.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

@@ -1,8 +1,7 @@
 #include "plate/formulation/parts/pieces.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "geometry/lattice/seeding.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;

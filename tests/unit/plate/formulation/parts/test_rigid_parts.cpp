@@ -1,11 +1,10 @@
 #include "plate/formulation/parts/rigid_parts.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

@@ -1,10 +1,10 @@
 #include "plate/formulation/parts/shared_sets.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 #include <set>
 
 #include "plate/model/ranks/exchange.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace plate;

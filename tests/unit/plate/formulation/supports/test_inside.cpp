@@ -1,6 +1,5 @@
 #include "plate/formulation/supports/inside.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/bonds/ordinary_plate.hpp"
@@ -8,6 +7,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulations.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 #include "tests/verification/verified_plate.hpp"

@@ -1,11 +1,10 @@
 #include "plate/formulation/supports/moved_supports.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulations.hpp"
 #include "plate/solve/settled.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

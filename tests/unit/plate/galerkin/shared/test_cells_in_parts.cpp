@@ -1,5 +1,4 @@
 // Equilibria and motions of Galerkin plates that processes share.
-#include <catch2/catch.hpp>
 #include <map>
 
 #include "plate/formulation/discretised.hpp"
@@ -15,6 +14,7 @@
 #include "plate/solve/solution.hpp"
 #include "post/balance/supports.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
 
 using namespace plate;

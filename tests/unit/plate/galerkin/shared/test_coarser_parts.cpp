@@ -1,6 +1,5 @@
 #include "plate/galerkin/shared/coarser_parts.hpp"
 
-#include <catch2/catch.hpp>
 #include <map>
 #include <mutex>
 
@@ -9,6 +8,7 @@
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/solution.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 

@@ -1,8 +1,7 @@
 #include "plate/galerkin/shared/laid_out.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 
 using namespace plate;

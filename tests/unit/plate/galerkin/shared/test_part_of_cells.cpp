@@ -1,6 +1,5 @@
 #include "plate/galerkin/shared/part_of_cells.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/formulation/discretised.hpp"
@@ -9,6 +8,7 @@
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 

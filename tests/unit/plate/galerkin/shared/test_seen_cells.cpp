@@ -1,7 +1,6 @@
 // What processes make of a window of a plate on a lattice against what they cut from all of it, bit by bit.
 #include "plate/galerkin/shared/seen_cells.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/formulation/attached/contact.hpp"
@@ -15,6 +14,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/refused.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"

@@ -1,7 +1,6 @@
 #include "plate/galerkin/shared/sum_by_owners.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace plate;

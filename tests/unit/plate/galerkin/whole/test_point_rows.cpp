@@ -1,9 +1,9 @@
 #include "plate/galerkin/whole/point_rows.hpp"
 
-#include <catch2/catch.hpp>
 #include <numeric>
 
 #include "plate/galerkin/stiffness.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 
 using namespace plate;

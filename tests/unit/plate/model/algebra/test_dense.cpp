@@ -1,8 +1,9 @@
 #include "plate/model/algebra/dense.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 #include <random>
+
+#include "tests/catch.hpp"
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

@@ -1,10 +1,9 @@
 #include "plate/model/faults/edge_faults.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulations.hpp"
 #include "plate/model/formulation_kind.hpp"
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 
 using plate::Subject;
 

@@ -1,6 +1,5 @@
 #include "plate/model/faults/held.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 TEST_CASE("held edges: a layer holds what the line does, a pin and a free edge hold nothing of it") {
   using enum plate::SupportKind;

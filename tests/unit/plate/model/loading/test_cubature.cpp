@@ -1,7 +1,8 @@
 #include "plate/model/loading/cubature.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tests/catch.hpp"
 
 using geometry::Point;
 

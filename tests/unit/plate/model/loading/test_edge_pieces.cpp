@@ -1,9 +1,9 @@
 #include "plate/model/loading/edge_pieces.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "geometry/lattice/seeding.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

@@ -1,8 +1,7 @@
 #include "plate/model/loading/load_cases.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

@@ -1,9 +1,8 @@
 #include "plate/model/loading/moving_forces.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "geometry/lattice/seeding.hpp"
 #include "plate/model/loads.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

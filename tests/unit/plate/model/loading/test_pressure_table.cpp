@@ -1,8 +1,9 @@
 #include "plate/model/loading/pressure_table.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 #include <sstream>
+
+#include "tests/catch.hpp"
 
 using geometry::Point;
 using plate::PressureTable;

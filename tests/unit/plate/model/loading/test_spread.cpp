@@ -1,12 +1,12 @@
 #include "plate/model/loading/spread.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/lattice/seeding.hpp"
 #include "geometry/shape/patch.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

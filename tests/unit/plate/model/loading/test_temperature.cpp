@@ -1,9 +1,9 @@
 #include "plate/model/loading/temperature.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

@@ -1,7 +1,8 @@
 #include "plate/model/material/orthotropy.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tests/catch.hpp"
 
 using plate::Orthotropy;
 

@@ -1,9 +1,9 @@
 #include "plate/model/ranks/exact_sum.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "plate/solve/reduction.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace plate;

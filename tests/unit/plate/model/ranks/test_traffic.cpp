@@ -1,9 +1,9 @@
 #include "plate/model/ranks/traffic.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/model/ranks/exchange.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace plate;

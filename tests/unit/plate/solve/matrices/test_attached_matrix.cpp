@@ -1,8 +1,7 @@
 #include "plate/solve/matrices/attached_matrix.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/solve/matrices/matrix_pattern.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

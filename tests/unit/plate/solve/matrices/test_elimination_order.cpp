@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "plate/solve/matrices/factor.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/solve/matrices/random_matrix.hpp"
 
 using namespace plate;

@@ -1,10 +1,10 @@
 #include "plate/solve/matrices/factor.hpp"
 
 #include <Eigen/Dense>
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

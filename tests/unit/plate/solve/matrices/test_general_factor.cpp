@@ -1,8 +1,8 @@
 #include "plate/solve/matrices/general_factor.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 
 using plate::GeneralFactor;
 

@@ -1,7 +1,6 @@
 #include "plate/solve/matrices/point_matrix.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/plate/solve/matrices/random_matrix.hpp"
 
 using namespace plate;

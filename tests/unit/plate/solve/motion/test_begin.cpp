@@ -2,9 +2,8 @@
 
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/solve/analysis.hpp"
+#include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace plate;
 namespace vp = verified_plate;

@@ -1,6 +1,5 @@
 #include "plate/solve/motion/damping.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "plate/formulation/constraints.hpp"
@@ -9,6 +8,7 @@
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
 #include "plate/solve/motion/time_grid.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/solve/motion/chain.hpp"
 
 using namespace plate;

@@ -1,9 +1,8 @@
 #include "plate/solve/motion/driven_supports.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

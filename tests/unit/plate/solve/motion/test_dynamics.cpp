@@ -1,11 +1,10 @@
 #include "plate/solve/motion/dynamics.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
 using namespace plate;

@@ -2,7 +2,6 @@
 // tests/verification/test_frequencies.cpp
 #include "plate/solve/motion/frequencies.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 
 #include "plate/bonds/ordinary_plate.hpp"
@@ -10,6 +9,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/preconditioner.hpp"
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 
 using namespace plate;

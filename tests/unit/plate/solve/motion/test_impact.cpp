@@ -1,9 +1,8 @@
 #include "plate/solve/motion/impact.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/solve/motion/chain.hpp"
 
 using namespace plate;

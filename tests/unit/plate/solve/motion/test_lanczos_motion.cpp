@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 
 #include "plate/formulation/constraints.hpp"
@@ -8,6 +6,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/solve/motion/chain.hpp"
 
 using namespace plate;

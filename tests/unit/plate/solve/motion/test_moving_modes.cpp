@@ -1,9 +1,8 @@
 #include "plate/solve/motion/moving_modes.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/history.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

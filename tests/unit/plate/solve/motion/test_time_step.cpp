@@ -1,8 +1,7 @@
-#include <catch2/catch.hpp>
-
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

@@ -1,9 +1,8 @@
 #include "plate/solve/motion/travelling_loads.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 

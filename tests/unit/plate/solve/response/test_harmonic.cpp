@@ -1,12 +1,12 @@
 #include "plate/solve/response/harmonic.hpp"
 
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/model/numerical_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/solve/motion/chain.hpp"
 
 using namespace plate;

@@ -1,6 +1,5 @@
 #include "plate/surface/oblique/clearance.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using geometry::Point;
 

@@ -1,10 +1,9 @@
 #include "plate/surface/oblique/rows.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "geometry/lattice/cloud.hpp"
 #include "plate/model/refused.hpp"
 #include "plate/surface/surface_plate.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 using geometry::Point;

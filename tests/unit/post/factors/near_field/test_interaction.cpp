@@ -1,9 +1,8 @@
 #include "post/factors/near_field/interaction.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/tip_view.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace post;

@@ -1,7 +1,8 @@
 #include "post/factors/near_field/leading_fields.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
+
+#include "tests/catch.hpp"
 
 using namespace post;
 using Eigen::Matrix2d;

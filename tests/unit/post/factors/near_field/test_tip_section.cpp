@@ -1,8 +1,9 @@
 #include "post/factors/near_field/tip_section.hpp"
 
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 #include <numbers>
+
+#include "tests/catch.hpp"
 
 using plate::Section;
 using post::TipSection;

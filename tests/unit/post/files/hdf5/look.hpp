@@ -1,8 +1,9 @@
 #pragma once
 #include <hdf5.h>
 
-#include <catch2/catch.hpp>
 #include <filesystem>
+
+#include "tests/catch.hpp"
 
 namespace hdf5_look {
 

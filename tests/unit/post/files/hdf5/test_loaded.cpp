@@ -1,7 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/whole_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 TEST_CASE("a state.h5 that was put beside another case is refused") {

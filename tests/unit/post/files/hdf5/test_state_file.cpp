@@ -1,7 +1,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <csignal>
 #include <functional>
@@ -9,6 +8,7 @@
 
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/whole_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/files/hdf5/look.hpp"
 #include "tests/unit/post/small_run.hpp"
 

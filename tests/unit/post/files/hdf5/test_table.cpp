@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "post/files/hdf5/state_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/files/hdf5/look.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -1,10 +1,10 @@
 #include "post/files/shared/cell_values.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <map>
 
 #include "post/files/whole_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using namespace post;

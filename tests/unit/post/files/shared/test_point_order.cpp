@@ -1,7 +1,6 @@
 #include "post/files/shared/point_order.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 #include "tests/unit/post/files/shared/lattice_in_boxes.hpp"
 

@@ -1,10 +1,10 @@
 #include "post/files/shared/shared_checkpoints.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <mutex>
 
 #include "post/files/whole_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 #include "tests/unit/post/small_run.hpp"
 

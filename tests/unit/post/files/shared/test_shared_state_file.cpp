@@ -1,7 +1,6 @@
 #include "post/files/shared/shared_state_file.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 #include "tests/unit/post/files/hdf5/look.hpp"
 #include "tests/unit/post/files/shared/lattice_in_boxes.hpp"

@@ -1,10 +1,10 @@
 #include "post/files/sinks/checkpoint.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 
 #include "post/files/whole_file.hpp"
 #include "post/studies/scratch_folder.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using namespace post;

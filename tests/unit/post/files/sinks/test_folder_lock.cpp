@@ -3,9 +3,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
-
 #include "post/studies/scratch_folder.hpp"
+#include "tests/catch.hpp"
 
 using namespace post;
 

@@ -1,6 +1,5 @@
 #include "post/files/sinks/kept_sink.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace post;
 

@@ -3,10 +3,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <system_error>
 
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using post::NamedLock;

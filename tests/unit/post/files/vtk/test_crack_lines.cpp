@@ -7,9 +7,8 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <catch2/catch.hpp>
-
 #include "post/factors/srif.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using small_run::TemporaryFolder;

@@ -1,7 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "post/factors/srif.hpp"
 #include "post/files/vtk/crack_lines.hpp"
+#include "tests/catch.hpp"
 
 TEST_CASE("drawn cracks: tips in the order of their numbers, with the first factors of each that are resolved") {
   using geometry::End;

@@ -6,9 +6,8 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include <catch2/catch.hpp>
-
 #include "post/files/vtk/series.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using small_run::FullDisk, small_run::TemporaryFolder;

@@ -1,10 +1,10 @@
 #include "post/files/vtk/pieces.hpp"
 
-#include <catch2/catch.hpp>
 #include <regex>
 #include <set>
 
 #include "post/files/vtk/series.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -1,7 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "post/files/vtk/series.hpp"
 #include "post/files/whole_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using small_run::TemporaryFolder, small_run::text_of;

@@ -1,7 +1,6 @@
 #include "post/files/vtk/series.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using small_run::TemporaryFolder, small_run::text_of;

@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "post/files/vtk/series.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/unit/post/xml.hpp"
 

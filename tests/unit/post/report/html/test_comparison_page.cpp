@@ -1,9 +1,9 @@
 #include "post/report/html/comparison_page.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "post/figures/curve_plot.hpp"
+#include "tests/catch.hpp"
 
 TEST_CASE("the page of a comparison has its curves and its norms") {
   const post::CurvePlot plot{"A < b",

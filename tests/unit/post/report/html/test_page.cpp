@@ -1,9 +1,9 @@
 #include "post/report/html/page.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "post/report/html/assets.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 #include "post/report/html/plate_json.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
 
 TEST_CASE("a drawing has the edges, holes, cracks, supports and loads of its plate") {
   plate::Problem problem;

@@ -1,9 +1,9 @@
 #include "post/report/html/study_report.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using small_run::TemporaryFolder, small_run::text_of;

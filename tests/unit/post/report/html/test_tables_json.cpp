@@ -1,8 +1,9 @@
 #include "post/report/html/tables_json.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "tests/catch.hpp"
 
 TEST_CASE("tables become columns, without those that are empty") {
   const post::Table table{{"time", "name", "nothing"}, {{0.0, "a", {}}, {0.1, "b\"c", {}}}};

@@ -1,9 +1,9 @@
 #include "post/studies/runs/comparison.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 
 #include "post/files/table.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using small_run::TemporaryFolder;

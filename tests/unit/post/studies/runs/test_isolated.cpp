@@ -3,9 +3,10 @@
 #include <omp.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <stdexcept>
+
+#include "tests/catch.hpp"
 
 namespace {
 

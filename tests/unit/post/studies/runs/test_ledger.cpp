@@ -1,8 +1,8 @@
 #include "post/studies/runs/ledger.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 using post::Ledger, post::RunRecord;

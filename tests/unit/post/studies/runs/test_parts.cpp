@@ -1,8 +1,9 @@
 #include "post/studies/runs/parts.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <random>
+
+#include "tests/catch.hpp"
 
 TEST_CASE("parts: what is one is read, and what is none is said") {
   const auto part = post::part_of("3/16");

@@ -1,7 +1,6 @@
 #include "post/studies/runs/read_summary.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 TEST_CASE("read_summary: what was written is read, to the last digit") {

@@ -1,8 +1,7 @@
 #include "post/studies/runs/study_files.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "post/studies/plots.hpp"
+#include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 #include "tests/unit/post/study_of_powers.hpp"
 

@@ -1,6 +1,5 @@
 #include "plate/solve/motion/beside/beside.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace plate;
 
