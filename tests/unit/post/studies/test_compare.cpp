@@ -45,7 +45,7 @@ TEST_CASE("a results folder is compared in every quantity that the reference kno
   }
   CHECK(names == std::vector<std::string>{"w:w", "F1:F1_J", "F1:F1_paper_LS", "F1:F1", "K1:K1"});
   const std::vector<double> expected{0.1, 0, 1, 0.5, 0};
-  CHECK_THAT(errors, Catch::Approx(expected).margin(1e-12));
+  CHECK_THAT(errors, Catch::Matchers::Approx(expected).margin(1e-12));
 
   const std::string text = post::to_text(rows);
   CHECK(std::count(text.begin(), text.end(), '\n') == 6);
