@@ -42,10 +42,10 @@ TEST_CASE("errors are drawn in percent, a line for each combination of the other
   CHECK(series[1].label == "h 0.2 (order 1.00)");
   CHECK(series[0].line == Line::numbered);
   CHECK(series[1].number == plot.panels[1].series[1].number);
-  CHECK_THAT(series[0].curve.y, Catch::Approx(std::vector<double>{1, 0.25, 0.0625}));
-  CHECK_THAT(series[0].curve.t, Catch::Approx(std::vector<double>{1, 8, 64}));
+  CHECK_THAT(series[0].curve.y, Catch::Matchers::Approx(std::vector<double>{1, 0.25, 0.0625}));
+  CHECK_THAT(series[0].curve.t, Catch::Matchers::Approx(std::vector<double>{1, 8, 64}));
   const auto points = study_plots(study(), titles).at("error_against_points.svg");
-  CHECK_THAT(points.panels[0].series[0].curve.t, Catch::Approx(std::vector<double>{400, 1600, 6400}));
+  CHECK_THAT(points.panels[0].series[0].curve.t, Catch::Matchers::Approx(std::vector<double>{400, 1600, 6400}));
 }
 
 TEST_CASE("without a refinement errors are marks, alike along the last axis") {
