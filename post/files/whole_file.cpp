@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "post/files/held_folder.hpp"
+
 namespace post {
 namespace {
 
@@ -30,14 +32,13 @@ void write_text(const fs::path& path, const std::string& text) {
 void write_whole(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   fs::path beside = path;
   beside += ".partial";
-  std::error_code none;
-  fs::remove(beside, none);  // it may be a link to what is somebody's
+  const HeldFolder folder(path.parent_path());  // it may get another name meanwhile
+  folder.remove(beside);                        // it may be a link to what is somebody's
   try {
     write(beside);
     fs::rename(beside, path);
   } catch (...) {
-    std::error_code ignored;
-    fs::remove(beside, ignored);
+    folder.remove(beside);
     throw;
   }
 }

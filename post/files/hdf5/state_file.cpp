@@ -1,8 +1,5 @@
 #include "post/files/hdf5/state_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
@@ -10,6 +7,7 @@
 #include <utility>
 
 #include "post/files/hdf5/datasets.hpp"
+#include "post/files/held_folder.hpp"
 
 namespace post {
 namespace {
@@ -75,29 +73,6 @@ struct Frames {
     for (Series* series : {&state, &velocity, &step, &time}) checked(series->release(), "closing");
     checked(group.release(), "closing");
   }
-};
-
-/// A folder by itself, whatever it is called meanwhile; by its path where no file can be opened any more.
-class HeldFolder {
-public:
-  explicit HeldFolder(const std::filesystem::path& path)
-      : path_(path), opened_(::open(path.empty() ? "." : path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {}
-  ~HeldFolder() {
-    if (opened_ >= 0) ::close(opened_);
-  }
-  HeldFolder(const HeldFolder&) = delete;
-  HeldFolder& operator=(const HeldFolder&) = delete;
-
-  bool has(const std::filesystem::path& name) const { return ::faccessat(opened_, at(name).c_str(), F_OK, 0) == 0; }
-  void remove(const std::filesystem::path& name) const { ::unlinkat(opened_, at(name).c_str(), 0); }
-
-private:
-  std::filesystem::path at(const std::filesystem::path& name) const {
-    return opened_ >= 0 ? name.filename() : std::filesystem::absolute(path_) / name.filename();
-  }
-
-  std::filesystem::path path_;
-  int opened_;
 };
 
 /// state.h5 while it is written: frames go to state.h5.0, and to a further file after each part(), which are put

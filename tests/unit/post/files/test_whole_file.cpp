@@ -35,6 +35,23 @@ TEST_CASE("a full disk is an error, for long and for short texts") {
   CHECK(folder.entries() == 0);
 }
 
+TEST_CASE("a folder that gets another name, or goes, in mid-write keeps nothing half-written") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "one");
+  const auto renamed = [&](const std::filesystem::path& beside) {
+    std::ofstream(beside) << "whole";
+    std::filesystem::rename(folder / "one", folder / "other");
+  };
+  CHECK_THROWS_WITH(post::write_whole(folder / "one" / "a.txt", renamed), Catch::Contains("a.txt"));
+  CHECK(std::filesystem::is_empty(folder / "other"));
+  const auto gone = [&](const std::filesystem::path& beside) {
+    std::ofstream(beside) << "whole";
+    std::filesystem::remove_all(folder / "other");
+  };
+  CHECK_THROWS_WITH(post::write_whole(folder / "other" / "a.txt", gone), Catch::Contains("a.txt"));
+  CHECK(folder.entries() == 0);
+}
+
 TEST_CASE("a folder that is not there is an error with the path") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH(post::write_whole(folder / "none/a.txt", "text"), Catch::Contains("none/a.txt"));
