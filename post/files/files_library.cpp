@@ -3,13 +3,9 @@
 /// The library's side of files().
 namespace post {
 
-std::string vtu(const Mesh& mesh, const Frame& frame);
-std::string vtp(const Cracks& cracks);
-Drawn read_vtu(const std::filesystem::path& path);
 std::unique_ptr<StateFile::Open> open_state_file(StateFile::Options options, const StateFile::Points& points);
 StoredRun read_state_file(const std::filesystem::path& path);
 
 }  // namespace post
 
-extern "C" [[gnu::visibility("default")]] const post::Files pdplate_files{post::vtu, post::vtp, post::read_vtu,
-                                                                          post::open_state_file, post::read_state_file};
+extern "C" [[gnu::visibility("default")]] const post::Files pdplate_files{post::open_state_file, post::read_state_file};

@@ -1,4 +1,4 @@
-"""Several sources put into one, so that a tool reads Eigen, CGAL and VTK once for all of them."""
+"""Several sources put into one, so that a tool reads Eigen and CGAL once for all of them."""
 import collections
 import re
 

@@ -6,7 +6,6 @@
 #include <regex>
 
 #include "plate/model/ranks/ranks.hpp"
-#include "post/files/files.hpp"
 #include "post/files/vtk/series.hpp"
 #include "post/files/whole_file.hpp"
 
@@ -75,7 +74,7 @@ void VtkPieces::go_on(std::vector<double> times) {
 
 void VtkPieces::write(const Frame& frame) {
   const auto number = times_.size();
-  write_whole(folder_ / piece_name(number, all_.rank()), files().vtu(mesh_, frame));
+  write_whole(folder_ / piece_name(number, all_.rank()), vtu(mesh_, frame));
   times_.push_back(frame.time);
   std::array<std::int64_t, 1> written{1};
   all_.sum(written);  // waits for all

@@ -3,7 +3,6 @@
 #include <bit>
 #include <regex>
 
-#include "post/files/files.hpp"
 #include "post/files/vtk/series.hpp"
 #include "post/files/whole_file.hpp"
 
@@ -36,8 +35,8 @@ VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh) : folder_(std::mov
 
 void VtkSeries::write(const Frame& frame) {
   const auto number = times_.size();
-  write_whole(folder_ / fields(number), files().vtu(mesh_, frame));
-  if (frame.cracks) write_whole(folder_ / cracks(number), files().vtp(*frame.cracks));
+  write_whole(folder_ / fields(number), vtu(mesh_, frame));
+  if (frame.cracks) write_whole(folder_ / cracks(number), vtp(*frame.cracks));
   times_.push_back(frame.time);
   write_whole(folder_ / "fields.pvd", pvd(times_, fields, gone_));
   if (frame.cracks) write_whole(folder_ / "cracks.pvd", pvd(times_, cracks, gone_));
@@ -59,12 +58,8 @@ std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder
   return frames;
 }
 
-Drawn read_frame(const std::filesystem::path& path) {
-  return files().read_vtu(path);
-}
-
 void write_cracks(const std::filesystem::path& path, const Cracks& cracks) {
-  write_whole(path, files().vtp(cracks));
+  write_whole(path, vtp(cracks));
 }
 
 }  // namespace post

@@ -25,6 +25,11 @@ private:
   std::set<std::size_t> gone_;  // of the frames
 };
 
+/// The text of fields_NNNN.vtu. Throws std::invalid_argument where the values are not those of the points.
+std::string vtu(const Mesh& mesh, const Frame& frame);
+/// The text of cracks.vtp.
+std::string vtp(const Cracks& cracks);
+
 /// A list of frames and their times, as ParaView opens it. `without`: frames that are not there.
 std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame),
                 const std::set<std::size_t>& without = {});
