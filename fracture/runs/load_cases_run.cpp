@@ -124,10 +124,10 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
   post::Extremes extremes(plate_);
   extremes.row(now);
   if (recorder_.draws() || recorder_.stores()) {
-    auto frame = post::frame_of(plate_, number, step, strained, recorder_.draws(), &heat);
+    auto frame = post::frame_of(plate_, number, step, strained, true, &heat);
     if (less.cols() > 0) frame.state = state.leftCols(frame.state.cols());
     if (plan_.report && !drawing_) pictures_.look(frame);
-    if (recorder_.draws()) extremes.frame(number, frame.resultants);
+    extremes.frame(number, frame.resultants);
     recorder_.frame(drawing_ ? drawing_->frame(std::move(frame)) : std::move(frame), {}, {});
   }
   one.extremes = of_all(extremes.found(&heat));

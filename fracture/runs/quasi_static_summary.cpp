@@ -31,6 +31,7 @@ void QuasiStaticRun::store() {
   const auto& plate = model_->plate();
   const auto mesh = post::points_of(plate);
   auto frame = post::frame_of(plate, double(advance_), advance_, state_, false);
+  model_->draw(frame, state_);  // its resultants
   if (const auto own = own_drawing(plate, mesh))
     return recorder_->final_state(own->mesh(), own->frame(std::move(frame)));
   recorder_->final_state(mesh, frame);

@@ -86,10 +86,13 @@ void Results::frame(const plate::Instant& now) {
   if (!recorder_.draws() && !recorder_.stores()) return;
   const bool of_mode = plan_.analysis.kind == plate::Analysis::Kind::frequencies;
   const auto heat = of_mode ? plate::Heat{} : plate::heat_at(plate_, now.time);
-  auto frame = post::frame_of(plate_, now.time, now.step, now.what_strains(), recorder_.draws() && !growth_, &heat);
+  auto frame = post::frame_of(plate_, now.time, now.step, now.what_strains(), !growth_, &heat);
   if (now.rest) frame.state = now.state.leftCols(frame.state.cols());
   std::optional<plate::Mesh> mesh;
-  if (growth_ && recorder_.draws()) mesh = growth_->draw(frame, now.state, factors_.last());
+  if (growth_) {
+    auto drawn = growth_->draw(frame, now.state, factors_.last());
+    if (recorder_.draws()) mesh = std::move(drawn);
+  }
   if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);
   const bool rates = recorder_.stores() && plan_.moves();
   if (drawing_) {

@@ -111,7 +111,7 @@ void ResponseRun::draw_period(double frequency, const std::pair<plate::State, pl
     const double turn = double(n) / double(frames), angle = 2 * std::numbers::pi * turn;
     const plate::State state = std::cos(angle) * parts.first - std::sin(angle) * parts.second;
     const auto heat = plate::heat_of(plate_, std::cos(angle));
-    auto frame = post::frame_of(plate_, turn / frequency, n, state, recorder_.draws(), &heat);
+    auto frame = post::frame_of(plate_, turn / frequency, n, state, true, &heat);
     if (plan_.report) pictures_.look(frame);
     recorder_.frame(std::move(frame), {}, {});
   }

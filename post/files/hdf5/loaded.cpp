@@ -49,9 +49,13 @@ void StateFile::write(const Frame& frame, const plate::State* velocity) {
   const auto points = std::size_t(frame.state.cols());
   if (velocity && velocity->cols() != frame.state.cols())
     throw std::invalid_argument("state.h5: the velocities do not fit the state");
+  const auto& [moments, shear, von_mises] = frame.resultants;
+  for (const auto columns : {moments.cols(), shear.cols(), von_mises.size()})
+    if (columns != frame.state.cols()) throw std::invalid_argument("state.h5: the resultants do not fit the state");
   Eigen::Matrix3Xd room;
-  open_->write(
-      {frame.time, frame.step, points, parts_of(frame.state, room), velocity ? parts_of(*velocity, room) : InParts()});
+  open_->write({frame.time, frame.step, points, parts_of(frame.state, room),
+                velocity ? parts_of(*velocity, room) : InParts(), parts_of(moments.data(), 3),
+                parts_of(shear.data(), 2), parts_of(von_mises.data(), 1)});
 }
 
 void StateFile::write(const Motion& frame) {

@@ -1,6 +1,7 @@
 #include "post/files/hdf5/state_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <stdexcept>
 #include <system_error>
@@ -37,41 +38,77 @@ void write_points(hid_t file, const StateFile::Points& of) {
   write_dataset_in_parts(points, "cut", {count}, of.cut, {"1", "share of the full family severed by cracks and edges"});
 }
 
-/// Frames of a file that is being written: they grow one by one.
+/// What a frame holds of every point.
+struct FieldOfFrames {
+  const char* name;
+  hsize_t width;  // numbers of a point
+  InParts StateFile::Motion::*numbers;
+  hdf5::Meaning meaning;
+};
+
+const std::array<FieldOfFrames, 5>& fields_of_frames() {
+  using Motion = StateFile::Motion;
+  static const std::array<FieldOfFrames, 5> fields{
+      {{"state", 3, &Motion::state, {"length, 1, 1", "w, theta_x, theta_y of every point"}},
+       {"velocity", 3, &Motion::velocity, {"length/time, 1/time, 1/time", "rates of w, theta_x, theta_y"}},
+       {"moments", 3, &Motion::moments, {"force", "Mxx, Myy, Mxy of every point, per length"}},
+       {"shear_forces", 2, &Motion::shear_forces, {"force/length", "Qx, Qy of every point, per length"}},
+       {"von_mises", 1, &Motion::von_mises, {"force/length^2", "von Mises stress at the top face of every point"}}}};
+  return fields;
+}
+
+/// Frames of a file that is being written: they grow one by one. A field that is not stored does not exist.
 struct Frames {
   Id group;
-  Series state, velocity, step, time;
+  std::array<Series, 5> fields;
+  Series step, time;
 
   Frames() = default;
   Frames(hid_t file, hsize_t points, bool velocities) : group(new_group(file, "frames")) {
     constexpr hsize_t instants = 256;  // stored together
-    state = Series(group, "state", {points, 3}, 1, {"length, 1, 1", "w, theta_x, theta_y of every point"});
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const auto& [name, width, numbers, meaning] = fields_of_frames()[i];
+      if (numbers == &StateFile::Motion::velocity && !velocities) continue;
+      fields[i] = Series(group, name, width > 1 ? hdf5::Sizes{points, width} : hdf5::Sizes{points}, 1, meaning);
+    }
     step = Series(group, "step", {}, instants, {"1", "number of the time step or iteration"});
     time = Series(group, "time", {}, instants, {"time", "time of the frame"});
-    const hdf5::Meaning rates{"length/time, 1/time, 1/time", "rates of w, theta_x, theta_y"};
-    if (velocities) velocity = Series(group, "velocity", {points, 3}, 1, rates);
   }
   /// Of a file that is there.
   explicit Frames(hid_t file)
-      : group(H5Gopen2(file, "frames", H5P_DEFAULT), H5Gclose, "frames"),
-        state(group, "state"),
-        step(group, "step"),
-        time(group, "time") {
-    if (checked(H5Lexists(group, "velocity", H5P_DEFAULT), "velocity") > 0) velocity = Series(group, "velocity");
+      : group(H5Gopen2(file, "frames", H5P_DEFAULT), H5Gclose, "frames"), step(group, "step"), time(group, "time") {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const auto* const name = fields_of_frames()[i].name;
+      if (checked(H5Lexists(group, name, H5P_DEFAULT), name) > 0) fields[i] = Series(group, name);
+    }
   }
 
+  void write(std::size_t index, const StateFile::Motion& frame) {
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (const auto& numbers = frame.*fields_of_frames()[i].numbers) fields[i].write(index, numbers);
+    step.write(index, static_cast<double>(frame.step));
+    time.write(index, frame.time);
+  }
   void keep(std::size_t count) {
-    for (Series* series : {&state, &velocity, &step, &time})
+    for (auto* series : all())
       if (series->exists()) series->keep(count);
   }
   /// The first so many of others.
-  void append(const Frames& other, std::size_t count) {
-    for (const auto member : {&Frames::state, &Frames::velocity, &Frames::step, &Frames::time})
-      if ((this->*member).exists()) (this->*member).append(other.*member, count);
+  void append(Frames&& other, std::size_t count) {
+    const auto mine = all(), others = other.all();
+    for (std::size_t i = 0; i < mine.size(); ++i)
+      if (mine[i]->exists()) mine[i]->append(*others[i], count);
   }
   void release() {
-    for (Series* series : {&state, &velocity, &step, &time}) checked(series->release(), "closing");
+    for (auto* series : all()) checked(series->release(), "closing");
     checked(group.release(), "closing");
+  }
+
+private:
+  std::vector<Series*> all() {
+    std::vector<Series*> series{&step, &time};
+    for (auto& field : fields) series.push_back(&field);
+    return series;
   }
 };
 
@@ -231,15 +268,14 @@ void OpenStateFile::write(const StateFile::Motion& frame) {
   hdf5::keep_quiet();
   if (frame.points != points_)
     throw std::invalid_argument(fmt::format("{}: a frame does not have {} points", options_.path.string(), points_));
-  require_space(options_.path, 2 * 3 * sizeof(double) * points_);
+  hsize_t numbers = 0;  // of a point
+  for (const auto& field : fields_of_frames()) numbers += field.width;
+  require_space(options_.path, numbers * sizeof(double) * points_);
   if (file_ < 0) {
     file_ = created(part(parts_.size()));
     series_ = Frames(file_, points_, options_.velocities);
   }
-  series_.state.write(in_part_, frame.state);
-  if (frame.velocity) series_.velocity.write(in_part_, frame.velocity);
-  series_.step.write(in_part_, static_cast<double>(frame.step));
-  series_.time.write(in_part_, frame.time);
+  series_.write(in_part_, frame);
   checked(H5Fflush(file_, H5F_SCOPE_LOCAL), options_.path);
   ++in_part_;
 }

@@ -7,9 +7,10 @@
 
 namespace post {
 
-/// state.h5: points (positions, areas, cut), every written frame (time, step, state), tables (history, probes, srif),
-/// the text of the resolved case; each dataset with attributes `unit` and `description`. Written beside, as
-/// state.h5.0 and so on, and put in its place by close().
+/// state.h5: points (positions, areas, cut), every written frame (time, step, state, moments, shear_forces, von_mises),
+/// tables (history, probes, srif), the text of the resolved case; each dataset with attributes `unit` and
+/// `description`, those of points with checksums. Written beside, as state.h5.0 and so on, and put in its place by
+/// close().
 /// Throws std::runtime_error where HDF5 fails.
 class StateFile {
 public:
@@ -24,11 +25,12 @@ public:
     std::size_t count = 0;
     InParts positions, areas, cut;
   };
-  /// A frame: w, theta_x, theta_y of every point, and after that, where velocities are stored, their rates.
+  /// A frame: w, theta_x, theta_y of every point, where velocities are stored their rates, and the resultants. They are
+  /// asked for one after the other.
   struct Motion {
     double time = 0;
     std::size_t step = 0, points = 0;
-    InParts state, velocity;
+    InParts state, velocity, moments, shear_forces, von_mises;
   };
   StateFile(Options options, const Mesh& mesh);
   StateFile(Options options, const Points& points);
@@ -39,6 +41,7 @@ public:
   void go_on(std::size_t frames);
   /// The frames so far are what another process can go on after, from now on.
   void part();
+  /// Throws std::invalid_argument where velocities or resultants are not those of the points.
   void write(const Frame& frame, const plate::State* velocity);
   void write(const Motion& frame);
   /// No frame comes after a table.

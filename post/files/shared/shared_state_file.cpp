@@ -33,17 +33,27 @@ InParts SharedStateFile::parts(std::size_t width, Numbers numbers) {
   };
 }
 
-InParts SharedStateFile::parts(const plate::State& state) {
-  return parts(3, [&state](std::size_t k, double* to) {
-    for (Eigen::Index c = 0; c < 3; ++c) to[c] = state(c, Eigen::Index(k));
+template <typename Rows>
+InParts SharedStateFile::parts(const Rows& rows) {
+  return parts(std::size_t(rows.rows()), [&rows](std::size_t k, double* to) {
+    for (Eigen::Index c = 0; c < rows.rows(); ++c) to[c] = rows(c, Eigen::Index(k));
   });
 }
 
 void SharedStateFile::write(const Frame& frame, const plate::State& velocity) {
-  const auto state = parts(frame.state), rates = velocity.cols() > 0 ? parts(velocity) : InParts();
-  if (file_) return file_->write({frame.time, frame.step, order_.points(), state, rates});
-  for_each_part(order_.points(), state);
-  if (rates) for_each_part(order_.points(), rates);
+  const auto von_mises = frame.resultants.von_mises.transpose();
+  const StateFile::Motion motion{frame.time,
+                                 frame.step,
+                                 order_.points(),
+                                 parts(frame.state),
+                                 velocity.cols() > 0 ? parts(velocity) : InParts(),
+                                 parts(frame.resultants.moments),
+                                 parts(frame.resultants.shear),
+                                 parts(von_mises)};
+  if (file_) return file_->write(motion);
+  for (const auto* numbers :
+       {&motion.state, &motion.velocity, &motion.moments, &motion.shear_forces, &motion.von_mises})
+    if (*numbers) for_each_part(motion.points, *numbers);
 }
 
 void SharedStateFile::go_on(std::size_t frames) {

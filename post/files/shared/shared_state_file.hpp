@@ -24,7 +24,8 @@ public:
 private:
   using Numbers = std::function<void(std::size_t k, double* to)>;
   InParts parts(std::size_t width, Numbers numbers);
-  InParts parts(const plate::State& state);
+  template <typename Rows>
+  InParts parts(const Rows& rows);
 
   PointOrder order_;
   std::vector<double> room_;       // the part in hand

@@ -5,6 +5,7 @@
 #include "post/files/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/post/files/hdf5/look.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 namespace fs = std::filesystem;
@@ -56,5 +57,11 @@ TEST_CASE("run folder: state.h5 alone holds what it holds beside fields") {
   CHECK(alone.times == both.times);
   REQUIRE(alone.states.size() == 1);
   CHECK(alone.states[0] == both.states[0]);
+  const hdf5_look::Look first(scratch / "alone/state.h5"), second(scratch / "both/state.h5");
+  for (const char* name : {"/frames/moments", "/frames/shear_forces", "/frames/von_mises"}) {
+    const auto numbers = first.numbers(name);
+    CHECK(std::ranges::any_of(numbers, [](double number) { return number > 0; }));
+    CHECK((numbers == second.numbers(name)));
+  }
   CHECK_FALSE(fs::exists(scratch / "alone/fields.pvd"));
 }

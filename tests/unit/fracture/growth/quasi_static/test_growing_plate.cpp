@@ -15,6 +15,7 @@
 #include "post/files/table.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/fracture/shared_run.hpp"
+#include "tests/unit/post/files/hdf5/look.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 namespace {
@@ -97,6 +98,9 @@ TEST_CASE("growth run: after a failure the last state is that of the last row, n
   REQUIRE(expected.states.size() == 1);
   CHECK(failed.positions == expected.positions);
   CHECK(failed.states.front() == expected.states.front());
+  const auto moments = hdf5_look::Look(folder / "failed/state.h5").numbers("/frames/moments");
+  CHECK(*std::ranges::max_element(moments) > 0);
+  CHECK((moments == hdf5_look::Look(folder / "first/state.h5").numbers("/frames/moments")));
 }
 
 TEST_CASE("a plate in parts: a crack that grows at rest and turns") {

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <functional>
 #include <optional>
+#include <random>
 
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/whole_file.hpp"
@@ -74,15 +75,21 @@ TEST_CASE("state.h5 explains itself") {
   CHECK(look.text_attribute("/", "version") == "1.2.3");
   CHECK(look.text_attribute("/", "case") == long_case);
   CHECK(look.text_attribute("/points/area", "unit") == "length^2");
+  CHECK(look.text_attribute("/frames/moments", "unit") == "force");
+  CHECK(look.text_attribute("/frames/shear_forces", "unit") == "force/length");
+  CHECK(look.text_attribute("/frames/von_mises", "unit") == "force/length^2");
   CHECK(look.text_attribute("/tables/srif/K1", "unit") == "force length^(1/2)");
   CHECK(look.numbers("/frames/velocity")[4] == velocity(1, 1));
+  CHECK(look.numbers("/frames/moments")[3 * 4 + 2] == frame.resultants.moments(2, 4));
+  CHECK(look.numbers("/frames/shear_forces")[2 * 4 + 1] == frame.resultants.shear(1, 4));
+  CHECK(look.numbers("/frames/von_mises")[4] == frame.resultants.von_mises[4]);
   CHECK(look.numbers("/frames/step") == std::vector<double>{10});
   CHECK(look.numbers("/points/cut") == small_run::mesh().cut);
   CHECK(look.words("/tables/probes/probe") == std::vector<std::string>{"tip", "edge"});
   CHECK(look.numbers("/tables/probes/w")[0] == 2.5);
   CHECK(std::isnan(look.numbers("/tables/probes/w")[1]));
   const auto datasets = look.datasets();
-  CHECK(datasets.size() == 12);
+  CHECK(datasets.size() == 15);
   for (const std::string& name : datasets) {
     CAPTURE(name);
     CHECK(look.text_attribute(name.c_str(), "unit") != "no attribute");
@@ -101,6 +108,9 @@ TEST_CASE("a run that fails keeps its last good frame, one without a frame leave
     post::StateFile file({folder / "state.h5", "", "1"}, small_run::mesh());
     file.write(small_run::frame(0.25, 1), nullptr);
     CHECK_THROWS_AS(file.write(small_run::frame(0.5, 2, 5), nullptr), std::invalid_argument);
+    auto bare = small_run::frame(0.5, 2);
+    bare.resultants = {};
+    CHECK_THROWS_WITH(file.write(bare, nullptr), Catch::Contains("the resultants do not fit"));
   }
   CHECK(post::read_run(folder / "state.h5").times == std::vector<double>{0.25});
   CHECK(folder.entries() == 1);
@@ -108,7 +118,7 @@ TEST_CASE("a run that fails keeps its last good frame, one without a frame leave
 
 TEST_CASE("an interrupted write leaves no state.h5") {
   const TemporaryFolder folder;
-  const std::optional<FullDisk> full(std::in_place, 20000);
+  const std::optional<FullDisk> full(std::in_place, 50000);
   post::Mesh mesh = small_run::mesh();
   {
     post::StateFile file({folder / "state.h5", "", "1"}, mesh);
@@ -117,9 +127,11 @@ TEST_CASE("an interrupted write leaves no state.h5") {
     CHECK_THROWS_WITH(file.write("table", table), Catch::Contains("File too large"));
     CHECK_THROWS_AS(file.close(), std::filesystem::filesystem_error);
   }
-  mesh.positions.resize(5000, {0, 0});
-  mesh.areas.resize(5000);
-  mesh.cut.resize(5000);
+  std::mt19937_64 random(1);  // numbers that do not shrink
+  for (std::size_t i = mesh.positions.size(); i < 5000; ++i) {
+    mesh.positions.emplace_back(double(random()), double(random()));
+    mesh.areas.push_back(double(random())), mesh.cut.push_back(double(random()));
+  }
   CHECK_THROWS_AS(post::StateFile({folder / "state.h5", "", "1"}, mesh), std::filesystem::filesystem_error);
   CHECK(folder.entries() == 0);
 }
@@ -155,6 +167,9 @@ TEST_CASE("a process that is killed leaves the frames of its parts, and others g
     const auto velocities = look.numbers("/frames/velocity");
     REQUIRE(velocities.size() == (last + 1) * small_run::mesh().positions.size() * 3);
     CHECK(velocities.back() == 3 * run.states.back()(2, run.states.back().cols() - 1));
+    const auto von_mises = look.numbers("/frames/von_mises");
+    CHECK(von_mises.size() == velocities.size() / 3);
+    CHECK(von_mises.back() == small_run::frame(0, 0).resultants.von_mises[5]);
     CHECK(look.numbers("/frames/step").back() == double(last));
     CHECK(look.numbers("/tables/table/a") == std::vector<double>{double(last)});
   };

@@ -14,6 +14,7 @@ namespace {
 post::Frame frame(const post::Mesh& mesh, std::size_t step) {
   post::Frame result;
   result.time = 0.5 * double(step), result.step = step, result.state = state(mesh, result.time);
+  result.resultants = {5 * result.state, 6 * result.state.topRows<2>(), 7 * result.state.row(2).transpose()};
   return result;
 }
 
@@ -27,7 +28,7 @@ post::StateFile::Options options(const std::filesystem::path& path, bool goes_on
 void require_same(const std::filesystem::path& one, const std::filesystem::path& other) {
   const Look first(one), second(other);
   const auto names = first.datasets();
-  REQUIRE(names.size() == 9);
+  REQUIRE(names.size() == 12);
   REQUIRE(second.datasets() == names);
   for (const std::string& name : names) {
     CAPTURE(name);
