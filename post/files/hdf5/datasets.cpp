@@ -21,6 +21,16 @@ Id new_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, c
   return dataset;
 }
 
+/// Of a dataset in chunks, each with a checksum: what is damaged cannot be read.
+Id in_chunks(const Sizes& chunks, const std::string& name) {
+  Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
+  checked(H5Pset_chunk(properties, static_cast<int>(chunks.size()), chunks.data()), name);
+  checked(H5Pset_shuffle(properties), name);
+  checked(H5Pset_deflate(properties, 1), name);
+  checked(H5Pset_fletcher32(properties), name);
+  return properties;
+}
+
 /// A part of a dataset, which begins at `start`.
 void write_part(hid_t dataset, const Sizes& start, const Sizes& count, const double* values, const std::string& name) {
   const Id target(H5Dget_space(dataset), H5Sclose, name);
@@ -60,7 +70,11 @@ void write_whole_dataset(hid_t parent, const std::string& name, hid_t type, cons
 
 void write_dataset_in_parts(hid_t parent, const std::string& name, const Sizes& sizes, const InParts& values,
                             const Meaning& meaning) {
-  Id dataset = new_dataset(parent, name, H5T_NATIVE_DOUBLE, space_of(sizes), meaning);
+  Sizes chunks = sizes;
+  chunks.front() = std::min(chunks.front(), hsize_t(points_at_once));
+  const Id properties = chunks.front() > 0 ? in_chunks(chunks, name) : Id();
+  Id dataset = new_dataset(parent, name, H5T_NATIVE_DOUBLE, space_of(sizes), meaning,
+                           chunks.front() > 0 ? hid_t(properties) : H5P_DEFAULT);
   for_each_part(std::size_t(sizes.front()), [&](std::size_t first, std::size_t count) {
     Sizes start(sizes.size(), 0), counts = sizes;
     start.front() = first, counts.front() = count;
@@ -76,11 +90,8 @@ Series::Series(hid_t parent, const std::string& name, Sizes sizes, hsize_t chunk
   limits.front() = H5S_UNLIMITED;
   chunks_ = sizes_, chunks_.front() = chunk;
   if (chunks_.size() > 1) chunks_[1] = std::min(chunks_[1], hsize_t(points_at_once));
-  const Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
-  checked(H5Pset_chunk(properties, static_cast<int>(chunks_.size()), chunks_.data()), name);
+  const Id properties = in_chunks(chunks_, name);
   checked(H5Pset_fill_value(properties, H5T_NATIVE_DOUBLE, &missing), name);
-  checked(H5Pset_shuffle(properties), name);
-  checked(H5Pset_deflate(properties, 1), name);
   dataset_ = new_dataset(parent, name, H5T_IEEE_F64LE, space_of(sizes_, limits.data()), meaning, properties);
 }
 
