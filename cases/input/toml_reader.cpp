@@ -161,12 +161,13 @@ std::string contents(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) throw CaseError({{path.string(), "", "no such file"}});
   try {
-    if (!std::filesystem::is_directory(path)) return post::read_text(path, 16 << 20);
+    if (std::filesystem::is_directory(path)) throw CaseError({{path.string(), "", "cannot be read"}});
+    return post::read_text(path, 16 << 20);
   } catch (const std::length_error& error) {
     throw CaseError({{path.string(), "", error.what()}});
   } catch (const std::filesystem::filesystem_error&) {
+    throw CaseError({{path.string(), "", "cannot be read"}});
   }
-  throw CaseError({{path.string(), "", "cannot be read"}});
 }
 
 /// The line with a key of more parts than any that there is: the library follows the parts by recursion, and 100,000

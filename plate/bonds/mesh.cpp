@@ -48,8 +48,8 @@ Mesh mesh(const Boundary& boundary, const geometry::Outline& outline, const std:
         geometry::drawn_cells(outline, cracks, units, {boundary.lattice.begin(), boundary.lattice.begin() + count});
     for (const auto& one : cells.corners) result.corners.push_back(corner(one, boundary));
     result.quads = std::move(cells.squares), result.triangles = std::move(cells.triangles);
-  } catch (const std::invalid_argument&) {
-  } catch (const std::logic_error&) {
+  } catch (const std::logic_error&) {  // no cells can be drawn: the mesh has points alone
+    result.corners.clear();
   }
   return result;
 }

@@ -33,7 +33,8 @@ namespace {
 [[noreturn]] void end_in_words() {
   constexpr int failed_machine = 4;  // as of main
   const auto thrown = std::current_exception();
-  const char* reason = "for no reason that is known";
+  const char* const unknown = "for no reason that is known";
+  const char* reason = unknown;
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
@@ -41,6 +42,7 @@ namespace {
   } catch (const std::exception& error) {
     reason = error.what();
   } catch (...) {
+    reason = unknown;
   }
   dprintf(STDERR_FILENO, "failed: %s\n", reason);
   _exit(failed_machine);

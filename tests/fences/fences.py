@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The fences of the house (HOUSE.md): tests/fences/fences.py includes | lengths | headers | format | tidy [BUILD]
+"""The fences of the house (HOUSE.md): tests/fences/fences.py includes | lengths | headers | style | format | tidy [BUILD]
 One line per violation, 'file:line: what is wrong, what is allowed', and exit code 1; one line where there is none."""
 import argparse
 import importlib
 import pathlib
 import sys
 
-FENCES = ("includes", "lengths", "headers", "format", "tidy")
+FENCES = ("includes", "lengths", "headers", "style", "format", "tidy")
 
 
 def main():

@@ -11,6 +11,7 @@ import functions
 import headers
 import includes
 import lengths
+import style
 import tidy
 import tree
 import units
@@ -153,7 +154,7 @@ class Lengths(Tree):
 
 class Others(Tree):
     def test_nothing_to_look_at_is_no_pass(self):
-        for fence in (includes, lengths, headers, formatting):
+        for fence in (includes, lengths, headers, style, formatting):
             with self.assertRaises(tree.Empty):
                 fence.check(self.root)
 
@@ -162,6 +163,17 @@ class Others(Tree):
         self.assertEqual(list(headers.of_file(self.root, self.write("cases/static/a.toml", whole + "\ntitle = ''\n"))), [])
         self.assertEqual(len(list(headers.of_file(self.root, self.write("cases/static/a.toml", "title = ''\n" + whole)))), 1)
         self.assertEqual(len(list(headers.of_file(self.root, self.write("cases/static/a.toml", whole.replace("cost: some", "cost:"))))), 1)
+
+    def test_catches(self):
+        path = self.write("plate/model/a.cpp", "void f() {\n  try {\n    g();\n  } catch (const E&) {  // nothing\n  }\n}\n")
+        self.assertEqual(len(list(style.catches(self.root, path))), 1)
+        self.assertTrue(next(style.catches(self.root, path)).startswith("plate/model/a.cpp:4: "))
+        path = self.write("plate/model/a.cpp", "// catch (...) {}\nvoid f() {\n  try {\n  } catch (...) {\n    h();\n  }\n}\n")
+        self.assertEqual(list(style.catches(self.root, path)), [])
+
+    def test_docstrings(self):
+        path = self.write("plate/model/a.hpp", "/// Of one rank.\nint a;\n/// The spacing.\n/// Of all.\nint b;\n/// Often.\nint c;\n")
+        self.assertEqual(list(style.docstrings(self.root, path)), [1])
 
     def test_format(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")

@@ -12,12 +12,13 @@ namespace {
 plate::PressureTable read_table(const std::filesystem::path& path) {
   constexpr std::size_t most = 256 << 20;  // bytes
   try {
-    if (!std::filesystem::is_directory(path)) return {post::read_text(path, most), path};
+    if (std::filesystem::is_directory(path)) throw std::invalid_argument("cannot be read");
+    return {post::read_text(path, most), path};
   } catch (const std::length_error& error) {
     throw std::invalid_argument(error.what());
   } catch (const std::filesystem::filesystem_error&) {
+    throw std::invalid_argument("cannot be read");
   }
-  throw std::invalid_argument("cannot be read");
 }
 
 }  // namespace

@@ -133,7 +133,8 @@ public:
   ~OpenStateFile() override {
     try {
       if (frames() > 0) close();  // those up to a failure are worth keeping
-    } catch (...) {
+    } catch (...) {               // the disk is full, say
+      closed_ = false;
     }
     if (!closed_) drop();
   }
