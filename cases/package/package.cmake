@@ -22,7 +22,8 @@ endforeach()
 
 # Cases and documents stand to each other as in the tree, so that their links hold.
 install(FILES README.md DESTINATION ${share})
-foreach(page plate/theory.md tests/verification/README.md tests/benchmarks/README.md)
+foreach(page plate/theory.md tests/README.md tests/verification/README.md tests/benchmarks/README.md .github/CHANGELOG.md
+        .github/CONTRIBUTING.md .github/CITATION.cff .devcontainer/Containerfile)
   cmake_path(GET page PARENT_PATH page_folder)
   install(FILES ${page} DESTINATION ${share}/${page_folder})
 endforeach()
