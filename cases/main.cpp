@@ -24,6 +24,14 @@
 
 namespace {
 
+constexpr auto about =
+    "Intensity factors, fields, frequencies and growth of cracks in Mindlin plates, by peridynamics\n"
+    "\n"
+    "PDPlate reads a case (one TOML file: plate, cracks, supports, loads), computes the moment and shear\n"
+    "intensity factors K1, K2, K3 of every crack tip with their estimated errors, and writes tables, fields\n"
+    "for ParaView and a report. To begin with:\n"
+    "  pdplate new first; pdplate run first.toml; xdg-open results/first/report.html\n";
+
 enum ExitCode { done, beyond_tolerance, wrong_case, failed_numbers, failed_machine, interrupted };  // 0 to 5
 
 struct Arguments {
@@ -76,8 +84,8 @@ int run_extremes(const Arguments& a) {
   if (verdicts.empty()) throw cases::CaseError({{a.file, "--only", fmt::format("no row contains \"{}\"", a.only)}});
   const auto missed = std::ranges::count(verdicts, false, &post::Verdict::holds);
   if (!a.quiet || missed > 0)
-    fmt::print("{}\n{}{} of {} oracles hold; results in {}\n", extremes.title, post::to_text(verdicts),
-               verdicts.size() - std::size_t(missed), verdicts.size(), folder.string());
+    fmt::print("{}\n{}{} of {} oracles hold; {}", extremes.title, post::to_text(verdicts),
+               verdicts.size() - std::size_t(missed), verdicts.size(), post::results_in(folder));
   return missed > 0 ? failed_numbers : done;
 }
 
@@ -112,7 +120,7 @@ post::Program::Command described(const CLI::App& app) {
 
 std::string own_pages(const CLI::App& app, const Arguments& a) {
   const auto all = described(app);
-  post::Program program{"pdplate", PDPLATE_VERSION, all.about, all.options, {}};
+  post::Program program{"pdplate", PDPLATE_VERSION, all.about.substr(0, all.about.find('\n')), all.options, {}};
   for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
     program.commands.push_back(described(*command));
   if (app.got_subcommand("manual")) return post::man_page(program, cases::keys());
@@ -192,7 +200,7 @@ void add_fatigue(CLI::App& app, Arguments& a) {
 }
 
 void add_pages(CLI::App& app, Arguments& a) {
-  auto* fresh = app.add_subcommand("new", "write a commented case to begin with; alone: what there is");
+  auto* fresh = app.add_subcommand("new", "write a commented case or study to begin with; alone: what there is");
   fresh->add_option("template", a.key, "which");
   fresh->add_option("file", a.file, "file to write (default: TEMPLATE.toml)");
   auto* keys = app.add_subcommand("keys", "the keys of a case file");
@@ -261,7 +269,7 @@ extern "C" [[gnu::visibility("default")]] int pdplate_main(int argc, char** argv
 int main(int argc, char** argv) {
 #endif
   plate::settle_process(argv);
-  CLI::App app("Cracked Mindlin plates in ordinary state-based peridynamics");
+  CLI::App app(about);
   app.require_subcommand(1);
   app.set_version_flag("--version", "pdplate " PDPLATE_VERSION ", kernels " PDPLATE_KERNELS,
                        "print the version and exit");

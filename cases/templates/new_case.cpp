@@ -8,7 +8,20 @@
 namespace cases {
 namespace {
 
-const std::string ending = ".toml", marked = "# shows: ";
+const std::string ending = ".toml", marked = "# shows: ", of_case = "\ncase = \"";
+
+/// Writes the case that a study names beside it, unless it is there; what was done, a line.
+std::string case_beside(std::string_view study, const std::filesystem::path& path) {
+  const auto at = study.find(of_case);
+  if (at == std::string::npos) return "";
+  const auto begin = at + of_case.size();
+  const std::string name(study.substr(begin, study.find('"', begin) - begin));
+  const auto beside = path.parent_path() / name;
+  if (std::filesystem::exists(beside))
+    return fmt::format("{} exists and is used as the case of the study\n", beside.string());
+  post::write_whole(beside, std::string(templates().at(name)));
+  return fmt::format("{} written: the case of the study\n", beside.string());
+}
 
 }  // namespace
 
@@ -37,8 +50,9 @@ std::string new_case(const std::string& name, const std::string& file) {
   const std::filesystem::path path = file.empty() ? name + ending : file;
   if (std::filesystem::exists(path)) throw CaseError({{"new", path.string(), "exists, and is not overwritten"}});
   post::write_whole(path, std::string(found->second));
-  const bool study = name.starts_with("study_");
-  return fmt::format("{} written; pdplate {} {}\n", path.string(), study ? "study" : "run", path.string());
+  const auto beside = case_beside(found->second, path);
+  return fmt::format("{}{} written; pdplate {} {}\n", beside, path.string(), beside.empty() ? "run" : "study",
+                     path.string());
 }
 
 }  // namespace cases

@@ -15,7 +15,8 @@ std::vector<std::string> template_names();
 /// What there is to begin with: a name and what it shows, a line each.
 std::string template_menu();
 
-/// Writes the template into a file, by default NAME.toml here, and says what to do with it. Throws CaseError where
+/// Writes the template into a file, by default NAME.toml here, and says what to do with it. The template of a study
+/// writes its case beside it too, unless a file of that name is there. Throws CaseError where
 /// there is no such template, or the file exists.
 std::string new_case(const std::string& name, const std::string& file);
 

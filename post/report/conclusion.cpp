@@ -58,9 +58,9 @@ void conclude(Summary& summary, Found found) {
     summary.deflection_over_thickness = *w / found.section.thickness;
     if (found.si && *summary.deflection_over_thickness > small_deflection)
       summary.warnings.push_back(fmt::format(
-          "the largest deflection, {:.3g} m, is {:.2g} thicknesses: small deflections are left, a real plate "
-          "stretches and bends less; look at units and loads if this is a surprise",
-          *w, *summary.deflection_over_thickness));
+          "largest deflection is {:.2g} x thickness, {:.3g} m; linear plate theory is reliable up to about {:g} x "
+          "thickness; look at units and loads if this is a surprise",
+          *summary.deflection_over_thickness, *w, small_deflection));
   }
 }
 

@@ -220,11 +220,18 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   if (summary.growth) growth(out, *summary.growth);
   if (const auto share = summary.deflection_over_thickness; share && !si && *share > small_deflection)
     fmt::format_to(
-        out, "the largest deflection is {:.2g} thicknesses: small deflections, if it is the plate's own, are left\n",
-        *share);
+        out, "largest deflection is {:.2g} x thickness; linear plate theory is reliable up to about {:g} x thickness\n",
+        *share, small_deflection);
   for (const auto& warning : summary.warnings) fmt::format_to(out, "warning: {}\n", warning);
-  fmt::format_to(out, "results in {}\n", folder.string());
-  return text;
+  return text + results_in(folder);
+}
+
+std::string results_in(const std::filesystem::path& folder) {
+  const auto page = folder / "report.html";
+  std::error_code ignored;
+  return std::filesystem::exists(page, ignored)
+             ? fmt::format("results in {}; report: {}\n", folder.string(), page.string())
+             : fmt::format("results in {}\n", folder.string());
 }
 
 }  // namespace post

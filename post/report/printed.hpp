@@ -15,6 +15,9 @@ struct Summary;
 /// %. The error of a row is that of the factors that it has: one that is not resolved is "-" and does not count.
 std::string printed(const Summary& summary, bool si, double thickness, const std::filesystem::path& folder);
 
+/// The line that names the folder of the results, and report.html where it was written.
+std::string results_in(const std::filesystem::path& folder);
+
 /// K1, K2, K3 as they are printed, and the error of a row; empty where it is not known.
 std::array<std::string, 3> factor_texts(const Srif& srif, double thickness);
 std::string error_text(const Srif& srif, double thickness);

@@ -60,7 +60,7 @@ Fields<Analysis> analysis_fields() {
   };
   return {
       choice<A, A::Kind>("kind", &A::kind, analysis_kinds(),
-                         "what is sought: rest, motion, eigenfrequencies, what loads that swing for ever do")
+                         "what is sought: equilibrium, motion, eigenfrequencies, or harmonic (steady-state) response")
           .required(),
       choice<A, A::Method>("method", &A::method, methods,
                            "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; dynamic: "

@@ -42,7 +42,7 @@ function probe_plots() {
   return [plot({ title: "Deflection of the probes", x: steps, y: { label: "w", quantity: "w" }, lines })];
 }
 
-/** Amplitudes over the frequency of a load that swings for ever. */
+/** Amplitudes of a harmonic response over its frequency. */
 function response_plots() {
   const response = tables.response;
   if (!response?.amplitude) return [];

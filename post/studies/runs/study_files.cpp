@@ -5,6 +5,7 @@
 #include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
 #include "post/report/html/study_report.hpp"
+#include "post/report/printed.hpp"
 #include "post/studies/advice.hpp"
 #include "post/studies/orders.hpp"
 #include "post/studies/plots.hpp"
@@ -24,7 +25,7 @@ std::string printed_study(const StudyTable& study, const std::string& title, con
   if (!orders(study).empty()) text += fmt::format("\nfitted orders\n{}", orders_text(study));
   text += fmt::format("\nseconds by stage\n{}", costs_text(study));
   for (const auto& sentence : advice(study)) text += sentence + "\n";
-  return text + fmt::format("results in {}\n", folder.string());
+  return text + results_in(folder);
 }
 
 }  // namespace post

@@ -4,6 +4,7 @@
 
 #include "post/files/summary.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/post/small_run.hpp"
 
 namespace {
 
@@ -41,6 +42,14 @@ TEST_CASE("printed: the recommended method of every tip first, the others below 
   CHECK(text.find("1e-05") == std::string::npos);  // not resolved
   CHECK(text.find("[m]") == std::string::npos);
   CHECK_THAT(text, Catch::EndsWith("results in there\n"));
+}
+
+TEST_CASE("printed: the report is named where it was written") {
+  const small_run::TemporaryFolder folder;
+  const auto path = folder / "report.html";
+  CHECK(post::results_in(folder.path()) == "results in " + folder.path().string() + "\n");
+  std::ofstream(path) << "page";
+  CHECK(post::printed(summary(), false, 0.1, folder.path()).ends_with("; report: " + path.string() + "\n"));
 }
 
 TEST_CASE("printed: units of SI, and what is larger than its estimated error is no 0") {
@@ -110,8 +119,8 @@ TEST_CASE(
   CHECK_THAT(post::printed(content, false, 0.1, "there"),
              Catch::Contains("multipliers add forces of 0.12 of the loads"));
   content.deflection_over_thickness = 0.4;
-  CHECK_THAT(post::printed(content, false, 0.1, "there"), !Catch::Contains("thicknesses"));
+  CHECK_THAT(post::printed(content, false, 0.1, "there"), !Catch::Contains("x thickness"));
   content.deflection_over_thickness = 6e8;
-  CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains("6e+08 thicknesses"));
-  CHECK_THAT(post::printed(content, true, 0.1, "there"), !Catch::Contains("thicknesses"));  // a warning says it
+  CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains("6e+08 x thickness"));
+  CHECK_THAT(post::printed(content, true, 0.1, "there"), !Catch::Contains("x thickness"));  // a warning says it
 }
