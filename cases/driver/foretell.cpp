@@ -4,8 +4,11 @@
 #include <cmath>
 #include <ctime>
 #include "cases/driver/results.hpp"
+#include "cases/input/keys.hpp"
 #include "cases/input/refused.hpp"
 #include "plate/formulation/stopwatch.hpp"
+#include "plate/formulations.hpp"
+#include "plate/model/formulation_kind.hpp"
 #include "plate/model/numerical_error.hpp"
 #include "post/studies/scratch_folder.hpp"
 
@@ -49,6 +52,30 @@ post::SampleRun run_of(const CaseFile& file, const plate::UsualSolver& solver, c
   return result;
 }
 
+/// The same motion by the other method, where its plate can: by Lanczos vectors of the Galerkin plate instead of steps,
+/// or by steps.
+std::optional<CaseFile> by_other_method(const CaseFile& file) {
+  using enum Analysis::Method;
+  CaseFile other = file;
+  auto& analysis = other.content.analysis;
+  auto& d = other.content.discretization;
+  if (analysis.kind != Analysis::Kind::dynamic || other.content.growth) return {};
+  analysis.method = analysis.method == lanczos ? central_difference : lanczos;
+  analysis.time_step.reset();
+  if (analysis.method == lanczos) analysis.precision = Analysis::Precision::double_;
+  if (analysis.method == lanczos && !d.formulation->offers(plate::Feature::lanczos)) {
+    const double spacing = d.spacing;
+    d = {}, d.spacing = spacing;
+    d.formulation = *std::ranges::find_if(plate::formulations(),
+                                          [](const auto* one) { return one->offers(plate::Feature::lanczos); });
+  }
+  other.source.places = {{"analysis.method", "check"}};  // as if the case stated it
+  Reading reading("");
+  reading.found().places = other.source.places, reading.kind = analysis.kind;
+  check_case(other.content, reading);
+  return reading.problems().empty() ? std::optional(other) : std::nullopt;
+}
+
 }  // namespace
 
 fracture::ForetoldRun foretell(const CaseFile& file) {
@@ -66,6 +93,26 @@ fracture::ForetoldRun foretell(const CaseFile& file) {
     return {};
   };
   return unless_refused(file, [&] { return fracture::foretell(plan_of(file.content, {}), run); });
+}
+
+std::string cheaper_way(const CaseFile& file, double seconds) {
+  constexpr double worth_it = 1, clearly = 0.7;  // s; as foretold times are no more exact
+  if (!(seconds > worth_it)) return "";
+  const auto other = by_other_method(file);
+  if (!other) return "";
+  try {
+    const double others = foretell(*other).costs.total();
+    if (!(others < clearly * seconds)) return "";
+    const bool same = other->content.discretization.formulation == file.content.discretization.formulation;
+    const bool vectors = other->content.analysis.method == Analysis::Method::lanczos;
+    return fmt::format("cheaper       {}analysis.method = \"{}\": {:.2g} s\n",
+                       same ? "" : "discretization.formulation = \"galerkin\" with ",
+                       vectors ? "lanczos" : "central_difference", others);
+  } catch (const CaseError&) {  // it cannot be run
+    return "";
+  } catch (const plate::NumericalError&) {
+    return "";
+  }
 }
 
 }  // namespace cases

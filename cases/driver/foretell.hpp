@@ -8,4 +8,7 @@ namespace cases {
 /// points can carry the case, and neither can the case itself.
 fracture::ForetoldRun foretell(const CaseFile& file);
 
+/// Names the other method of a motion, where it is foretold to take clearly less than these `seconds`; else "".
+std::string cheaper_way(const CaseFile& file, double seconds);
+
 }  // namespace cases

@@ -46,6 +46,7 @@ std::string of_run(const CaseFile& file, int processes) {
     bytes += other.bytes, seconds += other.costs.total();
     text += fmt::format("both ways     {:.2g} s\n", seconds);
   }
+  text += cheaper_way(file, seconds);
   const double free = plate::free_memory();
   text += fmt::format("memory        {:.3g} GB at its peak; {:.3g} GB are free\nfiles         {:.3g} GB\n",
                       bytes / giga, free / giga, run.costs.files / giga);

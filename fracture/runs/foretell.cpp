@@ -20,6 +20,8 @@ using plate::Analysis;
 // points of a larger sample: for factors; coarser plates begin above 4,000; threads hide the cost of a step below
 constexpr double few = 1500, some = 4500, many = 16000;
 
+// steps of the longer sample of a motion: more until they take long enough to be timed [processor s]
+constexpr double least_steps = 64, most_steps = 1 << 18, long_enough = 0.1;
 constexpr double frames_of_period = 8;      // of a harmonic response
 constexpr std::size_t few_frequencies = 8;  // of its samples
 
@@ -69,9 +71,12 @@ std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run_s
     result.large = std::move(*large);
     if (!grows && !(result.factors = run(less(1, true)))) return {};
     if (plan.analysis.method == Analysis::Method::central_difference) {
-      constexpr double enough = 64;
       const double time_step = *result.large.summary.analysis.time_step_limit;
-      if (!(result.longer = run({wider, plan.srif.has_value(), enough, time_step}))) return {};
+      const double begun = result.factors.value_or(result.large).seconds("solve");
+      for (double steps = least_steps; steps <= most_steps; steps *= 4) {
+        if (!(result.longer = run({wider, plan.srif.has_value(), steps, time_step}))) return {};
+        if (result.longer->seconds("solve") - begun > long_enough) break;
+      }
     }
     if (plan.analysis.sweep && plan.srif) result.longer = run({wider, true, 3 * double(few_frequencies)});
   } catch (const plate::NumericalError&) {

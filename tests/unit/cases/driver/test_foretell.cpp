@@ -66,3 +66,21 @@ TEST_CASE("check takes finer samples where coarse ones cannot carry the case", "
   const auto told = cases::foretell(file);
   CHECK(told.points == Approx(201 * 201).epsilon(0.02));
 }
+
+TEST_CASE("check names the other method of a motion where it is cheaper, and none that cannot be run", "[foretell]") {
+  const auto told = [](const std::vector<std::string>& more, double seconds) {
+    std::vector<std::string> all{"discretization.spacing=0.1", "section.density=1", "output.history_every=0.1",
+                                 "analysis={kind=\"dynamic\", duration=1, damping={mass=0, stiffness=0.1}}"};
+    all.insert(all.end(), more.begin(), more.end());
+    return cases::cheaper_way(case_text::read(case_text::plain, all), seconds);
+  };
+  const std::string steps = "analysis.method=central_difference", dear = "analysis.method=lanczos";
+  CHECK_THAT(told({steps}, 1e3), Catch::Contains("cheaper       analysis.method = \"lanczos\""));
+  CHECK_THAT(told({steps, "discretization.formulation=ordinary"}, 1e3), Catch::Contains("formulation = \"galerkin\""));
+  CHECK_THAT(told({dear, "analysis.damping={mass=1, stiffness=0}"}, 1e3), Catch::Contains("central_difference"));
+  CHECK(told({steps}, 0.5).empty());  // not worth a word
+  CHECK(told({steps, "support[0].kind=free"}, 1e3).empty());
+  CHECK(told({steps, "load[0]={kind=\"settlement\", support=0, value=0.01, history=\"sine\", frequency=2}"}, 1e3)
+            .empty());
+  CHECK(cases::cheaper_way(case_text::read(case_text::plain, {}), 1e3).empty());
+}

@@ -57,3 +57,21 @@ TEST_CASE("foretell: a sample does less") {
   CHECK(shorter.duration == Approx(0.64));
   CHECK_FALSE(shorter.time_step);
 }
+
+TEST_CASE("foretell: a motion is sampled for so many steps that a coarse clock can time them") {
+  const auto file = read(plain, {"discretization.spacing=0.05", "section.density=1", "output.history_every=1",
+                                 "analysis={kind=\"dynamic\", duration=100, method=\"central_difference\"}"});
+  constexpr double step = 1e-5, clock = 0.01;  // s
+  double most = 0;
+  const auto told = fracture::foretell(cases::plan_of(file.content, {}), [&](const auto&, const fracture::Less& less) {
+    auto result = sample(0.05, less.wider);
+    result.summary.analysis.time_step_limit = 1e-3, result.summary.analysis.steps = std::size_t(less.steps);
+    const double seconds = clock * std::floor((0.013 + step * less.steps) / clock);
+    result.summary.seconds = {{"solve", seconds}, {"total", seconds}};
+    most = std::max(most, less.steps);
+    return std::optional(result);
+  });
+  CHECK(most > 0.1 / step);
+  CHECK(told.whole.steps > 1e5);
+  CHECK(told.costs.total() == Approx(step * told.whole.steps).epsilon(0.1));  // found: 0.98 of it
+}
