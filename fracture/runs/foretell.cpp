@@ -73,9 +73,10 @@ std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run_s
     if (plan.analysis.method == Analysis::Method::central_difference) {
       const double time_step = *result.large.summary.analysis.time_step_limit;
       const double begun = result.factors.value_or(result.large).seconds("solve");
-      for (double steps = least_steps; steps <= most_steps; steps *= 4) {
+      for (double steps = least_steps, taken = 0; taken < long_enough && steps <= most_steps;) {
         if (!(result.longer = run({wider, plan.srif.has_value(), steps, time_step}))) return {};
-        if (result.longer->seconds("solve") - begun > long_enough) break;
+        taken = result.longer->seconds("solve") - begun;
+        steps = std::round(steps * std::clamp(1.5 * long_enough / std::max(taken, 1e-4), 2.0, 64.0));
       }
     }
     if (plan.analysis.sweep && plan.srif) result.longer = run({wider, true, 3 * double(few_frequencies)});
