@@ -21,7 +21,7 @@ Id new_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, c
   return dataset;
 }
 
-/// Of a dataset in chunks, each with a checksum: what is damaged cannot be read.
+/// Creation properties of a dataset in chunks, each with a checksum: what is damaged cannot be read.
 Id in_chunks(const Sizes& chunks, const std::string& name) {
   Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
   checked(H5Pset_chunk(properties, static_cast<int>(chunks.size()), chunks.data()), name);

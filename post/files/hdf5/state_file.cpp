@@ -38,7 +38,7 @@ void write_points(hid_t file, const StateFile::Points& of) {
   write_dataset_in_parts(points, "cut", {count}, of.cut, {"1", "share of the full family severed by cracks and edges"});
 }
 
-/// What a frame holds of every point.
+/// Quantities of a point in a frame.
 struct FieldOfFrames {
   const char* name;
   hsize_t width;  // numbers of a point
