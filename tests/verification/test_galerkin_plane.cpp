@@ -120,7 +120,7 @@ TEST_CASE(
   CHECK(gs::consistency_residual(b, corrected_u1) < rounding);   // measured: 1e-16
 }
 
-TEST_CASE("Galerkin correction V5 as printed, alpha_d Phi_d e_d, breaks the bond map; (I - n n) alpha Phi keeps it") {
+TEST_CASE("Galerkin correction V5 as printed, alpha_d Phi_d e_d, breaks the bond map, (I - n n) alpha Phi keeps it") {
   const gs::Body b = patch_body(gs::Reach::cells);
   const auto unl = gs::moving(b);
   const Eigen::Vector2d alpha(1, 0.3), ones(1, 1);

@@ -127,7 +127,7 @@ TEST_CASE("linear volumes: shear and bending in all directions exact, the rest b
     }
 }
 
-TEST_CASE("constant curvature: no force inside the plate; constant shear: the couples of equilibrium") {
+TEST_CASE("constant curvature: no force inside the plate, constant shear: the couples of equilibrium") {
   for (const auto volume : {VolumeCorrection::linear, VolumeCorrection::lattice_fitted}) {
     const auto c = plate_with(volume);
     const auto a = vp::assembled(c);

@@ -19,7 +19,7 @@ TEST_CASE("formulations: what chooses by itself prefers the Galerkin plate, and 
   CHECK(known.back()->offers(plate::Feature::breaking_bonds));
 }
 
-TEST_CASE("formulations: edges by layers are the kinds that hold in a layer; symmetry and free edges stay") {
+TEST_CASE("formulations: edges by layers are the kinds that hold in a layer, symmetry and free edges stay") {
   using enum plate::SupportKind;
   plate::Problem problem;
   problem.section = {1000, 0.3, 0.1};

@@ -213,7 +213,7 @@ TEST_CASE("moving bar of ScaDyn without the bias of sums over a lattice: within 
                                               {2.49e-5, 0.00257}});
 }
 
-TEST_CASE("moving bar with multipliers: as with surface nodes; without the bias of sums, quadratic, within 0.6 %") {
+TEST_CASE("moving bar with multipliers: as with surface nodes, without the bias of sums, quadratic, within 0.6 %") {
   check(multiplied(1, 1), {{6.40e-5, 0.0065},
                            {1.936e-4, 0.01275},
                            {2.77e-4, 0.01566},

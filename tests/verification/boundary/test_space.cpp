@@ -81,7 +81,7 @@ bb::Field lattice_field(const Solid& s) {
 
 }  // namespace
 
-TEST_CASE("shares of cells in a ball: they fill it; means of directions of the lattice of m = 3") {
+TEST_CASE("shares of cells in a ball: they fill it, means of directions of the lattice of m = 3") {
   const bb::Family family = bb::family_of(3, 3);
   double volume = 1;
   for (const auto& neighbour : family) volume += neighbour.fraction;
@@ -90,7 +90,7 @@ TEST_CASE("shares of cells in a ball: they fill it; means of directions of the l
   CHECK(bb::mean_of_directions(family, 3, bb::gauss, 2, 2) == Approx(0.066682).epsilon(1e-5));  // continuum: 1/15
 }
 
-TEST_CASE("box, pulled (Sca23 4.1): 0.077 % off with surface nodes of order 1, which is the lattice; 33 % without") {
+TEST_CASE("box, pulled (Sca23 4.1): 0.077 % off with surface nodes of order 1, which is the lattice, 33 % without") {
   const Solid s = box({8, 5, 5}, 0.1);
   CHECK(bb::errors(s, bb::uncorrected(s, bb::pulled(0, 1), pulled_field), pulled_field).largest ==
         Approx(0.3277).epsilon(0.001));

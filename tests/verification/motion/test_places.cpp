@@ -71,7 +71,7 @@ void look(const Formulation& plate, Random& random, Count& count) {
 
 }  // namespace
 
-TEST_CASE("places: of a plate that moves as a rigid body, all do, or are refused; acute corners, wedges, holes") {
+TEST_CASE("places: of a plate that moves as a rigid body, all do, or are refused, acute corners, wedges, holes") {
   for (const auto* kind : {&ordinary, &galerkin}) {
     Random random(41);
     Count count;

@@ -103,7 +103,7 @@ TEST_CASE("edge beams: Levy's solution of the thin plate, three stiffnesses, ben
   }
 }
 
-TEST_CASE("a beam along a line of points, much stiffer than the plate, is the beam alone; its shear adds") {
+TEST_CASE("a beam along a line of points, much stiffer than the plate, is the beam alone, its shear adds") {
   const double EI = 1e3, p = 1e-3;
   const geometry::Polyline line{{0, 0}, {1, 0}};
   for (const bool shears : {false, true}) {

@@ -50,7 +50,7 @@ TEST_CASE("Lanczos vectors: the motion of small steps, row by row") {
   }
 }
 
-TEST_CASE("Lanczos vectors: for graded points unless steps are asked for; what only one of both has is refused") {
+TEST_CASE("Lanczos vectors: for graded points unless steps are asked for, what only one of both has is refused") {
   using enum cases::Analysis::Method;
   const auto method = [](const std::vector<std::string>& settings) {
     return case_text::read(moving(), settings).content.analysis.method;

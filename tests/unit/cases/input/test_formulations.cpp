@@ -92,7 +92,7 @@ void check(const std::vector<std::string>& settings, const plate::FormulationKin
 
 }  // namespace
 
-TEST_CASE("auto: bonds where the case asks for what only they have, else the Galerkin plate; the reason says it") {
+TEST_CASE("auto: bonds where the case asks for what only they have, else the Galerkin plate, the reason says it") {
   for (const auto& asked : all_asked()) {
     check(asked.settings, plate::ordinary, "auto: the case asks for " + asked.of);
     check(with(asked.settings, "discretization.formulation=auto"), plate::ordinary,

@@ -60,7 +60,7 @@ TEST_CASE("bond check: the energies of all bonds are the energy of the plate, wh
 }
 
 TEST_CASE(
-    "bond check: without load nothing fails, with every surface correction and criterion; a pre-crack is no damage") {
+    "bond check: without load nothing fails, with every surface correction and criterion, a pre-crack is no damage") {
   using plate::SurfaceCorrection;
   for (const auto correction : {SurfaceCorrection::none, SurfaceCorrection::volume,
                                 SurfaceCorrection::arbitrary_horizon, SurfaceCorrection::position_aware})

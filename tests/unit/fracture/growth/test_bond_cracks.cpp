@@ -65,7 +65,7 @@ TEST_CASE("bond cracks: a tip keeps its number, and has a speed once it has gone
   CHECK(cracks.tips_of_cracks().size() == 1);
 }
 
-TEST_CASE("bond cracks: a new crack has tips of new numbers; short ones are no cracks whose factors mean something") {
+TEST_CASE("bond cracks: a new crack has tips of new numbers, short ones are no cracks whose factors mean something") {
   Scene s;
   BondCracks cracks(*s.plate);
   cracks.look(0, s.record, 0);

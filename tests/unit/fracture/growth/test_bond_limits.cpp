@@ -58,7 +58,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "bond limits: curvatures and shear angles by the fracture energy or as given; a closing bond holds under tension "
+    "bond limits: curvatures and shear angles by the fracture energy or as given, a closing bond holds under tension "
     "only") {
   auto by = growth(Growth::Criterion::curvature_shear);
   const auto& d = vp::square(0.1).discretization;

@@ -23,7 +23,7 @@ TipAdvance gone(double increment, double angle, bool long_leg, const geometry::T
 
 }  // namespace
 
-TEST_CASE("tip advance: straight on by the increment; turns below a degree are not made") {
+TEST_CASE("tip advance: straight on by the increment, turns below a degree are not made") {
   for (const double angle : {0.0, 0.9 * degree, -0.9 * degree}) {
     const auto way = gone(2, angle, turns(angle));
     CHECK((way.to - Point(4.2, 3)).norm() < 1e-14);

@@ -87,7 +87,7 @@ TEST_CASE("bonds against the Galerkin plate: supports, thicknesses and nu at ran
 }
 
 TEST_CASE(
-    "bonds against the Galerkin plate: stress at a hole and at clamped edges; nothing of a thick plate on hard "
+    "bonds against the Galerkin plate: stress at a hole and at clamped edges, nothing of a thick plate on hard "
     "supports") {
   auto c = square(0.2, 0.04, {vp::held_all_round(SupportKind::simply_supported_hard)});
   CHECK(seen(c).warnings.empty());

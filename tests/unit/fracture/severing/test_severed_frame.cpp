@@ -7,7 +7,7 @@ using namespace fracture;
 namespace vp = verified_plate;
 
 TEST_CASE(
-    "severed frame: damage is the share of weight that broke; pieces that move apart as rigid bodies bear nothing") {
+    "severed frame: damage is the share of weight that broke, pieces that move apart as rigid bodies bear nothing") {
   broken_plate::Plate plate({});
   plate.break_across(0.4);
   const auto apart = vp::field(*plate.whole, [](const geometry::Point& x) {

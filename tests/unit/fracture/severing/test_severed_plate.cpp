@@ -52,7 +52,7 @@ TEST_CASE("own families: energies and forces of all families are those of the op
 }
 
 TEST_CASE(
-    "severed plate: all severed, it is the plate with the longer crack; on the way, its energy has fallen by what was "
+    "severed plate: all severed, it is the plate with the longer crack, on the way, its energy has fallen by what was "
     "taken") {
   const geometry::Polyline first{{-1, -0.25}, {-0.35, -0.25}}, second{{-1, -0.25}, {-0.35, -0.25}, {0.15, 0.1}};
   for (const auto& [from, to, piece] :

@@ -55,7 +55,7 @@ TEST_CASE("crack graph: a straight crack under any angle stays straight, within 
   }
 }
 
-TEST_CASE("crack graph: a branch is three lines that meet in a junction; a crack from an edge has a mouth") {
+TEST_CASE("crack graph: a branch is three lines that meet in a junction, a crack from an edge has a mouth") {
   CrackGraph graph;
   cut(graph, {-1, 10}, {10, 10}, 0);
   cut(graph, {10, 10}, {16, 16}, 0);
@@ -67,7 +67,7 @@ TEST_CASE("crack graph: a branch is three lines that meet in a junction; a crack
   CHECK(count(lines, End::junction) == 3);
 }
 
-TEST_CASE("crack graph: short spurs and single sides are no cracks; a closed crack has no tip") {
+TEST_CASE("crack graph: short spurs and single sides are no cracks, a closed crack has no tip") {
   CrackGraph graph;
   cut(graph, {5, 10}, {15, 10}, 0);
   graph.part({9.5, 10.5}, {10.5, 10.5}, 1);  // one side up from (10, 10)

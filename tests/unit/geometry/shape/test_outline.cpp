@@ -62,7 +62,7 @@ TEST_CASE("straight_edges: the plate is on the left of every edge, however a hol
   }
 }
 
-TEST_CASE("edge_names are distinct and in order; edge_length adds edges and circles of one name") {
+TEST_CASE("edge_names are distinct and in order, edge_length adds edges and circles of one name") {
   Outline plate = plate_with_square_hole();
   plate.holes.push_back(Circle{{2, 2}, 1, "s"});
   plate.holes.push_back(Circle{{8, 8}, 1, "round"});

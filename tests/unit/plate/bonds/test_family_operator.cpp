@@ -65,7 +65,7 @@ TEST_CASE("stiffness is symmetric, its diagonal and its bound as promised") {
   CHECK(bound.sum() < 2 * exact.sum());  // not needlessly wide. Measured: 1.08
 }
 
-TEST_CASE("rigid motions need no force; a free plate has no other such state") {
+TEST_CASE("rigid motions need no force, a free plate has no other such state") {
   const auto m = small_plate::model(geometry::rectangle(0, 0, 0.6, 0.5), {}, small_plate::spaced(0.1));
   Forces force;
   for (const Eigen::Vector3d& motion : {Eigen::Vector3d(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {3, -2, 5}}) {

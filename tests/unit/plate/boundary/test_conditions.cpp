@@ -29,7 +29,7 @@ TEST_CASE("conditions: with all unknowns held, reactions alone") {
   CHECK((solution.reactions - Eigen::Vector4d(0, 0, -2, 2)).norm() < 1e-14);
 }
 
-TEST_CASE("conditions: a multiplier on a value is minus what holds it; none on a value that is there anyway") {
+TEST_CASE("conditions: a multiplier on a value is minus what holds it, none on a value that is there anyway") {
   const SparseStiffness B = Eigen::MatrixXd(Eigen::RowVector4d(1, 0, 0, 0)).sparseView();
   const auto solution = solution_with_multipliers(chain(), B, force, Eigen::VectorXd::Constant(1, 0.5));
   CHECK((solution.values - Eigen::Vector4d(0.5, 3.5, 6.5, 9.5)).norm() < 1e-13);
@@ -40,7 +40,7 @@ TEST_CASE("conditions: a multiplier on a value is minus what holds it; none on a
   CHECK(std::abs(free.multipliers[0]) < 1e-13);
 }
 
-TEST_CASE("conditions: [K B^T; B 0]") {
+TEST_CASE("conditions: [K B^T, B 0]") {
   const SparseStiffness B = Eigen::MatrixXd(Eigen::RowVector4d(1, 2, 3, 4)).sparseView();
   const Eigen::MatrixXd all = with_multipliers(chain(), B);
   CHECK(all.topLeftCorner(4, 4) == Eigen::MatrixXd(chain()));

@@ -63,7 +63,7 @@ TEST_CASE("crossings: both rules put a bond's force where it crosses, on the mea
       }
 }
 
-TEST_CASE("crossings: bonds between fictitious nodes count; parts beyond the edge are dropped") {
+TEST_CASE("crossings: bonds between fictitious nodes count, parts beyond the edge are dropped") {
   const auto b = box_body({5, 5}, 3);
   const int inner = b.node({1, -1, 0}), outer = b.node({-1, 1, 0});
   REQUIRE(inner >= b.real);

@@ -41,7 +41,7 @@ TEST_CASE("extrapolation: exact for polynomials up to its order, at faces, edges
       for (int order = 0; order <= 3; ++order) CHECK(largest_error(body, centre, order) < 1e-11);  // measured: 1.1e-13
 }
 
-TEST_CASE("extrapolation: order 1 of a bar, by hand (Sca21 49; ScaDyn 4)") {
+TEST_CASE("extrapolation: order 1 of a bar, by hand (Sca21 49, ScaDyn 4)") {
   const auto body = box_body({3}, 1);
   const Eigen::MatrixXd real = extrapolation(body, Centre::real_node, 1);
   const Eigen::MatrixXd surface = extrapolation(body, Centre::surface_node, 1);

@@ -67,7 +67,7 @@ TEST_CASE("a fixed degree of freedom that is also tied stays fixed") {
   CHECK(c.fixed() == std::vector<std::uint32_t>{3});
 }
 
-TEST_CASE("impose is a projection; a free state stays as it is") {
+TEST_CASE("impose is a projection, a free state stays as it is") {
   const Constraints c = several();
   State u = small_plate::random_state(points, 3);
   const State before = u;

@@ -46,7 +46,7 @@ cases::Case two_edges(const std::vector<Load>& loads) {
 
 }  // namespace
 
-TEST_CASE("settlements that move all supports as one body leave nothing beside it; others leave their difference") {
+TEST_CASE("settlements that move all supports as one body leave nothing beside it, others leave their difference") {
   const geometry::Point slope(0.2, -0.1);
   const auto together = vp::assembled(two_edges({moved(0, 0.3, slope), moved(1, 0.3, slope)}));
   const auto parts = parted(*together, total_lift(*together));

@@ -25,7 +25,7 @@ int node(const SurfacePlate& p, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("cut families: those with a bond through the crack, by both ends; all others are full") {
+TEST_CASE("cut families: those with a bond through the crack, by both ends, all others are full") {
   const auto p = cracked(SurfaceCorrection::position_aware);
   for (int k = 0; k < p.body.count(); ++k) {
     bool cut = false;

@@ -180,7 +180,7 @@ TEST_CASE("the window ends where the crack's last straight piece does") {
   CHECK(recovered(s, s.tips[1], {1, 0, 0}, {}).samples == 6);
 }
 
-TEST_CASE("normalisation: F = K / (M sqrt a), or with M = p (W/2)^2; shear times the thickness") {
+TEST_CASE("normalisation: F = K / (M sqrt a), or with M = p (W/2)^2, shear times the thickness") {
   Srif srif;
   srif.K1 = 6, srif.K2 = -3, srif.K3 = 5;
   SrifOptions options;

@@ -63,7 +63,7 @@ TEST_CASE("faces: the equivalent K is the largest at any height, and its error a
   }
 }
 
-TEST_CASE("faces: a plate in pure bending has the K of its face's stress; what is not resolved is left out") {
+TEST_CASE("faces: a plate in pure bending has the K of its face's stress, what is not resolved is left out") {
   // K1 = M sqrt(a): the stress 6 M / h^2 at the face of a crack of half length a has K_I = stress sqrt(pi a)
   const double M = 7, a = 0.3, h = section.thickness;
   auto srif = of(M * std::sqrt(a), 1, 2);

@@ -50,7 +50,7 @@ TEST_CASE("factor rows: errors hold coarser points of the same method, and anoth
   CHECK_FALSE(rows.last()[0].second);
 }
 
-TEST_CASE("factor rows: rows that are known stand for what is found; what motion leaves out is added in the end") {
+TEST_CASE("factor rows: rows that are known stand for what is found, what motion leaves out is added in the end") {
   FactorRows rows(0.1);
   CHECK_FALSE(rows.known());
   rows.known({{of_tip(0, 2)}, {of_tip(0, 4)}});

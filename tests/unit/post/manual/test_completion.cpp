@@ -4,7 +4,7 @@
 using Catch::Contains;
 using small_program::keys, small_program::program;
 
-TEST_CASE("completion: commands, options and keys; no other shells") {
+TEST_CASE("completion: commands, options and keys, no other shells") {
   for (const char* shell : {"bash", "fish"}) {
     const auto script = post::completion(shell, program, keys, {"first", "hole"});
     for (const char* part : {"run", "quiet", "section.young", "load.0.kind", "first hole"})

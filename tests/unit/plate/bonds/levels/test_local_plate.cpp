@@ -110,7 +110,7 @@ TEMPLATE_TEST_CASE(
     }
 }
 
-TEST_CASE("assembled plate: one or two iterations; many loads at once") {
+TEST_CASE("assembled plate: one or two iterations, many loads at once") {
   const auto m = held(0.1, true);
   const AssembledPlate factor(m.plate, m.boundary.constraints, stiffness_matrix(m.plate, true));
   const auto solution = conjugate_gradients(m.plate, m.boundary.constraints, pressure(m), {1e-9, 10, {}}, &factor);

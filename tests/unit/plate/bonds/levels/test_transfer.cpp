@@ -31,7 +31,7 @@ small_plate::Model cracked() {
 
 }  // namespace
 
-TEST_CASE("transfer: rigid motions exactly, at cracks and edges too; bending without shear where points lie about") {
+TEST_CASE("transfer: rigid motions exactly, at cracks and edges too, bending without shear where points lie about") {
   const auto m = cracked();
   const Transfer transfer(m.plate.families(), m.boundary);
   const auto error = [&](const auto& field) {

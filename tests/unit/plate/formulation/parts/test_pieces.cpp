@@ -87,7 +87,7 @@ TEST_CASE("two soft edges hold a plate that is small or far away alike") {
   CHECK(all[0].free_modes == 0);
 }
 
-TEST_CASE("what has fallen off: pieces that nothing holds; of a plate that nothing holds, all but the largest") {
+TEST_CASE("what has fallen off: pieces that nothing holds, of a plate that nothing holds, all but the largest") {
   const auto outline = geometry::rectangle(0, 0, 1, 1);
   for (const bool held : {true, false}) {
     Discretization d;

@@ -72,7 +72,7 @@ TEST_CASE("a pressure on a patch has its resultant and moments, wherever the pat
   check(load, pressed(load, geometry::Patch(*load.patch).ring()));
 }
 
-TEST_CASE("a patch beyond the plate acts on what there is of the plate; one over all of it is the pressure") {
+TEST_CASE("a patch beyond the plate acts on what there is of the plate, one over all of it is the pressure") {
   Load load;
   load.value = 3;
   load.patch = geometry::Polygon{{{1.55, -5}, {9, -5}, {9, 5}, {1.55, 5}}, {}};

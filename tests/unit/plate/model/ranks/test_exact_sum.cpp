@@ -40,7 +40,7 @@ TEST_CASE("exact sums: the same bits for any number of processes and any order")
   CHECK(one == Approx(double(reference)).epsilon(1e-13));  // measured: 2e-15
 }
 
-TEST_CASE("exact sums: single terms keep all their bits; nothing, tiny, huge and missing numbers") {
+TEST_CASE("exact sums: single terms keep all their bits, nothing, tiny, huge and missing numbers") {
   for (const double value : {0.1, -3.7e-280, 1.234567890123456789e300, 0.0}) CHECK(shared({value, 0, 0}, 2) == value);
   CHECK(std::abs(shared({5e-324, 0}, 2)) < 1e-300);
   CHECK(shared({}, 3) == 0);
@@ -49,7 +49,7 @@ TEST_CASE("exact sums: single terms keep all their bits; nothing, tiny, huge and
   CHECK(std::isnan(shared({1, INFINITY}, 2)));
 }
 
-TEST_CASE("the largest of all processes; outside of processes, a number itself") {
+TEST_CASE("the largest of all processes, outside of processes, a number itself") {
   CHECK(largest_of_all(-3) == -3);
   CHECK(sum_of_all(0.3) == 0.3);
   CHECK(ranks() == nullptr);

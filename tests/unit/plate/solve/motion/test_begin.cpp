@@ -9,7 +9,7 @@ using namespace plate;
 namespace vp = verified_plate;
 
 TEST_CASE(
-    "a motion does not begin with what jumps, or what a support does not allow; with a velocity or a wave it does") {
+    "a motion does not begin with what jumps, or what a support does not allow, with a velocity or a wave it does") {
   for (const auto* kind : {&galerkin, &ordinary}) {
     auto c = vp::square(0.125);
     c.discretization.formulation = kind;

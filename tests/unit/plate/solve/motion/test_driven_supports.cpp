@@ -6,7 +6,7 @@
 
 using namespace plate;
 
-TEST_CASE("without settlements nothing is driven; with them what is held is where its history puts it") {
+TEST_CASE("without settlements nothing is driven, with them what is held is where its history puts it") {
   Constraints constraints;
   constraints.fix(0, {{1, 0.5}});
   constraints.tie(3, {{6, 2}}, {{1, -1}});

@@ -4,7 +4,7 @@
 #include "tests/unit/plate/model/ranks/thread_ranks.hpp"
 #include "tests/unit/post/files/shared/lattice_in_boxes.hpp"
 
-TEST_CASE("the order of points: any part of it, of any number of processes, is that of one; others get nothing") {
+TEST_CASE("the order of points: any part of it, of any number of processes, is that of one, others get nothing") {
   const auto whole = lattice_in_boxes::own_mesh(0, 1);
   const auto points = whole.positions.size();
   const std::pair<std::size_t, std::size_t> parts[] = {{0, points}, {0, 1}, {points - 1, 1}, {777, 0}, {12345, 40000}};

@@ -8,7 +8,7 @@
 
 using namespace post;
 
-TEST_CASE("processes: least, mean and largest of what each has; nothing where one has all") {
+TEST_CASE("processes: least, mean and largest of what each has, nothing where one has all") {
   CHECK_FALSE(of_processes(10, {}, 1, {}, 1));
   thread_ranks::run(4, [](const plate::Ranks& all) {
     const double rank = all.rank();

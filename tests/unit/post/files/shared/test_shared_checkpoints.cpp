@@ -80,7 +80,7 @@ TEST_CASE("shared checkpoints: one that is damaged anywhere gives the one before
   }
 }
 
-TEST_CASE("shared checkpoints: one of another run is refused; the last two stay whole while a third is written") {
+TEST_CASE("shared checkpoints: one of another run is refused, the last two stay whole while a third is written") {
   const small_run::TemporaryFolder folder;
   write(folder.path(), 2, {"first", "the second"});
   const auto other = read(folder.path(), 2, "case 2");

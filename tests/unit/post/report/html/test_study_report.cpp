@@ -41,7 +41,7 @@ TEST_CASE("the report of a study has its axes, the refined one, and links to the
   }
 }
 
-TEST_CASE("the report of extremes has their verdicts; other folders have none") {
+TEST_CASE("the report of extremes has their verdicts, other folders have none") {
   const TemporaryFolder folder;
   CHECK_FALSE(post::write_report_of_many(folder.path()));
   post::write_csv(folder / "extremes.csv", {{"group", "row", "holds"}, {{"units", "a", "yes"}}});
