@@ -11,21 +11,29 @@ namespace {
 
 constexpr double closure = 1.0 / 1024;  // how far a mouth or a junction is extended straight ahead
 
-/// The side of a vector to which the infinitesimal (e, e^2) points: +1 left, -1 right.
-int side_of_shift(const Point& d) {
-  return d.y() != 0 ? (d.y() < 0 ? 1 : -1) : (d.x() < 0 ? -1 : 1);
+/// The side of a vector to which the infinitesimal (e, e^2), with the signs of `shift`, points: +1 left, -1 right.
+int side_of_shift(const Point& d, const Point& shift) {
+  return (d.y() != 0 ? -d.y() * shift.x() : d.x() * shift.y()) < 0 ? -1 : 1;
 }
 
 /// The side of the line from a to b on which a shifted point lies; never 0.
-int shifted_side(const Point& a, const Point& b, const Point& point) {
+int shifted_side(const Point& a, const Point& b, const Point& point, const Point& shift) {
   const int s = side(a, b, point);
-  return s != 0 ? s : side_of_shift(b - a);
+  return s != 0 ? s : side_of_shift(b - a, shift);
 }
 
 /// The side of a shifted bond on which a vertex lies; 0 for a tip that touches the bond.
-int side_of_bond(const Point& p, const Point& q, const Point& vertex, bool tip) {
+int side_of_bond(const Point& p, const Point& q, const Point& vertex, bool tip, const Point& shift) {
   const int s = side(p, q, vertex);
-  return s != 0 || tip ? s : -side_of_shift(q - p);
+  return s != 0 || tip ? s : -side_of_shift(q - p, shift);
+}
+
+/// Away from the middle of the plate, as the mean of the vertices lies.
+Point shift_of(const Outline& outline, const Polyline& crack, double tolerance) {
+  const auto [low, high] = bounding_box(outline);
+  Point mean(0, 0);
+  for (const Point& x : crack) mean += (x - (low + high) / 2) / double(crack.size());
+  return {mean.x() < -tolerance ? -1 : 1, mean.y() < -tolerance ? -1 : 1};
 }
 
 bool near(const Point& p, const Point& q, const Point& a, const Point& b) {
@@ -42,12 +50,12 @@ Point ahead(const Point& from, const Point& end) {
 /// Does the bond cross segment i? The line is that of the unextended segment, so that points on it stay on it.
 bool crosses(const CrackPath& crack, std::size_t i, const Point& p, const Point& q) {
   const Point &a = crack.vertices[i], &b = crack.vertices[i + 1];
-  if (shifted_side(a, b, p) == shifted_side(a, b, q)) return false;
+  if (shifted_side(a, b, p, crack.shift) == shifted_side(a, b, q, crack.shift)) return false;
   const bool front = i == 0, back = i + 2 == crack.vertices.size();
   const bool front_tip = front && crack.front == End::tip, back_tip = back && crack.back == End::tip;
   const Point from = front && !front_tip ? Point(a + closure * ahead(b, a)) : a;
   const Point to = back && !back_tip ? Point(b + closure * ahead(a, b)) : b;
-  return side_of_bond(p, q, from, front_tip) * side_of_bond(p, q, to, back_tip) < 0;
+  return side_of_bond(p, q, from, front_tip, crack.shift) * side_of_bond(p, q, to, back_tip, crack.shift) < 0;
 }
 
 /// Is the end of a crack within tolerance of another crack, or of a part of its own beyond its first segment?
@@ -177,7 +185,7 @@ std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Pol
       if (distance_to_boundary(outline, x) <= tolerance) return End::mouth;
       return joins(polylines, crack, at_back, tolerance) ? End::junction : End::tip;
     };
-    paths.push_back({polylines[crack], end(false), end(true)});
+    paths.push_back({polylines[crack], end(false), end(true), shift_of(outline, polylines[crack], tolerance)});
   }
   return paths;
 }
@@ -185,9 +193,9 @@ std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Pol
 std::vector<Tip> tips(const std::vector<CrackPath>& paths) {
   std::vector<Tip> all;
   for (std::size_t crack = 0; crack < paths.size(); ++crack) {
-    const Polyline& v = paths[crack].vertices;
-    if (paths[crack].front == End::tip) all.push_back({v.front(), ahead(v[1], v[0]), crack, false});
-    if (paths[crack].back == End::tip) all.push_back({v.back(), ahead(v[v.size() - 2], v.back()), crack, true});
+    const auto& [v, front, back, shift] = paths[crack];
+    if (front == End::tip) all.push_back({v.front(), ahead(v[1], v[0]), crack, false, shift});
+    if (back == End::tip) all.push_back({v.back(), ahead(v[v.size() - 2], v.back()), crack, true, shift});
   }
   return all;
 }
