@@ -93,13 +93,16 @@ void add_cell(const Foundation& foundation, const Shape& patch, const std::array
   sum.add(dofs, (K + K.transpose()) / 2);
 }
 
+constexpr double share_of_jump = 1.0 / 64;
+
 using Corner = std::pair<double, double>;
 
 Corner corner_at(const Point& x) {
   return {x.x(), x.y()};
 }
 
-/// The soil goes on beneath a crack: between its faces it is sheared over a spacing.
+/// The soil goes on beneath a crack: between its faces it is sheared over a share of what parts the points of a face
+/// (theory (73)). Over all of it the faces part by the first order of that.
 void add_below_cracks(const Foundation& foundation, const geometry::Tessellation& cells, AttachmentSum& sum) {
   geometry::Outline outline;
   if (const auto patch = patch_of(foundation))
@@ -112,7 +115,7 @@ void add_below_cracks(const Foundation& foundation, const geometry::Tessellation
     const auto twin = faces.find({corner_at(to), corner_at(from)});
     faces[{corner_at(from), corner_at(to)}] = &border;
     if (twin == faces.end() || !covered((from + to) / 2)) continue;
-    const double stiffness = foundation.shear * (to - from).norm() / 2 / cells.units.spacing;
+    const double stiffness = foundation.shear / share_of_jump / 2;
     for (const auto& [k, j] : {std::pair{border.from, twin->second->to}, {border.to, twin->second->from}})
       if (k != j) sum.add(stiffness, {{3 * k, 1}, {3 * j, -1}});
   }
