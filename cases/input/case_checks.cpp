@@ -34,13 +34,16 @@ bool check_geometry(const Case& content, Reading& reading) {
 
 /// Names of edges, kinds and places of supports and loads.
 void check_edges(const Case& content, Reading& reading) {
+  std::set<std::string> refused;  // one problem of a key is told: looked for among all problems once
   for (const auto& fault : plate::faults_of_edges(content)) {
     const auto key = key_of(fault, content);
+    if (refused.contains(key)) continue;
     if (fault.subject == plate::Subject::support_direction &&
         !reading.sound(fmt::format("support[{}].kind", fault.number)))
       continue;
     if (!reading.sound(key) || (fault.subject == plate::Subject::load_position && !reading.given(key))) continue;
     reading.complain(key, fault.what);
+    refused.insert(key);
   }
 }
 

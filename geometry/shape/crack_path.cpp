@@ -1,5 +1,6 @@
 #include "geometry/shape/crack_path.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -119,8 +120,9 @@ std::optional<std::string> excursion(const Outline& outline, const Point& a, con
 
 /// Do two segments share more than a point of the same line?
 bool runs_along(const Point& a, const Point& b, const Point& c, const Point& d, double tolerance) {
+  const double slack = tolerance * (d - c).norm();
+  if (std::abs(cross(d - c, a - c)) > slack || std::abs(cross(d - c, b - c)) > slack) return false;
   const Point along = ahead(c, d);
-  if (std::abs(cross(along, a - c)) > tolerance || std::abs(cross(along, b - c)) > tolerance) return false;
   const double start = std::min(along.dot(a - c), along.dot(b - c)), end = std::max(along.dot(a - c), along.dot(b - c));
   return std::min(end, (d - c).norm()) - std::max(start, 0.0) > tolerance;
 }
@@ -209,19 +211,31 @@ bool severs(const CrackPath& crack, const Point& p, const Point& q) {
 std::vector<Fault> faults(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance) {
   std::vector<Fault> found;
   const auto where = [](std::size_t i) { return text("cracks[", i, "]"); };
+  constexpr std::size_t most_crossings = 10000;  // cells between more of them take minutes
+  std::size_t crossings = 0;
   const auto along = [&](const Polyline& one, const Polyline& other) {
     for (std::size_t i = 0; i + 1 < one.size(); ++i)
-      for (std::size_t j = 0; j + 1 < other.size(); ++j)
-        if (runs_along(one[i], one[i + 1], other[j], other[j + 1], tolerance)) return true;
+      for (std::size_t j = 0; j + 1 < other.size(); ++j) {
+        const Point &a = one[i], &b = one[i + 1], &c = other[j], &d = other[j + 1];
+        if (runs_along(a, b, c, d, tolerance)) return true;
+        if (crossings <= most_crossings && meet(a, b, c, d)) ++crossings;
+      }
     return false;
   };
+  std::vector<Eigen::AlignedBox2d> boxes;
   for (std::size_t i = 0; i < polylines.size(); ++i) {
     auto all = faults_alone(polylines[i], tolerance);
     if (all.empty()) all = faults_in_plate(outline, polylines[i], tolerance);
     for (const std::string& what : all) found.push_back({where(i), what});
+    auto& box = boxes.emplace_back();
+    for (const Point& x : polylines[i]) box.extend(x);
+    if (!box.isEmpty()) box = {box.min().array() - tolerance, box.max().array() + tolerance};
     for (std::size_t j = 0; j < i; ++j)
-      if (along(polylines[i], polylines[j])) found.push_back({where(i), text("runs along ", where(j))});
+      if (box.intersects(boxes[j]) && along(polylines[i], polylines[j]))
+        found.push_back({where(i), text("runs along ", where(j))});
   }
+  if (crossings > most_crossings)
+    found.push_back({"cracks", text("cross each other at more than ", most_crossings, " places; give fewer cracks")});
   return found;
 }
 

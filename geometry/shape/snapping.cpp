@@ -21,20 +21,27 @@ struct Nearest {
   double distance = std::numeric_limits<double>::infinity();
   std::string name{};
 
-  void look(const Point& there, const std::string& its_name) {
-    if (const double length = (there - x).norm(); length < distance) place = there, distance = length, name = its_name;
+  /// True: it is nearer than all before.
+  bool look(const Point& there) {
+    const double length = (there - x).norm();
+    if (length >= distance) return false;
+    place = there, distance = length;
+    return true;
   }
 };
 
 Nearest nearest(const Outline& outline, const std::vector<Polyline>& cracks, std::size_t own, const Point& x) {
   Nearest result{x};
-  for (const Edge& edge : straight_edges(outline)) result.look(foot(edge.from, edge.to, x), edge.name);
+  for (const Edge& edge : straight_edges(outline))
+    if (result.look(foot(edge.from, edge.to, x))) result.name = edge.name;
   for (const Hole& hole : outline.holes)
     if (const auto* circle = std::get_if<Circle>(&hole); circle && x != circle->centre)
-      result.look(circle->centre + circle->radius * (x - circle->centre).normalized(), circle->name);
+      if (result.look(circle->centre + circle->radius * (x - circle->centre).normalized())) result.name = circle->name;
+  std::size_t nearest = cracks.size();
   for (std::size_t other = 0; other < cracks.size(); ++other)
     for (std::size_t i = 0; other != own && i + 1 < cracks[other].size(); ++i)
-      result.look(foot(cracks[other][i], cracks[other][i + 1], x), text("cracks[", other, "]"));
+      if (result.look(foot(cracks[other][i], cracks[other][i + 1], x))) nearest = other;
+  if (nearest < cracks.size()) result.name = text("cracks[", nearest, "]");
   return result;
 }
 

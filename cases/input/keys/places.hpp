@@ -1,5 +1,5 @@
 #pragma once
-#include <algorithm>
+#include <unordered_set>
 
 #include "cases/input/keys/forms.hpp"
 
@@ -15,9 +15,9 @@ Field<T> edges(const std::string& help) {
         const auto names = given.texts();
         if (!names) return;
         if (names->empty()) given.refuse("a list of at least one edge name");
-        for (auto name = names->begin(); name != names->end(); ++name)
-          if (std::find(names->begin(), name, *name) != name)
-            given.complain(fmt::format("\"{}\" is named twice", *name));
+        std::unordered_set<std::string> before;
+        for (const auto& name : *names)
+          if (!before.insert(name).second) given.complain(fmt::format("\"{}\" is named twice", name));
         object.edges = *names;
       },
       [](const T& object) { return object.edges.empty() ? "" : text_of(object.edges); });
