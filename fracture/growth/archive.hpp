@@ -49,8 +49,8 @@ void serialize(Archive& archive, Piece& piece) {
 
 template <typename Archive>
 void serialize(Archive& archive, StoppedTip& stopped) {
-  auto& [time, tip, position, asked, error] = stopped;
-  archive(time, tip, position, asked, error);
+  auto& [time, tip, position, asked, error, spent] = stopped;
+  archive(time, tip, position, asked, error, spent);
 }
 
 template <typename Archive>

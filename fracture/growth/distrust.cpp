@@ -66,6 +66,11 @@ std::vector<std::string> distrust_of_directions(const Moved& moved, const std::s
     result.push_back("directions of tips are not known within 30 degrees: they went straight on; " + remedy);
   for (const auto& stopped : moved.stopped)
     result.push_back(fmt::format("{}: it stopped there; {}, or growth.direction = \"straight\"", stopped, remedy));
+  for (const auto& unsteady : moved.unsteady)
+    result.push_back(
+        fmt::format("{}: it stopped there; take a smaller discretization.spacing, or loads that set in "
+                    "more slowly",
+                    unsteady));
   return result;
 }
 

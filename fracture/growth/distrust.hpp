@@ -23,7 +23,7 @@ std::vector<std::string> tips_without_rings(const plate::Formulation& plate);
 /// not that of a crack.
 std::vector<std::string> distrust_of_spent(const Growth& growth, const Moved& moved, const plate::Section& section);
 
-/// Tips in motion whose directions are not resolved. `remedy`: Formulation::remedy().
+/// Tips in motion whose directions or energies are not resolved. `remedy`: Formulation::remedy().
 std::vector<std::string> distrust_of_directions(const Moved& moved, const std::string& remedy);
 
 }  // namespace fracture

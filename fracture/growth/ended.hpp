@@ -31,6 +31,7 @@ struct Moved {
   std::optional<std::size_t> broken;        // bonds
   std::vector<std::string> reached;         // edges, holes and cracks by tips
   std::vector<std::string> stopped = {};    // tips whose direction is not resolved, and when
+  std::vector<std::string> unsteady = {};   // tips that took another energy than that of a crack, and when
   bool unseen = false;                      // tips have gone straight on whose direction is not known
   std::size_t parts = 1, parts_before = 1;  // of the plate
   bool frozen = false;                      // pieces that fell off stay where they were

@@ -41,8 +41,8 @@ std::string in_words(const Moved& moved) {
   else
     result = moved.advances == 0 ? "no growth" : fmt::format("{} pieces of crack", moved.advances);
   if (!moved.reached.empty()) result += fmt::format(", {} reached", fmt::join(moved.reached, ", "));
-  if (!moved.stopped.empty())
-    result += fmt::format("; not resolved, and stopped there: {}", fmt::join(moved.stopped, "; "));
+  for (const auto* stopped : {&moved.stopped, &moved.unsteady})
+    if (!stopped->empty()) result += fmt::format("; not resolved, and stopped there: {}", fmt::join(*stopped, "; "));
   if (moved.parts > moved.parts_before)
     result += fmt::format("; the plate split in {} parts{}", moved.parts, moved.frozen ? "" : ", which move on");
   return result;

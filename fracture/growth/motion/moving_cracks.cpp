@@ -16,7 +16,10 @@ constexpr double recent_length = 3;    // spacings: a lattice's steps under an a
 constexpr double gain = 0.45, gain_of_all = 1.5;
 constexpr double gauge_reach = 20;  // spacings: rings of 7.6 and two horizons about them, and more than that
 constexpr double look_after = 5;    // spacings gone without a look at the direction
-constexpr double alike = 1e-6;      // of energies: what rounding leaves between mirror images
+constexpr double settled_after = 10,
+                 steady_length = 5;                    // spacings: a tip's speed has settled, and is judged over these
+constexpr double least_taken = 0.6, most_taken = 1.6;  // of the fracture energy, of a tip whose speed is resolved
+constexpr double alike = 1e-6;                         // of energies: what rounding leaves between mirror images
 
 std::vector<geometry::Polyline> polylines(const std::vector<geometry::CrackPath>& paths) {
   std::vector<geometry::Polyline> result;
@@ -115,6 +118,17 @@ void MovingCracks::depart(const std::vector<Departure>& departures) {
   }
 }
 
+double MovingCracks::taken_lately(std::size_t tip) const {
+  double length = 0, spent = 0;
+  for (auto piece = pieces_.rbegin(); piece != pieces_.rend() && length < steady_length * spacing_ * (1 - 1e-9);
+       ++piece)
+    if (piece->tip == tip) {
+      const double gone = (piece->to - piece->from).norm();
+      length += gone, spent += piece->spent * gone;
+    }
+  return spent / length;
+}
+
 bool MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
   const Running done = *tip.running;
   tip.running.reset();
@@ -125,6 +139,13 @@ bool MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
   tip.ended = done.way.reached.has_value();
   pieces_.back().tips = tips().size();
   if (tip.ended) return false;
+  const auto number = std::size_t(&tip - tips_.data());
+  if (const double taken = taken_lately(number);
+      tip.length >= settled_after * spacing_ && (taken < least_taken || taken > most_taken)) {
+    tip.ended = true;
+    stopped_.push_back({now.time, number, tip.tip.position, 0, 0, taken});
+    return false;
+  }
   tip.gauge.reset();
   tip.next_look = now.step;
   tip.recent.push_back({done.length, done.spent});

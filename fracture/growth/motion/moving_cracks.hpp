@@ -21,17 +21,20 @@ struct Piece {
   std::size_t tip, tips;  // number of the tip; how many may still go on
 };
 
-/// A tip that stopped because it would have turned, and its direction is not resolved.
+/// A tip that stopped because it would have turned, and its direction is not resolved, or because what it took is not
+/// the energy of a crack.
 struct StoppedTip {
   double time;
   std::size_t tip;  // number
   geometry::Point position;
   double asked, error;  // of the turn [rad]
+  double spent = 0;     // lately, over the fracture energy; 0 where it stopped for its direction
 };
 
 /// Cracks that run through a plate of bonds over a horizon (theory.md, "Growth"). A tip at rest starts when its
 /// energy release rate reaches the fracture energy, and those whose rate is the same but for rounding with it. It stops
-/// where its direction is not resolved. Bonds across the next piece are then severed gradually; the energy
+/// where its direction is not resolved, or where five spacings took less than 0.6 or more than 1.6 times the fracture
+/// energy. Bonds across the next piece are then severed gradually; the energy
 /// that this takes is counted step by step, and tells how fast the tip goes on: faster where a piece took more than the
 /// fracture energy, slower or not at all where it took less.
 class MovingCracks : public plate::Changes {
@@ -107,6 +110,8 @@ private:
   bool stays(const MovingTip& tip, double G, double K1) const;
   bool finds_direction(std::size_t tip, const Seen& seen, double time, double& angle);
   void depart(const std::vector<Departure>& departures);
+  /// Energy over the fracture energy of its last five spacings.
+  double taken_lately(std::size_t tip) const;
   /// Does the tip go straight on?
   bool arrive(MovingTip& tip, const plate::Step& now);
 

@@ -53,11 +53,15 @@ Moved MovingTips::moved() const {
     if (!piece.reached.empty()) result.reached.push_back(piece.reached);
     result.largest_speed = std::max(result.largest_speed, (piece.to - piece.from).norm() / (piece.end - piece.begin));
   }
-  for (const auto& [time, tip, position, asked, error] : cracks_.stopped())
-    result.stopped.push_back(fmt::format(
-        "tip {} at ({:g}, {:g}) at t = {:.4g} would turn by {:.0f} degrees, which is "
-        "not known within {:.0f}",
-        tip, position.x(), position.y(), time, asked * 180 / std::numbers::pi, error * 180 / std::numbers::pi));
+  for (const auto& [time, tip, position, asked, error, spent] : cracks_.stopped()) {
+    const auto where = fmt::format("tip {} at ({:g}, {:g}) at t = {:.4g}", tip, position.x(), position.y(), time);
+    if (spent > 0)
+      result.unsteady.push_back(
+          fmt::format("{} took {:.2g} times the fracture energy over five spacings", where, spent));
+    else
+      result.stopped.push_back(fmt::format("{} would turn by {:.0f} degrees, which is not known within {:.0f}", where,
+                                           asked * 180 / std::numbers::pi, error * 180 / std::numbers::pi));
+  }
   result.unseen = cracks_.unseen();
   result.spent = growth_.spent(cracks_.fracture_energy(), start_.section().thickness, cracks_.length());
   for (const auto& path : cracks_.paths()) result.lengths.push_back(geometry::length(path.vertices));

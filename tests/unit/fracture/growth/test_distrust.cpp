@@ -86,4 +86,6 @@ TEST_CASE("distrust of directions: tips that stopped, each with its reason, and 
   REQUIRE(said.size() == 2);
   CHECK_THAT(said[0], Catch::Contains("went straight on; refine"));
   CHECK_THAT(said[1], Catch::StartsWith("tip 0 would turn by 64 degrees: it stopped there; refine"));
+  moved.unsteady = {"tip 1 took 3 times"};
+  CHECK_THAT(distrust_of_directions(moved, "refine").at(2), Catch::StartsWith("tip 1 took 3 times: it stopped there"));
 }
