@@ -109,7 +109,7 @@ BondView::BondView(const geometry::Cloud& cloud, const geometry::Families& their
   spacing = discretization.spacing_at_tips(), horizon = discretization.horizon();
   graded = points_on_faces = false;
   doubtful = doubtful_of_bonds * spacing;
-  trust = {0.4, 0.4, 1.6, 2, 0.1, 0.2, horizon / 2, 0.1, 0.03, false};
+  trust = {0.4, 0.4, 1.6, 2, 0.1, 0.2, horizon / 2, 0.1, 0.03, false, 0.08, 0.2};
 }
 
 Gradients BondView::gradients(std::uint32_t k, const State& state) const {

@@ -61,17 +61,24 @@ public:
     const Eigen::Vector3d unit = at_.unit_release();
     const double square =
         2 * ((2 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2]) / unit[0];  // error of K1^2 + K2^2
+    result[2] += (shares_.own_shear + shares_.tied) * std::abs(K[2]);  // which the calibration of K1 and K2 has in it
     if (bending > 0) result.head<2>() += (std::sqrt(bending * bending + square) / bending - 1) * K.head<2>().cwiseAbs();
+    // fits do not know what holds faces together: the K3 that they find tells how far they are off
+    result.head<2>().array() += shares_.tied * at_.section.thickness * std::abs(K[2]);
     if (bending < 0.1 * largest)
       return result + shares_.fits * Eigen::Vector3d(spread(largest)[0], spread(largest)[1], 0);
-    const double turn = shares_.fits * largest_turn(largest / bending) + far;
+    const double turn = shares_.turn + shares_.fits * largest_turn(largest / bending) + far;
     return result + turn * Eigen::Vector3d(std::abs(K[1]), std::abs(K[0]), 0);
   }
 
   Eigen::Vector3d by_fit(const Srif& srif, const std::optional<double>& G) const {
     const Eigen::Vector3d K = vector_of(srif);
     const double largest = largest_factor(srif, at_.section.thickness);
-    return unresolved() * largest + shares_.fits * spread(largest) + (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs();
+    return unresolved() * largest + shares_.fits * spread(largest) +
+           (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs() +
+           Eigen::Vector3d(shares_.turn * std::abs(K[1]), shares_.turn * std::abs(K[0]),
+                           shares_.own_shear * std::abs(K[2])) +
+           shares_.tied * scale_[2] * std::abs(K[2]) * scale_.cwiseInverse();
   }
 
 private:

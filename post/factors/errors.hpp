@@ -16,9 +16,12 @@ struct ErrorShares {
                  // the faces
   double width;  // of that spacing [layers]
   double doubt;  // beyond this the difference between those energies counts in full, and as a turn of K1 and K2
-  double faces = 0;   // spacing on the faces away from the tip [layers]
-  double lost = 0.1;  // of the largest factor: an error of K3 above this leaves nothing of it
-  double mixing = 0;  // of the largest factor, in K3, where the mix comes from interaction integrals
+  double faces = 0;      // spacing on the faces away from the tip [layers]
+  double lost = 0.1;     // of the largest factor: an error of K3 above this leaves nothing of it
+  double mixing = 0;     // of the largest factor, in K3, where the mix comes from interaction integrals
+  double own_shear = 0;  // of K3 itself
+  double tied = 0;       // 1 where K3 is zero, because a shear layer holds both faces together
+  double turn = 0;       // of K1 and K2 [rad]
 };
 
 /// Estimates the errors of what all methods found at one tip; methods whose energy release rate is not positive are

@@ -104,7 +104,10 @@ TipPlace place_of(const plate::Problem& c, const std::vector<geometry::CrackPath
           .narrowest = clear,
           .undisturbed = undisturbed,
           .faces = faces,
-          .heated = heated};
+          .heated = heated,
+          .tied = std::ranges::any_of(c.foundations, [&](const auto& foundation) {
+            return foundation.shear > 0 && (!foundation.patch || distance_to(*foundation.patch, tip.position) == 0);
+          })};
 }
 
 }  // namespace

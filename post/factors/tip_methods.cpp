@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <stdexcept>
 
 #include "post/factors/displacement_extrapolation.hpp"
@@ -36,7 +37,17 @@ ErrorShares shares_of(const TipView& plate, const TipPlace& place, const plate::
           trust.doubt,
           plate.graded ? place.faces / section.layer() : 0,
           trust.lost,
-          section.isotropic() ? 0 : interaction_error * plate.spacing / section.thickness};
+          section.isotropic() ? 0 : interaction_error * plate.spacing / section.thickness,
+          trust.own_shear,
+          place.tied ? 1.0 : 0.0};
+}
+
+/// How far a staircase of points turns the field that a fit within `reach` sees: at most by the angle between the crack
+/// and its steps, which are parallel or diagonal to the lattice; not where it has a whole step [rad].
+double turn_of_stairs(const geometry::Point& ahead, double spacing, double reach) {
+  constexpr double diagonal = std::numbers::pi / 4;
+  const double angle = std::abs(std::remainder(std::atan2(ahead.y(), ahead.x()), diagonal));
+  return std::tan(angle) < spacing / reach ? angle : 0;
 }
 
 /// Of the rings that fit [length].
@@ -165,6 +176,7 @@ void TipMethods::AtTip::fit(const geometry::Tip& tip, const TipPlace& place, boo
   }
   const bool heated = place.heated && plate.points_on_faces;  // with bonds two more fields cost more than they give
   fits_ = series_fits(plate, tip, *range, first_only ? std::vector{1.0} : std::vector{1.0, 0.65, 0.5}, heated);
+  shares_.turn = plate.trust.stairs * turn_of_stairs(tip.direction, plate.spacing, range->outer);
   if (fits_.empty()) no_fit_ = "series_fit: too few points about the tip for a fit of its fields; refine";
 }
 

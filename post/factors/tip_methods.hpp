@@ -22,6 +22,7 @@ struct TipPlace {
   double undisturbed;      // to the next load, pin or spring; no more than foundations reach [length]
   double faces;            // spacing of the points on the faces, where `clear` ends [length]
   bool heated = false;     // by temperatures that vary over the plate
+  bool tied = false;       // a shear layer below holds the deflections of both faces together
   double known_error = 0;  // of all factors, whatever the field about the tip says, as a share of the largest
 };
 

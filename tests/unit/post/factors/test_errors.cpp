@@ -104,6 +104,29 @@ TEST_CASE("K3 counts as lost from the share on that its formulation sets") {
   CHECK(found.front().resolved == std::array{true, true, false});
 }
 
+TEST_CASE("bonds: a share of K3 itself and a turn of K1 and K2 are added to the errors, by energy and by the fit") {
+  const std::vector<FitSrif> fits{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}};
+  const auto errors = [&](const ErrorShares& some, const char* method) {
+    Srif srif = by_energy("domain_integral", 1, 0.2, 3);
+    srif.method = method;
+    if (std::string(method) == "series_fit") srif.G.reset();
+    std::vector<Srif> found{srif};
+    estimate_errors(found, fits, section, some);
+    return found.front().errors;
+  };
+  for (const char* method : {"domain_integral", "series_fit"}) {
+    ErrorShares bonds = shares;
+    bonds.own_shear = 0.08;
+    const auto before = errors(shares, method), sheared = errors(bonds, method);
+    CHECK(*sheared[2] - *before[2] == Approx(0.08 * 3));
+    bonds.own_shear = 0, bonds.turn = 0.02;
+    const auto turned = errors(bonds, method);
+    CHECK(*turned[0] - *before[0] == Approx(0.02 * 0.2));
+    CHECK(*turned[1] - *before[1] == Approx(0.02));
+    CHECK(*turned[2] == Approx(*before[2]));
+  }
+}
+
 TEST_CASE("points on the faces that are wider apart than the layer make K3 uncertain, the wider the more") {
   const std::vector<FitSrif> fits{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}};
   double before = 0;
