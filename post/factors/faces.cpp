@@ -35,7 +35,10 @@ FaceFactors at_faces(const Srif& srif, const plate::Section& everywhere, std::op
   std::array<double, 3> K{}, errors{};
   bool any = false, known = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!srif.resolved[i]) continue;
+    if (!srif.resolved[i]) {  // it may be anything up to this
+      if (srif.errors[i]) errors[i] = factor[i] * (std::abs(own[i]) + *srif.errors[i]);
+      continue;
+    }
     result.K[i] = K[i] = factor[i] * own[i];
     any = true, known = known && srif.errors[i];
     errors[i] = factor[i] * srif.errors[i].value_or(0);

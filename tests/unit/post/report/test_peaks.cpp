@@ -17,7 +17,7 @@ post::Srif of(std::size_t tip, const std::string& method, double K1, double K2, 
 TEST_CASE("peaks: of each tip by its recommended method, with sign and time, what is not resolved left out") {
   const std::vector<std::vector<post::Srif>> rows{
       {of(0, "a", 1, 0), of(0, "b", 99, 99), of(1, "a", -1, 2)},
-      {of(0, "a", -3, 0), of(0, "b", 99, 99), of(1, "a", 0.5, 8, false)},
+      {of(0, "a", -3, 0), of(0, "b", 99, 99), of(1, "a", 0.5, 2.5, false)},
       {of(0, "a", 2, 0), of(1, "a", 0.5, -3)},
   };
   const plate::Section section{1, 0.3, 0.5, 5.0 / 6, 0};
@@ -41,4 +41,18 @@ TEST_CASE("peaks: of each tip by its recommended method, with sign and time, wha
   CHECK(used[2].value == Approx(std::sqrt(std::numbers::pi) * 6 / 0.25 * 3 / 10));
   CHECK(used[5].time == 1);  // of K1 and K2 together
   CHECK(post::peaks({}, {}, section, 10.0).empty());
+}
+
+TEST_CASE("peaks: none of a factor that may be larger where it is not resolved") {
+  const plate::Section section{1, 0.3, 0.5, 5.0 / 6, 0};
+  auto lost = of(0, "a", 0.5, 2, false);
+  const auto names = [&](double error) {
+    lost.errors[1] = error;
+    std::vector<std::string> result;
+    for (const auto& peak : post::peaks({0, 1}, {{of(0, "a", 1, 3)}, {lost}}, section, std::nullopt))
+      result.push_back(peak.quantity);
+    return result;
+  };
+  CHECK(names(0.9) == std::vector<std::string>{"K1", "K2"});
+  CHECK(names(1.1) == std::vector<std::string>{"K1"});
 }
