@@ -323,7 +323,8 @@ std::vector<std::string> distrust_of_factors(const std::vector<Srif>& srifs, con
     }
     const auto lost = named(srif, h, scale, [&](std::size_t k, double) { return !srif.resolved[k]; });
     const auto doubtful = named(srif, h, scale, [&](std::size_t k, double share) {
-      return srif.resolved[k] && share > uncertain && !srif.accuracy_reached;
+      // what was asked for counts against the largest of all tips and times
+      return srif.resolved[k] && share > std::max(uncertain, srif.accuracy_reached.value_or(0) * (1 + 1e-9));
     });
     if (!lost.empty())
       warnings.push_back(
