@@ -48,12 +48,13 @@ void check_edge_layer(const Formulation& plate, bool factors, std::vector<std::s
                                         [](const auto& side) { return side.kind == SupportKind::simply_supported; });
   if (horizon <= layer || (!soft && !factors)) return;
   warnings.push_back(
-      fmt::format("horizon is {:.3g} times thickness / sqrt(12 shear_correction), the width of the layer in "
-                  "which twist and shear change: {} not resolved above 1",
+      fmt::format("horizon is {:.3g} times the layer in which twist and shear change: {} not resolved; set "
+                  "discretization.spacing = {:.2g}, or formulation = \"galerkin\"",
                   horizon / layer,
                   !soft     ? "K3 is"
                   : factors ? "K3 and soft supports are"
-                            : "soft supports are"));
+                            : "soft supports are",
+                  layer / horizon * plate.discretization().spacing));
 }
 
 /// What the full lattice family makes of the bending stiffness: D11 / D - 1 (theory (16-18)).
@@ -86,12 +87,11 @@ void check_isotropy(const Formulation& plate, std::vector<std::string>& warnings
 void check_oblique_edges(const Formulation& plate, std::vector<std::string>& warnings) {
   const double usual = plate.error_of_edges();
   if (usual == 0) return;
-  warnings.push_back(fmt::format(
-      "edges oblique to the lattice are stairs of the spacing for bonds: deflections come out too large, usually by "
-      "some {:.1g} %, "
-      "by far more where parts between edges and cracks are narrow; the Galerkin plate (formulation = \"galerkin\") "
-      "follows them",
-      100 * usual));
+  warnings.push_back(
+      fmt::format("edges oblique to the lattice are stairs for bonds: deflections come out too large, usually by some "
+                  "{:.1g} %; set "
+                  "formulation = \"galerkin\"",
+                  100 * usual));
 }
 
 }  // namespace

@@ -208,9 +208,9 @@ std::vector<std::string> GalerkinPlate::distrust(bool factors) const {
   auto result = distrust_of_small_holes(problem());
   if (factors && spacing > layer / 6)
     result.push_back(
-        fmt::format("spacing at the tips is {:.2g} times thickness / sqrt(12 shear_correction), the width "
-                    "of the layer in which twist and shear change: K3 needs a sixth of it or less",
-                    spacing / layer));
+        fmt::format("spacing at the tips is {:.2g} times the layer in which twist and shear change: K3 needs a sixth; "
+                    "set discretization.tip_spacing = {:.2g}",
+                    spacing / layer, layer / 6));
   return result;
 }
 
