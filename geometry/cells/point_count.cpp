@@ -1,5 +1,6 @@
 #include "geometry/cells/point_count.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,6 +30,12 @@ double along_edge(double least, double growth, double spacing) {
   return (1 / least - 1 / spacing) / growth - (spacing - least) / growth / spacing / spacing;
 }
 
+/// The same along an edge with a layer.
+double beside_layer(const Grading::Edge& edge, double growth, double spacing) {
+  const double width = std::min(edge.layer, (spacing - edge.spacing) / growth), wide = edge.spacing + growth * width;
+  return (1 / edge.spacing - 1 / wide) / growth - width / spacing / spacing + along_edge(wide, edge.beyond, spacing);
+}
+
 }  // namespace
 
 double expected_points(const Outline& outline, const std::vector<Tip>& tips, double spacing, const Grading& grading) {
@@ -39,8 +46,8 @@ double expected_points(const Outline& outline, const std::vector<Tip>& tips, dou
   if (grading.at_holes && *grading.at_holes < spacing)
     for (const auto& hole : outline.holes)
       points += perimeter(hole) * along_edge(*grading.at_holes, grading.growth, spacing);
-  for (const auto& [name, at_edge] : grading.edges)
-    points += edge_length({outline.outer, {}}, name) * along_edge(at_edge, grading.growth, spacing);
+  for (const auto& edge : grading.edges)
+    points += edge_length({outline.outer, {}}, edge.name) * beside_layer(edge, grading.growth, spacing);
   return packing * points;
 }
 

@@ -1,6 +1,7 @@
 #include "geometry/cells/tessellation.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "geometry/cells/rows/whole_lattice.hpp"
 #include "geometry/cells/untied_cells.hpp"
@@ -40,29 +41,41 @@ Sizing sizing_of(const Outline& outline, const std::vector<CrackPath>& cracks, c
   if (grading.at_tips)
     for (const auto& tip : tips(cracks)) sources.push_back({tip.position, 0, *grading.at_tips / spacing});
   for (const auto& force : forces) sources.push_back({force.place, 0, force.size});
-  std::vector<std::pair<Polyline, double>> rims;
+  struct Rim {
+    Polyline line;
+    double size;
+    double layer = std::numeric_limits<double>::infinity(), beyond = 0;
+  };
+  std::vector<Rim> rims;
   const auto add = [&](const Hole& hole, bool filled) {
     if (const auto* circle = std::get_if<Circle>(&hole))
       sources.push_back({circle->centre, circle->radius, *grading.at_holes / spacing, filled});
     else if (const auto* polygon = std::get_if<Polygon>(&hole)) {
-      rims.emplace_back(polygon->vertices, *grading.at_holes / spacing);
-      rims.back().first.push_back(polygon->vertices.front());
+      rims.push_back({.line = polygon->vertices, .size = *grading.at_holes / spacing});
+      rims.back().line.push_back(polygon->vertices.front());
     }
   };
   if (grading.at_holes) {
     for (const auto& hole : outline.holes) add(hole, false);
     for (const auto& part : grading.parts) add(part, true);
   }
-  for (const auto& [name, at_edge] : grading.edges)
+  for (const auto& graded : grading.edges)
     for (const auto& edge : straight_edges({outline.outer, {}}))
-      if (edge.name == name) rims.emplace_back(Polyline{edge.from, edge.to}, at_edge / spacing);
+      if (edge.name == graded.name)
+        rims.push_back({.line = {edge.from, edge.to},
+                        .size = graded.spacing / spacing,
+                        .layer = graded.layer / spacing,
+                        .beyond = graded.beyond});
   return [sources, rims, growth = grading.growth](const Point& x) {
     double size = 1;
     for (const auto& source : sources) {
       const double off = (x - source.centre).norm() - source.radius;
       size = std::min(size, source.size + growth * (source.filled ? std::abs(off) : std::max(0.0, off)));
     }
-    for (const auto& [rim, at_rim] : rims) size = std::min(size, at_rim + growth * distance(rim, x));
+    for (const auto& rim : rims) {
+      const double off = distance(rim.line, x);
+      size = std::min(size, rim.size + growth * std::min(off, rim.layer) + rim.beyond * std::max(0.0, off - rim.layer));
+    }
     return size;
   };
 }

@@ -49,8 +49,14 @@ struct Grading {
   std::vector<Point> forces = {};
   /// Parts of the plate on whose boundary points are as near as at holes.
   std::vector<Hole> parts = {};
-  /// Edges of the outer polygon on which points are so near [length].
-  std::vector<std::pair<std::string, double>> edges = {};
+  /// An edge of the outer polygon beside which something changes within a layer.
+  struct Edge {
+    std::string name;
+    double spacing;  // [length]
+    double layer;    // within this distance from the edge spacings grow by `growth` [length]
+    double beyond;   // their growth farther away
+  };
+  std::vector<Edge> edges = {};
 };
 
 /// The lattice with its squares wherever nothing disturbs it, and triangles (constrained Delaunay) between it and

@@ -57,7 +57,8 @@ std::vector<std::string> layered_edges(const Problem& c) {
 }  // namespace
 
 geometry::Grading grading_of(const Problem& c, double factor) {
-  constexpr double of_growth = 7;  // a layer that spacings of it at the edge and this growth see: theory.md
+  constexpr double of_growth = 7;             // a layer that spacings of it at the edge and this growth see: theory.md
+  constexpr double layers = 2, beyond = 0.5;  // where spacings grow as at tips, and how farther away
   const auto& d = c.discretization;
   const auto times = [&](std::optional<double> spacing) {
     return spacing ? std::optional(factor * *spacing) : spacing;
@@ -66,9 +67,14 @@ geometry::Grading grading_of(const Problem& c, double factor) {
   for (const auto& support : c.supports)
     if (support.patch) result.parts.push_back(*support.patch);
   if (!d.tip_spacing) return result;
-  const double at_edges = std::max(d.spacing_growth * d.spacing, of_growth * d.spacing_growth * c.section.layer());
+  const double wide = d.spacing_growth * d.spacing, layer = c.section.layer();
+  const double at_edges = std::max({wide, std::sqrt(wide * layer), of_growth * d.spacing_growth * layer});
   if (at_edges < 0.7 * d.spacing)
-    for (auto& name : layered_edges(c)) result.edges.emplace_back(std::move(name), factor * at_edges);
+    for (auto& name : layered_edges(c))
+      result.edges.push_back({.name = std::move(name),
+                              .spacing = factor * at_edges,
+                              .layer = layers * layer,
+                              .beyond = std::max(d.spacing_growth, beyond)});
   return result;
 }
 

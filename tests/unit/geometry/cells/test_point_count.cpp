@@ -33,3 +33,23 @@ TEST_CASE("points of a plate are told before it is made: within a quarter") {
               Approx(counted(outline, crack, spacing, grading)).epsilon(0.25));
       }
 }
+
+TEST_CASE("points beside edges with a layer: fine within it, few beyond") {
+  const auto plate = geometry::rectangle(-1, -1, 1, 1);
+  const std::vector<Polyline> crack{{{-0.4, -0.1}, {0.3, 0.2}}};
+  const auto graded = [](double beyond) {
+    Grading result{0.0005, {}, 0.07};
+    for (const auto* name : {"left", "right", "bottom", "top"})
+      result.edges.push_back({.name = name, .spacing = 0.0035, .layer = 0.0063, .beyond = beyond});
+    return result;
+  };
+  const auto slow = expected(plate, crack, 0.05, graded(0.07)), fast = expected(plate, crack, 0.05, graded(0.7));
+  CHECK(fast < 0.5 * slow);
+  CHECK(counted(plate, crack, 0.05, graded(0.7)) == Approx(fast).epsilon(0.25));
+  const auto cells = geometry::tessellation(plate, geometry::crack_paths(plate, crack, 1e-9), 0.05, {}, graded(0.7));
+  double longest = 0;  // of the sides on the edges
+  for (const auto& border : cells.borders)
+    if (border.edge >= 0)
+      longest = std::max(longest, (cells.positions[border.to] - cells.positions[border.from]).norm());
+  CHECK(longest < 1.3 * 0.0035);
+}
