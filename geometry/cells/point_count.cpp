@@ -46,6 +46,8 @@ double expected_points(const Outline& outline, const std::vector<Tip>& tips, dou
   if (grading.at_holes && *grading.at_holes < spacing)
     for (const auto& hole : outline.holes)
       points += perimeter(hole) * along_edge(*grading.at_holes, grading.growth, spacing);
+  if (grading.at_corners > 0 && grading.at_corners < spacing)
+    points += 0.75 * double(grading.corners.size()) * about_tip(grading.at_corners, grading.growth, spacing);
   for (const auto& edge : grading.edges)
     points += edge_length({outline.outer, {}}, edge.name) * beside_layer(edge, grading.growth, spacing);
   return packing * points;

@@ -41,6 +41,7 @@ Sizing sizing_of(const Outline& outline, const std::vector<CrackPath>& cracks, c
   if (grading.at_tips)
     for (const auto& tip : tips(cracks)) sources.push_back({tip.position, 0, *grading.at_tips / spacing});
   for (const auto& force : forces) sources.push_back({force.place, 0, force.size});
+  for (const auto& corner : grading.corners) sources.push_back({corner, 0, grading.at_corners / spacing});
   struct Rim {
     Polyline line;
     double size;
@@ -97,6 +98,7 @@ Tessellation tessellation(const Outline& outline, const std::vector<CrackPath>& 
   std::transform(grading.forces.begin(), grading.forces.end(), std::back_inserter(acting), place);
   Grading in_units = grading;
   in_units.parts = placed({{}, grading.parts}, place, 1 / spacing).holes;
+  std::ranges::transform(grading.corners, in_units.corners.begin(), place);
   const auto ends = tips(paths);
   std::vector<NearForce> forces;
   if (grading.at_tips) forces = forces_near_tips(acting, ends, *grading.at_tips / spacing, grading.growth);

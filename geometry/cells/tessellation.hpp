@@ -57,6 +57,9 @@ struct Grading {
     double beyond;   // their growth farther away
   };
   std::vector<Edge> edges = {};
+  /// Corners of the outer polygon that reach into the plate, on which points are at_corners apart [length].
+  std::vector<Point> corners = {};
+  double at_corners = 0;
 };
 
 /// The lattice with its squares wherever nothing disturbs it, and triangles (constrained Delaunay) between it and

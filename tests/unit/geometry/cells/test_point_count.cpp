@@ -53,3 +53,22 @@ TEST_CASE("points beside edges with a layer: fine within it, few beyond") {
       longest = std::max(longest, (cells.positions[border.to] - cells.positions[border.from]).norm());
   CHECK(longest < 1.3 * 0.0035);
 }
+
+TEST_CASE("points about corners that reach into the plate are as near as asked") {
+  using Point = geometry::Point;
+  const Outline plate{{{Point(-1, -1), Point(1, -1), Point(1, 0), Point(0, 0), Point(0, 1), Point(-1, 1)},
+                       {"a", "b", "c", "d", "e", "f"}},
+                      {}};
+  const std::vector<Polyline> crack{{{-0.6, -0.6}, {-0.3, -0.5}}};
+  Grading graded{0.005, {}, 0.14};
+  const double before = counted(plate, crack, 0.1, graded);
+  graded.corners = {Point(0, 0)}, graded.at_corners = 0.007;
+  const double points = counted(plate, crack, 0.1, graded);
+  CHECK(points > before + 100);
+  CHECK(expected(plate, crack, 0.1, graded) == Approx(points).epsilon(0.25));
+  const auto cells = geometry::tessellation(plate, geometry::crack_paths(plate, crack, 1e-9), 0.1, {}, graded);
+  double nearest = 1;
+  for (const auto& x : cells.positions)
+    if (x.norm() > 1e-9) nearest = std::min(nearest, x.norm());
+  CHECK(nearest < 1.3 * 0.007);
+}
