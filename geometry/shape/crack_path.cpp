@@ -29,12 +29,15 @@ int side_of_bond(const Point& p, const Point& q, const Point& vertex, bool tip, 
   return s != 0 || tip ? s : -side_of_shift(q - p, shift);
 }
 
-/// Away from the middle of the plate, as the mean of the vertices lies.
+/// Away from the middle of the plate, normal to the longest segment: one that stays the longest while the crack grows.
 Point shift_of(const Outline& outline, const Polyline& crack, double tolerance) {
   const auto [low, high] = bounding_box(outline);
-  Point mean(0, 0);
-  for (const Point& x : crack) mean += (x - (low + high) / 2) / double(crack.size());
-  return {mean.x() < -tolerance ? -1 : 1, mean.y() < -tolerance ? -1 : 1};
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i + 1 < crack.size(); ++i)
+    if ((crack[i + 1] - crack[i]).norm() > (crack[longest + 1] - crack[longest]).norm() + tolerance) longest = i;
+  const Point along = (crack[longest + 1] - crack[longest]).normalized(), out = crack[longest] - (low + high) / 2;
+  const Point away = out - along.dot(out) * along;
+  return {away.x() < -tolerance ? -1 : 1, away.y() < -tolerance ? -1 : 1};
 }
 
 bool near(const Point& p, const Point& q, const Point& a, const Point& b) {
