@@ -29,17 +29,6 @@ int side_of_bond(const Point& p, const Point& q, const Point& vertex, bool tip, 
   return s != 0 || tip ? s : -side_of_shift(q - p, shift);
 }
 
-/// Away from the middle of the plate, normal to the longest segment: one that stays the longest while the crack grows.
-Point shift_of(const Outline& outline, const Polyline& crack, double tolerance) {
-  const auto [low, high] = bounding_box(outline);
-  std::size_t longest = 0;
-  for (std::size_t i = 1; i + 1 < crack.size(); ++i)
-    if ((crack[i + 1] - crack[i]).norm() > (crack[longest + 1] - crack[longest]).norm() + tolerance) longest = i;
-  const Point along = (crack[longest + 1] - crack[longest]).normalized(), out = crack[longest] - (low + high) / 2;
-  const Point away = out - along.dot(out) * along;
-  return {away.x() < -tolerance ? -1 : 1, away.y() < -tolerance ? -1 : 1};
-}
-
 bool near(const Point& p, const Point& q, const Point& a, const Point& b) {
   return std::max(a.x(), b.x()) + closure >= std::min(p.x(), q.x()) &&
          std::min(a.x(), b.x()) - closure <= std::max(p.x(), q.x()) &&
@@ -190,7 +179,7 @@ std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Pol
       if (distance_to_boundary(outline, x) <= tolerance) return End::mouth;
       return joins(polylines, crack, at_back, tolerance) ? End::junction : End::tip;
     };
-    paths.push_back({polylines[crack], end(false), end(true), shift_of(outline, polylines[crack], tolerance)});
+    paths.push_back({polylines[crack], end(false), end(true)});
   }
   return paths;
 }

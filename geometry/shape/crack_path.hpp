@@ -30,8 +30,8 @@ double distance_to_boundary(const Outline& outline, const Point& x);
 
 /// The polylines with their ends classified. An end within `tolerance` of the boundary is a mouth, one within
 /// `tolerance` of another crack (or of another part of its own) a junction, any other a tip. Points on a crack count as
-/// moved away from the middle of the plate, normal to the longest segment, so that mirror images stay mirror images;
-/// where its line runs through the middle, towards +x and +y.
+/// moved towards +x and +y (CrackPath::shift): the mirror image of such a crack is not exactly that of the plate. One
+/// that is away from the middle could be moved outward instead, if bonds that break in growth followed.
 std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance);
 
 /// The tips of all cracks: front before back, in the order of the cracks.

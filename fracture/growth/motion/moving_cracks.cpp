@@ -140,10 +140,10 @@ bool MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
   pieces_.back().tips = tips().size();
   if (tip.ended) return false;
   const auto number = std::size_t(&tip - tips_.data());
-  if (const double taken = taken_lately(number);
-      tip.length >= settled_after * spacing_ && (taken < least_taken || taken > most_taken)) {
+  if (const double steady = taken_lately(number);
+      tip.length >= settled_after * spacing_ && (steady < least_taken || steady > most_taken)) {
     tip.ended = true;
-    stopped_.push_back({now.time, number, tip.tip.position, 0, 0, taken});
+    stopped_.push_back({now.time, number, tip.tip.position, 0, 0, steady});
     return false;
   }
   tip.gauge.reset();

@@ -61,22 +61,6 @@ const std::vector<std::vector<geometry::Polyline>> scenes{{{{-0.25, 0}, {0.25, 0
 
 }  // namespace
 
-TEST_CASE("cracks that run through points of symmetric plates of bonds grow symmetrically, at rest and in motion") {
-  constexpr int cells = 42;  // points lie at x = +-0.5
-  for (const bool in_motion : {false, true}) {
-    auto c = square(cells, {{{-0.5, -0.25}, {-0.5, 0.25}}, {{0.5, -0.25}, {0.5, 0.25}}}, in_motion);
-    if (!in_motion) c.growth->direction = Growth::Direction::straight;  // turns are not resolved at rest
-    const auto vertices = grown(c);
-    double reach = 0;
-    for (const auto& x : vertices) reach = std::max(reach, std::abs(x.y()) - 0.25);
-    CAPTURE(in_motion, reach);
-    CHECK(reach > 0.04);
-    const double spacing = c.discretization.spacing;
-    CHECK(apart(vertices, 1, -1) < 1e-6 * spacing);  // were 15 apart at rest, 5 in motion
-    CHECK(apart(vertices, -1, 1) < 1e-6 * spacing);
-  }
-}
-
 TEST_CASE("cracks in symmetric plates of bonds grow symmetrically, at rest and in motion, on any grid") {
   for (const int cells : {40, 41, 51})
     for (const bool in_motion : {false, true})

@@ -123,34 +123,6 @@ TEST_CASE("severs: degenerate contacts are those of points really moved by a sma
   CHECK(touching > 1000);
 }
 
-TEST_CASE("severs: mirror images of a plate have mirror images of bonds, points on cracks too") {
-  const Outline plate = rectangle(-5, -5, 5, 5);
-  std::mt19937 random(5);
-  std::uniform_int_distribution<int> half(-9, 9);
-  const auto draw = [&] { return Point(0.5 * half(random), 0.5 * half(random)); };
-  int touching = 0;
-  for (int trial = 0; trial < 20000; ++trial) {
-    const Point a = draw(), b = draw(), c = draw(), p = draw(), q = draw();
-    const bool straight = trial % 2 == 0;
-    if (a == b || b == c || a == c || p == q) continue;
-    const bool first = straight || (b - a).norm() >= (c - b).norm();
-    const Point from = first ? a : b, to = straight ? c : first ? b : c, along = to - from;
-    if (turn(from, to, Point(0, 0)) == 0) continue;                 // the line runs through the middle
-    if (!straight && (along.x() == 0 || along.y() == 0)) continue;  // it says nothing of the other segment
-    const auto severed = [&](double x, double y) {
-      const auto image = [&](const Point& v) { return Point(x * v.x(), y * v.y()); };
-      const Polyline crack = straight ? Polyline{image(a), image(c)} : Polyline{image(a), image(b), image(c)};
-      return severs(crack_paths(plate, {crack}, 1e-9).front(), image(p), image(q));
-    };
-    const bool here = severed(1, 1);
-    REQUIRE(severed(-1, 1) == here);
-    REQUIRE(severed(1, -1) == here);
-    REQUIRE(severed(-1, -1) == here);
-    touching += straight ? turn(a, c, p) * turn(a, c, q) == 0 : turn(a, b, p) * turn(a, b, q) * turn(p, q, b) == 0;
-  }
-  CHECK(touching > 1000);
-}
-
 TEST_CASE("severs: a bond exactly through a kink is cut where the crack goes on, not where it turns back") {
   const CrackPath bent = free_crack({{1, 1}, {4, 4}, {9, 4}});
   CHECK(severs(bent, {3.5, 5.5}, {4.5, 2.5}));
