@@ -52,8 +52,8 @@ post::SampleRun run_of(const CaseFile& file, const plate::UsualSolver& solver, c
   return result;
 }
 
-/// The same motion by the other method, where its plate can: by Lanczos vectors of the Galerkin plate instead of steps,
-/// or by steps.
+/// Returns the same motion by the other method: by Lanczos vectors of the Galerkin plate instead of steps, or by steps.
+/// Empty where its plate cannot be moved so.
 std::optional<CaseFile> by_other_method(const CaseFile& file) {
   using enum Analysis::Method;
   CaseFile other = file;

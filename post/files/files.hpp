@@ -3,8 +3,8 @@
 
 namespace post {
 
-/// What needs HDF5. It is a library of its own, loaded where state.h5 is first written or read: the system maps the
-/// libraries behind HDF5 in as long a time as a small plate takes to be solved.
+/// Functions that need HDF5, in a library that is loaded where state.h5 is first written or read: the system takes as
+/// long to map the libraries behind HDF5 as a small plate takes to be solved.
 struct Files {
   std::unique_ptr<StateFile::Open> (*open)(StateFile::Options options, const StateFile::Points& points);
   StoredRun (*read_run)(const std::filesystem::path& path);
