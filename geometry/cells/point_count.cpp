@@ -30,7 +30,7 @@ double along_edge(double least, double growth, double spacing) {
   return (1 / least - 1 / spacing) / growth - (spacing - least) / growth / spacing / spacing;
 }
 
-/// Expected number of points along an edge with a layer, per length of the edge.
+/// Integral of 1 / s^2 - 1 / spacing^2 across the points beside an edge with a layer.
 double beside_layer(const Grading::Edge& edge, double growth, double spacing) {
   const double width = std::min(edge.layer, (spacing - edge.spacing) / growth), wide = edge.spacing + growth * width;
   return (1 / edge.spacing - 1 / wide) / growth - width / spacing / spacing + along_edge(wide, edge.beyond, spacing);
