@@ -9,14 +9,14 @@ namespace geometry {
 
 template <typename Archive>
 void serialize(Archive& archive, CrackPath& path) {
-  auto& [vertices, front, back, shift] = path;
-  archive(vertices, front, back, shift);
+  auto& [vertices, front, back] = path;
+  archive(vertices, front, back);
 }
 
 template <typename Archive>
 void serialize(Archive& archive, Tip& tip) {
-  auto& [position, direction, crack, at_back, shift] = tip;
-  archive(position, direction, crack, at_back, shift);
+  auto& [position, direction, crack, at_back] = tip;
+  archive(position, direction, crack, at_back);
 }
 
 template <typename Archive>

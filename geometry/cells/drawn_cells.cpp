@@ -95,9 +95,8 @@ private:
 
 class Drawing {
 public:
-  /// `cracks`: in cells.
-  Drawing(const Cells& cells, const std::vector<CrackPath>& cracks, const std::vector<Point>& lattice)
-      : cells_(cells), cracks_(cracks), lattice_(lattice), index_(lattice), point_(cells.positions.size(), none) {}
+  Drawing(const Cells& cells, const std::vector<Point>& lattice)
+      : cells_(cells), lattice_(lattice), index_(lattice), point_(cells.positions.size(), none) {}
 
   DrawnCells operator()(const LatticeUnits& units) {
     find_points();
@@ -164,21 +163,13 @@ private:
       if (corner_of[p] != none) point_[corner_of[p]] = p;
   }
 
-  /// The shift of points on the crack next to the place.
-  Point shift_at(const Point& x) const {
-    const auto crack =
-        std::ranges::min_element(cracks_, {}, [&](const auto& one) { return distance(one.vertices, x); });
-    return crack == cracks_.end() ? Point(1, 1) : crack->shift;
-  }
-
-  /// Does the cell lie about x + (e, e^2), with the signs of the crack's shift and x its corner k?
+  /// Does the cell lie about x + (e, e^2), with x its corner k?
   bool ahead(const Cornered::Cell& cell, std::uint32_t k) const {
     const auto c = std::size_t(std::ranges::find(cell, k) - cell.begin());
     const Point& x = cells_.positions[k];
     const Point next = cells_.positions[cell[(c + 1) % cell.size()]] - x;
     const Point before = cells_.positions[cell[(c + cell.size() - 1) % cell.size()]] - x;
-    const Point shift = shift_at(x);
-    const auto left_of = [&](const Point& d) { return d.y() != 0 ? -d.y() * shift.x() > 0 : d.x() * shift.y() > 0; };
+    const auto left_of = [](const Point& d) { return d.y() != 0 ? -d.y() > 0 : d.x() > 0; };  // of d: (e, e^2)
     return left_of(next) && !left_of(before);
   }
 
@@ -209,7 +200,6 @@ private:
   }
 
   const Cells& cells_;
-  const std::vector<CrackPath>& cracks_;
   const std::vector<Point>& lattice_;
   CellIndex index_;
   std::vector<std::uint32_t> point_;  // per corner of cells, or none
@@ -236,7 +226,7 @@ DrawnCells drawn_cells(const Outline& outline, const std::vector<CrackPath>& cra
   const Sizing one = [](const Point&) { return 1.0; };
   auto cells = lattice_cells(curves(in_cells, paths, crossed, one, true), on_curve / 2).cells();
   part(cells);
-  return Drawing(cells, paths, lattice)(units);
+  return Drawing(cells, lattice)(units);
 }
 
 }  // namespace geometry

@@ -19,8 +19,8 @@ struct DrawnCells {
   std::size_t without_cell = 0;
 };
 
-/// `lattice`: the points, in lattice units. Where a crack runs through a point, this is on the side where severs() has
-/// it. Throws std::invalid_argument or std::logic_error where edges and cracks are closer to
+/// `lattice`: the points, in lattice units. Where a crack runs through a point, this is on the side of +x, or of +y
+/// where the crack is horizontal. Throws std::invalid_argument or std::logic_error where edges and cracks are closer to
 /// each other than numbers can tell apart.
 DrawnCells drawn_cells(const Outline& outline, const std::vector<CrackPath>& cracks, const LatticeUnits& units,
                        const std::vector<Point>& lattice);

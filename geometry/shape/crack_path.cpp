@@ -12,21 +12,21 @@ namespace {
 
 constexpr double closure = 1.0 / 1024;  // how far a mouth or a junction is extended straight ahead
 
-/// The side of a vector to which the infinitesimal (e, e^2), with the signs of `shift`, points: +1 left, -1 right.
-int side_of_shift(const Point& d, const Point& shift) {
-  return (d.y() != 0 ? -d.y() * shift.x() : d.x() * shift.y()) < 0 ? -1 : 1;
+/// The side of a vector to which the infinitesimal (e, e^2) points: +1 left, -1 right.
+int side_of_shift(const Point& d) {
+  return d.y() != 0 ? (d.y() < 0 ? 1 : -1) : (d.x() < 0 ? -1 : 1);
 }
 
 /// The side of the line from a to b on which a shifted point lies; never 0.
-int shifted_side(const Point& a, const Point& b, const Point& point, const Point& shift) {
+int shifted_side(const Point& a, const Point& b, const Point& point) {
   const int s = side(a, b, point);
-  return s != 0 ? s : side_of_shift(b - a, shift);
+  return s != 0 ? s : side_of_shift(b - a);
 }
 
 /// The side of a shifted bond on which a vertex lies; 0 for a tip that touches the bond.
-int side_of_bond(const Point& p, const Point& q, const Point& vertex, bool tip, const Point& shift) {
+int side_of_bond(const Point& p, const Point& q, const Point& vertex, bool tip) {
   const int s = side(p, q, vertex);
-  return s != 0 || tip ? s : -side_of_shift(q - p, shift);
+  return s != 0 || tip ? s : -side_of_shift(q - p);
 }
 
 bool near(const Point& p, const Point& q, const Point& a, const Point& b) {
@@ -43,12 +43,12 @@ Point ahead(const Point& from, const Point& end) {
 /// Does the bond cross segment i? The line is that of the unextended segment, so that points on it stay on it.
 bool crosses(const CrackPath& crack, std::size_t i, const Point& p, const Point& q) {
   const Point &a = crack.vertices[i], &b = crack.vertices[i + 1];
-  if (shifted_side(a, b, p, crack.shift) == shifted_side(a, b, q, crack.shift)) return false;
+  if (shifted_side(a, b, p) == shifted_side(a, b, q)) return false;
   const bool front = i == 0, back = i + 2 == crack.vertices.size();
   const bool front_tip = front && crack.front == End::tip, back_tip = back && crack.back == End::tip;
   const Point from = front && !front_tip ? Point(a + closure * ahead(b, a)) : a;
   const Point to = back && !back_tip ? Point(b + closure * ahead(a, b)) : b;
-  return side_of_bond(p, q, from, front_tip, crack.shift) * side_of_bond(p, q, to, back_tip, crack.shift) < 0;
+  return side_of_bond(p, q, from, front_tip) * side_of_bond(p, q, to, back_tip) < 0;
 }
 
 /// Is the end of a crack within tolerance of another crack, or of a part of its own beyond its first segment?
@@ -187,9 +187,9 @@ std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Pol
 std::vector<Tip> tips(const std::vector<CrackPath>& paths) {
   std::vector<Tip> all;
   for (std::size_t crack = 0; crack < paths.size(); ++crack) {
-    const auto& [v, front, back, shift] = paths[crack];
-    if (front == End::tip) all.push_back({v.front(), ahead(v[1], v[0]), crack, false, shift});
-    if (back == End::tip) all.push_back({v.back(), ahead(v[v.size() - 2], v.back()), crack, true, shift});
+    const Polyline& v = paths[crack].vertices;
+    if (paths[crack].front == End::tip) all.push_back({v.front(), ahead(v[1], v[0]), crack, false});
+    if (paths[crack].back == End::tip) all.push_back({v.back(), ahead(v[v.size() - 2], v.back()), crack, true});
   }
   return all;
 }

@@ -11,9 +11,8 @@ enum class End { tip, mouth, junction };
 /// A crack as a polyline with the kind of its two ends.
 struct CrackPath {
   Polyline vertices;
-  End front;          // at vertices.front()
-  End back;           // at vertices.back()
-  Point shift{1, 1};  // signs of the infinitesimal (e, e^2) by which points on the crack count as moved
+  End front;  // at vertices.front()
+  End back;   // at vertices.back()
 };
 
 /// A crack tip: its position and the unit direction straight ahead of it.
@@ -22,16 +21,13 @@ struct Tip {
   Point direction;
   std::size_t crack;
   bool at_back;
-  Point shift{1, 1};  // of its crack
 };
 
 /// From a place to the nearest edge or hole [length].
 double distance_to_boundary(const Outline& outline, const Point& x);
 
 /// The polylines with their ends classified. An end within `tolerance` of the boundary is a mouth, one within
-/// `tolerance` of another crack (or of another part of its own) a junction, any other a tip. Points on a crack count as
-/// moved towards +x and +y (CrackPath::shift): the mirror image of such a crack is not exactly that of the plate. One
-/// that is away from the middle could be moved outward instead, if bonds that break in growth followed.
+/// `tolerance` of another crack (or of another part of its own) a junction, any other a tip.
 std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance);
 
 /// The tips of all cracks: front before back, in the order of the cracks.
@@ -39,8 +35,7 @@ std::vector<Tip> tips(const std::vector<CrackPath>& paths);
 
 /// Does the crack sever the bond between two points? Exact, by two rules:
 /// a bond that merely touches a tip stays; a point exactly on the crack lies on the side of +x
-/// (+y where the crack is horizontal), as if all points were moved by the infinitesimal (e, e^2), with the signs of the
-/// crack's shift.
+/// (+y where the crack is horizontal), as if all points were moved by the infinitesimal (e, e^2).
 /// Mouths and junctions are closed ends: a bond through them is severed.
 bool severs(const CrackPath& crack, const Point& p, const Point& q);
 

@@ -11,17 +11,16 @@ constexpr double on_line = 1e-7;
 
 }  // namespace
 
-int face_of(double y, const TipFrame& frame, double spacing) {
+int face_of(double y, const geometry::Point& left, double spacing) {
   if (std::abs(y) > on_line * spacing) return y > 0 ? 1 : -1;
-  const auto left = frame.left();
-  const double towards = std::abs(left.x()) > 1e-12 ? left.x() * frame.shift.x() : left.y() * frame.shift.y();
+  const double towards = std::abs(left.x()) > 1e-12 ? left.x() : left.y();
   return towards > 0 ? 1 : -1;
 }
 
 Polar polar(const TipFrame& frame, const geometry::Point& x, double spacing) {
   const auto at = frame.local(x);
   if (at.x() < 0 && std::abs(at.y()) <= on_line * spacing)
-    return {-at.x(), face_of(0, frame, spacing) * std::numbers::pi};
+    return {-at.x(), face_of(0, frame.left(), spacing) * std::numbers::pi};
   return {at.norm(), std::atan2(at.y(), at.x())};
 }
 

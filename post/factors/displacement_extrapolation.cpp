@@ -24,13 +24,13 @@ struct Beside {
 
 std::vector<Beside> beside_crack(const std::vector<Point>& positions, const geometry::Tip& tip, double window,
                                  double height, double spacing) {
-  const plate::TipFrame frame(tip);
+  const Point normal(-tip.direction.y(), tip.direction.x());
   std::vector<Beside> found;
   for (std::uint32_t k = 0; k < positions.size(); ++k) {
-    const Point x = frame.local(positions[k]);
-    const double r = -x.x(), y = x.y();
+    const Point x = positions[k] - tip.position;
+    const double r = -x.dot(tip.direction), y = x.dot(normal);
     if (r > -2 * spacing && r < window + 2 * spacing && std::abs(y) < height)
-      found.push_back({k, r, y, plate::face_of(y, frame, spacing)});
+      found.push_back({k, r, y, plate::face_of(y, normal, spacing)});
   }
   return found;
 }

@@ -44,7 +44,7 @@ geometry::Tip centred(const geometry::Tip& tip, const TipView& plate) {
   for (std::size_t k = 0; k < plate.plate_points; ++k) {
     const Point x = frame.local(plate.positions[k]);
     if (x.x() > -1e-3 * plate.spacing || x.x() < -behind || std::abs(x.y()) > behind) continue;
-    if (plate::face_of(x.y(), frame, plate.spacing) > 0)
+    if (plate::face_of(x.y(), frame.left(), plate.spacing) > 0)
       above = std::min(above, x.y());
     else
       below = std::max(below, x.y());

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<const char*, Checkpoints::kept> names{"checkpoint", "checkpoint.before"};
-constexpr const char* magic = "PDPlate checkpoint 2: ";  // the number of its form
+constexpr const char* magic = "PDPlate checkpoint 3: ";  // the number of its form
 
 [[noreturn]] void fail(const fs::path& path) {
   throw fs::filesystem_error("cannot write", path, std::error_code(errno != 0 ? errno : EIO, std::generic_category()));

@@ -14,18 +14,18 @@ TEST_CASE("tip frame: a point on the line of a crack is on the face where severe
     const TipFrame frame(geometry::tips({path}).at(0));
     const Point on = -2 * ahead;  // exact
     CAPTURE(ahead.transpose());
-    CHECK(geometry::severs(path, on, on + frame.left()) == (face_of(0, frame, 1) < 0));
-    CHECK(geometry::severs(path, on, on - frame.left()) == (face_of(0, frame, 1) > 0));
-    CHECK(polar(frame, on, 1).angle == face_of(0, frame, 1) * std::numbers::pi);
+    CHECK(geometry::severs(path, on, on + frame.left()) == (face_of(0, frame.left(), 1) < 0));
+    CHECK(geometry::severs(path, on, on - frame.left()) == (face_of(0, frame.left(), 1) > 0));
+    CHECK(polar(frame, on, 1).angle == face_of(0, frame.left(), 1) * std::numbers::pi);
   }
 }
 
 TEST_CASE("tip frame: rounding does not change the face, what is beside the line does") {
   const TipFrame frame({{1, 2}, {0, 1}, 0, true});
-  CHECK(face_of(1e-9, frame, 1) == face_of(-1e-9, frame, 1));
-  CHECK(face_of(1e-3, frame, 1) == 1);
-  CHECK(face_of(-1e-3, frame, 1) == -1);
-  CHECK(face_of(-1e-9, frame, 1e-6) == -1);  // beside the line where spacings are small
+  CHECK(face_of(1e-9, frame.left(), 1) == face_of(-1e-9, frame.left(), 1));
+  CHECK(face_of(1e-3, frame.left(), 1) == 1);
+  CHECK(face_of(-1e-3, frame.left(), 1) == -1);
+  CHECK(face_of(-1e-9, frame.left(), 1e-6) == -1);  // beside the line where spacings are small
 }
 
 TEST_CASE("tip frame: polar coordinates are those of the turned axes, zero ahead, positive to the left") {
