@@ -20,6 +20,7 @@ constexpr double share_of_rounding = 5e-5;  // of the largest factor
 struct Pair {
   double size, faces;
   Factors domain, extension;
+  double tied;  // K3 h that the fit finds where a shear layer ties both faces: K1 and K2 may be as far off
 };
 
 const Srif* find(const std::vector<Srif>& srifs, std::size_t tip, const char* method) {
@@ -44,7 +45,8 @@ std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, std::size_t row, 
       const Srif& srif = integral.G && *integral.G <= 0 ? *fit : integral;
       return Factors(srif.K1, srif.K2, h * srif.K3);
     };
-    result.push_back({one.size, one.faces, factors(*domain), factors(*extension)});
+    const double tied = fit->fits.empty() ? 0 : h * std::abs(fit->fits.front().K3 - fit->K3);
+    result.push_back({one.size, one.faces, factors(*domain), factors(*extension), tied});
   }
   return result;
 }
@@ -126,6 +128,7 @@ std::vector<Refined> refined(const Course& course) {
       errors[j] += slowness(paces[j]) * of_change[i] * std::max(change[j], others) + of_integrals[i] * integrals +
                    of_size[i] * unresolved;
     }
+    errors.head<2>().array() += last.tied;
     all.push_back({result, errors});
   }
   return all;

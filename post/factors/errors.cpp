@@ -61,10 +61,9 @@ public:
     const Eigen::Vector3d unit = at_.unit_release();
     const double square =
         2 * ((2 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2]) / unit[0];  // error of K1^2 + K2^2
-    result[2] += (shares_.own_shear + shares_.tied) * std::abs(K[2]);  // which the calibration of K1 and K2 has in it
+    result[2] += shares_.own_shear * std::abs(K[2]);  // which the calibration of K1 and K2 has in it
     if (bending > 0) result.head<2>() += (std::sqrt(bending * bending + square) / bending - 1) * K.head<2>().cwiseAbs();
-    // fits do not know what holds faces together: the K3 that they find tells how far they are off
-    result.head<2>().array() += shares_.tied * at_.section.thickness * std::abs(K[2]);
+    result.head<2>() += tied();
     if (bending < 0.1 * largest)
       return result + shares_.fits * Eigen::Vector3d(spread(largest)[0], spread(largest)[1], 0);
     const double turn = shares_.turn + shares_.fits * largest_turn(largest / bending) + far;
@@ -76,12 +75,17 @@ public:
     const double largest = largest_factor(srif, at_.section.thickness);
     return unresolved() * largest + shares_.fits * spread(largest) +
            (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs() +
-           Eigen::Vector3d(shares_.turn * std::abs(K[1]), shares_.turn * std::abs(K[0]),
-                           shares_.own_shear * std::abs(K[2])) +
-           shares_.tied * scale_[2] * std::abs(K[2]) * scale_.cwiseInverse();
+           Eigen::Vector3d(shares_.turn * std::abs(K[1]) + tied()[0], shares_.turn * std::abs(K[0]) + tied()[1],
+                           shares_.own_shear * std::abs(K[2]));
   }
 
 private:
+  /// Error of K1 and K2 where a shear layer ties both faces: fits do not know of it, and the K3 that they find, which is
+  /// zero, tells how far they are off.
+  Eigen::Vector2d tied() const {
+    return Eigen::Vector2d::Constant(shares_.tied * at_.section.thickness * std::abs(fits_.front().K3));
+  }
+
   /// Of the largest factor: what the points between the tip and what is next to it, and those in the layer beside the
   /// faces, at the tip and away from it, do not resolve.
   Eigen::Vector3d unresolved() const {

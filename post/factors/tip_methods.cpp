@@ -86,6 +86,8 @@ private:
   Srif by_fit(const std::vector<FitSrif>& fits) const;
   void fit(const geometry::Tip& tip, const TipPlace& place, bool first_only);
   std::vector<FitSrif> fitted(const NearField& field) const;
+  /// K1, K2, K3 of the first fit; K3 is zero where a shear layer holds both faces together.
+  Eigen::Vector3d of_first(const std::vector<FitSrif>& fits) const;
   Eigen::Vector3d split(const std::vector<FitSrif>& fits, const plate::State& state) const;
 
   std::shared_ptr<const TipView> view_;
@@ -201,10 +203,15 @@ Eigen::MatrixXd TipMethods::AtTip::functionals() const {
 
 /// K1, K2, K3 whose signs and proportions the integrals of the energy release rate take over.
 Eigen::Vector3d TipMethods::AtTip::split(const std::vector<FitSrif>& fits, const plate::State& state) const {
-  if (!fits.empty()) return {fits.front().K1, fits.front().K2, fits.front().K3};
+  if (!fits.empty()) return of_first(fits);
   if (mix_.empty()) return Eigen::Vector3d::Zero();
   const Srif opening = mix_.front()(state);
-  return {opening.K1, opening.K2, opening.K3};
+  return {opening.K1, opening.K2, shares_.tied > 0 ? 0 : opening.K3};
+}
+
+Eigen::Vector3d TipMethods::AtTip::of_first(const std::vector<FitSrif>& fits) const {
+  const FitSrif& first = fits.front();
+  return {first.K1, first.K2, shares_.tied > 0 ? 0 : first.K3};
 }
 
 /// The first ring gives the result; its error comes from the other methods, or from the second ring.
@@ -236,7 +243,8 @@ Srif TipMethods::AtTip::by_fit(const std::vector<FitSrif>& fits) const {
   result.method = "series_fit";
   result.samples = fits_.front().points.size();
   result.fits = fits;
-  result.K1 = fits.front().K1, result.K2 = fits.front().K2, result.K3 = fits.front().K3;
+  const Eigen::Vector3d K = of_first(fits);
+  result.K1 = K[0], result.K2 = K[1], result.K3 = K[2];
   return result;
 }
 
