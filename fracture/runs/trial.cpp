@@ -18,7 +18,7 @@ namespace fracture {
 namespace {
 
 post::AccuracyTrial in_motion(Ready& ready, const plate::Analysis& analysis, const post::SrifOptions& options) {
-  constexpr double of_truncation = 0.3;  // of the accuracy
+  constexpr double of_truncation = 0.1;  // of the accuracy
   const auto& plate = *ready.plate;
   const auto reactions = post::Supports(plate.boundary()).elastic_forces(plate);
   ready.motion.emplace(

@@ -33,7 +33,7 @@ struct Solved {
   double largest_square;
 };
 
-Solved solved(const LanczosSpace& space, const std::vector<TimedLoad>& loads, const LanczosOptions& options) {
+Solved solved(LanczosSpace& space, const std::vector<TimedLoad>& loads, const LanczosOptions& options) {
   if (space.size() == 0) return {{}, MovingModes({}, MatrixXd(0, Index(loads.size())), loads), 0};
   const Eigenpairs eigen = eigenpairs(space.stiffness());
   const VectorXd& squares = eigen.values;
@@ -66,7 +66,7 @@ class Watch {
 public:
   Watch(const std::vector<TimedLoad>& loads, const LanczosOptions& options) : loads_(loads), options_(options) {}
 
-  Change look(const LanczosSpace& space) {
+  Change look(LanczosSpace& space) {
     constexpr Index times = 100;  // however few rows are wanted
     Solved now = solved(space, loads_, options_);
     const auto time = [&](Index n) { return options_.duration * double(n) / double(times); };
@@ -136,7 +136,7 @@ Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const Lanc
       if (options.progress) options.progress(std::size_t(space.size()), change.motion);
       const double worst = change.watched.empty() ? 0 : *std::ranges::max_element(change.watched);
       if (space.size() >= least && change.motion <= options.tolerance) {
-        if (most == 0) most = std::min(4 * space.size(), Index(options.max_vectors));
+        if (most == 0) most = std::min(16 * space.size(), Index(options.max_vectors));
         if (std::isfinite(worst) && (worst <= options.watched_tolerance || space.size() >= most)) return change;
       }
       // forces at a point that begin at once have a spectrum without end: what is told of its change, not refused
@@ -181,18 +181,30 @@ void LanczosMotion::observe(std::size_t rows, const std::function<void(const Ins
       amplitudes.col(i) = modes.amplitudes();
     }
     const MatrixXd states = shapes_ * amplitudes;
+    MatrixXd accelerations(states.rows(), 0);  // of the same rows, once one is asked for
+    const auto accelerate = [&] {
+      for (Index i = 0; i < amplitudes.cols(); ++i)
+        amplitudes.col(i) = at[std::size_t(i)].accelerations(time_of(first + std::size_t(i)));
+      accelerations = shapes_ * amplitudes;
+    };
     for (Index i = 0; i < states.cols(); ++i) {
       stop_if_asked("a motion by Lanczos vectors");
       const auto& then = at[std::size_t(i)];
       const double time = time_of(first + std::size_t(i));
-      const State state = Eigen::Map<const State>(states.col(i).data(), 3, points_);
+      const auto column = [&](const MatrixXd& all) -> State {
+        return Eigen::Map<const State>(all.col(i).data(), 3, points_);
+      };
+      const State state = column(states);
       require_finite(state, fmt::format("at time {:g}", time));
       const auto combined = [&](const VectorXd& of_modes) -> State {
         const VectorXd all = shapes_ * of_modes;
         return Eigen::Map<const State>(all.data(), 3, points_);
       };
       const auto velocity = [&] { return combined(then.velocities()); };
-      const auto acceleration = [&] { return combined(then.accelerations(time)); };
+      const auto acceleration = [&] {
+        if (accelerations.cols() == 0) accelerate();
+        return column(accelerations);
+      };
       Instant now{first + std::size_t(i),
                   time,
                   state,

@@ -1,5 +1,7 @@
 #include "plate/solve/motion/lanczos_space.hpp"
 
+#include <algorithm>
+
 #include "plate/model/numerical_error.hpp"
 #include "plate/solve/statics.hpp"
 
@@ -8,6 +10,34 @@ namespace plate {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+namespace {
+
+/// `vectors`^T x, the same to the last bit with any number of threads.
+template <typename Vectors>
+VectorXd products(const Vectors& vectors, const VectorXd& x) {
+  constexpr Index together = 8;
+  VectorXd result(vectors.cols());
+#pragma omp parallel for schedule(static)
+  for (Index first = 0; first < vectors.cols(); first += together) {
+    const Index count = std::min(together, vectors.cols() - first);
+    result.segment(first, count).noalias() = vectors.middleCols(first, count).transpose() * x;
+  }
+  return result;
+}
+
+/// Takes `vectors` times `shares` out of u, the same to the last bit with any number of threads.
+template <typename Vectors>
+void take_out(const Vectors& vectors, const VectorXd& shares, VectorXd& u) {
+  constexpr Index together = 2048;
+#pragma omp parallel for schedule(static)
+  for (Index first = 0; first < u.size(); first += together) {
+    const Index count = std::min(together, u.size() - first);
+    u.segment(first, count).noalias() -= vectors.middleRows(first, count) * shares;
+  }
+}
+
+}  // namespace
 
 LanczosSpace::LanczosSpace(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
                            const Preconditioner& inverse)
@@ -30,19 +60,26 @@ bool LanczosSpace::add_after(Index i) {
   State answer;
   inverse_.apply(inertia_(state_of(vectors_.col(i))), answer);
   constraints_.impose(answer);
-  return add_state(answer);
+  return add_state(answer, std::max<Index>(0, 2 * i - size_));
 }
 
 VectorXd LanczosSpace::coordinates(const State& state) const {
   return vectors().transpose() * flat(inertia_(state));
 }
 
-MatrixXd LanczosSpace::stiffness() const {
-  const MatrixXd K = vectors().transpose() * forces_.leftCols(size_);
-  return (K + K.transpose()) / 2;
+const MatrixXd& LanczosSpace::stiffness() {
+  const Index known = stiffness_.rows(), fresh = size_ - known;
+  if (fresh == 0) return stiffness_;
+  const MatrixXd columns = vectors().transpose() * forces_.middleCols(known, fresh);
+  stiffness_.conservativeResize(size_, size_);
+  stiffness_.rightCols(fresh) = columns;
+  stiffness_.bottomLeftCorner(fresh, known) = columns.topRows(known).transpose();
+  auto corner = stiffness_.bottomRightCorner(fresh, fresh);
+  corner = ((corner + corner.transpose()) / 2).eval();
+  return stiffness_;
 }
 
-bool LanczosSpace::add_state(const State& answer) {
+bool LanczosSpace::add_state(const State& answer, Index coupled) {
   VectorXd u = flat(answer);
   const double whole = norm(u);
   if (!(whole > 0)) return false;
@@ -51,8 +88,10 @@ bool LanczosSpace::add_state(const State& answer) {
   double rest = whole;
   for (int pass = 0; pass < 4; ++pass) {
     const double before = rest;
-    const Forces momentum = inertia_(state_of(u));
-    State left = state_of(u - vectors_.leftCols(size_) * (vectors_.leftCols(size_).transpose() * flat(momentum)));
+    const Index first = pass == 0 ? coupled : 0;
+    const auto basis = vectors_.middleCols(first, size_ - first);
+    take_out(basis, products(basis, flat(inertia_(state_of(u)))), u);
+    State left = state_of(u);
     constraints_.impose(left);
     u = flat(left), rest = norm(u);
     if (!(rest > 1e-10 * whole)) return false;

@@ -20,7 +20,7 @@ public:
   bool add_after(Eigen::Index i);
 
   /// A state as a new vector; false where it is in the space already.
-  bool add_state(const State& answer);
+  bool add_state(const State& answer) { return add_state(answer, 0); }
   /// The state of the space that is nearest to a state in the measure of the mass.
   Eigen::VectorXd coordinates(const State& state) const;
 
@@ -28,9 +28,11 @@ public:
   /// Columns, each a state flattened.
   auto vectors() const { return vectors_.leftCols(size_); }
   /// u_i K u_j
-  Eigen::MatrixXd stiffness() const;
+  const Eigen::MatrixXd& stiffness();
 
 private:
+  /// `coupled`: the answer is orthogonal to the vectors before this one but for rounding.
+  bool add_state(const State& answer, Eigen::Index coupled);
   double norm(const Eigen::VectorXd& u) const;
   State state_of(const Eigen::VectorXd& u) const;
 
@@ -40,6 +42,7 @@ private:
   const Preconditioner& inverse_;
   Eigen::Index points_, size_ = 0;
   Eigen::MatrixXd vectors_, forces_;  // columns
+  Eigen::MatrixXd stiffness_;         // of the first vectors
 };
 
 /// A state as a vector.
