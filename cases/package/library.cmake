@@ -2,6 +2,18 @@
 # memory by the instruction set (Eigen) crosses its border. OpenMP is the system's: its archive is for programs alone.
 find_library(GMP_LIBRARY gmp REQUIRED)
 find_library(MPFR_LIBRARY mpfr REQUIRED)
+# Archives of SuiteSparse where a shared library can take them in: from version 7 on CHOLMOD's holds METIS with variables of
+# threads (relocation R_X86_64_TPOFF32), which it cannot.
+include(CheckCSourceCompiles)
+set(CMAKE_REQUIRED_FLAGS -fPIC)
+set(CMAKE_REQUIRED_LINK_OPTIONS -shared)
+set(CMAKE_REQUIRED_LIBRARIES ${SUITESPARSE_ARCHIVES} ${METIS_LIBRARY} m)
+check_c_source_compiles("int cholmod_metis(void); int call(void) { return cholmod_metis(); }" PDPLATE_ARCHIVES_IN_LIBRARY)
+if(PDPLATE_ARCHIVES_IN_LIBRARY)
+  set(suitesparse ${SUITESPARSE_ARCHIVES} ${METIS_LIBRARY})
+else()
+  set(suitesparse ${UMFPACK_LIBRARY} ${CHOLMOD_LIBRARY})
+endif()
 add_library(pdplate_door OBJECT cases/python/door.cpp)
 target_link_libraries(pdplate_door PRIVATE cases)
 target_compile_definitions(pdplate_door PRIVATE PDPLATE_VERSION="${PROJECT_VERSION}" PDPLATE_KERNELS="${PDPLATE_KERNELS}")
@@ -15,7 +27,7 @@ foreach(part ${parts})
 endforeach()
 set_target_properties(pdplate_library PROPERTIES OUTPUT_NAME pdplate INSTALL_RPATH "$ORIGIN")
 target_link_options(pdplate_library PRIVATE -fopenmp -Wl,--exclude-libs,ALL -Wl,-z,defs -Wl,--wrap=stdout -Wl,--wrap=stderr)
-target_link_libraries(pdplate_library PRIVATE ${SUITESPARSE_IN_LIBRARY} ${GMP_LIBRARY} ${MPFR_LIBRARY} fmt::fmt ${TOML_LIBRARY} ${MUPARSER_LIBRARY} ZLIB::ZLIB
+target_link_libraries(pdplate_library PRIVATE ${suitesparse} ${GMP_LIBRARY} ${MPFR_LIBRARY} fmt::fmt ${TOML_LIBRARY} ${MUPARSER_LIBRARY} ZLIB::ZLIB
                       pugixml::pugixml m
                       pthread ${CMAKE_DL_LIBS})
 add_dependencies(pdplate_library pdplate_files)

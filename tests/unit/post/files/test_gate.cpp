@@ -15,12 +15,12 @@ TEST_CASE("numbers that are not finite do not pass, and are named") {
 
   post::Srif one;
   one.method = "domain_integral";
-  CHECK_NOTHROW(post::require_finite({one}, ""));
+  CHECK_NOTHROW(post::require_finite(std::vector{one}, ""));
   one.K2 = std::nan("");
-  CHECK_THROWS_WITH(post::require_finite({one}, "at step 3"),
+  CHECK_THROWS_WITH(post::require_finite(std::vector{one}, "at step 3"),
                     Catch::Contains("K2 is nan by domain_integral at the tip at (0, 0) at step 3"));
   one.K2 = 0, one.G = INFINITY;
-  CHECK_THROWS_AS(post::require_finite({one}, ""), plate::NumericalError);
+  CHECK_THROWS_AS(post::require_finite(std::vector{one}, ""), plate::NumericalError);
 
   plate::State state = plate::State::Ones(3, 7);
   CHECK_NOTHROW(post::require_finite(state, ""));

@@ -41,11 +41,13 @@ public:
 
   std::vector<std::string> datasets() const {
     std::vector<std::string> names;
-    const auto add = [](hid_t, const char* name, const H5O_info_t* info, void* target) -> herr_t {
-      if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(target)->push_back(name);
-      return 0;
+    // HDF5 1.10 and 1.14 have this call alike; H5Ovisit has one argument more in the second
+    const auto add = [](hid_t group, const char* name, const H5L_info_t*, void* target) -> herr_t {
+      const hid_t object = H5Oopen(group, name, H5P_DEFAULT);
+      if (H5Iget_type(object) == H5I_DATASET) static_cast<std::vector<std::string>*>(target)->push_back(name);
+      return H5Oclose(object);
     };
-    H5Ovisit(file_, H5_INDEX_NAME, H5_ITER_INC, add, &names);
+    H5Lvisit(file_, H5_INDEX_NAME, H5_ITER_INC, add, &names);
     return names;
   }
 
