@@ -2,25 +2,25 @@
 #include <omp.h>
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include "cases/driver/fatigue.hpp"
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
+#include "cases/input/manual.hpp"
+#include "cases/runs/distributed_run.hpp"
+#include "cases/studies/comparison.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
+#include "cases/studies/study_files.hpp"
 #include "cases/templates/new_case.hpp"
-#include "fracture/runs/shared/among_ranks.hpp"
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/process.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/files/whole_file.hpp"
-#include "post/manual/program.hpp"
 #include "post/report/printed.hpp"
-#include "post/report/say.hpp"
-#include "post/studies/fatigue.hpp"
-#include "post/studies/runs/comparison.hpp"
-#include "post/studies/runs/study_files.hpp"
+#include "post/report/terminal.hpp"
 
 namespace {
 

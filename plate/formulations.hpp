@@ -1,5 +1,8 @@
 #pragma once
+#include <string>
 #include <vector>
+
+#include "plate/model/numerical_method.hpp"
 
 namespace plate {
 
@@ -15,5 +18,22 @@ const FormulationKind& other_formulation(const FormulationKind& one);
 /// The formulation of a discretisation: that of bonds is another one with surface nodes or
 /// fictitious nodes.
 const FormulationKind& formulation_of(const Discretization& discretization);
+
+struct Problem;
+
+/// The way to the equilibrium of a plate of so many points, told without the plate, and how its cost follows their
+/// number.
+struct UsualSolver {
+  StaticMethod method;  // direct where the plate of these points is solved by its own factor
+  Preconditioning preconditioner;
+  std::string words;      // "conjugate gradients, two levels"
+  double iterations = 0;  // the order of their number in the number of points
+  double seconds = 1;     // the same of the time of all of them
+  double bytes = 0;       // at its peak, beside the plate and the vectors
+};
+
+/// What a static solution takes with these settings; "automatic" is settled as a plate does it that parts cannot move
+/// in. Orders and bytes were measured on square plates with a crack (tests/benchmarks, "What check foretells").
+UsualSolver usual_solver(const Problem& problem, StaticMethod method, Preconditioning wanted, double points);
 
 }  // namespace plate

@@ -1,8 +1,34 @@
 #pragma once
 #include "cases/input/case_file.hpp"
-#include "fracture/runs/ready.hpp"
+#include "cases/runs/run_plan.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "post/factors/tip_methods.hpp"
+
+namespace fracture {
+struct Unshared;
+}
 
 namespace cases {
+
+/// The plate of a case, and what its user should know of it. Throws CaseError where the discretisation cannot carry the
+/// case, where the plate is not held in statics, in whole or in a piece that cracks cut off, and where it has fewer
+/// modes than frequencies are asked for.
+plate::Discretised discretised(const CaseFile& file);
+
+/// Throws CaseError where the machine has not even the memory for the points of a case.
+void require_memory(const CaseFile& file);
+
+/// Throws CaseError where there is anything that processes cannot share.
+void require_shared(const CaseFile& file, const std::vector<fracture::Unshared>& unshared);
+
+/// Cracks that grow by their tips need the energy release rate of each from the start, whatever methods [srif] names.
+/// Tips too near to an edge, a load or another crack for it: CaseError in statics, a warning in motion, where they
+/// stay.
+void check_growing_tips(const CaseFile& file, const plate::Formulation& plate, std::vector<std::string>& warnings);
+
+/// The methods for the intensity factors of every tip; none without [srif]. `plate` must outlive them. Throws CaseError
+/// where no method can work at any tip.
+std::vector<post::TipMethods> tip_methods(const CaseFile& file, const plate::Formulation& plate);
 
 /// A case with all that can be refused behind it. Stays where it is made.
 struct Prepared : fracture::Ready {

@@ -1,11 +1,44 @@
 #pragma once
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
-#include "cases/input/case.hpp"
-#include "cases/input/problems.hpp"
 
+#include "cases/input/problems.hpp"
+#include "fracture/growth/growth.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/solve/analysis.hpp"
+#include "post/factors/srif.hpp"
+
+/// The application: case files in, results out.
 namespace cases {
+
+using plate::Analysis;
+
+/// What a run writes beside its tables, and how often.
+struct Output {
+  bool vtk = true, hdf5 = true;
+  std::optional<bool> report;   // absent: where fields are written
+  std::optional<double> every;  // dynamic: time between frames; absent: first and last only
+  std::optional<double>
+      history_every;             // dynamic: time between rows of history, probes and SRIFs; absent: duration / 400
+  double checkpoint_every = 60;  // [s] of the clock; 0: never
+  std::map<std::string, geometry::Point> probes;
+
+  bool reports() const { return report.value_or(vtk || hdf5); }
+};
+
+/// One whole simulation, as plain data: a plate, and what is done with it.
+struct Case : plate::Problem {
+  std::string title, source, units = "none";
+  std::string formulation_reason = "as the case says";  // why discretization.formulation is what it is
+  Analysis analysis;
+  std::optional<fracture::Growth> growth;
+  std::optional<post::SrifOptions> srif;
+  Output output;
+};
 
 /// A case together with the file that it is from.
 struct CaseFile {
@@ -25,5 +58,21 @@ CaseFile read_case_text(const std::string& text, const std::string& name, const 
 
 /// The whole case with all defaults as TOML: reading it gives the same case.
 std::string resolved_toml(const Case& content);
+
+/// The key that a refusal is about.
+std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem);
+
+/// What a plate refuses, as problems of the case.
+std::vector<Problem> problems_of(const CaseFile& file, const std::vector<plate::Refusal>& refusals);
+
+/// What `make` gives. Throws CaseError where a plate refuses it.
+template <class Make>
+auto unless_refused(const CaseFile& file, const Make& make) {
+  try {
+    return make();
+  } catch (const plate::Refused& error) {
+    throw CaseError(problems_of(file, error.reasons()));
+  }
+}
 
 }  // namespace cases

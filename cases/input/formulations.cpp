@@ -1,14 +1,12 @@
 #include "cases/input/formulations.hpp"
 
-#include "cases/input/case.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <algorithm>
 
+#include "cases/input/case_file.hpp"
 #include "plate/formulations.hpp"
-#include "plate/model/ranks/ranks.hpp"
+#include "plate/model/communicator.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace cases {

@@ -1,6 +1,6 @@
 #pragma once
 #include "cases/input/toml_reader.hpp"
-#include "plate/model/formulation_kind.hpp"
+#include "plate/model/numerical_method.hpp"
 
 /// Which formulation of the plate a case is for, and what not every one of them can do.
 namespace cases {

@@ -1,6 +1,14 @@
 #include "cases/input/keys.hpp"
 
-#include "cases/input/case.hpp"
+#include <set>
+
+#include "cases/input/case_file.hpp"
+#include "cases/input/formulations.hpp"
+#include "cases/input/validation.hpp"
+#include "geometry/shape/crack_cleanup.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/problem_validation.hpp"
+#include "plate/solve/validation.hpp"
 
 namespace cases {
 namespace {
@@ -72,6 +80,139 @@ const std::vector<Key>& keys() {
     return result;
   }();
   return rows;
+}
+
+namespace {
+
+/// Shape and cracks; true where edges and points can be checked against the shape.
+bool check_geometry(const Case& content, Reading& reading) {
+  for (const char* key : {"geometry.outline", "geometry.holes"})
+    if (!reading.sound(key)) return false;
+  if (content.outline.outer.vertices.empty()) return false;
+  const auto shape_faults = geometry::faults(content.outline);
+  for (const auto& fault : shape_faults) reading.complain("geometry." + fault.where, fault.what);
+  if (!shape_faults.empty()) return false;
+  if (!reading.sound("geometry.cracks")) return true;
+  for (const auto& fault : geometry::faults(content.outline, content.cracks, geometry::tolerance(content.outline)))
+    reading.complain("geometry." + fault.where, fault.what);
+  return true;
+}
+
+/// Names of edges, kinds and places of supports and loads.
+void check_edges(const Case& content, Reading& reading) {
+  std::set<std::string> refused;  // one problem of a key is told: looked for among all problems once
+  for (const auto& fault : plate::faults_of_edges(content)) {
+    const auto key = key_of(fault, content);
+    if (refused.contains(key)) continue;
+    if (fault.subject == plate::Subject::support_direction &&
+        !reading.sound(fmt::format("support[{}].kind", fault.number)))
+      continue;
+    if (!reading.sound(key) || (fault.subject == plate::Subject::load_position && !reading.given(key))) continue;
+    reading.complain(key, fault.what);
+    refused.insert(key);
+  }
+}
+
+void check_lengths(const Case& content, Reading& reading) {
+  for (const auto& fault : plate::faults_of_lengths(content, content.analysis)) {
+    const bool known =
+        fault.subject == plate::Subject::spacing ? !reading.finds_spacing : reading.sound("section.thickness");
+    if (known && reading.sound("discretization.spacing")) reading.complain(key_of(fault, content), fault.what);
+  }
+}
+
+void check_probes(const Case& content, Reading& reading) {
+  for (const auto& [name, point] : content.output.probes)
+    if (!plate::on_plate(content.outline, point))
+      reading.complain("output.probes." + name, text_of(point) + " given, must lie in the plate or on its boundary");
+}
+
+void check_tips(const Case& content, Reading& reading) {
+  if (!content.srif || !reading.sound("geometry") || (content.growth && content.growth->by_bonds())) return;
+  const auto paths = plate::crack_paths(content);
+  if (geometry::tips(paths).empty())
+    reading.complain("srif",
+                     "there is no crack tip to find intensity factors at: remove [srif] or give geometry.cracks");
+}
+
+void check_load_cases(const Case& content, Reading& reading) {
+  auto faults = plate::faults_of_load_cases(content);
+  for (auto& fault :
+       fracture::faults_beside_load_cases(content, content.analysis, content.growth.has_value(), content.srif))
+    faults.push_back(std::move(fault));
+  for (const auto& [key, what] : faults)
+    if (key == "combination" || reading.sound(key)) reading.complain(key, what);
+}
+
+void check_beside_analysis(const Case& content, Reading& reading) {
+  const auto given = [&](const std::string& key) { return reading.given(key); };
+  // what is missing or cannot be read has another value here than the file means
+  std::set<std::string> unread;
+  for (const auto& problem : reading.problems()) unread.insert(problem.key);
+  const auto complain = [&](const std::vector<plate::KeyFault>& faults) {
+    for (const auto& [key, what] : faults)
+      if (!unread.contains(key)) reading.complain(key, what);
+  };
+  const auto& [analysis, growth, srif] = std::tie(content.analysis, content.growth, content.srif);
+  if (growth && reading.sound("geometry"))
+    complain(fracture::faults_of_growth(content, analysis, *growth, srif, given));
+  complain(fracture::faults_of_accuracy(content, analysis, growth.has_value(), srif, content.formulation_reason));
+  complain(plate::faults_of_heat(content));
+  if (reading.sound("section") && reading.sound("geometry"))
+    complain(fracture::faults_of_section(content, growth.has_value(), srif));
+  complain(fracture::faults_of_motion(content, analysis, growth.has_value(), given));
+  complain(fracture::faults_of_response(content, analysis));
+  complain(fracture::faults_beside_settlements(content, analysis));
+  complain(fracture::faults_beside_contact(content, analysis, growth.has_value()));
+}
+
+}  // namespace
+
+void snap_cracks(Case& content, Reading& reading) {
+  constexpr double share = 0.05;  // of a spacing: points do not tell the difference
+  if (!reading.sound("geometry") || content.outline.outer.vertices.size() < 3) return;
+  const double spacing = content.discretization.spacing_at_tips();
+  auto found = geometry::snapped(content.outline, std::move(content.cracks), spacing > 0 ? share * spacing : INFINITY);
+  content.cracks = std::move(found.cracks);
+  for (const auto& snap : found.snaps)
+    reading.found().notes.push_back(
+        fmt::format("geometry.cracks[{}]: its {} at {} was {:.2g} from {} and is taken to end there", snap.crack,
+                    snap.at_back ? "last point" : "first point",
+                    text_of(snap.at_back ? content.cracks[snap.crack].back() : content.cracks[snap.crack].front()),
+                    snap.distance, snap.onto));
+}
+
+void merge_cracks(Case& content, Reading& reading) {
+  auto found = geometry::merged(content.outline, std::move(content.cracks));
+  content.cracks = std::move(found.cracks);
+  for (const auto& [crack, onto] : found.continuations)
+    reading.found().notes.push_back(fmt::format(
+        "geometry.cracks[{}] continues geometry.cracks[{}] in one line: both are taken as one crack", crack, onto));
+}
+
+void look_at_proportions(const Case& content, Reading& reading) {
+  constexpr double most = 0.5;  // of the shorter side: theories of plates end far below
+  const auto [low, high] = geometry::bounding_box(content.outline);
+  const double share = content.section.thickness / (high - low).minCoeff();
+  if (share > most)
+    reading.found().notes.push_back(
+        fmt::format("section.thickness is {:.2g} times the shorter side: this is no plate; look at the units", share));
+}
+
+void check_case(const Case& content, Reading& reading) {
+  const bool begins = content.initial || content.impact;
+  if (content.loads.empty() && content.load_cases.empty() && reading.kind != Analysis::Kind::frequencies && !begins &&
+      reading.sound("load"))
+    reading.complain("load", std::string("nothing loads the plate: give at least one [[load]]") +
+                                 (reading.kind == Analysis::Kind::dynamic ? ", [initial] or [impact]" : ""));
+  check_formulation(content, reading);
+  check_load_cases(content, reading);
+  if (!check_geometry(content, reading)) return;
+  check_lengths(content, reading);
+  check_edges(content, reading);
+  check_probes(content, reading);
+  check_tips(content, reading);
+  check_beside_analysis(content, reading);
 }
 
 }  // namespace cases

@@ -1,5 +1,5 @@
 #pragma once
-#include "cases/input/keys/forms.hpp"
+#include "cases/input/key_forms.hpp"
 #include "geometry/shape/outline.hpp"
 
 namespace fracture {

@@ -3,7 +3,7 @@
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/process.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/summary.hpp"

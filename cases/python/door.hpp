@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 #include <stdexcept>
-#include "post/files/sinks/kept.hpp"
+#include "post/files/kept.hpp"
 
 /// What Python calls. Only types of the standard library cross it (why: kept.hpp).
 namespace cases::door {

@@ -1,6 +1,6 @@
 #pragma once
 #include "cases/studies/forms.hpp"
-#include "post/studies/extremes.hpp"
+#include "cases/studies/oracles.hpp"
 
 namespace cases {
 

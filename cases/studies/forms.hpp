@@ -1,6 +1,6 @@
 #pragma once
-#include "cases/input/keys/forms.hpp"
-#include "post/studies/quantity.hpp"
+#include "cases/input/key_forms.hpp"
+#include "post/report/quantity.hpp"
 
 /// Forms of the files that run many cases: studies and tables of extremes. Nothing is written from them.
 namespace cases {

@@ -1,6 +1,6 @@
 #pragma once
 #include "cases/studies/forms.hpp"
-#include "post/studies/study.hpp"
+#include "cases/studies/study_table.hpp"
 
 namespace cases {
 

@@ -1,7 +1,22 @@
 #pragma once
+#include <string>
+
 #include "cases/input/case_file.hpp"
 #include "cases/studies/plan.hpp"
-#include "post/studies/runs/study_run.hpp"
+#include "cases/studies/study_run.hpp"
+
+namespace post {
+struct Quantity;
+}
+
+namespace fracture {
+
+struct RunPlan;
+
+/// Why a run has no such quantity; empty where it has.
+std::string lacking(const RunPlan& plan, const post::Quantity& quantity);
+
+}  // namespace fracture
 
 namespace cases {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "fracture/growth/bond_cracks.hpp"
-#include "fracture/growth/motion/moving_cracks.hpp"
+#include "fracture/growth/moving_cracks.hpp"
 #include "fracture/growth/record.hpp"
 #include "post/files/archive.hpp"
 

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <span>
 
-#include "fracture/severing/shared_points.hpp"
-#include "geometry/shape/crack_extension.hpp"
+#include "fracture/growth/distributed_growth.hpp"
+#include "geometry/shape/crack_path.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/model/ranks/gathered.hpp"
 
 namespace fracture {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 #include <deque>
-#include "plate/formulation/formulation.hpp"
 
-#include "fracture/growth/bond_check.hpp"
+#include "fracture/growth/bond_failure.hpp"
 #include "fracture/growth/record.hpp"
 #include "geometry/shape/crack_graph.hpp"
+#include "plate/formulation/formulation.hpp"
 
 namespace fracture {
 

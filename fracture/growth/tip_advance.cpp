@@ -1,9 +1,113 @@
 #include "fracture/growth/tip_advance.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 
 namespace fracture {
+namespace {
+
+constexpr double least_turn = std::numbers::pi / 180;
+constexpr double not_known = std::numbers::pi / 6;  // error of a direction: a kink is up to 70 degrees
+constexpr double slight = std::numbers::pi / 12;    // left away with a warning where it is not known
+
+/// Energy release rates of unit factors, up to a common factor: of K1 or K2, and of K3.
+struct Releases {
+  double bending, shear;
+};
+
+Releases releases(const plate::Section& section) {
+  return {12 / (section.young * std::pow(section.thickness, 3)),
+          (1 + section.poisson) / (section.young * section.thickness) / section.shear_correction};
+}
+
+/// The place of the largest value in [-pi/2, pi/2]: of half-degree steps, then by golden section.
+double largest(const std::function<double(double)>& value) {
+  constexpr int steps = 180;
+  constexpr double width = std::numbers::pi / steps, ratio = 0.6180339887498949;  // (sqrt(5) - 1) / 2
+  double best = 0;
+  for (int i = -steps / 2; i <= steps / 2; ++i)
+    if (value(i * width) > value(best)) best = i * width;
+  double low = best - width, high = best + width;
+  while (high - low > 1e-10) {
+    const double a = high - ratio * (high - low), b = low + ratio * (high - low);
+    (value(a) > value(b) ? high : low) = value(a) > value(b) ? b : a;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace
+
+Factors kinked(const Factors& f, double angle) {
+  const double c = std::cos(angle / 2), s = std::sin(angle / 2);
+  return {c * c * c * f.K1 - 3 * c * c * s * f.K2, c * c * s * f.K1 + c * (1 - 3 * s * s) * f.K2, c * f.K3};
+}
+
+double kink_angle(const Factors& f, Growth::Direction direction, const plate::Section& section) {
+  // a tip that closes on one face opens on the other: the sign of the moments does not matter
+  const Factors opening = f.K1 < 0 ? Factors{-f.K1, -f.K2, -f.K3} : f;
+  switch (direction) {
+    case Growth::Direction::straight:
+      return 0;
+    case Growth::Direction::tangential_moment:
+      return opening.K2 == 0 ? 0 : largest([&](double angle) { return kinked(opening, angle).K1; });
+    case Growth::Direction::energy_release: {
+      const auto [bending, shear] = releases(section);
+      return opening.K2 == 0 ? 0 : largest([&](double angle) {
+        const Factors k = kinked(opening, angle);
+        return bending * (k.K1 * k.K1 + k.K2 * k.K2) + shear * k.K3 * k.K3;
+      });
+    }
+  }
+  return 0;
+}
+
+double kink_error(const Factors& factors, const Factors& errors, Growth::Direction direction,
+                  const plate::Section& section) {
+  if (direction == Growth::Direction::straight) return 0;
+  if (!std::isfinite(errors.K1) || !std::isfinite(errors.K2) || !std::isfinite(errors.K3)) return std::numbers::pi;
+  const double angle = kink_angle(factors, direction, section);
+  double result = 0;
+  for (const double a : {-1, 1})
+    for (const double b : {-1, 1})
+      for (const double c : {-1, 1}) {
+        const Factors off{factors.K1 + a * errors.K1, factors.K2 + b * errors.K2, factors.K3 + c * errors.K3};
+        result = std::max(result, std::abs(kink_angle(off, direction, section) - angle));
+        if (direction == Growth::Direction::tangential_moment) break;  // K3 does not matter
+      }
+  return result;
+}
+
+double release_error(const Factors& factors, const Factors& errors, const plate::Section& section) {
+  if (!std::isfinite(errors.K1) || !std::isfinite(errors.K2) || !std::isfinite(errors.K3)) return INFINITY;
+  const auto [bending, shear] = releases(section);
+  const double whole = bending * (factors.K1 * factors.K1 + factors.K2 * factors.K2) + shear * factors.K3 * factors.K3;
+  const double off = bending * (std::abs(factors.K1) * errors.K1 + std::abs(factors.K2) * errors.K2) +
+                     shear * std::abs(factors.K3) * errors.K3;
+  return whole > 0 ? off / whole : INFINITY;
+}
+
+bool turns(double angle) {
+  return std::abs(angle) > least_turn;
+}
+
+bool Turn::known() const {
+  return error <= not_known;
+}
+
+bool Turn::resolved() const {
+  return known() || std::abs(asked) <= slight;
+}
+
+Turn turn_of(const Factors& factors, const Factors& errors, Growth::Direction direction, const plate::Section& section,
+             double share) {
+  const double angle = kink_angle(factors, direction, section);
+  const double error = kink_error(factors, errors, direction, section);
+  return {std::abs(angle) > share * error ? angle : 0, error, angle};
+}
+
 namespace {
 
 constexpr double least_leg = 5;    // spacings

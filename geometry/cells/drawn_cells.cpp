@@ -8,8 +8,8 @@
 #include <span>
 #include <utility>
 
-#include "geometry/cells/rows/lattice_cells.hpp"
-#include "geometry/lattice/cell_index.hpp"
+#include "geometry/cells/lattice_cells.hpp"
+#include "geometry/lattice/cloud.hpp"
 #include "geometry/shape/predicates.hpp"
 
 namespace geometry {

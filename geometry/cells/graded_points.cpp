@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
+#include "geometry/cells/uncracked_cells.hpp"
 #include "geometry/shape/predicates.hpp"
 
 namespace geometry {
@@ -206,6 +208,146 @@ private:
 
 void refine(TriangleMesh& mesh, const Sizing& sizing) {
   Refinement(mesh, sizing).run();
+}
+
+namespace {
+
+constexpr int rounds = 5;
+
+/// Which points of a mesh are nodes of its curves: single places among them are on no side of a triangle that is
+/// marked.
+std::vector<char> nodes_of(const Curves& curves, const TriangleMesh& mesh) {
+  const auto before = [](const Point& a, const Point& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); };
+  auto nodes = curves.nodes;
+  std::ranges::sort(nodes, before);
+  std::vector<char> result;
+  for (const auto& x : mesh.points()) result.push_back(std::ranges::binary_search(nodes, x, before));
+  return result;
+}
+
+/// Points that may move, with the triangles about each. `fixed`: points that may not, beside those on curves.
+class Stars {
+public:
+  Stars(const TriangleMesh& mesh, const std::vector<char>& fixed)
+      : first_(mesh.points().size() + 1, 0), free_(mesh.points().size(), 1) {
+    for (std::size_t k = 0; k < fixed.size(); ++k) free_[k] = !fixed[k];
+    for (const auto& triangle : mesh.triangles()) {
+      if (!triangle.inside) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        ++first_[triangle.corner[i] + 1];
+        if (triangle.mark[i] == TriangleMesh::unmarked) continue;
+        free_[triangle.corner[(i + 1) % 3]] = free_[triangle.corner[(i + 2) % 3]] = 0;
+      }
+    }
+    for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
+    opposite_.resize(first_.back());
+    auto next = first_;
+    for (const auto& triangle : mesh.triangles()) {
+      if (!triangle.inside) continue;
+      const auto& corner = triangle.corner;
+      for (std::size_t i = 0; i < 3; ++i) opposite_[next[corner[i]]++] = {corner[(i + 1) % 3], corner[(i + 2) % 3]};
+    }
+  }
+
+  bool is_free(std::uint32_t k) const { return free_[k] && first_[k] < first_[k + 1]; }
+
+  /// Calls visit(a, b) for the sides opposite to k.
+  template <typename Visit>
+  void about(std::uint32_t k, const Visit& visit) const {
+    for (auto i = first_[k]; i < first_[k + 1]; ++i) visit(opposite_[i].first, opposite_[i].second);
+  }
+
+private:
+  std::vector<std::size_t> first_;
+  std::vector<char> free_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> opposite_;
+};
+
+/// Area over the sum of the squared sides: 0 where flat, negative where turned over.
+double quality(const Point& a, const Point& b, const Point& c) {
+  return cross(b - a, c - a) / ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
+}
+
+}  // namespace
+
+void smooth(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing) {
+  const auto fixed = nodes_of(curves, mesh);
+  std::vector<double> size;
+  for (const auto& x : mesh.points()) size.push_back(sizing(x));
+  for (int round = 0; round < rounds; ++round) {
+    const Stars stars(mesh, fixed);
+    for (std::uint32_t k = 0; k < mesh.points().size(); ++k) {
+      if (!stars.is_free(k)) continue;
+      const auto& points = mesh.points();
+      const Point x = points[k];
+      Point sum(0, 0);
+      double weights = 0, worst = 1;
+      stars.about(k, [&](std::uint32_t a, std::uint32_t b) {
+        // centroids by mass, where the density of points goes with 1 / size^2 (Lloyd: by 1 / size^4)
+        const double mean = (size[k] + size[a] + size[b]) / 3, square = mean * mean;
+        const double weight = cross(points[a] - x, points[b] - x) / (square * square);
+        sum += weight * ((points[a] - x) + (points[b] - x)) / 3, weights += weight;
+        worst = std::min(worst, quality(x, points[a], points[b]));
+      });
+      const Point to = x + 1.2 * sum / weights;
+      double least = 1;
+      stars.about(k, [&](std::uint32_t a, std::uint32_t b) {
+        least = std::min(least, side(to, points[a], points[b]) > 0 ? quality(to, points[a], points[b]) : -1);
+      });
+      if (least < std::min(worst, 0.15) || least <= 0) continue;
+      mesh.move(k, to);
+      size[k] = sizing(to);
+    }
+    mesh.exchange_sides();
+  }
+}
+
+namespace {
+
+TriangleMesh filled(const Curves& curves, const Sizing& sizing, const RingCentres& centres) {
+  TriangleMesh mesh(curves);
+  add_rings(mesh, curves, sizing, centres.tips);
+  for (const auto& [place, away] : centres.forces) add_rings(mesh, sizing, place, away);
+  add_rows(mesh, sizing);
+  refine(mesh, sizing);
+  smooth(mesh, curves, sizing);
+  return mesh;
+}
+
+/// By strips one spacing high, so that neighbours are near in memory.
+std::vector<std::uint32_t> in_strips(const std::vector<Point>& points) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Point &x = points[a], &y = points[b];
+    const double strip = std::floor(x.y()), other = std::floor(y.y());
+    return strip != other ? strip < other : x.x() != y.x() ? x.x() < y.x() : x.y() < y.y();
+  });
+  return order;
+}
+
+}  // namespace
+
+Cells graded_cells(const Curves& curves, const Sizing& sizing, const RingCentres& centres) {
+  const auto mesh = filled(curves, sizing, centres);
+  const auto order = in_strips(mesh.points());
+  std::vector<std::uint32_t> index(order.size());
+  Cells result;
+  for (std::uint32_t i = 0; i < order.size(); ++i)
+    index[order[i]] = i, result.positions.push_back(mesh.points()[order[i]]);
+  for (const auto& triangle : mesh.triangles()) {
+    if (!triangle.inside) continue;
+    const auto& [a, b, c] = triangle.corner;
+    result.triangles.push_back({index[a], index[b], index[c]});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto from = triangle.corner[(i + 1) % 3], to = triangle.corner[(i + 2) % 3];
+      // a piece of a crack has two triangles
+      if (triangle.mark[i] >= 0 || (triangle.mark[i] == Curves::crack && from < to))
+        result.pieces.push_back({index[from], index[to], triangle.mark[i]});
+    }
+  }
+  std::sort(result.triangles.begin(), result.triangles.end());
+  return result;
 }
 
 }  // namespace geometry

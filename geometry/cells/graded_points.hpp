@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/cells/triangle_mesh.hpp"
+#include "geometry/cells/triangulation.hpp"
 
 namespace geometry {
 

@@ -1,10 +1,13 @@
 #include "geometry/cells/tessellation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
-#include "geometry/cells/rows/whole_lattice.hpp"
-#include "geometry/cells/untied_cells.hpp"
+#include "geometry/cells/uncracked_cells.hpp"
+#include "geometry/cells/whole_lattice.hpp"
+#include "geometry/shape/predicates.hpp"
 
 namespace geometry {
 namespace {
@@ -117,6 +120,200 @@ Tessellation tessellation(const Outline& outline, const std::vector<CrackPath>& 
   }
   result.squares = std::move(cells.squares), result.triangles = std::move(cells.triangles);
   return result;
+}
+
+namespace {
+
+/// Calls visit(corners, count) for every cell.
+template <typename Visit>
+void for_cells(const Tessellation& cells, const Visit& visit) {
+  for (const auto& square : cells.squares) visit(square.data(), std::size_t(4));
+  for (const auto& triangle : cells.triangles) visit(triangle.data(), std::size_t(3));
+}
+
+/// The other corners of the cells about every point.
+class Members {
+public:
+  explicit Members(const Tessellation& cells) : first_(cells.local.size() + 1, 0) {
+    for_cells(cells, [&](const std::uint32_t* corner, std::size_t count) {
+      for (std::size_t c = 0; c < count; ++c) first_[corner[c] + 1] += count - 1;
+    });
+    for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
+    member_.resize(first_.back());
+    auto next = first_;
+    for_cells(cells, [&](const std::uint32_t* corner, std::size_t count) {
+      for (std::size_t c = 0; c < count; ++c)
+        for (std::size_t other = 1; other < count; ++other) member_[next[corner[c]]++] = corner[(c + other) % count];
+    });
+  }
+
+  /// Ascending, each once.
+  void list(std::uint32_t k, std::vector<std::uint32_t>& found) const {
+    found.assign(member_.begin() + std::ptrdiff_t(first_[k]), member_.begin() + std::ptrdiff_t(first_[k + 1]));
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+
+private:
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> member_;
+};
+
+}  // namespace
+
+Families cell_families(const Tessellation& cells) {
+  if (cells.squares.empty()) return exact_cell_families(cells);
+  const Members members(cells);
+  return families(cells.units.spacing, cells.local,
+                  [&](std::uint32_t k, std::vector<std::uint32_t>& found) { members.list(k, found); });
+}
+
+Families exact_cell_families(const Tessellation& cells) {
+  const Members members(cells);
+  std::vector<Point> vectors;
+  std::vector<std::uint32_t> pattern, found;
+  std::vector<std::size_t> first{0};
+  std::vector<Families::Step> steps;
+  for (std::uint32_t k = 0; k < cells.local.size(); ++k) {
+    members.list(k, found);
+    for (const auto j : found) {
+      steps.push_back({std::int32_t(j - k), std::uint32_t(vectors.size())});
+      vectors.push_back(cells.local[j] - cells.local[k]);
+    }
+    pattern.push_back(k);
+    first.push_back(steps.size());
+  }
+  return {std::move(vectors), std::move(pattern), std::move(first), std::move(steps)};
+}
+
+std::vector<Point> seen_positions(const Tessellation& cells) {
+  constexpr double step = 2e-6;
+  std::vector<Point> inwards(cells.local.size(), Point(0, 0)), result = cells.positions;
+  std::vector<double> near(result.size(), std::numeric_limits<double>::infinity());
+  for (const auto& border : cells.borders) {
+    if (border.edge != Curves::crack) continue;
+    const Point along = cells.local[border.to] - cells.local[border.from];
+    for (const auto k : {border.from, border.to}) {
+      inwards[k] += Point(-along.y(), along.x()).normalized();
+      near[k] = std::min(near[k], along.norm());
+    }
+  }
+  for (std::size_t k = 0; k < result.size(); ++k)
+    if (inwards[k].norm() > 1e-6) result[k] += step * near[k] * inwards[k].normalized();
+  return result;
+}
+
+CellLocator::CellLocator(const Tessellation& cells) : cells_(cells) {
+  const auto in_buckets = [&](std::uint32_t k) -> Point {
+    return (cells.positions[k] - cells.units.origin) / cells.units.spacing;
+  };
+  Point low = in_buckets(0).cwiseMax(0), high = low;
+  for (std::uint32_t k = 0; k < cells.positions.size(); ++k)
+    low = low.cwiseMin(in_buckets(k).cwiseMax(0)), high = high.cwiseMax(in_buckets(k));
+  low_ = {long(low.x()), long(low.y())}, high_ = {long(high.x()), long(high.y())};
+  last_ = cells.window ? cells.window->last : high_;
+  const auto for_buckets = [&](const auto& visit) {
+    std::uint32_t cell = 0;
+    const auto of = [&](const auto& corners) {
+      Point from = in_buckets(corners[0]), to = from;
+      for (const auto k : corners) from = from.cwiseMin(in_buckets(k)), to = to.cwiseMax(in_buckets(k));
+      for (long row = std::max(low_[1], long(from.y())); row <= std::min(high_[1], long(to.y())); ++row)
+        for (long column = std::max(low_[0], long(from.x())); column <= std::min(high_[0], long(to.x())); ++column)
+          visit(std::size_t(bucket(column, row)), cell);
+      ++cell;
+    };
+    for (const auto& square : cells.squares) of(square);
+    for (const auto& triangle : cells.triangles) of(triangle);
+  };
+  first_.assign(std::size_t(width() * (high_[1] - low_[1] + 1)) + 1, 0);
+  for_buckets([&](std::size_t b, std::uint32_t) { ++first_[b + 1]; });
+  for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
+  members_.resize(first_.back());
+  auto next = first_;
+  for_buckets([&](std::size_t b, std::uint32_t cell) { members_[next[b]++] = cell; });
+}
+
+CellLocator::Found CellLocator::weighted(std::uint32_t cell, const Point& at) const {
+  if (cell < cells_.squares.size()) {
+    const auto& square = cells_.squares[cell];
+    const Point x = (at - cells_.positions[square[0]]) / cells_.units.spacing;
+    const double s = x.x(), t = x.y();
+    return {4, square, {(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t}};
+  }
+  const auto& [a, b, c] = cells_.triangles[cell - cells_.squares.size()];
+  const Point &x = cells_.positions[a], p = cells_.positions[b] - x, q = cells_.positions[c] - x;
+  const double area = cross(p, q), second = cross(at - x, q) / area, third = cross(p, at - x) / area;
+  return {3, {a, b, c, 0}, {1 - second - third, second, third, 0}};
+}
+
+CellLocator::Found CellLocator::operator()(const Point& seen, const Point& at) const {
+  const Point u = (seen - cells_.units.origin) / cells_.units.spacing;
+  const long column = std::clamp(long(std::floor(u.x())), 0L, last_[0]);
+  const long row = std::clamp(long(std::floor(u.y())), 0L, last_[1]);
+  double least = -std::numeric_limits<double>::infinity();
+  std::uint32_t best = 0;
+  for (long reach = 0; std::isinf(least) && reach <= std::max(last_[0], last_[1]); ++reach)
+    for (long r = std::max(low_[1], row - reach); r <= std::min(high_[1], row + reach); ++r)
+      for (long c = std::max(low_[0], column - reach); c <= std::min(high_[0], column + reach); ++c)
+        for (auto m = first_[std::size_t(bucket(c, r))]; m < first_[std::size_t(bucket(c, r)) + 1]; ++m) {
+          // how far inside, by the nearest side; of a square, the weights would be products
+          auto found = weighted(members_[m], seen);
+          if (found.count == 4) {
+            const double s = found.weights[1] + found.weights[2], t = found.weights[2] + found.weights[3];
+            found.weights = {s, t, 1 - s, 1 - t};
+          }
+          const double inside = *std::min_element(found.weights.begin(), found.weights.begin() + long(found.count));
+          if (inside > least) least = inside, best = members_[m];
+        }
+  return weighted(best, at);
+}
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const double packing = 2 / std::sqrt(3.0);  // of equilateral triangles
+
+double perimeter(const Hole& hole) {
+  if (const auto* circle = std::get_if<Circle>(&hole)) return 2 * pi * circle->radius;
+  const auto& vertices = std::get<Polygon>(hole).vertices;
+  double sum = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) sum += (vertices[(i + 1) % vertices.size()] - vertices[i]).norm();
+  return sum;
+}
+
+/// Integral of 2 pi r / s^2 - 2 pi r / spacing^2 with s = least + growth r, until s is the spacing.
+double about_tip(double least, double growth, double spacing) {
+  const double r = (spacing - least) / growth;
+  return 2 * pi / (growth * growth) * (std::log(spacing / least) + least / spacing - 1) -
+         pi * r * r / spacing / spacing;
+}
+
+/// The same along a length of edge.
+double along_edge(double least, double growth, double spacing) {
+  return (1 / least - 1 / spacing) / growth - (spacing - least) / growth / spacing / spacing;
+}
+
+/// Integral of 1 / s^2 - 1 / spacing^2 across the points beside an edge with a layer.
+double beside_layer(const Grading::Edge& edge, double growth, double spacing) {
+  const double width = std::min(edge.layer, (spacing - edge.spacing) / growth), wide = edge.spacing + growth * width;
+  return (1 / edge.spacing - 1 / wide) / growth - width / spacing / spacing + along_edge(wide, edge.beyond, spacing);
+}
+
+}  // namespace
+
+double expected_points(const Outline& outline, const std::vector<Tip>& tips, double spacing, const Grading& grading) {
+  double points = area(outline) / (spacing * spacing);
+  if (!grading.at_tips && !grading.at_holes) return points;
+  if (grading.at_tips && *grading.at_tips < spacing)
+    points += double(tips.size()) * about_tip(*grading.at_tips, grading.growth, spacing);
+  if (grading.at_holes && *grading.at_holes < spacing)
+    for (const auto& hole : outline.holes)
+      points += perimeter(hole) * along_edge(*grading.at_holes, grading.growth, spacing);
+  if (grading.at_corners > 0 && grading.at_corners < spacing)
+    points += 0.75 * double(grading.corners.size()) * about_tip(grading.at_corners, grading.growth, spacing);
+  for (const auto& edge : grading.edges)
+    points += edge_length({outline.outer, {}}, edge.name) * beside_layer(edge, grading.growth, spacing);
+  return packing * points;
 }
 
 }  // namespace geometry

@@ -1,9 +1,15 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <vector>
+
 #include "geometry/shape/crack_path.hpp"
+#include "geometry/shape/outline.hpp"
 
 namespace geometry {
 
@@ -59,5 +65,62 @@ struct Cloud {
 
 /// The point of the plate nearest to x.
 std::size_t nearest_plate_point(const Cloud& cloud, const Point& x);
+
+inline bool is_empty(const CellBox& box) {
+  return box.side(0) <= 0 || box.side(1) <= 0;
+}
+
+/// The cells that are in both; empty where there are none.
+inline CellBox common(const CellBox& a, const CellBox& b) {
+  return {{std::max(a.low[0], b.low[0]), std::max(a.low[1], b.low[1])},
+          {std::min(a.high[0], b.high[0]), std::min(a.high[1], b.high[1])}};
+}
+
+/// Of the cells of all places between two corners [length].
+inline CellBox box_between(const LatticeUnits& units, const Point& low, const Point& high) {
+  CellBox box{cell_of(units.to_lattice(low)), cell_of(units.to_lattice(high))};
+  for (long& side : box.high) ++side;
+  return box;
+}
+
+/// Which point lies in which cell of the lattice.
+class CellIndex {
+public:
+  /// `lattice`: points in lattice units, at most one in each cell.
+  explicit CellIndex(const std::vector<Point>& lattice) {
+    Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const auto& u : lattice) low = low.cwiseMin(u), high = high.cwiseMax(u);
+    low_ = low.array().floor();
+    columns_ = static_cast<long>(std::floor(high.x()) - low_.x()) + 1;
+    rows_ = static_cast<long>(std::floor(high.y()) - low_.y()) + 1;
+    points_.assign(static_cast<std::size_t>(columns_ * rows_), none);
+    for (std::uint32_t k = 0; k < lattice.size(); ++k) points_[*slot(lattice[k])] = k;
+  }
+
+  std::optional<std::uint32_t> at(const Point& u) const {
+    const auto s = slot(u);
+    if (!s || points_[*s] == none) return std::nullopt;
+    return points_[*s];
+  }
+
+private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  std::optional<std::size_t> slot(const Point& u) const {
+    const long c = static_cast<long>(std::floor(u.x() - low_.x())), r = static_cast<long>(std::floor(u.y() - low_.y()));
+    if (c < 0 || r < 0 || c >= columns_ || r >= rows_) return std::nullopt;
+    return static_cast<std::size_t>(r * columns_ + c);
+  }
+
+  Point low_;
+  long columns_, rows_;
+  std::vector<std::uint32_t> points_;
+};
+
+/// The square lattice of cell centres inside the outline, row by row from the lower left, with the area of each cell
+/// that lies in the plate. The lower left corner of the outline's bounding box is the corner of a cell.
+/// `part`: of these cells only, in the same order; there may be none.
+/// Throws std::invalid_argument where no cell centre lies inside the outline.
+Cloud lattice(const Outline& outline, double spacing, const std::optional<CellBox>& part = {});
 
 }  // namespace geometry

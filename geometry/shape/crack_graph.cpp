@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "geometry/shape/crack_extension.hpp"
+#include "geometry/shape/crack_path.hpp"
 
 namespace geometry {
 namespace {

@@ -1,7 +1,7 @@
 #include "plate/bonds/family_operator.hpp"
 
 #include <algorithm>
-#include "plate/model/ranks/exchange.hpp"
+#include "plate/model/halo_exchange.hpp"
 #include "plate/solve/reduction.hpp"
 
 namespace plate {

@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 #include <span>
-#include "geometry/lattice/family_runs.hpp"
-#include "plate/bonds/parameters/weights.hpp"
-#include "plate/formulation/attached/attached_stiffness.hpp"
+#include "geometry/lattice/families.hpp"
+#include "plate/bonds/horizon_parameters.hpp"
+#include "plate/formulation/attached_stiffness.hpp"
 #include "plate/formulation/operator.hpp"
 
 namespace plate {

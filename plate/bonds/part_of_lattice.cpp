@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/lattice/cell_index.hpp"
-#include "plate/model/ranks/exchange.hpp"
-#include "plate/model/ranks/gathered.hpp"
-#include "plate/model/refused.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/halo_exchange.hpp"
 
 namespace plate {
 namespace {

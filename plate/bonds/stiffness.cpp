@@ -1,7 +1,6 @@
 #include "plate/bonds/stiffness.hpp"
 
-#include "plate/solve/matrices/attached_matrix.hpp"
-#include "plate/solve/matrices/matrix_pattern.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
 
 namespace plate {
 namespace {

@@ -7,9 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "geometry/lattice/cell_index.hpp"
-#include "plate/formulation/supports/inside.hpp"
-#include "plate/formulation/supports/moved_supports.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/support_constraints.hpp"
 
 namespace plate {
 namespace {

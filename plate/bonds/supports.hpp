@@ -1,6 +1,6 @@
 #pragma once
 #include "plate/formulation/boundary.hpp"
-#include "plate/model/loading/support_motion.hpp"
+#include "plate/model/nodal_forces.hpp"
 
 /// Supports of a plate of bonds over a horizon, and which of its points see each other (theory.md, "Supports").
 namespace plate {

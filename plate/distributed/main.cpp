@@ -6,8 +6,8 @@
 
 #include "plate/distributed/mpi_ranks.hpp"
 #include "plate/distributed/petsc_inverse.hpp"
+#include "plate/model/halo_exchange.hpp"
 #include "plate/model/process.hpp"
-#include "plate/model/ranks/traffic.hpp"
 
 extern "C" int pdplate_main(int argc, char** argv);
 

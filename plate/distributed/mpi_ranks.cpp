@@ -6,8 +6,8 @@
 
 #include "plate/distributed/petsc_inverse.hpp"
 #include "plate/distributed/slepc_pairs.hpp"
-#include "plate/model/ranks/exchange.hpp"
-#include "plate/model/ranks/gathered.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/model/halo_exchange.hpp"
 
 namespace plate {
 namespace {

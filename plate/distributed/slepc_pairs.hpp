@@ -1,7 +1,7 @@
 #pragma once
 #include <mpi.h>
 
-#include "plate/model/ranks/ranks.hpp"
+#include "plate/model/communicator.hpp"
 
 namespace plate {
 

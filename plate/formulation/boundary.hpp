@@ -4,10 +4,11 @@
 #include <optional>
 #include <string>
 #include <vector>
+
 #include "geometry/lattice/families.hpp"
-#include "plate/formulation/attached/attached_stiffness.hpp"
+#include "plate/formulation/attached_stiffness.hpp"
 #include "plate/formulation/constraints.hpp"
-#include "plate/model/discretization.hpp"
+#include "plate/model/numerical_method.hpp"
 #include "plate/model/supports.hpp"
 
 namespace plate {

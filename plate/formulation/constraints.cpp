@@ -5,7 +5,7 @@
 #include <map>
 #include <unordered_set>
 
-#include "plate/model/ranks/exchange.hpp"
+#include "plate/model/halo_exchange.hpp"
 
 namespace plate {
 namespace {

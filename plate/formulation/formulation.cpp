@@ -10,10 +10,10 @@
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/layout.hpp"
-#include "plate/formulation/preconditioner.hpp"
-#include "plate/model/free_memory.hpp"
-#include "plate/model/ranks/exact_sum.hpp"
-#include "plate/model/refused.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/process.hpp"
 
 namespace plate {
 Formulation::Formulation(Layout layout) {

@@ -6,8 +6,7 @@
 #include <vector>
 #include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/model/formulation_kind.hpp"
-#include "plate/model/solver_choices.hpp"
+#include "plate/model/numerical_method.hpp"
 
 namespace geometry {
 class Families;

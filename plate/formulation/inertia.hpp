@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/SparseCore>
 #include "plate/formulation/constraints.hpp"
-#include "plate/formulation/sections/point_sections.hpp"
+#include "plate/formulation/sections.hpp"
 
 namespace geometry {
 struct Tessellation;

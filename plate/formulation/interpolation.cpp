@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "geometry/cells/locator.hpp"
+#include "geometry/cells/tessellation.hpp"
 #include "geometry/lattice/cloud.hpp"
-#include "plate/model/algebra/dense.hpp"
-#include "plate/model/refused.hpp"
+#include "plate/model/dense_algebra.hpp"
+#include "plate/model/errors.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 
 #include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/boundary.hpp"
-#include "plate/formulation/parts/mechanisms.hpp"
-#include "plate/formulation/parts/pieces.hpp"
-#include "plate/formulation/sections/point_sections.hpp"
+#include "plate/formulation/mechanisms.hpp"
+#include "plate/formulation/pieces.hpp"
+#include "plate/formulation/sections.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 

@@ -6,25 +6,23 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "geometry/cells/locator.hpp"
-#include "plate/formulation/attached/elastically_held.hpp"
+#include "geometry/cells/tessellation.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/mesh.hpp"
-#include "plate/formulation/parts/pieces.hpp"
-#include "plate/galerkin/levels.hpp"
-#include "plate/galerkin/resultants.hpp"
-#include "plate/galerkin/shared/coarser_parts.hpp"
-#include "plate/galerkin/shared/laid_out.hpp"
+#include "plate/formulation/pieces.hpp"
+#include "plate/formulation/springs_and_stiffeners.hpp"
+#include "plate/galerkin/discretised_cells.hpp"
+#include "plate/galerkin/multigrid.hpp"
+#include "plate/galerkin/results.hpp"
 #include "plate/galerkin/stiffness.hpp"
-#include "plate/galerkin/tip_view.hpp"
-#include "plate/model/free_memory.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/model/refused.hpp"
-#include "plate/solve/matrices/attached_matrix.hpp"
-#include "plate/solve/shared_factor.hpp"
+#include "plate/model/process.hpp"
+#include "plate/solve/factorised_plate.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
 
 namespace plate {
 namespace {

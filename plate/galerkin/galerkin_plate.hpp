@@ -1,6 +1,5 @@
 #pragma once
-#include "plate/model/formulation_kind.hpp"
-#include "plate/model/solver_choices.hpp"
+#include "plate/model/numerical_method.hpp"
 
 namespace geometry {
 struct Grading;

@@ -1,12 +1,144 @@
 #include "plate/galerkin/stiffness.hpp"
 
 #include <omp.h>
+#include <stdexcept>
 
-#include "plate/galerkin/family_stiffness.hpp"
-#include "plate/solve/matrices/attached_matrix.hpp"
-#include "plate/solve/matrices/matrix_pattern.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
 
 namespace plate {
+namespace {
+
+using geometry::Point;
+
+/// Coefficients of the bond shear angle times length by (w, theta_x, theta_y) of the member and of the owner.
+std::array<double, 3> of_member(double x, double y) {
+  return {1, -y / 2, x / 2};
+}
+
+std::array<double, 3> of_owner(double x, double y) {
+  return {-1, -y / 2, x / 2};
+}
+
+}  // namespace
+
+void FamilyStiffness::find(std::size_t k) {
+  members_ = families_.families[k].size() + 1;
+  if (members_ > most_members) throw std::invalid_argument("a point has more than 32 neighbours");
+  const GalerkinStiffness stiffness(sections_[k], families_.square(k));
+  take_bonds(k, stiffness);
+  for (std::size_t i = 0; i < members_; ++i) find_rows(i);
+  add_bonds();
+}
+
+/// With half the stiffness T of the mean curvatures and the residuals' products with them, X: Y = T H / 2 - X, and the
+/// energy's second derivative is H^T Y + Y^T H and what each bond has alone; so for the shear angles too.
+void FamilyStiffness::take_bonds(std::size_t k, const GalerkinStiffness& s) {
+  const auto family = families_.families[k];
+  const auto* bonds = families_.of(k);
+  const double V = families_.areas[k];
+  Eigen::Matrix<double, 3, 4> strain;  // kappa xx, yy, 2 xy by H xx, xy, yx, yy
+  strain << 1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1, 0;
+  Eigen::Matrix4d T = V * strain.transpose() * s.bending * strain;
+  Eigen::Matrix2d M = V * s.shear;
+  std::array<Eigen::Matrix2d, most_members> B;  // t_b B of every bond
+  for (std::size_t i = 1; i < members_; ++i) {
+    const auto& bond = bonds[i - 1];
+    const Point& x = families_.families.vectors()[family[i - 1].vector_id];
+    x_[i] = x.x(), y_[i] = x.y(), inverse_[i] = 1 / x.norm(), share_[i] = bond.share;
+    G_[0][i] = bond.gradient.x(), G_[1][i] = bond.gradient.y();
+    const Point n = x * inverse_[i];
+    const Eigen::Matrix2d nn = n * n.transpose();
+    const double shear = n.dot(s.shear_residual * n), weight = bond.share * inverse_[i] * inverse_[i];
+    B[i] = s.bending_residual * along(s.bending, n);
+    for (Eigen::Index a = 0; a < 2; ++a)
+      for (Eigen::Index c = 0; c < 2; ++c) T.block<2, 2>(2 * a, 2 * c) += bond.share * B[i](a, c) * nn;
+    M += bond.share * shear * nn;
+    residual_[0][i] = weight * B[i](0, 0), residual_[1][i] = weight * B[i](0, 1), residual_[2][i] = weight * B[i](1, 1);
+    residual_[3][i] = weight * shear;
+  }
+  for (auto* numbers : {&G_[0], &G_[1]}) (*numbers)[0] = 0;
+  for (auto& numbers : moments_) numbers[0] = 0;
+  for (auto& numbers : gamma_) numbers[0] = 0;
+  for (auto& numbers : forces_) numbers[0] = 0;
+  for (std::size_t i = 1; i < members_; ++i) {
+    const Point G(G_[0][i], G_[1][i]), n = Point(x_[i], y_[i]) * inverse_[i];
+    for (std::size_t c = 0; c < 2; ++c) {
+      const auto C = Eigen::Index(c);
+      G_[c][0] -= G_[c][i];
+      for (std::size_t a = 0; a < 2; ++a) {
+        const auto A = Eigen::Index(a);
+        const Point Y = T.block<2, 2>(2 * A, 2 * C) * G / 2 - share_[i] * inverse_[i] * B[i](A, C) * n;
+        for (std::size_t b = 0; b < 2; ++b) {
+          const auto at = 4 * a + 2 * b + c;
+          moments_[at][i] = Y[Eigen::Index(b)];
+          moments_[at][0] -= moments_[at][i];
+        }
+      }
+    }
+    const Point y = M * G / 2 - residual_[3][i] / inverse_[i] * n;
+    const auto alpha = of_member(x_[i], y_[i]), beta = of_owner(x_[i], y_[i]);
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t d = 0; d < 3; ++d) {
+        const auto at = 3 * a + d;
+        const auto A = Eigen::Index(a);
+        gamma_[at][i] = G[A] * alpha[d], gamma_[at][0] += G[A] * beta[d];
+        forces_[at][i] = y[A] * alpha[d], forces_[at][0] += y[A] * beta[d];
+      }
+  }
+}
+
+/// K_ij of all j, but for what single bonds add; psi = (-theta_y, theta_x).
+void FamilyStiffness::find_rows(std::size_t i) {
+  double* const rows = blocks_.data() + i * 9 * stride;
+  for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double g0 = gamma_[c][i], g1 = gamma_[3 + c][i], f0 = forces_[c][i], f1 = forces_[3 + c][i];
+      const double *const G0 = gamma_[d].data(), *const G1 = gamma_[3 + d].data();
+      const double *const F0 = forces_[d].data(), *const F1 = forces_[3 + d].data();
+      double* const to = rows + (3 * d + c) * stride;
+#pragma omp simd
+      for (std::size_t j = 0; j < members_; ++j) to[j] = g0 * F0[j] + g1 * F1[j] + f0 * G0[j] + f1 * G1[j];
+    }
+  for (std::size_t c = 0; c < 2; ++c)
+    for (std::size_t d = 0; d < 2; ++d) {  // of psi_c and psi_d
+      const double p0 = G_[0][i], p1 = G_[1][i], y0 = moments_[4 * d + c][i], y1 = moments_[4 * d + 2 + c][i];
+      const double *const Y0 = moments_[4 * c + d].data(), *const Y1 = moments_[4 * c + 2 + d].data();
+      const double *const P0 = G_[0].data(), *const P1 = G_[1].data();
+      const double sign = c == d ? 1 : -1;
+      double* const to = rows + (3 * (2 - d) + 2 - c) * stride;
+#pragma omp simd
+      for (std::size_t j = 0; j < members_; ++j) to[j] += sign * (p0 * Y0[j] + p1 * Y1[j] + y0 * P0[j] + y1 * P1[j]);
+    }
+}
+
+void FamilyStiffness::add_bonds() {
+  const auto add = [&](std::size_t i, std::size_t j, const Eigen::Matrix3d& K) {
+    for (std::size_t c = 0; c < 9; ++c) blocks_[(i * 9 + c) * stride + j] += K.data()[c];
+  };
+  for (std::size_t i = 1; i < members_; ++i) {
+    const auto alpha = of_member(x_[i], y_[i]), beta = of_owner(x_[i], y_[i]);
+    const Eigen::Vector3d a(alpha.data()), b(beta.data());
+    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();  // psi = (-theta_y, theta_x)
+    bend(1, 1) = residual_[2][i], bend(2, 2) = residual_[0][i], bend(1, 2) = bend(2, 1) = -residual_[1][i];
+    const double shear = residual_[3][i];
+    add(i, i, shear * a * a.transpose() + bend);
+    add(i, 0, shear * a * b.transpose() - bend);
+    add(0, i, shear * b * a.transpose() - bend);
+    add(0, 0, shear * b * b.transpose() + bend);
+  }
+}
+
+Eigen::MatrixXd family_stiffness(const GalerkinFamilies& families, const PointSections& sections, std::size_t k) {
+  FamilyStiffness family(families, sections);
+  family.find(k);
+  const auto members = Eigen::Index(family.members());
+  Eigen::MatrixXd result(3 * members, 3 * members);
+  for (Eigen::Index i = 0; i < members; ++i)
+    for (Eigen::Index j = 0; j < members; ++j)
+      result.block<3, 3>(3 * i, 3 * j) = family.block(std::size_t(i), std::size_t(j));
+  return result;
+}
+
 namespace {
 
 /// A point and its neighbours, ascending, with their places in its family; 0: the point itself.

@@ -5,8 +5,7 @@
 #include <map>
 #include <set>
 
-#include "plate/formulation/supports/inside.hpp"
-#include "plate/formulation/supports/moved_supports.hpp"
+#include "plate/formulation/support_constraints.hpp"
 
 namespace plate {
 namespace {
@@ -22,7 +21,7 @@ struct Direction {
 };
 
 /// What supports ask of one point: w = 0, and d . psi = 0 for every direction d; with motions their values.
-struct Held {
+struct HeldPoint {
   bool w = false;
   Offsets of_w;
   std::vector<Direction> directions;
@@ -53,7 +52,7 @@ struct Holding {
 };
 
 /// The first holder says where w is: settlements that move others at one place elsewhere are refused.
-void hold(Held& held, const Holding& by, const Point& x) {
+void hold(HeldPoint& held, const Holding& by, const Point& x) {
   using enum SupportKind;
   const Point& normal = by.normal;
   const Point along(-normal.y(), normal.x());
@@ -96,7 +95,7 @@ void impose_both(Constraints& constraints, std::uint32_t k, const Direction& one
 }
 
 /// psi = (-theta_y, theta_x)
-void impose(Constraints& constraints, std::uint32_t k, const Held& held) {
+void impose(Constraints& constraints, std::uint32_t k, const HeldPoint& held) {
   if (held.w) constraints.fix(3 * k, times(1, held.of_w));
   if (held.directions.size() > 1) {
     impose_both(constraints, k, held.directions[0], held.directions[1]);
@@ -142,7 +141,7 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
   std::set<std::string> round;
   for (const auto& side : result.sides)
     if (side.circle) round.insert(side.name);
-  std::map<std::uint32_t, Held> held;
+  std::map<std::uint32_t, HeldPoint> held;
   for (const auto& border : cells.borders) {
     if (border.edge == geometry::Curves::crack) continue;
     const auto by = holder(result.holders, cells.names[std::size_t(border.edge)]);

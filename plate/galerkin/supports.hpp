@@ -1,7 +1,7 @@
 #pragma once
 #include "plate/formulation/boundary.hpp"
 #include "plate/galerkin/families.hpp"
-#include "plate/model/loading/support_motion.hpp"
+#include "plate/model/nodal_forces.hpp"
 
 namespace plate {
 

@@ -1,15 +1,59 @@
 #pragma once
 #include <array>
+#include <filesystem>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
+
 #include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/outline.hpp"
-#include "plate/model/history.hpp"
-#include "plate/model/loading/formula.hpp"
-#include "plate/model/loading/pressure_table.hpp"
+#include "plate/model/formula.hpp"
 
 namespace plate {
+
+/// How a load varies in time, as a factor of its value.
+struct History {
+  enum class Kind { step, ramp, sine, table };
+  Kind kind = Kind::step;
+  double rise_time = 0;                          // ramp: linear from 0 to 1 over this time, then 1
+  double frequency = 0;                          // sine: sin(2 pi f t)
+  std::vector<std::pair<double, double>> table;  // table: (time, factor), times ascending; constant beyond its ends
+
+  bool constant() const { return kind == Kind::step; }
+  bool operator==(const History&) const = default;
+};
+
+/// The factor at time t >= 0; a step is 1 from t = 0 on.
+double factor(const History& history, double time);
+
+/// A pressure by its values at places, from a CSV text with the columns x, y and pressure: bilinear between the places
+/// of a grid in any order, else linear on the triangles of Delaunay.
+class PressureTable {
+public:
+  PressureTable() = default;
+  /// `content`: of the file. Throws std::invalid_argument: what is wrong, with the number of the line.
+  PressureTable(const std::string& content, const std::filesystem::path& file);
+
+  bool given() const { return bool(values_); }
+  const std::filesystem::path& file() const;
+  /// Of the content, 16 digits.
+  const std::string& digest() const;
+  bool gridded() const;
+  /// Times a factor.
+  PressureTable times(double factor) const;
+
+  bool reaches(const geometry::Point& x) const;
+  /// [force/length^2]; beyond its places what it has at the next of them.
+  double operator()(const geometry::Point& x) const;
+
+private:
+  struct Values;
+  std::shared_ptr<const Values> values_;
+  double factor_ = 1;
+};
 
 /// One load. Pressure and shear forces act along +w; a positive moment is tension on the z > 0 face, which a positive
 /// temperature makes the warmer one. A settlement moves a support as a rigid body.

@@ -1,8 +1,54 @@
 #pragma once
+#include <Eigen/Core>
+#include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "plate/model/loads.hpp"
 #include "plate/model/state.hpp"
+
+namespace geometry {
+struct Cloud;
+struct Tessellation;
+}  // namespace geometry
+
+namespace plate {
+
+struct Load;
+
+/// Nodal forces of a load that moves along a path: at a few points each time, linear in time between stations. Where
+/// processes share the plate, those on the points that one sees.
+struct MovingForces {
+  struct Station {
+    double time;
+    std::vector<std::pair<std::uint32_t, double>> forces;  // of degrees of freedom 3 * point + component, ascending
+  };
+  std::vector<Station> stations;  // by time; nothing acts before the first and after the last
+  std::vector<char> own = {};     // points that no other process has; empty: all
+
+  /// visit(dof, force) at a time.
+  template <typename Visit>
+  void at(double time, const Visit& visit) const {
+    const auto next = after(time);
+    if (next == 0 || next == stations.size()) return;
+    const auto &one = stations[next - 1], &other = stations[next];
+    const double share = (time - one.time) / (other.time - one.time);
+    for (const auto& [dof, force] : one.forces) visit(dof, (1 - share) * force);
+    for (const auto& [dof, force] : other.forces) visit(dof, share * force);
+  }
+  Forces whole(double time, std::size_t points) const;
+
+private:
+  std::size_t after(double time) const;  // number of the first station later than that
+};
+
+/// Of a load with a path and a speed, from time 0 on. `own`: points that no other process has, empty: all.
+MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own = {});
+MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points,
+                           const std::vector<char>& own = {});
+
+}  // namespace plate
 
 namespace geometry {
 struct Cloud;
@@ -38,5 +84,36 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
 /// shear force do the right work on deflections of the third order. `areas` of the points [length^2].
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
                     const std::vector<char>& own = {});
+
+struct Problem;
+
+/// How a load of the kind settlement moves a support: as a rigid body, and every edge about itself.
+struct SupportMotion {
+  std::size_t load, support;  // their numbers
+
+  double deflection = 0;  // w of the body [length] at `from`
+  geometry::Point slope{0, 0}, from{0, 0};
+  double rotation = 0;  // psi_n of an edge, n its outward normal
+
+  /// w, theta_x, theta_y of the body at a place.
+  Eigen::Vector3d at(const geometry::Point& x) const;
+  /// The same of what goes with an edge: `beyond` it [length], where `outward` is its normal.
+  Eigen::Vector3d at(const geometry::Point& x, const geometry::Point& outward, double beyond) const;
+};
+
+/// Of all loads at factor 1.
+std::vector<SupportMotion> support_motions(const Problem& problem);
+
+struct Problem;
+struct Section;
+
+/// kappa_0 = alpha (temperature at z = h/2 less that at z = -h/2) / h: the curvature in all directions that the plate
+/// would take if nothing hindered it, psi = -kappa_0 (x, y), theory (78) [1 / length], at the first `count` positions.
+/// Empty of other loads. Throws FormulaError.
+Eigen::VectorXd free_curvature(const Load& load, const Section& section, const std::vector<geometry::Point>& positions,
+                               std::size_t count);
+
+/// Does a temperature load the plate?
+bool heated(const Problem& problem);
 
 }  // namespace plate

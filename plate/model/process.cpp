@@ -4,14 +4,16 @@
 #include <omp.h>
 #include <sys/resource.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <new>
+#include <string>
 
 namespace plate {
 namespace {
@@ -83,6 +85,30 @@ std::string build() {
   constexpr auto kernels = "";
 #endif
   return std::to_string(std::filesystem::last_write_time("/proc/self/exe").time_since_epoch().count()) + kernels;
+}
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// A number of a file of the system; nothing where there is none, as in "max".
+double number_in(const char* path, double otherwise) {
+  double value = 0;
+  return std::ifstream(path) >> value ? value : otherwise;
+}
+
+}  // namespace
+
+double free_memory() {
+  const double limit = number_in("/sys/fs/cgroup/memory.max", unlimited);
+  const double left = limit - number_in("/sys/fs/cgroup/memory.current", 0);
+  std::ifstream meminfo("/proc/meminfo");
+  for (std::string name, unit; meminfo >> name;) {
+    double kibibytes = 0;
+    if (name == "MemAvailable:" && meminfo >> kibibytes) return std::min(1024 * kibibytes, std::max(left, 0.0));
+    std::getline(meminfo, unit);
+  }
+  return left < unlimited ? std::max(left, 0.0) : 0;
 }
 
 }  // namespace plate

@@ -16,4 +16,8 @@ int sensible_threads(int wanted);
 /// When the file of this program was written: what runs of the very same build have in common.
 std::string build();
 
+/// Memory that this program could have beside what it has: of the machine, and within the limit of its control group
+/// [bytes]; 0 where the system does not tell.
+double free_memory();
+
 }  // namespace plate

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
-#include "plate/model/loading/formula.hpp"
+#include "plate/model/formula.hpp"
 
 /// A Mindlin plate on a cloud of points. Knows no cracks and no files.
 namespace plate {
@@ -86,5 +86,11 @@ struct LocalSection {
 
   void add(const LocalSection& other, double weight);
 };
+
+/// Stresses xx, yy, xy by the strains xx, yy, 2 xy in the plane, without stress across it [force/length^2].
+Eigen::Matrix3d plane_stress(const Orthotropy& material);
+
+/// Shear stresses xz, yz by the shear angles [force/length^2].
+Eigen::Matrix2d transverse_shear(const Orthotropy& material);
 
 }  // namespace plate

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "plate/model/solver_choices.hpp"
+#include "plate/model/numerical_method.hpp"
 
 namespace plate {
 

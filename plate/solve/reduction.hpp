@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numeric>
 #include <vector>
-#include "plate/model/ranks/exact_sum.hpp"
+#include "plate/model/communicator.hpp"
 
 namespace plate {
 

@@ -1,8 +1,12 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
+
 #include "plate/formulation/operator.hpp"
+#include "plate/model/numerical_method.hpp"
 
 namespace plate {
 
@@ -49,5 +53,69 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
 /// Throws NumericalError where a number is not finite.
 StaticSolution refined(const Operator& plate, const Constraints& constraints, const Forces& load,
                        const StaticOptions& options, const Preconditioner& inverse);
+
+class Formulation;
+struct Analysis;
+
+/// The equilibrium of a plate, and how it was found.
+struct StaticResult {
+  StaticSolution solution;
+  std::string method;                         // as in case files
+  std::optional<std::string> preconditioner;  // of conjugate gradients
+  std::size_t factor_bytes = 0;
+  /// The state less a motion of the whole plate with its supports, as one rigid body: what strains it, to more digits
+  /// than the state has. Without columns where it is the state.
+  State strained = State(3, 0);
+  const State& what_strains() const { return strained.cols() > 0 ? strained : solution.state; }
+};
+
+/// By a method, and with a preconditioner for conjugate gradients. `lift`: of supports that have moved; without columns
+/// none. Throws NumericalError as the solvers do.
+StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMethod method, Preconditioning wanted,
+                          const StaticOptions& options, const State& lift = State(3, 0));
+
+/// Under all loads, by the method and with the preconditioner of an analysis.
+StaticResult static_solution(const Formulation& plate, const Analysis& analysis, const StaticOptions& options);
+
+/// At rest under the loads of time 0; nothing where these are none. Throws NumericalError.
+State start_of(const Formulation& plate, const Analysis& analysis);
+
+/// What is nearest to the inverse of a held plate and pays for many loads: its factor, or, where it has many points,
+/// its coarser plates. `plate` must outlive it.
+std::unique_ptr<Preconditioner> inverse_of(const Formulation& plate);
+
+class Preconditioner;
+
+/// Equilibria of one plate, which must outlive this, under one load after the other: the factor or the preconditioner
+/// is made once, and conjugate gradients begin at that sum of their earlier solutions whose energy is least. Where soil
+/// lifts off, plates with soil that touches or does not are solved until what touches is what is pressed.
+class StaticSolver {
+public:
+  StaticSolver(const Formulation& plate, StaticMethod method, Preconditioning wanted);
+  ~StaticSolver();
+  StaticSolver(const StaticSolver&) = delete;
+
+  /// `again`: what is found helps with later loads; it is kept, six numbers per point. `lift`: of supports that have
+  /// moved; without columns none. Throws NumericalError as the solvers do.
+  StaticResult operator()(const Forces& load, const StaticOptions& options, bool again = false,
+                          const State& lift = State(3, 0));
+
+private:
+  /// `plate`: the plate, or what is linear in its place.
+  StaticResult solved(const Operator& plate, const Forces& load, const StaticOptions& options, bool again,
+                      const State* start = nullptr);
+  StaticResult in_contact(const Forces& load, const StaticOptions& options);
+
+  const Formulation* plate_;
+  StaticMethod method_;
+  std::unique_ptr<Preconditioner> inverse_;
+  std::optional<std::string> name_;
+  std::vector<State> states_;
+  std::vector<Forces> forces_;  // internal, folded, of every state
+};
+
+/// The sum of states whose energy is least under a load; nothing without states. `forces`: internal, of each. Forces
+/// and load are folded where points follow others.
+std::optional<State> nearest(const std::vector<State>& states, const std::vector<Forces>& forces, const Forces& load);
 
 }  // namespace plate

@@ -1,6 +1,6 @@
 #pragma once
-#include "plate/formulation/attached/attached_stiffness.hpp"
-#include "plate/formulation/attached/contact.hpp"
+#include "plate/formulation/attached_stiffness.hpp"
+#include "plate/formulation/foundations.hpp"
 #include "plate/formulation/operator.hpp"
 
 namespace plate {

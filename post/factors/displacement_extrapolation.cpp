@@ -1,9 +1,9 @@
 #include "post/factors/displacement_extrapolation.hpp"
 #include "plate/formulation/interpolation.hpp"
-#include "plate/formulation/tip_frame.hpp"
-#include "plate/model/algebra/dense.hpp"
+#include "plate/formulation/tip_view.hpp"
+#include "plate/model/dense_algebra.hpp"
 #include "plate/model/state.hpp"
-#include "post/factors/near_field/tip_section.hpp"
+#include "post/factors/tip_section.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

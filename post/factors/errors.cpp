@@ -80,8 +80,8 @@ public:
   }
 
 private:
-  /// Error of K1 and K2 where a shear layer ties both faces: fits do not know of it, and the K3 that they find, which is
-  /// zero, tells how far they are off.
+  /// Error of K1 and K2 where a shear layer ties both faces: fits do not know of it, and the K3 that they find, which
+  /// is zero, tells how far they are off.
   Eigen::Vector2d tied() const {
     return Eigen::Vector2d::Constant(shares_.tied * at_.section.thickness * std::abs(fits_.front().K3));
   }

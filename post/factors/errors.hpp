@@ -1,6 +1,6 @@
 #pragma once
-#include "post/factors/near_field/tip_section.hpp"
 #include "post/factors/srif.hpp"
+#include "post/factors/tip_section.hpp"
 
 namespace post {
 

@@ -11,12 +11,12 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulation/heated/heat.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/model/ranks/ranks.hpp"
 #include "post/factors/errors.hpp"
-#include "post/factors/tip_rings.hpp"
+#include "post/factors/tip_integrals.hpp"
 
 namespace post {
 namespace {

@@ -1,9 +1,269 @@
 #include "post/factors/series_fit.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <optional>
 
 namespace post {
+namespace {
+
+/// cos and sin of n pi / 2, exactly.
+double cosine(int n) {
+  return n % 2 ? 0 : n % 4 ? -1 : 1;
+}
+double sine(int n) {
+  return cosine(n - 1);
+}
+
+}  // namespace
+
+/// Makes the series power by power (lengths in `radius`, D = 1). With Psi = psi_x + i psi_y and s = S radius^2 / D:
+/// 4 w_zz* = Psi_z + conj(...), 2 (1 - nu) Psi_zz* + (1 + nu) (Psi_z + conj(...))_z* = s (Psi - 2 w_z*).
+class TipSeries::Maker {
+public:
+  Maker(double poisson, double s) : nu_(poisson), s_(s) {}
+
+  std::vector<Field> fields(int order, bool heated) {
+    std::vector<Field> result;
+    for (const bool even : {true, false}) {
+      sign_ = even ? 1 : -1;
+      for (int n = 0; n <= order; ++n) result.push_back(series(eigenfunction(n), {}, n, n));
+      for (int p = even ? 0 : 1; p <= order + 2; ++p)
+        if (p % 2 == (even ? 0 : 1)) result.push_back(series(harmonic(p), p - 2));
+      if (even) result.push_back(series(Powers(4, {{2, 0.25}}), 2));  // w = r^2 / 4: an even load
+      // psi = z^2 / 2 has the curvature kappa_0 = x' and no moments, i psi that of -y'
+      if (heated) result.push_back(series(Powers(4, {{4, 0.5}}), {}, 4, 4));
+    }
+    return result;
+  }
+
+  /// M_yy / M_xy / Q_y / S straight ahead of the leading term r^(1/2) of the field, without their r^(-1/2).
+  Eigen::Vector3d ahead(const Field& field) {
+    sign_ = field.even ? 1 : -1;
+    const auto leading = [](const std::vector<Term>& terms) {
+      Powers result(1);
+      for (const auto& term : terms)
+        if (term.twice_p == 1) result.at((1 + term.twice_q) / 2) = term.c;
+      return result;
+    };
+    const auto moments = moments_at(leading(field.psi), 0);
+    return {moments[0], moments[1], slope_across(leading(field.w), 0)};
+  }
+
+private:
+  /// Real and imaginary part of f at r = 1, angle n pi.
+  std::array<double, 2> at(const Powers& f, int n) const {
+    double x = 0, y = 0;
+    f.for_each([&](int a, int b, double c) { x += c * cosine(n * (a - b)), y += c * sine(n * (a - b)); });
+    return sign_ > 0 ? std::array{x, y} : std::array{-y, x};
+  }
+
+  /// M_yy, M_xy at r = 1, angle n pi, but for the sign.
+  Eigen::Vector2d moments_at(const Powers& psi, int n) const {
+    const double divergence = 2 * at(d_dz(psi), n)[0];
+    const auto shear = at(d_dconj(psi), n);
+    return {(1 + nu_) / 2 * divergence - (1 - nu_) * shear[0], (1 - nu_) * shear[1]};
+  }
+
+  double slope_across(const Powers& w, int n) const { return -2 * at(d_dz(w), n)[1]; }
+
+  /// Both solutions of the plane-stress equations of degree n/2, by their factors of z^n/2 and conj(z)^n/2.
+  std::vector<Powers> plane(int n) const {
+    if (n == 0) return {Powers(0, {{0, 1.0}})};
+    return {Powers(n, {{n, 1.0}, {2, -sign_ * (1 + nu_) / (3 - nu_) * n / 2}}), Powers(n, {{0, 1.0}})};
+  }
+
+  Eigen::Matrix2Xd face_moments(const std::vector<Powers>& fields) const {
+    Eigen::Matrix2Xd result(2, Eigen::Index(fields.size()));
+    for (std::size_t i = 0; i < fields.size(); ++i) result.col(Eigen::Index(i)) = moments_at(fields[i], 1);
+    return result;
+  }
+
+  /// The combination of both whose faces are free.
+  Powers eigenfunction(int n) const {
+    const auto both = plane(n);
+    if (n == 0) return both.front();
+    const Eigen::Matrix2Xd faces = face_moments(both);
+    const Eigen::Index row = faces.row(0).norm() > faces.row(1).norm() ? 0 : 1;  // the other vanishes by itself
+    const Eigen::Vector2d free = Eigen::Vector2d(-faces(row, 1), faces(row, 0)).normalized();
+    Powers result(n);
+    for (std::size_t i = 0; i < 2; ++i) add(result, both[i], free[Eigen::Index(i)]);
+    return result;
+  }
+
+  /// r^(p/2) cos or sin of p angle / 2.
+  Powers harmonic(int p) const {
+    if (p == 0) return Powers(0, {{0, 1.0}});
+    return Powers(p, {{p, 0.5}, {0, sign_ * 0.5}});
+  }
+
+  /// w of degree n/2 + 1 with lap w = div psi, psi of degree n/2, and Q_y = 0 on the faces.
+  Powers deflection(const Powers& psi, int n) const {
+    Powers w(n + 2);
+    d_dz(psi).for_each([&](int a, int b, double c) {
+      const double part = c / ((a + 2) * (b + 2));  // of 4 (a/2 + 1) (b/2 + 1)
+      w.at(a + 2) += part;
+      w.at(b + 2) += sign_ * part;
+    });
+    const auto own = harmonic(n + 2);
+    const double reached = slope_across(own, 1);
+    if (reached != 0) add(w, own, (at(psi, 1)[1] - slope_across(w, 1)) / reached);
+    return w;
+  }
+
+  /// psi of degree n/2 + 2 that answers psi of degree n/2, if any, and w of degree n/2 + 1, with free faces.
+  Powers rotation(const std::optional<Powers>& psi, const Powers& w, int n) const {
+    Powers source(n), result(n + 4);
+    if (psi) add(source, *psi, s_);
+    add(source, d_dconj(w), -2 * s_);
+    Powers pending = source;
+    source.for_each([&](int a, int b, double c) {
+      if (pending.at(a) == 0) return;
+      const int partner = b + 2;
+      solve_pair(a, b, c, source.at(partner), result);
+      pending.at(partner) = 0;
+    });
+    const auto own = plane(n + 4);
+    const Eigen::Matrix2Xd faces = face_moments(own);
+    const Eigen::Index row = faces.row(0).norm() > faces.row(1).norm() ? 0 : 1;
+    const double missing = -moments_at(result, 1)[row], square = faces.row(row).squaredNorm();
+    for (std::size_t i = 0; i < own.size(); ++i) add(result, own[i], missing * faces(row, Eigen::Index(i)) / square);
+    return result;
+  }
+
+  /// The factors X of z^(a+1) conj(z)^(b+1) and Y of z^(b+2) conj(z)^a, which the terms z^a conj(z)^b and
+  /// z^(b+1) conj(z)^(a-1) of the equation have in common.
+  void solve_pair(int twice_a, int twice_b, double first, double second, Powers& result) const {
+    const double a = twice_a / 2.0, b = twice_b / 2.0;
+    const double own = 3 - nu_, crossed = sign_ * (1 + nu_);
+    double X = 0, Y = 0;
+    if (b + 1 == 0) {
+      Y = a == 0 ? 0 : second / (own * (b + 2) * a);
+    } else if (a == 0) {
+      X = first / (own * (a + 1) * (b + 1));
+    } else {
+      const double sum = first / (b + 1),
+                   partner = second / a;  // own (a+1) X + crossed (b+2) Y, and the other way round
+      const double determinant = own * own - crossed * crossed;
+      X = (own * sum - crossed * partner) / determinant / (a + 1);
+      Y = (own * partner - crossed * sum) / determinant / (b + 2);
+    }
+    result.at(twice_a + 2) = X;
+    if (twice_a != twice_b + 2) result.at(twice_b + 4) = Y;
+  }
+
+  /// The series that begins with w of degree n/2 + 1.
+  Field series(const Powers& w, int n) const { return series(rotation({}, w, n), w, n + 4, n); }
+
+  /// The series that begins with psi of degree n/2, and may have had a w before that.
+  Field series(Powers psi, const std::optional<Powers>& first, int n, int order) const {
+    constexpr int most = 40;  // of steps; 6 to 12 are taken
+    constexpr double negligible = 1e-9;
+    Field result{sign_ > 0, order, {}, {}};
+    if (first) append(result.w, *first);
+    append(result.psi, psi);
+    for (int step = 0; step < most; ++step, n += 4) {
+      const Powers w = deflection(psi, n);
+      psi = rotation(psi, w, n);
+      append(result.w, w), append(result.psi, psi);
+      double largest = 0;
+      psi.for_each([&](int, int, double c) { largest = std::max(largest, std::abs(c)); });
+      if (largest < negligible) break;
+    }
+    return result;
+  }
+
+  /// Of a degree that `terms` does not have yet.
+  static void append(std::vector<Term>& terms, const Powers& sum) {
+    sum.for_each([&](int a, int b, double c) {
+      if (std::abs(c) > 1e-12) terms.push_back({a + b, a - b, c});
+    });
+  }
+
+  double nu_, s_;
+  double sign_ = 1;  // of even fields; -1 of odd ones, where conjugation changes the sign
+};
+
+TipSeries::TipSeries(const plate::Section& section, double radius, int order, bool heated) : radius_(radius) {
+  const double D = section.bending_stiffness(), S = section.shear_stiffness();
+  Maker maker(section.poisson, S * radius * radius / D);
+  const auto fields = maker.fields(order, heated);
+  factors_.resize(3, Eigen::Index(fields.size()));
+  const double root = std::sqrt(2 * radius);
+  for (const auto& field : fields) {
+    // M = -D kappa with tension at z > 0, Q = S gamma
+    factors_.col(size()) =
+        Eigen::Vector3d(-D / radius * root, -D / radius * root, S * root).cwiseProduct(maker.ahead(field));
+    orders_.push_back(field.order);
+  }
+  even_ = half(fields, true), odd_ = half(fields, false);
+}
+
+TipSeries::Half TipSeries::half(const std::vector<Field>& fields, bool even) {
+  Half result;
+  int largest = 0;  // p, and |q| <= p + 6
+  const auto for_each_term = [&](const auto& visit) {
+    for (std::size_t n = 0; n < fields.size(); ++n)
+      for (const auto* terms : {&fields[n].w, &fields[n].psi})
+        for (const auto& term : *terms)
+          if (fields[n].even == even) visit(n, terms == &fields[n].w, term);
+  };
+  for_each_term([&](std::size_t, bool, const Term& term) { largest = std::max(largest, term.twice_p); });
+  const int width = 2 * largest + 13;
+  std::vector<Eigen::Index> index(std::size_t((largest + 1) * width), -1);
+  const auto place = [&](int p, int q) -> Eigen::Index& { return index[std::size_t(p * width + q + largest + 6)]; };
+  for_each_term([&](std::size_t n, bool, const Term& term) {
+    place(term.twice_p, term.twice_q) = 0;
+    if (result.fields.empty() || result.fields.back() != Eigen::Index(n)) result.fields.push_back(Eigen::Index(n));
+  });
+  for (int p = 0; p <= largest; ++p)
+    for (int q = -largest - 6; q <= largest + 6; ++q)
+      if (auto& at = place(p, q); at == 0) at = Eigen::Index(result.terms.size()), result.terms.emplace_back(p, q);
+  result.w = result.psi = Eigen::MatrixXd::Zero(Eigen::Index(result.terms.size()), Eigen::Index(result.fields.size()));
+  Eigen::Index column = 0;
+  for_each_term([&](std::size_t n, bool of_w, const Term& term) {
+    while (result.fields[std::size_t(column)] != Eigen::Index(n)) ++column;
+    (of_w ? result.w : result.psi)(place(term.twice_p, term.twice_q), column) = term.c;
+  });
+  return result;
+}
+
+Eigen::MatrixXd TipSeries::operator()(const std::vector<Polar>& places) const {
+  const auto count = Eigen::Index(places.size());
+  Eigen::MatrixXd result(3 * count, size());
+  for (const bool even : {true, false}) {
+    const Half& half = even ? even_ : odd_;
+    Eigen::MatrixXd x(count, Eigen::Index(half.terms.size())), y(count, x.cols());
+    int largest = 0;
+    for (const auto& [p, q] : half.terms) largest = std::max(largest, std::abs(q));
+    std::vector<std::complex<double>> directions(std::size_t(largest + 1), 1);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const auto [r, angle] = places[std::size_t(k)];
+      // powers by multiplication: terms come in ascending p
+      const double root = std::sqrt(r / radius_);
+      const std::complex<double> turn = std::polar(1.0, angle / 2);
+      for (std::size_t q = 1; q < directions.size(); ++q) directions[q] = turn * directions[q - 1];
+      double power = 1;
+      for (std::size_t t = 0; t < half.terms.size(); ++t) {
+        const auto [p, q] = half.terms[t];
+        for (int n = t ? half.terms[t - 1].first : 0; n < p; ++n) power *= root;
+        const auto direction = q < 0 ? std::conj(directions[std::size_t(-q)]) : directions[std::size_t(q)];
+        x(k, Eigen::Index(t)) = power * direction.real(), y(k, Eigen::Index(t)) = power * direction.imag();
+      }
+    }
+    const Eigen::MatrixXd w = radius_ * (even ? x : y) * half.w * (even ? 1 : -1);
+    const Eigen::MatrixXd first = (even ? x : y) * half.psi * (even ? 1 : -1), second = (even ? y : x) * half.psi;
+    for (std::size_t i = 0; i < half.fields.size(); ++i)
+      for (Eigen::Index k = 0; k < count; ++k)
+        result.col(half.fields[i]).segment<3>(3 * k) << w(k, Eigen::Index(i)), first(k, Eigen::Index(i)),
+            second(k, Eigen::Index(i));
+  }
+  return result;
+}
+
 namespace {
 
 using geometry::Point;

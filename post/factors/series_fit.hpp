@@ -1,9 +1,111 @@
 #pragma once
+#include <initializer_list>
 #include <optional>
+#include <utility>
+#include <vector>
+
+#include "plate/formulation/tip_view.hpp"
+#include "plate/model/section.hpp"
 #include "post/factors/tip_integrals.hpp"
-#include "post/factors/tip_series.hpp"
 
 namespace post {
+
+/// sum c_a z^(a/2) conj(z)^(b/2) with a + b = `degree`, of an odd field i times that; a, b >= -3. Terms that are 0 are
+/// none.
+class Powers {
+public:
+  explicit Powers(int degree) : degree_(degree), factors_(std::size_t(degree + 2 * beyond + 1)) {}
+  Powers(int degree, std::initializer_list<std::pair<int, double>> terms) : Powers(degree) {
+    for (const auto& [a, c] : terms) at(a) += c;
+  }
+
+  int degree() const { return degree_; }
+  double& at(int a) { return factors_[std::size_t(a + beyond)]; }
+  double at(int a) const { return factors_[std::size_t(a + beyond)]; }
+
+  /// visit(a, b, c) in ascending a.
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
+    for (int a = -3; a <= degree_ + 3; ++a)
+      if (const double c = at(a); c != 0) visit(a, degree_ - a, c);
+  }
+
+private:
+  static constexpr int beyond = 5;  // a that are asked for, or set to 0
+  int degree_;
+  std::vector<double> factors_;
+};
+
+/// `sum` and `other` of one degree.
+inline void add(Powers& sum, const Powers& other, double factor = 1) {
+  other.for_each([&](int a, int, double c) { sum.at(a) += factor * c; });
+}
+
+/// Derivatives by z and by conj(z), as if these were independent.
+inline Powers d_dz(const Powers& f) {
+  Powers result(f.degree() - 2);
+  f.for_each([&](int a, int, double c) {
+    if (a != 0) result.at(a - 2) = c * a / 2;
+  });
+  return result;
+}
+
+inline Powers d_dconj(const Powers& f) {
+  Powers result(f.degree() - 2);
+  f.for_each([&](int a, int b, double c) {
+    if (b != 0) result.at(a) = c * b / 2;
+  });
+  return result;
+}
+
+using plate::Polar, plate::TipFrame;
+
+/// The fields that a Mindlin plate can have about the tip of a straight crack with free faces: exact solutions, each a
+/// power series that begins with one of the eigenfunctions of its leading order, plane stress for the rotations or a
+/// harmonic deflection (Williams 1957 for both), or with an even load (theory.md, "Fields about a tip").
+class TipSeries {
+public:
+  /// All fields that begin with a power r^(n/2) of psi or r^(n/2+1) of w, n <= order, and are bounded. They are made
+  /// for distances up to `radius` [length]. `heated`: two more, of free curvatures kappa_0 that grow straight ahead and
+  /// to the left.
+  TipSeries(const plate::Section& section, double radius, int order, bool heated = false);
+
+  Eigen::Index size() const { return Eigen::Index(orders_.size()); }
+  /// The n with which every field begins.
+  const std::vector<int>& orders() const { return orders_; }
+  /// w, psi_x', psi_y' of every field (columns) at all places (three rows each), of the size of w / radius and psi in
+  /// them [length, 1, 1].
+  Eigen::MatrixXd operator()(const std::vector<Polar>& places) const;
+  /// K1, K2, K3 (rows) of every field (columns).
+  const Eigen::Matrix3Xd& factors() const { return factors_; }
+
+private:
+  /// c r^p exp(i q angle), p and q in halves.
+  struct Term {
+    int twice_p, twice_q;
+    double c;
+  };
+  /// Re of sums of such terms is w, and sums of others are psi_x' + i psi_y'; in odd fields i times that.
+  struct Field {
+    bool even;  // w in y'
+    int order;
+    std::vector<Term> w, psi;
+  };
+  /// The fields of one symmetry: what they take (columns) of the same terms.
+  struct Half {
+    std::vector<std::pair<int, int>> terms;  // twice p and q
+    std::vector<Eigen::Index> fields;
+    Eigen::MatrixXd w, psi;  // terms x fields
+  };
+  class Maker;
+
+  static Half half(const std::vector<Field>& fields, bool even);
+
+  double radius_;
+  std::vector<int> orders_;
+  Half even_, odd_;
+  Eigen::Matrix3Xd factors_;
+};
 
 /// Which points about a tip a fit takes, and how many fields.
 struct FitRange {

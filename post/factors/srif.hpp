@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+
 #include "geometry/shape/outline.hpp"
 #include "plate/model/section.hpp"
 

@@ -1,8 +1,9 @@
 #include "post/factors/tip_integrals.hpp"
-#include "post/factors/near_field/tip_section.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "post/factors/tip_section.hpp"
 
 namespace post {
 
@@ -69,6 +70,142 @@ Eigen::VectorXd TipSurroundings::forward_work(const plate::State& state, const p
     const double w_slope = frame_.ahead.dot(gradients.shear + Point(-own.theta_y, own.theta_x));  // gamma + psi
     result[Eigen::Index(i)] = f[0] * w_slope + f.tail<2>().dot(gradients.theta * frame_.ahead);
   }
+  return result;
+}
+
+namespace {
+
+/// What the domain integral takes from a field at a point: gradients of psi, shear angles and dw/dx' [1/length, 1, 1].
+struct PointStrains {
+  Eigen::Matrix2d psi = Eigen::Matrix2d::Zero();  // row: psi_x, psi_y; column: d/dx, d/dy
+  geometry::Point gamma{0, 0};
+  double w_slope = 0;
+};
+
+/// The points of a ring and the classical integral over them (theory (48)).
+class DomainIntegral : public EnergyRelease {
+public:
+  DomainIntegral(const TipView& plate, const TipFrame& frame, const Ring& ring)
+      : shapes_(plate.shapes), section_(plate.section.at(frame.origin)), ahead_(frame.ahead) {
+    for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
+      const Point x = plate.positions[k] - frame.origin;
+      if (x.norm() > 2 * ring.outer) continue;
+      const Point slope = plate.extension_slope(k, frame, ring);
+      if (slope != Point(0, 0))
+        points_.push_back({k, plate.areas[k] * slope, plate.shear_stiffness(k), plate.gradient_shares(k)});
+    }
+  }
+
+  double operator()(const NearField& u) const override {
+    double sum = 0;
+    for (const auto& point : points_) sum += release(point, strains(point, u));
+    return sum;
+  }
+
+private:
+  struct RingPoint {
+    std::uint32_t k;
+    Point slope;                      // area times grad q
+    Eigen::Matrix2d shear_stiffness;  // [force / length]
+    plate::GradientShares shares;
+  };
+
+  PointStrains strains(const RingPoint& point, const NearField& field) const {
+    PointStrains result;
+    const auto own = field(point.k);
+    for (std::size_t n = 0; n < point.shares.bonds.size(); ++n) {
+      const auto& bond = point.shares.bonds[n];
+      const auto other = field(bond.neighbour);
+      const Point share = point.shares.share.col(Eigen::Index(n));
+      result.psi += Point(own.theta_y - other.theta_y, other.theta_x - own.theta_x) * share.transpose();
+      result.gamma += share * shear_difference(shapes_[bond.vector_id], own, other);
+    }
+    result.w_slope = (result.gamma + Point(-own.theta_y, own.theta_x)).dot(ahead_);
+    return result;
+  }
+
+  /// A (M_ab psi_a,x' + Q_b w,x' - W delta_bx') q,b.
+  double release(const RingPoint& point, const PointStrains& u) const {
+    const Eigen::Vector3d M = section_.bending * Eigen::Vector3d(u.psi(0, 0), u.psi(1, 1), u.psi(0, 1) + u.psi(1, 0));
+    Eigen::Matrix2d moments;
+    moments << M[0], M[2], M[2], M[1];
+    const Point shear = point.shear_stiffness * u.gamma;
+    const double energy = (moments.cwiseProduct(u.psi).sum() + shear.dot(u.gamma)) / 2;
+    return point.slope.dot(moments * (u.psi * ahead_) + shear * u.w_slope - energy * ahead_);
+  }
+
+  const std::vector<plate::BondShape>& shapes_;
+  plate::LocalSection section_;  // the same all over the ring
+  Point ahead_;
+  std::vector<RingPoint> points_;
+};
+
+}  // namespace
+
+std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFrame& frame, const Ring& ring) {
+  return std::make_unique<DomainIntegral>(plate, frame, ring);
+}
+
+namespace {
+
+/// How far the crack runs straight back from its tip; another end of it counts at 0.7 of its distance, because the
+/// field there is singular too (an integral over a ring up to the other tip of a crack 25 spacings long was 1.5 % off).
+double straight_length(const geometry::CrackPath& path, const geometry::Tip& tip, double spacing) {
+  auto vertices = path.vertices;
+  if (tip.at_back) std::reverse(vertices.begin(), vertices.end());
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const Point x = vertices[i] - tip.position;
+    const double aside = std::abs(x.x() * tip.direction.y() - x.y() * tip.direction.x());
+    if (aside > spacing / 4) return (vertices[i - 1] - tip.position).norm();
+  }
+  const bool ends_in_plate = (tip.at_back ? path.front : path.back) != geometry::End::mouth;
+  return (ends_in_plate ? 0.7 : 1.0) * (vertices.back() - tip.position).norm();
+}
+
+}  // namespace
+
+double clear_distance(const geometry::Outline& outline, const std::vector<geometry::CrackPath>& paths,
+                      const geometry::Tip& tip, double spacing) {
+  double clear = straight_length(paths[tip.crack], tip, spacing);
+  for (const auto& edge : geometry::straight_edges(outline))
+    clear = std::min(clear, geometry::distance({edge.from, edge.to}, tip.position));
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
+      clear = std::min(clear, std::abs((tip.position - circle->centre).norm() - circle->radius));
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    if (i != tip.crack) clear = std::min(clear, geometry::distance(paths[i].vertices, tip.position));
+  return clear;
+}
+
+geometry::Tip centred(const geometry::Tip& tip, const TipView& plate) {
+  const TipFrame frame(tip);
+  const double behind = 16 * plate.spacing;  // two steps of the staircase that a crack at 7 degrees is
+  double above = behind, below = -behind;
+  for (std::size_t k = 0; k < plate.plate_points; ++k) {
+    const Point x = frame.local(plate.positions[k]);
+    if (x.x() > -1e-3 * plate.spacing || x.x() < -behind || std::abs(x.y()) > behind) continue;
+    if (plate::face_of(x.y(), frame.left(), plate.spacing) > 0)
+      above = std::min(above, x.y());
+    else
+      below = std::max(below, x.y());
+  }
+  geometry::Tip result = tip;
+  result.position += (above + below) / 2 * frame.left();
+  return result;
+}
+
+std::vector<Ring> rings(double clear, double spacing, bool graded) {
+  const double most = (clear - spacing / 2) / spacing;
+  std::vector<Ring> result;
+  if (graded && most > 16) {
+    for (const double share : {0.6, 0.4, 0.8})
+      result.push_back({std::max(share * clear / 8, 3 * spacing), share * clear});
+    return result;
+  }
+  for (const double outer : {16.0, 11.0, 24.0, 7.0})
+    if (outer <= most * (1 + 1e-9)) result.push_back({outer / 2 * spacing, outer * spacing});
+  if (most > 4 && (result.empty() || (most < 11 && most > 8.5)))
+    result.insert(result.begin(), {most / 2 * spacing, most * spacing});
   return result;
 }
 

@@ -10,9 +10,9 @@
 
 #include "post/factors/displacement_extrapolation.hpp"
 #include "post/factors/errors.hpp"
-#include "post/factors/near_field/interaction.hpp"
+#include "post/factors/interaction.hpp"
 #include "post/factors/series_fit.hpp"
-#include "post/factors/tip_rings.hpp"
+#include "post/factors/tip_integrals.hpp"
 
 namespace post {
 namespace {

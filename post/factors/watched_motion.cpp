@@ -2,9 +2,9 @@
 
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/inertia.hpp"
-#include "plate/formulation/preconditioner.hpp"
-#include "plate/solve/motion/begin.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/solve/motion/initial_conditions.hpp"
+#include "plate/solve/statics.hpp"
 #include "post/factors/tip_methods.hpp"
 
 namespace post {

@@ -1,8 +1,8 @@
 #pragma once
 #include "plate/solve/archive.hpp"
+#include "post/files/frame.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
-#include "post/files/vtk/crack_lines.hpp"
 
 /// How what is recorded of a run is remembered (plate/solve/archive.hpp).
 namespace post {

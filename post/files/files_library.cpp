@@ -1,4 +1,4 @@
-#include "post/files/files.hpp"
+#include "post/files/hdf5/loaded.hpp"
 
 /// The library's side of files().
 namespace post {

@@ -1,14 +1,55 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/mesh.hpp"
-#include "plate/formulation/resultants.hpp"
+#include "plate/formulation/sections.hpp"
 #include "plate/model/state.hpp"
-#include "post/files/vtk/crack_lines.hpp"
 
 namespace post {
+
+/// Which of the weights of a corner's sources: `linear` for displacements, `mean` for what is derived from them.
+using CornerWeight = double plate::Mesh::Source::*;
+
+/// The vertices of a mesh: its points, then the corners of cells on edges and cracks [length].
+std::vector<geometry::Point> vertices(const plate::Mesh& mesh);
+
+/// Finds the values of the corners from those of the points. `values`: [components x vertices], of which the points are
+/// set.
+void continue_to_corners(const plate::Mesh& mesh, Eigen::Ref<Eigen::MatrixXd> values, CornerWeight weight);
+
+/// Values of points [components x points] as values of vertices [components x vertices].
+Eigen::MatrixXd at_vertices(const plate::Mesh& mesh, const Eigen::MatrixXd& values, CornerWeight weight);
+
+struct Srif;
+
+/// A crack as a polyline.
+struct CrackLine {
+  std::vector<Eigen::Vector2d> vertices;  // [length]
+  std::vector<double> advances;           // at which a vertex was reached
+};
+
+struct CrackTip {
+  std::size_t number, crack;
+  geometry::Point position;                           // [length]
+  std::optional<std::array<double, 3>> factors = {};  // K1, K2, K3
+};
+
+/// Cracks at an instant, as they are drawn.
+struct Cracks {
+  std::vector<CrackLine> lines;
+  std::vector<CrackTip> tips;
+};
+
+/// Cracks that were there from the start.
+Cracks given_cracks(const std::vector<geometry::CrackPath>& paths);
+
+/// The intensity factors of the tips: of each the first.
+void set_factors(Cracks& cracks, const std::vector<Srif>& factors);
 
 using plate::Mesh;
 

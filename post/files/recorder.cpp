@@ -5,15 +5,15 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulation/heated/heat.hpp"
-#include "plate/model/ranks/ranks.hpp"
-#include "plate/model/ranks/traffic.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/model/halo_exchange.hpp"
 #include "plate/model/section.hpp"
 #include "plate/solve/reduction.hpp"
 #include "post/files/archive.hpp"
-#include "post/files/digest.hpp"
-#include "post/files/gate.hpp"
-#include "post/files/shared/processes.hpp"
+#include "post/files/processes.hpp"
+#include "post/files/result_checks.hpp"
+#include "post/files/run_folder.hpp"
 
 namespace post {
 

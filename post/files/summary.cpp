@@ -1,10 +1,9 @@
 #include "post/files/summary.hpp"
 
 #include <sys/resource.h>
-
 #include <nlohmann/json.hpp>
 
-#include "post/files/shared/processes.hpp"
+#include "post/files/processes.hpp"
 #include "post/files/table.hpp"
 
 namespace post {

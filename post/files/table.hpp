@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -37,5 +38,21 @@ void write_csv(const std::filesystem::path& path, const Table& table);
 /// Reads comma-separated text with a header line; lines that begin with # are comments.
 /// Throws std::runtime_error with file:line where a row does not fit the header.
 Table read_csv(const std::filesystem::path& path);
+
+/// Characters of a UTF-8 text.
+std::size_t characters(const std::string& utf8);
+
+/// A column of a text table: its title and its cells.
+struct TextColumn {
+  std::string title;
+  bool number = false;  // to the right
+  std::vector<std::string> cells = {};
+};
+
+/// One line of titles and one per row, columns two blanks apart. All columns have the same number of cells.
+std::string aligned(const std::vector<TextColumn>& columns);
+
+/// A message in one line.
+std::string one_line(std::string text);
 
 }  // namespace post

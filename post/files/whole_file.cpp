@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "post/files/held_folder.hpp"
+#include "post/files/run_folder.hpp"
 
 namespace post {
 namespace {

@@ -1,6 +1,6 @@
 #include "post/report/curves.hpp"
 
-#include "post/figures/curve_plot.hpp"
+#include "post/report/curve_plot.hpp"
 
 #include <fmt/format.h>
 

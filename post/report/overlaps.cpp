@@ -13,15 +13,15 @@ namespace post {
 namespace {
 
 /// A row of the recommended method.
-struct Row {
+struct FaceRow {
   double time, K1;
   Overlap where;
 };
 
-std::map<std::size_t, std::vector<Row>> rows_by_tip(const Table& srifs, std::vector<FaceOverlaps>& tips) {
+std::map<std::size_t, std::vector<FaceRow>> rows_by_tip(const Table& srifs, std::vector<FaceOverlaps>& tips) {
   const auto time = srifs.column("time"), tip = srifs.column("tip"), x = srifs.column("x"), y = srifs.column("y"),
              K1 = srifs.column("K1"), where = srifs.column("overlaps_at");
-  std::map<std::size_t, std::vector<Row>> result;
+  std::map<std::size_t, std::vector<FaceRow>> result;
   for (std::size_t i = 0; i < srifs.rows.size(); ++i) {
     const auto& row = srifs.rows[i];
     if (i > 0 && srifs.rows[i - 1][time] == row[time] && srifs.rows[i - 1][tip] == row[tip]) continue;
@@ -59,7 +59,7 @@ std::vector<FaceOverlaps> face_overlaps(const Table& srifs) {
   const auto rows = rows_by_tip(srifs, result);
   for (auto& tip : result) {
     const auto& own = rows.at(tip.tip);
-    const auto size = [](const Row& row) { return std::abs(row.K1); };
+    const auto size = [](const FaceRow& row) { return std::abs(row.K1); };
     const double largest = size(*std::ranges::max_element(own, {}, size));
     auto before = Overlap::unknown;
     for (const auto& row : own) {

@@ -1,18 +1,174 @@
 #include "post/report/reactions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <map>
 
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/inertia.hpp"
-#include "plate/model/history.hpp"
-#include "plate/model/loading/moving_forces.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/reduction.hpp"
 #include "plate/solve/settled.hpp"
-#include "post/balance/supports.hpp"
 
 namespace post {
+namespace {
+
+using geometry::Point;
+
+Wrench operator*(double factor, const Wrench& w) {
+  return {factor * w.force, factor * w.moment_x, factor * w.moment_y};
+}
+
+/// The size of a wrench about `centre`, as a force at the distance `arm`.
+double size(const Wrench& w, const Point& centre, double arm) {
+  return std::max(std::abs(w.force),
+                  std::hypot(w.moment_x - centre.y() * w.force, w.moment_y + centre.x() * w.force) / arm);
+}
+
+/// Beside a mirror plane the other edge goes on: what stands beyond both is of that edge.
+std::vector<int> sides_that_hold(const plate::Boundary& boundary, const plate::FictitiousPoint& point) {
+  const auto mirror = [&](int side) { return boundary.sides[std::size_t(side)].kind == plate::SupportKind::symmetry; };
+  const auto [one, other] = point.sides;
+  if (other < 0) return {one};
+  if (mirror(one) != mirror(other)) return {mirror(one) ? other : one};
+  return {one, other};
+}
+
+/// The holders of every degree of freedom that is held.
+std::map<std::uint32_t, std::vector<std::uint32_t>> holders_by_dof(const plate::Boundary& boundary) {
+  std::map<std::uint32_t, std::vector<std::uint32_t>> result;
+  const auto add = [&](std::uint32_t dof, std::uint32_t holder) {
+    if (!boundary.constraints.held(dof)) return;
+    auto& all = result[dof];
+    if (std::ranges::find(all, holder) == all.end()) all.push_back(holder);
+  };
+  for (const auto& hold : boundary.holds)
+    for (std::uint32_t c = hold.rotations ? 1 : 0; c < (hold.rotations ? 3U : 1U); ++c)
+      add(3 * hold.point + c, hold.holder);
+  for (std::size_t i = 0; i < boundary.fictitious.size(); ++i)
+    for (const int side : sides_that_hold(boundary, boundary.fictitious[i])) {
+      const auto by = plate::holder(boundary.holders, boundary.sides[std::size_t(side)].name);
+      for (std::uint32_t c = 0; c < 3; ++c) add(std::uint32_t(3 * (boundary.cloud.plate_points + i)) + c, by);
+    }
+  return result;
+}
+
+}  // namespace
+
+Wrench wrench(const Point& at, std::size_t component, double value) {
+  if (component == 1) return {0, value, 0};
+  if (component == 2) return {0, 0, value};
+  return {value, value * at.y(), -value * at.x()};
+}
+
+void Applied::add(double factor, const Applied& other) {
+  sum += factor * other.sum;
+  size += std::abs(factor) * other.size;
+  held += factor * other.held;
+}
+
+Supports::Supports(const plate::Boundary& boundary) : boundary_(&boundary) {
+  const auto& positions = boundary.cloud.positions;
+  const auto& held = boundary.constraints.held();
+  const auto holders = holders_by_dof(boundary);
+  const auto& ties = boundary.constraints.ties();  // ascending by follower, as what is held
+  auto tie = ties.begin();
+  for (std::uint32_t i = 0; i < held.size(); ++i) {
+    const auto dof = held[i];
+    Wrench unit = wrench(positions[dof / 3], dof % 3, 1);
+    for (; tie != ties.end() && tie->follower == dof; ++tie)
+      unit += wrench(positions[tie->leader / 3], tie->leader % 3, -tie->factor);
+    const auto all = holders.find(dof);
+    if (all == holders.end()) continue;  // a turn that follows another point's (plate::tie_twists): no force in sum
+    for (const auto holder : all->second) shares_.push_back({holder, i, 1.0 / double(all->second.size()) * unit});
+  }
+  std::ranges::stable_sort(shares_, {}, &Share::holder);
+  Point low = positions.front(), high = low;
+  for (const auto& x : positions) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  for (const Eigen::Index axis : {0, 1})
+    low[axis] = -plate::largest_of_all(-low[axis]), high[axis] = plate::largest_of_all(high[axis]);
+  centre_ = (low + high) / 2, arm_ = (high - low).norm() / 2;
+}
+
+Applied Supports::nothing() const {
+  return {{}, 0, Eigen::VectorXd::Zero(Eigen::Index(boundary_->constraints.held().size()))};
+}
+
+Applied Supports::applied(const plate::Forces& forces) const {
+  Applied result{{}, 0, boundary_->constraints.on_held(forces)};
+  const auto& positions = boundary_->cloud.positions;
+  const auto of_point = [&](std::size_t k) -> std::array<double, 4> {
+    if (!boundary_->owns(k)) return {};
+    const auto force = forces.col(Eigen::Index(k));
+    Wrench sum;
+    for (std::size_t c = 0; c < 3; ++c) sum += wrench(positions[k], c, force[Eigen::Index(c)]);
+    return {sum.force, sum.moment_x, sum.moment_y, std::abs(force[0]) + std::hypot(force[1], force[2]) / arm_};
+  };
+  const auto [force, moment_x, moment_y, size] = plate::ordered_sum<4>(positions.size(), of_point);
+  result.sum = {force, moment_x, moment_y}, result.size = size;
+  return result;
+}
+
+Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia,
+                          const plate::State& state) const {
+  Balance result{std::vector<Wrench>(boundary_->holders.size()), loads.sum, {}, 0};
+  Eigen::VectorXd reaction = -internal - loads.held;
+  if (inertia) reaction += inertia->held;
+  const auto& held = boundary_->constraints.held();
+  for (std::uint32_t h = 0; h < result.supports.size(); ++h) {
+    const auto of_holder = std::ranges::equal_range(shares_, h, {}, &Share::holder);
+    const auto [force, moment_x, moment_y] = plate::ordered_sum<3>(of_holder.size(), [&](std::size_t s) {
+      const auto& [holder, i, unit] = of_holder[std::ptrdiff_t(s)];
+      const double size = boundary_->owns(held[i] / 3) ? reaction[i] : 0;
+      return std::array<double, 3>{size * unit.force, size * unit.moment_x, size * unit.moment_y};
+    });
+    result.supports[h] = {force, moment_x, moment_y};
+  }
+  for (const auto& part : boundary_->attached.holding()) result.supports.push_back(applied(part->force(state)).sum);
+  Wrench left = result.sum();
+  left += loads.sum;
+  double largest = loads.size;
+  for (const auto& one : result.supports) largest = std::max(largest, size(one, centre_, arm_));
+  if (inertia) {
+    result.inertia = inertia->sum;
+    left += -1 * inertia->sum;
+    largest = std::max(largest, size(inertia->sum, centre_, arm_));
+  }
+  result.residual = largest > 0 ? size(left, centre_, arm_) / largest : 0;
+  return result;
+}
+
+Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
+  constexpr std::size_t most = 16;
+  const auto& held = boundary_->constraints.held();
+  const auto attached = boundary_->attached.holding();
+  const auto points = Eigen::Index(plate.points());
+  const auto holders = boundary_->holders.size(), all = holders + attached.size();
+  const bool each = all <= most;
+  std::vector<plate::State> units(each ? holders : 1, plate::State::Zero(3, points));
+  for (const auto& [holder, i, unit] : shares_) units[each ? holder : 0].reshaped()[held[i]] += unit.force;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(Eigen::Index(each ? all : 1), 3 * points);
+  plate::Forces forces;
+  const auto add = [&](std::size_t row) {
+    result.row(Eigen::Index(row)) += forces.reshaped<Eigen::RowMajor>().transpose();
+  };
+  for (std::size_t s = 0; s < units.size(); ++s) {  // the stiffness is symmetric
+    plate.internal_force(units[s], forces);
+    add(s);
+  }
+  plate::State along_w = plate::State::Zero(3, points);
+  along_w.row(0).setOnes();
+  for (std::size_t i = 0; i < attached.size(); ++i) {  // what they do to the plate is the support's own force
+    forces = -attached[i]->force(along_w);
+    add(each ? holders + i : 0);
+  }
+  return result;
+}
+
 namespace {
 
 Eigen::VectorXd on_held(const plate::Formulation& plate, const plate::Operator& forces, const plate::State& state) {

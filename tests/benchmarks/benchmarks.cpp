@@ -5,8 +5,8 @@
 #include <experimental/simd>
 #include <map>
 
-#include "cases/driver/discretised.hpp"
-#include "plate/bonds/levels/two_level_plate.hpp"
+#include "cases/driver/prepared.hpp"
+#include "plate/bonds/preconditioners.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/statics.hpp"

@@ -1,11 +1,12 @@
 """Lengths of functions; units with a test of their own."""
 import collections
+import re
 
 import functions
 import tree
 
 FUNCTION = 60  # lines; a TEST_CASE is a function: the longest had 39
-TESTED = 0.84  # of the units, asked for: 0.75; cases/main.cpp is none
+TESTED = 0.82  # of the units, by the header that a unit test begins with; asked for: 0.75; cases/main.cpp is none
 
 
 def of_file(root, path):
@@ -22,13 +23,18 @@ def print_lines_of_code(root, paths):
     print("lines of C++   " + ", ".join(f"{folder} {count:,}" for folder, count in sums.items()))
 
 
-def own_test(path):
-    return "tests/unit" / path.with_name(f"test_{path.stem}.cpp")
+def headers_under_test(root):
+    """Headers that a unit test begins with."""
+    found = set()
+    for test in (root / "tests" / "unit").rglob("test_*.cpp"):
+        found.update(re.findall(r'^#include "([^"]+)"', test.read_text(encoding="utf-8"), re.MULTILINE)[:1])
+    return found
 
 
 def tests(root, paths):
     units = [path for path in paths if path.suffix == ".cpp" and str(path) != "cases/main.cpp"]
-    without = [path for path in units if not (root / own_test(path)).is_file()]
+    headers = headers_under_test(root)
+    without = [path for path in units if str(path.with_suffix(".hpp")) not in headers]
     share = 1 - len(without) / len(units)
     per_folder = []
     for folder in tree.FOLDERS:

@@ -58,7 +58,7 @@ class Includes(Tree):
         for including, header, right in (
                 ("geometry/cells/x.cpp", "CGAL/Polygon_2.h", True), ("geometry/cells/x.hpp", "CGAL/Polygon_2.h", False),
                 ("plate/model/x.cpp", "CGAL/Polygon_2.h", False), ("post/files/x.cpp", "zlib.h", True),
-                ("post/figures/x.cpp", "zlib.h", False), ("post/files/x.hpp", "zlib.h", False), ("post/factors/x.cpp", "hdf5.h", False),
+                ("post/report/x.cpp", "zlib.h", False), ("post/files/x.hpp", "zlib.h", False), ("post/factors/x.cpp", "hdf5.h", False),
                 ("cases/input/x.cpp", "toml++/toml.h", True), ("post/files/x.cpp", "toml++/toml.h", False),
                 ("post/files/x.hpp", "nlohmann/json.hpp", False),
                 ("plate/model/x.hpp", "Eigen/Core", True), ("plate/model/x.hpp", "vector", True),
@@ -146,7 +146,7 @@ class Lengths(Tree):
     def test_share_of_units_with_a_test(self):
         paths = [pathlib.PurePath(f"post/files/{name}.cpp") for name in "abcd"]
         for name in "abc":
-            self.write(f"tests/unit/post/files/test_{name}.cpp", "")
+            self.write(f"tests/unit/post/files/test_{name}.cpp", f'#include "post/files/{name}.hpp"\n')
         self.assertEqual(list(lengths.tests(self.root, paths)), [])
         (self.root / "tests/unit/post/files/test_a.cpp").unlink()
         self.assertEqual(len(list(lengths.tests(self.root, paths))), 1)

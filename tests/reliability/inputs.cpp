@@ -12,17 +12,17 @@
 
 #include "cases/driver/prepared.hpp"
 #include "cases/driver/run.hpp"
+#include "cases/studies/comparison.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
 #include "geometry/shape/outline.hpp"
-#include "plate/model/loading/pressure_table.hpp"
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/loads.hpp"
+#include "post/files/checkpoints.hpp"
 #include "post/files/hdf5/state_file.hpp"
-#include "post/files/sinks/checkpoint.hpp"
-#include "post/files/sinks/kept.hpp"
+#include "post/files/kept.hpp"
+#include "post/files/run_folder.hpp"
 #include "post/files/summary.hpp"
-#include "post/studies/compare.hpp"
-#include "post/studies/scratch_folder.hpp"
 #include "tests/reliability/mutated.hpp"
 
 namespace fs = std::filesystem;

@@ -1,7 +1,7 @@
 // Extreme plates and cracks: each must be solved, with finite results.
 
-#include "plate/formulation/resultants.hpp"
-#include "plate/model/numerical_error.hpp"
+#include "plate/formulation/sections.hpp"
+#include "plate/model/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

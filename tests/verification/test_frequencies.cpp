@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "plate/bonds/rows/lattice_operator.hpp"
-#include "plate/formulation/preconditioner.hpp"
+#include "plate/formulation/operator.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "plate/model/exact.hpp"
 #include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/small_plate.hpp"
+#include "tests/verification/exact.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

@@ -8,7 +8,7 @@
 
 #include "plate/formulation/tip_view.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"

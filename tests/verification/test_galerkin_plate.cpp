@@ -1,14 +1,14 @@
 // The Galerkin plate of the program: patch tests, locking, spectrum, convergence. Figures to compare with are those of
 // the formulation's first implementation (theory.md, "The Galerkin plate").
 
-#include "plate/formulation/resultants.hpp"
+#include "plate/formulation/sections.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "plate/model/exact.hpp"
 #include "plate/model/nodal_forces.hpp"
-#include "plate/solve/assembled_plate.hpp"
+#include "plate/solve/factorised_plate.hpp"
 #include "tests/catch.hpp"
 #include "tests/dense.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
+#include "tests/verification/exact.hpp"
 #include "tests/verification/galerkin/plate.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/geometry/random_plates.hpp"

@@ -1,7 +1,6 @@
 // The parameters of a finer and finer lattice approach those of the continuum (Dai 7-8 corrected).
 
-#include "plate/bonds/parameters/horizon_parameters.hpp"
-#include "plate/bonds/parameters/influence.hpp"
+#include "plate/bonds/horizon_parameters.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,7 +1,7 @@
 // Section forces of solved plates against statics.
 
 #include "geometry/lattice/cloud.hpp"
-#include "plate/formulation/resultants.hpp"
+#include "plate/formulation/sections.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -3,8 +3,8 @@
 #include <sstream>
 
 #include "geometry/lattice/cloud.hpp"
-#include "plate/model/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/verification/exact.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;

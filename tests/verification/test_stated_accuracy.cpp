@@ -5,7 +5,7 @@
 #include "cases/input/case_file.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
-#include "post/studies/quantity.hpp"
+#include "post/report/quantity.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 

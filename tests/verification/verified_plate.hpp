@@ -1,7 +1,7 @@
 #pragma once
 #include <numbers>
 
-#include "cases/driver/discretised.hpp"
+#include "cases/driver/prepared.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/constraints.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 #include <utility>
 
-#include "plate/bonds/rows/kernels.hpp"
+#include "plate/bonds/rows/row_kernels.hpp"
 
 namespace plate {
 

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/nodal_forces.hpp"
-#include "plate/model/ranks/exact_sum.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/settled.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "plate/model/history.hpp"
+#include "plate/model/loads.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {

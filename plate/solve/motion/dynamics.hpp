@@ -2,6 +2,7 @@
 #include <functional>
 #include <optional>
 #include <vector>
+
 #include "plate/formulation/operator.hpp"
 #include "plate/model/state.hpp"
 

@@ -9,9 +9,9 @@
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulation/preconditioner.hpp"
-#include "plate/model/algebra/dense.hpp"
-#include "plate/model/numerical_error.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/model/dense_algebra.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/section.hpp"
 #include "plate/solve/reduction.hpp"
 #include "plate/solve/statics.hpp"

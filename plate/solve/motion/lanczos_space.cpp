@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/solve/statics.hpp"
 
 namespace plate {

@@ -3,7 +3,6 @@
 
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/formulation/preconditioner.hpp"
 
 namespace plate {
 

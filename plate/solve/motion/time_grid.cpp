@@ -1,15 +1,22 @@
 #include "plate/solve/motion/time_grid.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
-#include "plate/model/refused.hpp"
-#include "plate/model/solver_choices.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/numerical_method.hpp"
 
 namespace plate {
+
+Damping damping_of(const std::array<double, 2>& ratios, const std::array<double, 2>& frequencies) {
+  const double a = 2 * std::numbers::pi * frequencies[0], b = 2 * std::numbers::pi * frequencies[1];
+  const double squares = b * b - a * a;
+  return {2 * a * b * (ratios[0] * b - ratios[1] * a) / squares, 2 * (ratios[1] * b - ratios[0] * a) / squares};
+}
+
 namespace {
 
 constexpr double most_steps = 1e12;  // twelve days at a microsecond each; integers are exact up to 9e15

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "post/files/hdf5/hdf5_id.hpp"
+#include "post/files/hdf5/datasets.hpp"
 
 namespace post {
 namespace {

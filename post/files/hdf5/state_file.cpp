@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "post/files/hdf5/datasets.hpp"
-#include "post/files/held_folder.hpp"
+#include "post/files/run_folder.hpp"
 
 namespace post {
 namespace {

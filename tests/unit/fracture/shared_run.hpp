@@ -7,10 +7,10 @@
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/supports.hpp"
-#include "post/files/sinks/kept.hpp"
+#include "post/files/kept.hpp"
 #include "post/files/summary.hpp"
 #include "tests/catch.hpp"
-#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+#include "tests/unit/plate/model/thread_ranks.hpp"
 
 /// Whole runs of plates that threads share as processes do.
 namespace shared_run {

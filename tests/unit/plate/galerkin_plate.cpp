@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "plate/galerkin/family_stiffness.hpp"
+#include "plate/galerkin/stiffness.hpp"
 
 namespace galerkin_plate {
 

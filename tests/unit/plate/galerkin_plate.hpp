@@ -1,7 +1,7 @@
 #pragma once
 
-#include "plate/galerkin/family_stiffness.hpp"
 #include "plate/galerkin/operator.hpp"
+#include "plate/galerkin/stiffness.hpp"
 #include "plate/galerkin/supports.hpp"
 #include "plate/model/loads.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "geometry/lattice/seeding.hpp"
+#include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

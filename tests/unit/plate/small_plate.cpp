@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "geometry/lattice/seeding.hpp"
-#include "plate/bonds/parameters/horizon_parameters.hpp"
-#include "plate/bonds/parameters/position_aware.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/bonds/family_weights.hpp"
+#include "plate/bonds/horizon_parameters.hpp"
 #include "plate/bonds/supports.hpp"
 
 namespace small_plate {

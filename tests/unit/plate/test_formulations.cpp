@@ -4,9 +4,9 @@
 
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/discretised.hpp"
-#include "plate/model/formulation_kind.hpp"
+#include "plate/model/numerical_method.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "tests/catch.hpp"
 
 TEST_CASE("formulations: what chooses by itself prefers the Galerkin plate, and finds one for all that can be asked") {

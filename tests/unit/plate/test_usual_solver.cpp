@@ -1,4 +1,4 @@
-#include "plate/usual_solver.hpp"
+#include "plate/formulations.hpp"
 
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/model/problem.hpp"

@@ -3,7 +3,7 @@
 
 #include "post/files/factor_rows.hpp"
 #include "post/files/summary.hpp"
-#include "post/studies/quantity.hpp"
+#include "post/report/quantity.hpp"
 #include "tests/unit/post/small_run.hpp"
 
 /// The summary and the tables of a run that has ended.

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "post/studies/study.hpp"
+#include "cases/studies/study_table.hpp"
 
 /// Studies whose errors are known powers of the spacing.
 namespace study_of_powers {

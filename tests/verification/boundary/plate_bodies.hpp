@@ -1,5 +1,5 @@
 #pragma once
-#include "plate/surface/surface_plate.hpp"
+#include "plate/edges/surface_plate.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 
 /// Plates with surface nodes on their edges.

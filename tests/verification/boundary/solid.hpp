@@ -1,9 +1,9 @@
 #pragma once
 #include <Eigen/SparseCore>
 #include <functional>
-#include "plate/boundary/conditions.hpp"
-#include "plate/boundary/crossings.hpp"
-#include "plate/boundary/extrapolation.hpp"
+#include "plate/edges/boundary_conditions.hpp"
+#include "plate/edges/extrapolation.hpp"
+#include "plate/edges/lattice_body.hpp"
 
 /// Ordinary state-based bars, plane bodies and boxes in equilibrium, as in the papers on fictitious and surface nodes.
 namespace boundary_bodies {

@@ -1,6 +1,6 @@
 // Homogeneous states of plates with surface nodes, and a cantilever.
 
-#include "plate/model/refused.hpp"
+#include "plate/model/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 

@@ -1,9 +1,9 @@
 // Square plates with surface nodes under pressure, against the local plate.
 
-#include "plate/model/exact.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/boundary/local_plate.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
+#include "tests/verification/exact.hpp"
 
 namespace bb = boundary_bodies;
 using geometry::Point;

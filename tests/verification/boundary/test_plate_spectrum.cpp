@@ -1,6 +1,6 @@
 // What edges with surface nodes make of the frequencies of plates.
 
-#include "plate/surface/spectrum.hpp"
+#include "plate/edges/surface_plate.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 

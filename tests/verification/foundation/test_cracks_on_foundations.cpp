@@ -1,11 +1,11 @@
 // Intensity factors of cracked plates on elastic foundations: the pressure of the soil is a load in the ring.
 #include <cmath>
 
+#include "cases/driver/neighbouring_cracks.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/table.hpp"
-#include "post/studies/neighbouring_cracks.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -3,13 +3,13 @@
 #include <numbers>
 
 #include "plate/formulation/interpolation.hpp"
-#include "plate/formulation/preconditioner.hpp"
+#include "plate/formulation/operator.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
-#include "plate/solve/solution.hpp"
-#include "post/balance/supports.hpp"
+#include "plate/solve/statics.hpp"
+#include "post/report/reactions.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -2,15 +2,15 @@
 // of the plate of Mindlin with a residual curvature kappa_0 = alpha dT / h, and energies of neighbouring cracks.
 #include <numbers>
 
-#include "plate/formulation/heated/heat.hpp"
+#include "cases/driver/neighbouring_cracks.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/mesh.hpp"
-#include "plate/formulation/resultants.hpp"
+#include "plate/formulation/sections.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/table.hpp"
-#include "post/studies/neighbouring_cracks.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cases/driver/run.hpp"
-#include "post/files/sinks/kept.hpp"
+#include "post/files/kept.hpp"
 #include "post/files/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"

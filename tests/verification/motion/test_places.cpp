@@ -4,9 +4,9 @@
 
 #include "plate/formulation/interpolation.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "plate/model/refused.hpp"
-#include "plate/solve/motion/begin.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/initial_conditions.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "plate/formulation/interpolation.hpp"
-#include "plate/formulation/preconditioner.hpp"
+#include "plate/formulation/operator.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,10 +1,10 @@
 // Cracks in plates whose sections vary or have directions, by the energy of neighbouring lengths and by fits.
 
+#include "cases/driver/neighbouring_cracks.hpp"
 #include "plate/formulation/tip_view.hpp"
-#include "post/factors/near_field/interaction.hpp"
+#include "post/factors/interaction.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/table.hpp"
-#include "post/studies/neighbouring_cracks.hpp"
 #include "tests/verification/sections/plates_of_sections.hpp"
 
 using namespace plates_of_sections;

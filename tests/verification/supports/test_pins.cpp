@@ -3,8 +3,8 @@
 #include <Eigen/LU>
 
 #include "plate/formulations.hpp"
-#include "plate/solve/solution.hpp"
-#include "post/balance/supports.hpp"
+#include "plate/solve/statics.hpp"
+#include "post/report/reactions.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

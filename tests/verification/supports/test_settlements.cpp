@@ -6,8 +6,8 @@
 #include "plate/formulations.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/settled.hpp"
-#include "plate/solve/solution.hpp"
-#include "post/balance/supports.hpp"
+#include "plate/solve/statics.hpp"
+#include "post/report/reactions.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -6,9 +6,9 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulations.hpp"
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,8 +1,8 @@
 // Cracks inside rectangles with surface nodes on the edges.
 
 #include <Eigen/Geometry>
-#include "plate/solve/solution.hpp"
-#include "plate/surface/spectrum.hpp"
+#include "plate/edges/surface_plate.hpp"
+#include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"

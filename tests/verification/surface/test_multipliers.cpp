@@ -1,7 +1,7 @@
 // Plates with fictitious nodes and multipliers: homogeneous states, edges held and loaded, against the local plate.
 
-#include "plate/boundary/conditions.hpp"
-#include "plate/surface/multiplied_plate.hpp"
+#include "plate/edges/boundary_conditions.hpp"
+#include "plate/edges/multiplied_plate.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/boundary/local_plate.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"

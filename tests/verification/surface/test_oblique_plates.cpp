@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 #include "geometry/lattice/cloud.hpp"
-#include "plate/boundary/conditions.hpp"
-#include "plate/surface/spectrum.hpp"
+#include "plate/edges/boundary_conditions.hpp"
+#include "plate/edges/surface_plate.hpp"
 #include "tests/catch.hpp"
 
 using geometry::Outline;

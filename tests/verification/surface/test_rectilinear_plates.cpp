@@ -1,8 +1,8 @@
 // Plates with notches and holes on surface nodes and fictitious nodes: homogeneous states, frequencies.
 
-#include "plate/boundary/conditions.hpp"
-#include "plate/surface/multiplied_plate.hpp"
-#include "plate/surface/spectrum.hpp"
+#include "plate/edges/boundary_conditions.hpp"
+#include "plate/edges/multiplied_plate.hpp"
+#include "plate/edges/surface_plate.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 

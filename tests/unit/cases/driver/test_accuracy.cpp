@@ -3,7 +3,7 @@
 
 #include "cases/driver/accuracy.hpp"
 #include "cases/driver/run.hpp"
-#include "post/studies/accuracy/path.hpp"
+#include "post/report/accuracy_search.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -1,4 +1,4 @@
-#include "cases/driver/discretised.hpp"
+#include "cases/driver/prepared.hpp"
 
 #include "tests/unit/cases/case_text.hpp"
 

@@ -1,7 +1,7 @@
-#include "cases/driver/foretell.hpp"
+#include "cases/driver/cost_samples.hpp"
 
 #include "cases/driver/run.hpp"
-#include "plate/model/free_memory.hpp"
+#include "plate/model/process.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 

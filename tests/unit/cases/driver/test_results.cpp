@@ -1,7 +1,7 @@
-#include "cases/driver/results.hpp"
+#include "cases/driver/case_plan.hpp"
 
 #include "cases/driver/run.hpp"
-#include "post/files/sinks/kept_sink.hpp"
+#include "post/files/sinks.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -1,4 +1,4 @@
-#include "cases/input/refused.hpp"
+#include "cases/input/case_file.hpp"
 
 #include "tests/unit/cases/case_text.hpp"
 

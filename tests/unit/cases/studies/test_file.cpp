@@ -1,4 +1,4 @@
-#include "post/studies/orders.hpp"
+#include "cases/studies/orders.hpp"
 
 #include "post/files/table.hpp"
 #include "tests/unit/cases/studies.hpp"

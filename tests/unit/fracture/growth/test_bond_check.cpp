@@ -1,5 +1,5 @@
 // What single bonds bear: the energy of the plate, and nothing without load.
-#include "fracture/growth/bond_check.hpp"
+#include "fracture/growth/bond_failure.hpp"
 
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "tests/catch.hpp"

@@ -1,7 +1,5 @@
-#include "fracture/growth/distrust.hpp"
+#include "fracture/growth/growth.hpp"
 
-#include "fracture/growth/criteria.hpp"
-#include "fracture/growth/ended.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

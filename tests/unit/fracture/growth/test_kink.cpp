@@ -1,4 +1,4 @@
-#include "fracture/growth/kink.hpp"
+#include "fracture/growth/tip_advance.hpp"
 
 #include <cmath>
 #include <numbers>

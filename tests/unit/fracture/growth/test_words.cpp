@@ -1,4 +1,4 @@
-#include "fracture/growth/words.hpp"
+#include "fracture/growth/growth.hpp"
 
 #include <set>
 

@@ -1,8 +1,8 @@
 #include <map>
 
 #include "geometry/cells/drawn_cells.hpp"
-#include "geometry/lattice/seeding.hpp"
-#include "geometry/shape/crack_extension.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/predicates.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/geometry/random_plates.hpp"

@@ -1,8 +1,7 @@
-#include "geometry/cells/locator.hpp"
+#include "geometry/cells/tessellation.hpp"
 
 #include <random>
 
-#include "geometry/cells/tessellation.hpp"
 #include "tests/catch.hpp"
 
 using namespace geometry;

@@ -1,4 +1,4 @@
-#include "geometry/cells/point_count.hpp"
+#include "geometry/cells/tessellation.hpp"
 #include "tests/catch.hpp"
 
 namespace {

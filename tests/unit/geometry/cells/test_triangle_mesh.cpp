@@ -1,6 +1,6 @@
 #include <random>
 
-#include "geometry/cells/triangle_mesh.hpp"
+#include "geometry/cells/triangulation.hpp"
 #include "geometry/shape/predicates.hpp"
 #include "tests/catch.hpp"
 

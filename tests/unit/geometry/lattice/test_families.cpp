@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "geometry/lattice/seeding.hpp"
+#include "geometry/lattice/cloud.hpp"
 #include "tests/catch.hpp"
 
 using namespace geometry;

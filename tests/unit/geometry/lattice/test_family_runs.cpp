@@ -1,6 +1,6 @@
-#include "geometry/lattice/family_runs.hpp"
+#include "geometry/lattice/families.hpp"
 
-#include "geometry/lattice/seeding.hpp"
+#include "geometry/lattice/cloud.hpp"
 #include "tests/catch.hpp"
 
 using namespace geometry;

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "geometry/lattice/seeding.hpp"
+#include "geometry/lattice/cloud.hpp"
 #include "tests/catch.hpp"
 
 using namespace geometry;

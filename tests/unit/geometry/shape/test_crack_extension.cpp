@@ -1,4 +1,4 @@
-#include "geometry/shape/crack_extension.hpp"
+#include "geometry/shape/crack_path.hpp"
 
 #include <cmath>
 

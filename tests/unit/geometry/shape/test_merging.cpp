@@ -1,4 +1,4 @@
-#include "geometry/shape/merging.hpp"
+#include "geometry/shape/crack_cleanup.hpp"
 
 #include <algorithm>
 #include <cmath>

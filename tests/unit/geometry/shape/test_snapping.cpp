@@ -1,4 +1,4 @@
-#include "geometry/shape/snapping.hpp"
+#include "geometry/shape/crack_cleanup.hpp"
 
 #include <cmath>
 

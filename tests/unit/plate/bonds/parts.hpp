@@ -3,9 +3,9 @@
 #include <mutex>
 #include <vector>
 
+#include "plate/model/numerical_method.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/model/solver_choices.hpp"
-#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+#include "tests/unit/plate/model/thread_ranks.hpp"
 
 /// Plates that threads share as processes do, against those of one.
 namespace parts {

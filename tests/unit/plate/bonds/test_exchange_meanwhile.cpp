@@ -10,7 +10,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
-#include "tests/unit/plate/model/ranks/watched_ranks.hpp"
+#include "tests/unit/plate/model/watched_ranks.hpp"
 
 using namespace parts;
 

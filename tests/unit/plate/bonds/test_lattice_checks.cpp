@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "cases/driver/discretised.hpp"
+#include "cases/driver/prepared.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;

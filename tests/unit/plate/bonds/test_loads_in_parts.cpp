@@ -5,14 +5,14 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulation/heated/heat.hpp"
-#include "plate/formulation/parts/pieces.hpp"
+#include "plate/formulation/pieces.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
-#include "plate/model/refused.hpp"
-#include "plate/solve/static_solver.hpp"
+#include "plate/solve/statics.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
-#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+#include "tests/unit/plate/model/thread_ranks.hpp"
 
 using namespace parts;
 

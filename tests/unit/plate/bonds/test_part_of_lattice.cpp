@@ -5,10 +5,10 @@
 
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulation/parts/mechanisms.hpp"
+#include "plate/formulation/mechanisms.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
-#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+#include "tests/unit/plate/model/thread_ranks.hpp"
 
 using namespace parts;
 

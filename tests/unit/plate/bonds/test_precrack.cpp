@@ -1,4 +1,4 @@
-#include "plate/bonds/precrack.hpp"
+#include "plate/bonds/visibility.hpp"
 
 #include <Eigen/LU>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "plate/galerkin/stiffness.hpp"
-#include "plate/solve/assembled_plate.hpp"
+#include "plate/solve/factorised_plate.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 #include "tests/unit/plate/small_plate.hpp"

@@ -1,6 +1,6 @@
 #include "plate/formulation/constraints.hpp"
 
-#include "plate/model/ranks/exchange.hpp"
+#include "plate/model/halo_exchange.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

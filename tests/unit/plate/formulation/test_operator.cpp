@@ -1,7 +1,7 @@
 #include "plate/formulation/operator.hpp"
 
 #include "plate/formulation/constraints.hpp"
-#include "plate/model/ranks/exchange.hpp"
+#include "plate/model/halo_exchange.hpp"
 #include "tests/catch.hpp"
 
 using namespace plate;

@@ -1,4 +1,4 @@
-#include "plate/bonds/resultants.hpp"
+#include "plate/bonds/results.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"

@@ -1,4 +1,4 @@
-#include "plate/formulation/stopwatch.hpp"
+#include "plate/formulation/discretised.hpp"
 
 #include <thread>
 

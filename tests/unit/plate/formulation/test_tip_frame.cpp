@@ -1,4 +1,4 @@
-#include "plate/formulation/tip_frame.hpp"
+#include "plate/formulation/tip_view.hpp"
 
 #include <numbers>
 

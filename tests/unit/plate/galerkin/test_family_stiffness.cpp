@@ -1,6 +1,6 @@
-#include "plate/galerkin/family_stiffness.hpp"
+#include "plate/galerkin/stiffness.hpp"
 
-#include "plate/galerkin/law.hpp"
+#include "plate/galerkin/families.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 

@@ -1,4 +1,4 @@
-#include "plate/galerkin/law.hpp"
+#include "plate/galerkin/families.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/dense.hpp"

@@ -1,4 +1,4 @@
-#include "plate/galerkin/resultants.hpp"
+#include "plate/galerkin/results.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"

@@ -1,4 +1,4 @@
-#include "plate/model/exact.hpp"
+#include "tests/verification/exact.hpp"
 
 #include <Eigen/Dense>
 #include <numbers>

@@ -1,10 +1,10 @@
-#include "plate/model/free_memory.hpp"
+#include "plate/model/process.hpp"
 
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/model/refused.hpp"
 #include "tests/catch.hpp"
 
 TEST_CASE("a plate of more points than the memory holds is refused at once, by either formulation") {

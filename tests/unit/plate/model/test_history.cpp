@@ -1,4 +1,4 @@
-#include "plate/model/history.hpp"
+#include "plate/model/loads.hpp"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "geometry/lattice/seeding.hpp"
+#include "geometry/lattice/cloud.hpp"
 #include "tests/catch.hpp"
 
 using namespace plate;

@@ -1,7 +1,7 @@
-#include "plate/solve/assembled_plate.hpp"
+#include "plate/solve/factorised_plate.hpp"
 
 #include "plate/galerkin/stiffness.hpp"
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
 

@@ -1,8 +1,8 @@
-#include "plate/solve/finite.hpp"
+#include "plate/solve/validation.hpp"
 
 #include <limits>
 
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
 #include "tests/catch.hpp"
 
 using namespace plate;

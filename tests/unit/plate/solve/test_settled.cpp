@@ -3,7 +3,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/nodal_forces.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 

@@ -1,4 +1,4 @@
-#include "plate/solve/shared_factor.hpp"
+#include "plate/solve/factorised_plate.hpp"
 
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/discretised.hpp"
@@ -6,7 +6,7 @@
 #include "plate/model/problem.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/galerkin_plate.hpp"
-#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+#include "tests/unit/plate/model/thread_ranks.hpp"
 
 using namespace plate;
 

@@ -1,4 +1,4 @@
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 
 #include "plate/formulation/discretised.hpp"
 #include "tests/unit/cases/case_text.hpp"

@@ -1,4 +1,4 @@
-#include "plate/solve/static_solver.hpp"
+#include "plate/solve/statics.hpp"
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/discretised.hpp"

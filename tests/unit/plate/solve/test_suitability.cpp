@@ -1,4 +1,4 @@
-#include "plate/solve/suitability.hpp"
+#include "plate/solve/validation.hpp"
 
 #include "plate/formulation/discretised.hpp"
 #include "tests/unit/cases/case_text.hpp"

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "geometry/lattice/seeding.hpp"
+#include "geometry/lattice/cloud.hpp"
 #include "tests/catch.hpp"
 
 using namespace post;

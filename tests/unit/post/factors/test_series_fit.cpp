@@ -5,7 +5,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/tip_view.hpp"
-#include "post/factors/tip_rings.hpp"
+#include "post/factors/tip_integrals.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 

@@ -1,9 +1,9 @@
 #include <numbers>
 
-#include "geometry/lattice/seeding.hpp"
-#include "plate/bonds/tip_view.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/bonds/results.hpp"
 #include "post/factors/series_fit.hpp"
-#include "post/factors/tip_rings.hpp"
+#include "post/factors/tip_integrals.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

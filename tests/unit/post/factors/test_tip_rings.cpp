@@ -1,4 +1,4 @@
-#include "post/factors/tip_rings.hpp"
+#include "post/factors/tip_integrals.hpp"
 
 #include "geometry/shape/crack_path.hpp"
 #include "tests/catch.hpp"

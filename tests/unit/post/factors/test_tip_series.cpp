@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "post/factors/tip_series.hpp"
+#include "post/factors/series_fit.hpp"
 #include "tests/catch.hpp"
 
 using namespace post;

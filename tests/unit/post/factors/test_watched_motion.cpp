@@ -1,8 +1,8 @@
 #include "post/factors/watched_motion.hpp"
 
 #include "plate/formulation/discretised.hpp"
-#include "post/balance/supports.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "post/report/reactions.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;

@@ -1,4 +1,4 @@
-#include "post/files/earlier.hpp"
+#include "post/files/run_folder.hpp"
 
 #include <fstream>
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
 #include "post/factors/srif.hpp"
 #include "post/files/table.hpp"
 #include "tests/catch.hpp"

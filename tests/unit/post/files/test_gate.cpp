@@ -1,8 +1,8 @@
-#include "post/files/gate.hpp"
+#include "post/files/result_checks.hpp"
 
-#include "cases/driver/discretised.hpp"
-#include "plate/model/numerical_error.hpp"
-#include "plate/solve/solution.hpp"
+#include "cases/driver/prepared.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/solve/statics.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;

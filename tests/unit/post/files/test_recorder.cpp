@@ -1,6 +1,6 @@
 #include "post/files/recorder.hpp"
 
-#include "cases/driver/discretised.hpp"
+#include "cases/driver/prepared.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "tests/unit/cases/case_text.hpp"
 

@@ -1,7 +1,7 @@
-#include "post/files/stored_factors.hpp"
+#include "post/files/factor_rows.hpp"
 
 #include "plate/formulation/discretised.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/hdf5/state_file.hpp"
 #include "tests/unit/cases/case_text.hpp"

@@ -1,4 +1,4 @@
-#include "post/files/vertices.hpp"
+#include "post/files/frame.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"

@@ -1,12 +1,12 @@
 // Where deflection and stress of a run are largest.
 #include "post/report/conclusion.hpp"
 
-#include "cases/driver/discretised.hpp"
+#include "cases/driver/prepared.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulation/resultants.hpp"
+#include "plate/formulation/sections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 

@@ -1,5 +1,5 @@
 // The largest of all load cases, and how load cases are printed.
-#include "post/report/load_cases.hpp"
+#include "post/report/printed.hpp"
 
 #include "post/files/factor_rows.hpp"
 #include "post/files/table.hpp"

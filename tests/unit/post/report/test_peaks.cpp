@@ -1,4 +1,4 @@
-#include "post/report/peaks.hpp"
+#include "post/report/conclusion.hpp"
 
 #include <numbers>
 

@@ -5,9 +5,9 @@
 
 #include <numbers>
 
-#include "cases/driver/discretised.hpp"
+#include "cases/driver/prepared.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/solve/solution.hpp"
+#include "plate/solve/statics.hpp"
 #include "post/files/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"

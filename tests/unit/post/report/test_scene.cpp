@@ -1,4 +1,4 @@
-#include "post/report/scene.hpp"
+#include "post/report/cost_model.hpp"
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"

@@ -2,7 +2,7 @@
 
 #include <omp.h>
 
-#include "plate/bonds/parameters/position_aware.hpp"
+#include "plate/bonds/family_weights.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

@@ -1,4 +1,4 @@
-#include "plate/bonds/rows/tasks.hpp"
+#include "plate/bonds/rows/lattice_operator.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,5 @@
-#include "plate/solve/matrices/attached_matrix.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
 
-#include "plate/solve/matrices/matrix_pattern.hpp"
 #include "tests/catch.hpp"
 
 using namespace plate;

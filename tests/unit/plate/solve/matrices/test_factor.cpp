@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
 #include "tests/catch.hpp"
 
 using namespace plate;

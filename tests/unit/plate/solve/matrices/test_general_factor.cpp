@@ -1,7 +1,7 @@
-#include "plate/solve/matrices/general_factor.hpp"
+#include "plate/solve/matrices/factor.hpp"
 
 #include <random>
-#include "plate/model/numerical_error.hpp"
+#include "plate/model/errors.hpp"
 #include "tests/catch.hpp"
 
 using plate::GeneralFactor;

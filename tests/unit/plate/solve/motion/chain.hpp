@@ -2,7 +2,6 @@
 #include <Eigen/Dense>
 
 #include "plate/formulation/operator.hpp"
-#include "plate/formulation/preconditioner.hpp"
 
 namespace spring_chain {
 

@@ -1,4 +1,4 @@
-#include "plate/solve/motion/begin.hpp"
+#include "plate/solve/motion/initial_conditions.hpp"
 
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/solve/analysis.hpp"

@@ -1,13 +1,12 @@
-#include "plate/solve/motion/damping.hpp"
+#include "plate/solve/motion/time_grid.hpp"
 
 #include <numbers>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/inertia.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
-#include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
-#include "plate/solve/motion/time_grid.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/solve/motion/chain.hpp"
 

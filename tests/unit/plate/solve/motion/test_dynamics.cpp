@@ -2,8 +2,8 @@
 
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/inertia.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
-#include "plate/model/numerical_error.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 

@@ -7,10 +7,10 @@
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulation/preconditioner.hpp"
+#include "plate/formulation/operator.hpp"
 #include "plate/model/problem.hpp"
 #include "tests/catch.hpp"
-#include "tests/unit/plate/model/ranks/thread_ranks.hpp"
+#include "tests/unit/plate/model/thread_ranks.hpp"
 
 using namespace plate;
 

@@ -1,4 +1,4 @@
-#include "plate/solve/motion/impact.hpp"
+#include "plate/solve/motion/contact_and_damping.hpp"
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/nodal_forces.hpp"

@@ -2,9 +2,9 @@
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/inertia.hpp"
-#include "plate/model/history.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
-#include "plate/model/numerical_error.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/solve/motion/chain.hpp"

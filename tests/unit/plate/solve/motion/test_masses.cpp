@@ -1,4 +1,4 @@
-#include "plate/solve/motion/masses.hpp"
+#include "plate/solve/motion/masses_and_loads.hpp"
 #include "tests/catch.hpp"
 
 using namespace plate;

@@ -1,6 +1,6 @@
-#include "plate/solve/motion/moving_modes.hpp"
+#include "plate/solve/motion/lanczos_motion.hpp"
 
-#include "plate/model/history.hpp"
+#include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "tests/catch.hpp"
 

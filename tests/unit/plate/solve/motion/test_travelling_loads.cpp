@@ -1,4 +1,4 @@
-#include "plate/solve/motion/travelling_loads.hpp"
+#include "plate/solve/motion/masses_and_loads.hpp"
 
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"

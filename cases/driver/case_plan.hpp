@@ -1,0 +1,22 @@
+#pragma once
+#include "cases/driver/run.hpp"
+#include "cases/input/case_file.hpp"
+#include "cases/runs/recording.hpp"
+#include "cases/runs/run_plan.hpp"
+
+namespace cases {
+
+struct Case;
+
+fracture::RecordingOptions recording_options(const Case& c, const RunOptions& options);
+/// Where the results of a run of the case go. Throws fracture::RefusedFolder.
+fracture::Recording recording_of(const Case& c, const RunOptions& options);
+
+/// What a run of the case, which must outlive it, is to do.
+fracture::RunPlan plan_of(const Case& c, const RunOptions& options);
+
+/// The case in the other formulation, without files for fields. Settings that only one formulation has take their
+/// defaults. Throws CaseError where the case cannot be stated in it.
+CaseFile in_other_formulation(const CaseFile& file);
+
+}  // namespace cases

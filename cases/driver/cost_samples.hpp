@@ -1,0 +1,14 @@
+#pragma once
+#include "cases/input/case_file.hpp"
+#include "cases/runs/cost_estimate.hpp"
+
+namespace cases {
+
+/// What a run will be: its samples write to a folder that is removed. Throws CaseError where no sample of up to 50,000
+/// points can carry the case, and neither can the case itself.
+fracture::ForetoldRun foretell(const CaseFile& file);
+
+/// Names the other method of a motion, where it is foretold to take clearly less than these `seconds`; else "".
+std::string cheaper_way(const CaseFile& file, double seconds);
+
+}  // namespace cases

@@ -1,0 +1,152 @@
+#include "cases/driver/fatigue.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "plate/model/errors.hpp"
+
+namespace post {
+namespace {
+
+/// a + factor b
+std::vector<double> sum(std::vector<double> a, double factor, const std::vector<double>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+  return a;
+}
+
+}  // namespace
+
+std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengths, const std::vector<double>& ranges) {
+  if (lengths.size() != ranges.size()) throw std::invalid_argument("as many ranges as lengths are needed");
+  const auto rate = [&](std::size_t i) {
+    if (ranges[i] <= law.threshold) return 0.0;
+    const double growth = law.coefficient * std::pow(ranges[i], law.exponent);
+    if (!std::isnormal(growth))
+      throw plate::NumericalError(
+          fmt::format("Paris' law gives a growth of {:g} per cycle at a range of {:g}", growth, ranges[i]));
+    return growth;
+  };
+  std::vector<double> result;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    if (i == 0) {
+      result.push_back(0);
+      continue;
+    }
+    const double a = lengths[i - 1], b = lengths[i];
+    if (!(0 < a && a < b)) throw std::invalid_argument("lengths must ascend");
+    double more = std::numeric_limits<double>::infinity();
+    if (rate(i - 1) > 0 && rate(i) > 0) {
+      const double power = std::log(rate(i) / rate(i - 1)) / std::log(b / a), left = 1 - power;  // rate ~ a^power
+      const double growth = std::abs(left) < 1e-9 ? std::log(b / a) : (std::pow(b / a, left) - 1) / left;
+      more = a / rate(i - 1) * growth;
+    }
+    if (std::isnan(more))
+      throw plate::NumericalError(fmt::format("the cycles from length {:g} to {:g} are not a number", a, b));
+    result.push_back(result.back() + more);
+  }
+  return result;
+}
+
+namespace {
+
+/// Of a table that may have been damaged.
+double number_in(const char* file, const Table& table, const std::vector<Cell>& row, const char* column) {
+  if (std::ranges::find(table.columns, column) == table.columns.end())
+    throw std::runtime_error(fmt::format("{}: there is no column {}", file, column));
+  const auto* number = std::get_if<double>(&row[table.column(column)]);
+  if (!number || !std::isfinite(*number))
+    throw std::runtime_error(fmt::format("{}, row {}: {} is no number", file, &row - table.rows.data() + 1, column));
+  return *number;
+}
+
+/// The load factors of growth.csv and their estimated errors, relative, by advance.
+class LoadFactors {
+public:
+  explicit LoadFactors(const Table& growth) {
+    const bool has_errors = std::ranges::count(growth.columns, "critical_load_factor_error") > 0;
+    for (const auto& row : growth.rows) {
+      if (!std::holds_alternative<double>(row[growth.column("load_factor")])) continue;  // one may have none
+      const double advance = number_in("growth.csv", growth, row, "advance");
+      values_[advance] = number_in("growth.csv", growth, row, "load_factor");
+      if (!has_errors) continue;
+      if (const auto* error = std::get_if<double>(&row[growth.column("critical_load_factor_error")]))
+        errors_[advance] = *error;
+    }
+  }
+
+  /// @throws std::runtime_error  where an advance has none that is positive
+  double operator()(double advance) const {
+    const auto found = values_.find(advance);
+    if (found == values_.end() || !(found->second > 0))
+      throw std::runtime_error(fmt::format("growth.csv: the advance {:g} of tips.csv has no load factor > 0", advance));
+    return found->second;
+  }
+  /// Absent where it is not known.
+  std::optional<double> error(double advance) const {
+    const auto found = errors_.find(advance);
+    return found == errors_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+private:
+  std::map<double, double> values_, errors_;
+};
+
+}  // namespace
+
+Table fatigue(const Table& growth, const Table& tip_table, const plate::Section& section, const ParisLaw& law,
+              double load, double ratio) {
+  const auto value = [&](const std::vector<Cell>& row, const char* name) {
+    return number_in("tips.csv", tip_table, row, name);
+  };
+  const LoadFactors load_factors(growth);
+  struct Way {
+    std::vector<double> lengths, ranges, errors;  // the last: absolute, of the ranges
+    double crack = 0;                             // length of the whole crack at the last row
+    double own_share = 0;                         // of what the crack grows to the next row
+  };
+  const auto tips = [&](double advance, double crack, const char* only) {
+    return std::ranges::count_if(tip_table.rows, [&](const auto& row) {
+      return value(row, "advance") == advance && value(row, "crack") == crack && (!only || value(row, only) > 0);
+    });
+  };
+  std::map<double, Way> ways;  // by tip
+  for (const auto& row : tip_table.rows) {
+    auto& way = ways[value(row, "tip")];
+    const double crack = value(row, "crack"), length = value(row, "length"), advance = value(row, "advance");
+    const double own = way.lengths.empty() ? length / double(tips(advance, crack, nullptr))
+                                           : way.lengths.back() + way.own_share * (length - way.crack);
+    way.crack = length;
+    way.own_share = value(row, "moves") > 0 ? 1 / double(tips(advance, crack, "moves")) : 0;
+    if (!way.lengths.empty() && own <= way.lengths.back()) continue;  // this tip has not moved
+    const double G = std::max(value(row, "G"), 0.0);
+    const double full = std::sqrt(3 * section.young * G / section.thickness) / load_factors(advance);
+    way.lengths.push_back(own);
+    way.ranges.push_back((1 - ratio) * load * full);
+    if (const auto error = load_factors.error(advance)) way.errors.push_back(*error * way.ranges.back());
+  }
+  Table result{{"tip", "length", "K_range", "cycles", "K_range_error", "cycles_least", "cycles_most"}, {}};
+  for (const auto& [tip, way] : ways) {
+    const auto found = cycles(law, way.lengths, way.ranges);
+    std::vector<double> least, most;
+    if (way.errors.size() == found.size())
+      least = cycles(law, way.lengths, sum(way.ranges, 1, way.errors)),
+      most = cycles(law, way.lengths, sum(way.ranges, -1, way.errors));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      result.rows.push_back({tip, way.lengths[i], way.ranges[i], found[i], Cell(), Cell(), Cell()});
+      if (!least.empty()) {
+        auto& row = result.rows.back();
+        row[4] = way.errors[i], row[5] = least[i], row[6] = most[i];
+      }
+    }
+  }
+  if (result.rows.size() <= ways.size())
+    throw std::runtime_error("tips.csv has no tip that moved: there is no way to count cycles on");
+  return result;
+}
+
+}  // namespace post

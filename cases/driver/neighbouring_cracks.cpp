@@ -1,0 +1,69 @@
+#include "cases/driver/neighbouring_cracks.hpp"
+
+#include <fmt/format.h>
+#include <cmath>
+
+#include "plate/formulation/discretised.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/solve/analysis.hpp"
+#include "plate/solve/settled.hpp"
+#include "plate/solve/statics.hpp"
+#include "plate/solve/validation.hpp"
+#include "post/factors/tip_section.hpp"
+#include "post/files/table.hpp"
+
+namespace post {
+namespace {
+
+double strain_energy(const plate::Problem& problem, plate::Analysis analysis) {
+  const auto found = plate::discretise(problem);
+  if (auto refusals = plate::suitability(*found.plate, analysis).refusals; !refusals.empty())
+    throw plate::Refused(std::move(refusals));
+  analysis.method = plate::Analysis::Method::cg;
+  const auto result = plate::static_solution(*found.plate, analysis, {1e-9, analysis.max_iterations, {}});
+  const auto& solution = result.solution;
+  if (!solution.converged) throw plate::NumericalError("energy check: conjugate gradients: " + solution.stop_reason);
+  const auto& plate = *found.plate;
+  const auto load = plate.total_load();
+  const auto lift = plate::total_lift(plate);  // of supports, which hold what they move while the crack grows
+  const auto& strained = result.what_strains();
+  return plate.strain_energy(strained) - 2 * plate::Settled(plate, load, lift).work(strained);
+}
+
+/// The problem with the tip moved straight ahead by `step`.
+plate::Problem moved(plate::Problem problem, const geometry::Tip& tip, double step) {
+  auto& vertices = problem.cracks[tip.crack];
+  auto& end = tip.at_back ? vertices.back() : vertices.front();
+  end += step * tip.direction;
+  return problem;
+}
+
+}  // namespace
+
+Table energy_check(const plate::Problem& problem, const plate::Analysis& analysis) {
+  const auto paths = plate::crack_paths(problem);
+  Table table{{"tip", "x", "y", "step", "G", "K"}, {}};
+  const auto tips = geometry::tips(paths);
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    const auto& tip = tips[i];
+    const bool along_lattice = tip.direction.cwiseAbs().minCoeff() < 1e-9;
+    const double step = (along_lattice ? 1 : 6) * problem.discretization.spacing;
+    const auto& v = paths[tip.crack].vertices;
+    const double last = tip.at_back ? (v.back() - v[v.size() - 2]).norm() : (v.front() - v[1]).norm();
+    if (last <= 2 * step)
+      throw plate::Refused(
+          {{plate::Subject::cracks, 0,
+            fmt::format("the energy check moves the tip at ({:g}, {:g}) by {:g}, the crack is {:g} long there",
+                        tip.position.x(), tip.position.y(), step, last)}});
+    const double G =
+        (strain_energy(moved(problem, tip, step), analysis) - strain_energy(moved(problem, tip, -step), analysis)) /
+        (2 * step);
+    const TipSection at(problem.section.at(tip.position), tip.direction);
+    table.rows.push_back(
+        {double(i), tip.position.x(), tip.position.y(), step, G, std::sqrt(std::max(G, 0.0) / at.unit_release()[0])});
+  }
+  return table;
+}
+
+}  // namespace post

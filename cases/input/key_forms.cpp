@@ -1,0 +1,65 @@
+#include "cases/input/key_forms.hpp"
+
+#include "cases/input/keys.hpp"
+
+namespace cases {
+
+std::string analyses(const Kinds& kinds) {
+  std::vector<std::string> names;
+  for (const auto kind : kinds)
+    names.push_back(kind == Analysis::Kind::static_       ? "statics"
+                    : kind == Analysis::Kind::dynamic     ? "dynamics"
+                    : kind == Analysis::Kind::frequencies ? "frequencies"
+                                                          : "harmonic analyses");
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::string kind_names(const Kinds& kinds) {
+  std::vector<std::string> names;
+  for (const auto kind : kinds) names.push_back(analysis_kinds().name(kind));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string Bounds::text(bool whole) const {
+  const char* number = whole ? "an integer" : "a number";
+  if (std::isinf(low) && std::isinf(high)) return "a finite number";
+  if (std::isinf(high)) return fmt::format("{} {} {}", number, low_open ? ">" : ">=", low);
+  return fmt::format("{} in {}{}, {}{}", number, low_open ? '(' : '[', low, high, high_open ? ')' : ']');
+}
+
+void complain_about_unknown(const Value& table, const std::vector<std::string>& names) {
+  constexpr std::size_t most = 100;  // of a table: each is looked for among all keys
+  std::size_t found = 0;
+  for (const auto& [name, node] : *table.table()) {
+    const std::string word(name.str());
+    if (std::find(names.begin(), names.end(), word) != names.end()) continue;
+    if (++found > most) return table.complain("has further unknown keys");
+    std::string hint = did_you_mean(word, names);
+    for (const auto& key : keys())
+      if (hint.empty() && key.name.ends_with("." + word)) hint = fmt::format(" (did you mean '{}'?)", key.name);
+    if (hint.empty()) hint = fmt::format("; known here: {}", fmt::join(names, ", "));
+    const Value unknown(node, table.below(word), table.reading());
+    unknown.complain(fmt::format("unknown key '{}'{}", word, hint));
+  }
+}
+
+std::vector<std::string> chosen(const Value& given, const Words<int>& words) {
+  std::vector<std::string> result;
+  const auto names = given.texts();
+  if (!names) return result;
+  for (const auto& name : *names) {
+    if (!words.find(given, name)) continue;
+    if (std::find(result.begin(), result.end(), name) == result.end())
+      result.push_back(name);
+    else
+      given.complain(fmt::format("\"{}\" is named twice", name));
+  }
+  return result;
+}
+
+bool bare(const std::string& name) {
+  return !name.empty() &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+}
+
+}  // namespace cases

@@ -1,0 +1,146 @@
+#include "cases/runs/distributed_run.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "cases/runs/cost_estimate.hpp"
+#include "cases/runs/run_plan.hpp"
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/bonds/part_of_lattice.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/formulation/foundations.hpp"
+#include "plate/galerkin/discretised_cells.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/galerkin/part_of_cells.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/model/errors.hpp"
+
+namespace fracture {
+namespace {
+
+/// Where it has too few blocks or points for the processes that there are.
+std::string fault_of_twice_the_spacing(const plate::Problem& problem) {
+  if (!plate::ranks()) return "";
+  auto coarse = problem;
+  coarse.discretization.spacing *= 2;
+  const int processes = plate::ranks()->size();
+  try {
+    if (problem.discretization.formulation == &plate::galerkin)
+      plate::require_parts(plate::whole_cells_of(coarse, plate::crack_paths(coarse), 1), processes);
+    else
+      plate::partition_of_lattice(coarse.outline, coarse.discretization, processes);
+  } catch (const plate::Refused& refused) {
+    return std::string("twice the spacing: ") + refused.what();
+  } catch (const std::invalid_argument& error) {
+    return std::string("twice the spacing: ") + error.what();
+  }
+  return "";
+}
+
+using Refuse = std::function<void(bool asked, const std::string& key, const std::string& why)>;
+
+/// What is seen about a tip is as wide as the widest ring.
+void refuse_wide_windows(const RunPlan& plan, double seen, const Refuse& refuse) {
+  if (!plan.srif) return;
+  const double horizon = plan.problem.discretization.horizon();
+  refuse(plan.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
+  refuse(!plan.srif->window && plan.srif->window_horizons * horizon > seen, "srif.window_horizons",
+         "so wide a window cannot be seen");
+}
+
+void refuse_of_cells(const RunPlan& plan, const Refuse& refuse) {
+  refuse_wide_windows(plan, plate::widest_window(plan.problem), refuse);
+}
+
+void refuse_of_bonds(const RunPlan& plan, const Refuse& refuse) {
+  const auto& d = plan.problem.discretization;
+  refuse_wide_windows(plan, plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon(), refuse);
+}
+
+}  // namespace
+
+bool shared() {
+  return plate::ranks() != nullptr;
+}
+
+bool speaks() {
+  return !plate::ranks() || plate::ranks()->rank() == 0;
+}
+
+std::vector<Unshared> unshared(const RunPlan& plan) {
+  return shared() ? not_for_processes(plan) : std::vector<Unshared>();
+}
+
+std::vector<Unshared> not_for_processes(const RunPlan& plan) {
+  std::vector<Unshared> result;
+  const Refuse refuse = [&](bool asked, const std::string& key, const std::string& why) {
+    if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
+  };
+  const auto& d = plan.problem.discretization;
+  using enum plate::Analysis::Method;
+  const bool moves = plan.analysis.kind == plate::Analysis::Kind::dynamic;
+  refuse(plan.analysis.kind == plate::Analysis::Kind::harmonic, "analysis.kind", "\"harmonic\" cannot be run");
+  refuse(moves && plan.analysis.method == lanczos, "analysis.method", "\"lanczos\" cannot be run");
+  constexpr double most_factorised = 1e6;  // points; MUMPS takes no more (plate/distributed)
+  refuse(plan.analysis.method == direct && expected_points(plan.problem) > most_factorised, "analysis.method",
+         "\"direct\" of so many points cannot be run");
+  refuse(plan.analysis.preconditioner == plate::Preconditioning::local, "analysis.preconditioner",
+         "\"local\" cannot be made");
+  const bool cells = d.formulation == &plate::galerkin;
+  refuse(!cells && d.formulation != &plate::ordinary, "formulation", "only \"galerkin\" and \"ordinary\" can be run");
+  refuse(d.boundary != plate::EdgeMethod::images, "discretization.boundary", "only \"images\" can be run");
+  for (std::size_t i = 0; i < plan.problem.supports.size(); ++i) {
+    const auto& one = plan.problem.supports[i];
+    const auto key = "support[" + std::to_string(i) + "]";
+    refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
+  }
+  if (auto fault = plan.srif && plan.srif->richardson ? fault_of_twice_the_spacing(plan.problem) : ""; !fault.empty())
+    result.push_back({"srif.richardson", std::move(fault)});
+  refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
+  refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
+  (cells ? refuse_of_cells : refuse_of_bonds)(plan, refuse);
+  return result;
+}
+
+double attached_energy(const plate::Formulation& plate, const plate::State& state) {
+  const auto& boundary = plate.boundary();
+  if (!plate::ranks()) return boundary.attached.energy(state);
+  plate::Forces force = plate::Forces::Zero(3, state.cols());
+  boundary.attached.add_force(state, force);
+  return plate::exact_sum<1>(*plate::ranks(), std::size_t(state.cols()), [&](std::size_t k, const auto& add) {
+    if (boundary.owns(k)) add(0, -state.col(Eigen::Index(k)).dot(force.col(Eigen::Index(k))) / 2);
+  })[0];
+}
+
+double share_touching(const plate::Formulation& plate, const plate::State& state) {
+  const auto& boundary = plate.boundary();
+  if (!plate::ranks()) return boundary.attached.share_touching(state);
+  const auto& parts = boundary.attached.parts();
+  const auto [touching, all] = plate::exact_sum<2>(*plate::ranks(), parts.size(), [&](std::size_t i, const auto& add) {
+    if (!parts[i]->contact) return;
+    parts[i]->contact->for_each(state, [&](std::size_t point, double stiffness, bool touches) {
+      if (boundary.owns(point)) add(0, touches ? stiffness : 0), add(1, stiffness);
+    });
+  });
+  return all > 0 ? touching / all : 0;
+}
+
+void count_all(post::Summary& summary, const plate::Formulation& plate) {
+  const auto* all = plate::ranks();
+  if (!all) return;
+  const auto& boundary = plate.boundary();
+  std::array<std::int64_t, 4> counts{};  // points, bonds among them, fictitious points, all other bonds
+  for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k) {
+    if (!boundary.owns(k)) continue;
+    const bool real = boundary.is_plate(k);
+    ++counts[real ? 0 : 2];
+    for (const auto& bond : plate.families()[k]) ++counts[real && boundary.is_plate(bond.neighbour) ? 1 : 3];
+  }
+  summary.own_points = std::size_t(counts[0]);
+  all->sum(counts);
+  summary.points = std::size_t(counts[0]), summary.bonds = std::size_t(counts[1]);
+  summary.fictitious_points = std::size_t(counts[2]), summary.fictitious_bonds = std::size_t(counts[3]);
+}
+
+}  // namespace fracture

@@ -1,0 +1,40 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plate/model/state.hpp"
+#include "post/factors/srif.hpp"
+#include "post/files/summary.hpp"
+
+/// Runs that several processes share (plate/model/communicator.hpp): each holds a part of the plate and what it has
+/// found there. Where one process holds the whole plate, all of this leaves things as they are.
+namespace plate {
+class Formulation;
+}
+
+namespace fracture {
+
+struct RunPlan;
+
+/// Do several processes share the plate of this one's runs?
+bool shared();
+
+/// Is this the process that writes and speaks?
+bool speaks();
+
+/// What of a run cannot be shared by processes yet: keys of the case and why. Nothing in one process.
+struct Unshared {
+  std::string key, why;
+};
+std::vector<Unshared> unshared(const RunPlan& plan);
+/// The same whatever this process is.
+std::vector<Unshared> not_for_processes(const RunPlan& plan);
+
+/// The part of the strain energy that foundations and springs have.
+double attached_energy(const plate::Formulation& plate, const plate::State& state);
+/// AttachedStiffness::share_touching of all.
+double share_touching(const plate::Formulation& plate, const plate::State& state);
+/// Points and bonds of all processes, each counted by its owner.
+void count_all(post::Summary& summary, const plate::Formulation& plate);
+
+}  // namespace fracture

@@ -1,0 +1,295 @@
+#include "cases/runs/load_cases_run.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <set>
+
+#include "cases/runs/distributed_run.hpp"
+#include "cases/runs/results.hpp"
+#include "cases/runs/run_plan.hpp"
+#include "fracture/growth/distributed_growth.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/solve/interruption.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/reduction.hpp"
+#include "plate/solve/settled.hpp"
+#include "plate/solve/statics.hpp"
+#include "post/factors/errors.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "post/report/overlaps.hpp"
+#include "post/report/printed.hpp"
+#include "post/report/terminal.hpp"
+
+namespace fracture {
+namespace {
+
+/// What acts in a load case or combination, and the state.
+struct Case {
+  plate::Forces load;
+  plate::State lift, state;  // lift: of supports that have moved, without columns where none has
+  plate::Heat heat;
+  plate::State strained = plate::State(3, 0);  // plate::StaticResult
+
+  const plate::State& what_strains() const { return strained.cols() > 0 ? strained : state; }
+};
+
+double folded_norm(const plate::Formulation& plate, const Case& one) {
+  auto pull = plate::Settled(plate, one.load, one.lift).pull();
+  plate.constraints().fold(pull);
+  const auto [squared] = plate::ordered_sum<1>(
+      std::size_t(pull.size()), [&](std::size_t i) { return std::array<double, 1>{pull.data()[i] * pull.data()[i]}; });
+  return std::sqrt(squared);
+}
+
+double largest_deflection(const post::LoadCaseSummary& one) {
+  const auto found = std::ranges::find(one.extremes, "w", &post::Peak::quantity);
+  return found == one.extremes.end() ? 0 : std::abs(found->value);
+}
+
+/// Load cases and combinations as they are found.
+class LoadCases {
+public:
+  LoadCases(const Ready& ready, const RunPlan& plan, post::Recorder recorder)
+      : ready_(ready),
+        plan_(plan),
+        plate_(*ready.plate),
+        recorder_(std::move(recorder)),
+        probes_(probes_of(plan.probes, plate_)) {
+    if (!recorder_.draws() && !recorder_.stores()) return;
+    const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
+    if (shared()) {
+      drawing_ = std::make_unique<OwnDrawing>(plate_, mesh);
+      recorder_.open(drawing_->mesh());
+      return;
+    }
+    if (plan_.report) pictures_.open(mesh);
+    recorder_.open(mesh);
+  }
+
+  void solve(post::Summary& summary, plate::Stopwatch& stopwatch);
+  post::Summary finish(post::Summary summary, plate::Stopwatch& stopwatch);
+
+private:
+  void look(post::LoadCaseSummary one, const Case& now, std::size_t step);
+  Case loaded(std::size_t which) const;
+  void combine(const plate::Combination& combination, const std::vector<Case>& cases);
+  std::vector<std::pair<double, const std::vector<post::Srif>*>> parts_of(const post::LoadCaseSummary& combined) const;
+  std::vector<std::string> warnings() const;
+
+  const Ready& ready_;
+  const RunPlan& plan_;
+  const plate::Formulation& plate_;
+  post::Recorder recorder_;
+  post::Pictures pictures_;
+  std::unique_ptr<OwnDrawing> drawing_;  // where processes share the plate
+  std::vector<post::Probe> probes_;
+  std::vector<post::LoadCaseSummary> found_;
+  post::Table srifs_{post::srif_columns(), {}}, reactions_;
+  std::vector<std::string> warnings_;
+};
+
+/// What is to be known of a state in equilibrium under a load.
+void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t step) {
+  const auto& [load, lift, state, heat, less] = known;
+  const auto& strained = known.what_strains();
+  const auto when = fmt::format("in {}", one.name);
+  const auto number = double(found_.size() + 1);
+  post::require_finite(state, when);
+  const plate::Settled settled(plate_, load, lift);
+  const double work = post::slow_work(plate_, load, state) + settled.work(strained);
+  const double strain = plate_.strain_energy(strained), heated = plate::stored(plate_, heat, state);
+  one.strain_energy = strain + heated, one.external_work = work + heated;
+  const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
+  post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
+  row.discrete_energy = strain - 2 * work;
+  recorder_.row(row, probes_, plate_.boundary());
+  post::ReactionRows reactions;
+  reactions.add(number, plate_, plate_, strained, load);
+  if (!reactions.empty()) {
+    auto table = reactions.table();
+    reactions_.columns = table.columns;
+    std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
+    one.reactions = reactions.summary();
+  }
+  if (plan_.srif) one.srif = of_all(post::srifs(plate_, *plan_.srif, ready_.tip_methods, strained, true, &heat));
+  if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
+  post::require_finite(one.srif, when);
+  post::append(srifs_, number, one.srif);
+  for (const auto& srif : one.srif) one.faces.push_back(post::at_faces(srif, plate_.section(), plan_.srif->toughness));
+  post::Extremes extremes(plate_);
+  extremes.row(now);
+  if (recorder_.draws() || recorder_.stores()) {
+    auto frame = post::frame_of(plate_, number, step, strained, true, &heat);
+    if (less.cols() > 0) frame.state = state.leftCols(frame.state.cols());
+    if (plan_.report && !drawing_) pictures_.look(frame);
+    extremes.frame(number, frame.resultants);
+    recorder_.frame(drawing_ ? drawing_->frame(std::move(frame)) : std::move(frame), {}, {});
+  }
+  one.extremes = of_all(extremes.found(&heat));
+  found_.push_back(std::move(one));
+  const bool rests = !found_.back().of.empty() && post::is_zero(state);  // a combination that cancels
+  if (!rests && !post::moves(state, work)) post::require_motion(plate_, {settled.pull()}, state, work, warnings_);
+  post::EnergyGate(post::EnergyGate::Plate::rests)
+      .look({strain + post::energy_about(plate_, lift), strain, work}, when);
+}
+
+std::vector<std::pair<double, const std::vector<post::Srif>*>> LoadCases::parts_of(
+    const post::LoadCaseSummary& combined) const {
+  std::vector<std::pair<double, const std::vector<post::Srif>*>> parts;
+  for (const auto& [name, factor] : combined.of)
+    parts.emplace_back(factor, &std::ranges::find(found_, name, &post::LoadCaseSummary::name)->srif);
+  return parts;
+}
+
+/// Of warnings that say the same of the same place, those of the first load case; none of tips that it hardly loads.
+std::vector<std::string> LoadCases::warnings() const {
+  constexpr double close = 0.01, hardly = 1e-3;
+  const double h = plate_.section().thickness;
+  std::vector<double> largest(plate_.tips().size(), 0);
+  for (const auto& one : found_)
+    for (const auto& srif : one.srif) largest[srif.tip] = std::max(largest[srif.tip], post::largest_factor(srif, h));
+  std::vector<std::string> result;
+  std::set<std::string> warned;  // what about
+  for (const auto& one : found_) {
+    post::Summary alone;
+    alone.srif = one.srif, alone.faces = one.faces;
+    auto said = post::tips_that_grow(alone);
+    std::erase_if(alone.srif,
+                  [&](const post::Srif& srif) { return post::largest_factor(srif, h) < hardly * largest[srif.tip]; });
+    for (auto& text : post::distrust_of_factors(alone.srif, {}, h, plate_.remedy())) said.push_back(std::move(text));
+    for (auto& text : post::sinking_supports(one.reactions, plate_.problem(), largest_deflection(one)))
+      said.push_back(std::move(text));
+    if (one.reactions && one.reactions->largest_residual > close)
+      said.push_back(
+          fmt::format("the reactions balance the loads to {:.2g} % only", 100 * one.reactions->largest_residual));
+    for (const auto& text : said)
+      if (warned.insert(text.substr(0, text.find_first_of("0123456789", text.find(": ")))).second)
+        result.push_back(fmt::format("load case {}: {}", one.name, text));
+  }
+  return result;
+}
+
+void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
+  const auto& problem = plate_.problem();
+  const auto& analysis = plan_.analysis;
+  post::Progress progress(plan_.quiet, "load cases");
+  plate::StaticSolver solver(plate_, analysis.static_method(), analysis.preconditioner);
+  std::vector<Case> cases;
+  plate::StaticSolution all;  // of the summary: the sum of iterations, the largest residual
+  all.converged = true;
+  for (std::size_t i = 0; i < problem.load_cases.size(); ++i) {
+    const auto& name = problem.load_cases[i].name;
+    Case now = loaded(i);
+    auto result = solver(now.load, {analysis.tolerance, analysis.max_iterations, {}}, i + 1 < problem.load_cases.size(),
+                         now.lift);
+    auto& solution = result.solution;
+    stopwatch.lap("solve");
+    all.iterations += solution.iterations, all.residual = std::max(all.residual, solution.residual);
+    all.stop_reason = solution.stop_reason;
+    summary.analysis.preconditioner = result.preconditioner;
+    post::describe(summary.analysis, result.method, all, analysis.tolerance);
+    if (i == 0 && result.factor_bytes > 0)
+      summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate_.cloud().plate_points), 0});
+    if (!solution.converged)
+      throw plate::NumericalError(fmt::format("{}, {}: {}, residual {:.2e} above tolerance {:.1e}", name, result.method,
+                                              solution.stop_reason, solution.residual, analysis.tolerance));
+    now.state = std::move(solution.state), now.strained = std::move(result.strained);
+    look({name, {}, solution.iterations, solution.residual}, now, solution.iterations);
+    stopwatch.lap("srif");
+    progress.update(double(i + 1) / double(problem.load_cases.size()), name);
+    if (!problem.combinations.empty()) cases.push_back(std::move(now));
+  }
+  for (const auto& one : problem.combinations) {
+    plate::stop_if_asked("combinations");
+    combine(one, cases);
+    stopwatch.lap("srif");
+  }
+  progress.done();
+}
+
+Case LoadCases::loaded(std::size_t which) const {
+  Case result{plate::Forces::Zero(3, Eigen::Index(plate_.points())), plate::State(3, 0), {}, {}};
+  std::vector<double> shares(plate_.loads().size(), 0);
+  std::vector<plate::Forces> acting;
+  for (const auto k : plate::loads_of(plate_.problem(), which)) {
+    const auto& one = plate_.loads()[k];
+    shares[k] = 1;
+    result.load += acting.emplace_back(one.forces);
+    if (one.lifts()) result.lift = result.lift.cols() > 0 ? plate::State(result.lift + one.lift) : one.lift;
+  }
+  if (plate::cancel(plate_, acting)) result.load.setZero();
+  result.heat = plate::heat_of(plate_, shares);
+  return result;
+}
+
+/// `cases`: the load cases. A combination whose loads cancel to rounding is the plate at rest.
+void LoadCases::combine(const plate::Combination& combination, const std::vector<Case>& cases) {
+  constexpr double rounding = 1e-12;
+  const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
+  const plate::State zero = plate::State::Zero(3, Eigen::Index(plate_.points()));
+  const plate::State of_supports = plate::settles(plate_) ? zero : plate::State(3, 0);
+  Case sum{zero, of_supports, zero, {}, of_supports};
+  double largest = 0, residual = 0;  // of the parts: load, and at most what is left of it
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    sum.state += factors[i] * cases[i].state, sum.load += factors[i] * cases[i].load;
+    if (plate::settles(plate_)) sum.strained += factors[i] * cases[i].what_strains();
+    if (cases[i].lift.cols() > 0) sum.lift += factors[i] * cases[i].lift;
+    const double part = std::abs(factors[i]) * folded_norm(plate_, cases[i]);
+    largest = std::max(largest, part), residual += part * found_[i].residual.value_or(0);
+  }
+  const double size = folded_norm(plate_, sum);
+  const bool cancels = size <= rounding * largest;
+  if (cancels) {
+    sum = {zero, plate::State(3, 0), zero, {}};
+    warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
+  }
+  std::vector<double> shares(plate_.loads().size(), 0);
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    for (const auto k : plate::loads_of(plate_.problem(), i)) shares[k] += factors[i];
+  if (!cancels) sum.heat = plate::heat_of(plate_, shares);
+  look({combination.name, combination.of, {}, cancels ? 0 : residual / size}, sum, 0);
+}
+
+post::Summary LoadCases::finish(post::Summary summary, plate::Stopwatch& stopwatch) {
+  const auto& section = plate_.section();
+  summary.envelope = post::envelope(found_);
+  if (plan_.srif) {
+    const auto crack = [&](std::size_t tip) { return plate_.tips()[tip].crack; };
+    const auto named = [&](double number) { return found_.at(std::size_t(number) - 1).name; };
+    for (auto& line : post::distrust_of_faces(post::face_overlaps(srifs_), section, crack, named))
+      warnings_.push_back(std::move(line));
+    post::name_cases(srifs_, found_);
+    recorder_.table("srif", std::move(srifs_));
+    recorder_.table("envelope", post::envelope_table(summary.envelope));
+  }
+  if (const auto cracks = post::given_cracks(plate_.paths()); !cracks.lines.empty()) recorder_.cracks(cracks, {});
+  if (!reactions_.rows.empty()) {
+    post::name_cases(reactions_, found_);
+    recorder_.table("reactions", std::move(reactions_));
+  }
+  const auto said = warnings();
+  summary.load_cases = std::move(found_);
+  post::conclude(summary, {section, plan_.srif, plan_.si(), recorder_.history(), {}, {}});
+  for (const auto& some : {post::left_out(plate_.tips(), ready_.tip_methods), said, warnings_})
+    summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
+  summary = recorder_.finish(std::move(summary), stopwatch);
+  write_report(plan_, pictures_);
+  return summary;
+}
+
+}  // namespace
+
+post::Summary run_load_cases(const Ready& ready, const RunPlan& plan, post::Recorder recorder,
+                             plate::Stopwatch& stopwatch) {
+  LoadCases run(ready, plan, std::move(recorder));
+  return carried_out(
+      about(plan, *ready.plate, ready.warnings), *ready.plate,
+      [&](post::Summary& summary) { run.solve(summary, stopwatch); },
+      [&](post::Summary summary) { return run.finish(std::move(summary), stopwatch); });
+}
+
+}  // namespace fracture

@@ -1,0 +1,243 @@
+#include "cases/runs/quasi_static_run.hpp"
+
+#include <fmt/format.h>
+#include <cmath>
+
+#include "cases/runs/distributed_run.hpp"
+#include "cases/runs/recording.hpp"
+#include "cases/runs/results.hpp"
+#include "fracture/growth/growing_plate.hpp"
+#include "fracture/growth/growth.hpp"
+#include "fracture/growth/quasi_static_bonds.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/numerical_method.hpp"
+#include "plate/solve/archive.hpp"
+#include "plate/solve/interruption.hpp"
+#include "post/files/archive.hpp"
+#include "post/files/result_checks.hpp"
+#include "post/report/curves.hpp"
+#include "post/report/overlaps.hpp"
+#include "post/report/terminal.hpp"
+
+namespace fracture {
+
+post::SrifOptions factors_of_growth(const std::optional<post::SrifOptions>& asked) {
+  post::SrifOptions standard;
+  standard.methods = {"virtual_crack_extension", "domain_integral"};
+  return asked.value_or(standard);
+}
+
+QuasiStaticRun::QuasiStaticRun(const RunPlan& plan, plate::Discretised first)
+    : plan_(plan), growth_(*plan.growth), stopwatch_(first.stopwatch), warnings_(first.warnings) {
+  const auto& analysis = plan_.analysis;
+  const plate::StaticOptions statics{analysis.tolerance, analysis.max_iterations, {}};
+  if (growth_.by_bonds()) {
+    start_ = std::move(first.plate);
+    bonds_ = std::make_unique<QuasiStaticBonds>(growth_, *start_, plan_.srif, statics);
+    model_ = bonds_.get();
+  } else {
+    const StaticSolver solver{analysis.static_method(), analysis.preconditioner, statics};
+    tips_ = std::make_unique<GrowingPlate>(growth_, plan_.problem, std::move(first), factors_of_growth(plan_.srif),
+                                           solver, stopwatch_);
+    model_ = tips_.get();
+  }
+}
+
+QuasiStaticRun::~QuasiStaticRun() = default;
+
+std::vector<geometry::Polyline> QuasiStaticRun::cracks() const {
+  return tips_ ? tips_->cracks() : plan_.problem.cracks;
+}
+
+post::Summary QuasiStaticRun::operator()(post::Recorder recorder, Keeper* keeper) {
+  recorder_.emplace(std::move(recorder));
+  post::Progress progress(plan_.quiet, "growth");
+  const plate::StopOnSignals signals;
+  QuasiStaticLoad load(growth_.control);
+  const auto see = [&](const Equilibrium& now) {
+    stopwatch_.lap("solve");
+    observe(now);
+    stopwatch_.lap("output");
+    double length = 0;
+    for (const double one : model_->lengths()) length += one;
+    progress.update(
+        double(now.advance) / double(growth_.max_advances),
+        fmt::format("advance {}, load factor {:.4g}, crack length {:.4g}", now.advance, now.factor, length));
+  };
+  try {
+    grown_ = grow_quasi_statically(growth_, *model_, see, keeper ? continuation(*keeper, load) : Continuation{});
+    progress.done();
+    return finish();
+  } catch (const plate::NumericalError& error) {
+    const auto failed = error.point ? placed(error, model_->plate(), {}) : error;  // without one, there may be no plate
+    grown_.ended = {End::failed, failed.what()};
+    finish();
+    throw failed;
+  } catch (const plate::Interrupted& asked) {
+    grown_.ended = {End::interrupted, asked.what()};
+    write_held(keeper);
+    finish();
+    throw;
+  }
+}
+
+void QuasiStaticRun::observe(const Equilibrium& now) {
+  const auto& plate = model_->plate();
+  const auto time = double(now.advance);
+  advance_ = now.advance, factor_ = now.factor;
+  const auto when = fmt::format("at advance {}", now.advance);
+  post::require_finite(model_->state(), when);
+  state_ = now.factor * model_->state();
+  post::Sample row{time, now.advance, state_, now.ledger.strain, 0, now.ledger.external_work, now.ledger.fracture};
+  row.released_energy = now.ledger.released(), row.load_factor = now.factor, row.displacement = now.displacement;
+  recorder_->row(row, probes_of(plan_.probes, plate), plate.boundary());
+  reactions_.add(time, plate, model_->forces(), state_, now.factor);
+  if (auto factors = model_->factors(now.factor)) {
+    post::require_finite(*factors, when);
+    post::append(srifs_, time, *factors);
+    latest_ = std::move(*factors);
+  }
+  if (tips_ && !first_factor_) first_error_ = now.critical_error;
+  if (!now.ends && !first_factor_) first_factor_ = now.factor;
+  if (std::isfinite(now.critical) && now.critical_error > doubt_) doubt_ = now.critical_error, doubtful_ = advance_;
+  largest_factor_ = std::max(largest_factor_, now.factor);
+  grown_.ledger = now.ledger;
+  framed_ = false;
+  if (now.advance % growth_.frames_every == 0) frame();
+}
+
+void QuasiStaticRun::frame() {
+  framed_ = true;
+  if (!recorder_->draws()) return;
+  auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
+  auto mesh = model_->draw(frame, state_);
+  post::set_factors(*frame.cracks, latest_);
+  if (const auto own = own_drawing(model_->plate(), mesh))
+    return recorder_->frame(own->frame(std::move(frame)), own->mesh(), {});
+  if (plan_.report) pictures_.open(mesh), pictures_.look(frame);
+  recorder_->frame(std::move(frame), std::move(mesh), {});
+}
+
+template <typename Archive>
+void QuasiStaticRun::memory(Archive& archive) {
+  auto& [work, strain, fracture] = grown_.ledger;
+  archive(reactions_, pictures_, srifs_, latest_, work, strain, fracture, advance_, factor_, largest_factor_, doubt_,
+          doubtful_, first_factor_, first_error_, framed_);
+}
+
+/// `load`: to go on from.
+Continuation QuasiStaticRun::continuation(Keeper& keeper, QuasiStaticLoad& load) {
+  auto* const points = model_->of_points();
+  const bool goes_on = keeper.recall([&](plate::InArchive& archive) {
+    archive(load);
+    recorder_->recall(archive);
+    memory(archive);
+    model_->recall(archive);
+    if (points && !shared()) archive(*points);
+  });
+  if (goes_on && points && shared())
+    put_values(model_->plate().boundary(), keeper.parts(), {points}), model_->recalled_points();
+  if (goes_on) state_ = factor_ * model_->state();
+  const auto hold = [this, &keeper, points](const QuasiStaticLoad& now) {
+    const auto remember = [&](plate::OutArchive& archive) {
+      archive(now);
+      recorder_->remember(archive);
+      memory(archive);
+      model_->remember(archive);
+      if (points && !shared()) archive(*points);
+    };
+    std::function<post::CellValues()> own;
+    if (points && shared()) own = [this, points] { return own_values(model_->plate().boundary(), {points}); };
+    keeper.hold(remember, own);
+  };
+  return {goes_on ? &load : nullptr, hold};
+}
+
+void QuasiStaticRun::write_held(Keeper* keeper) {
+  if (keeper) keeper->write();
+}
+
+void QuasiStaticRun::record() {
+  const bool solved = state_.cols() > 0;
+  if (solved && !framed_) frame();
+  if (solved && recorder_->stores()) store();
+  if (tips_ || plan_.srif) recorder_->table("srif", srifs_);
+  if (!reactions_.empty()) recorder_->table("reactions", reactions_.table());
+  const auto& record = model_->record();
+  recorder_->table("growth", record.growth);
+  recorder_->table("tips", record.tips);
+  recorder_->table("cracks", record.crack_table());
+  recorder_->cracks(record.cracks, latest_);
+  if (recorder_->plots()) recorder_->picture("curves", post::picture_of_growth(plan_.title, record.growth, plan_.si()));
+}
+
+void QuasiStaticRun::store() {
+  const auto& plate = model_->plate();
+  const auto mesh = post::points_of(plate);
+  auto frame = post::frame_of(plate, double(advance_), advance_, state_, false);
+  model_->draw(frame, state_);  // its resultants
+  if (const auto own = own_drawing(plate, mesh))
+    return recorder_->final_state(own->mesh(), own->frame(std::move(frame)));
+  recorder_->final_state(mesh, frame);
+}
+
+post::GrowthSummary QuasiStaticRun::growth_summary() const {
+  post::GrowthSummary growth;
+  growth.outcome = in_words(grown_.ended, growth_.by_bonds());
+  growth.advances = model_->advances();
+  growth.first_load_factor = tips_ ? first_factor_.value_or(0) : first_factor_;
+  growth.largest_load_factor = largest_factor_;
+  if (first_error_ && std::isfinite(*first_error_)) growth.first_load_factor_error = *first_error_ * *first_factor_;
+  growth.broken_bonds = model_->broken_bonds();
+  growth.lengths = model_->lengths();
+  const auto& books = grown_.ledger;
+  if (bonds_)
+    growth.spent =
+        growth_.spent(books.external_work - books.strain, plan_.problem.section.thickness, bonds_->grown_length());
+  return growth;
+}
+
+post::Summary QuasiStaticRun::finish() {
+  constexpr double much = 0.03;  // as of factors
+  record();
+  if (grown_.ended.how == End::not_resolved && !first_factor_ && factor_ > 0) first_factor_ = factor_;
+  const bool solved = state_.cols() > 0;  // else there may be no plate
+  if (solved && doubt_ > much)
+    warnings_.push_back(
+        fmt::format("load factors are uncertain: {} at advance {} by the estimated errors of the factors (growth.csv, "
+                    "critical_load_factor_error); {}",
+                    doubt_ >= 1 ? "they mean nothing" : fmt::format("by {:.0f} %", 100 * doubt_), doubtful_,
+                    model_->plate().remedy()));
+  warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
+  for (auto& one : model_->record().cut_places(plan_.problem)) warnings_.push_back(std::move(one));
+  const auto overlaps = post::face_overlaps(srifs_);
+  for (auto& one : post::distrust_of_faces(overlaps, plan_.problem.section, {},
+                                           [](double advance) { return fmt::format("advance {:g}", advance); }))
+    warnings_.push_back(std::move(one));
+  post::Summary summary;
+  if (solved) summary = about(plan_, model_->plate(), warnings_);
+  summary.warnings = warnings_;
+  summary.title = plan_.title;
+  summary.units = plan_.units;
+  summary.formulation = plan_.problem.discretization.formulation->name;
+  summary.formulation_reason = plan_.formulation_reason;
+  summary.analysis.kind = plate::name_of(plate::Analysis::Kind::static_);
+  post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), plan_.analysis.tolerance);
+  post::conclude(summary, {plan_.problem.section, plan_.srif, plan_.si(), recorder_->history(), reactions_, latest_});
+  summary.overlaps = overlaps;
+  summary.growth = growth_summary();
+  summary.outcome = "done";
+  if (grown_.ended.how == End::failed || grown_.ended.how == End::interrupted)
+    summary.outcome = summary.growth->outcome, summary.analysis.stop_reason = grown_.ended.detail;
+  const auto& books = grown_.ledger;
+  summary.energy = {{"strain", books.strain},
+                    {"external_work", books.external_work},
+                    {"fracture", books.fracture},
+                    {"released", books.released()}};
+  summary = recorder_->finish(std::move(summary), stopwatch_);
+  write_report(plan_, pictures_);
+  return summary;
+}
+
+}  // namespace fracture

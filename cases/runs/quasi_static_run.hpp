@@ -1,0 +1,66 @@
+#pragma once
+#include "cases/runs/results.hpp"
+#include "fracture/growth/quasi_static_growth.hpp"
+#include "plate/formulation/discretised.hpp"
+
+namespace fracture {
+
+class GrowingPlate;
+class Keeper;
+class QuasiStaticBonds;
+
+/// Where no intensity factors are asked for, the methods that give the energy release rate.
+post::SrifOptions factors_of_growth(const std::optional<post::SrifOptions>& asked);
+
+/// A quasi-static growth and what is recorded of it, with the number of the advance in the place of time.
+class QuasiStaticRun {
+public:
+  /// `plan` has a growth. `first`: its problem with the cracks as they are at the start.
+  QuasiStaticRun(const RunPlan& plan, plate::Discretised first);
+  ~QuasiStaticRun();
+
+  /// Grows, and writes everything. Throws plate::NumericalError or plate::Interrupted after that. `keeper`: of a growth
+  /// that may go on later, or goes on here.
+  post::Summary operator()(post::Recorder recorder, Keeper* keeper);
+
+  // of the end
+  const Grown& grown() const { return grown_; }
+  double load_factor() const { return factor_; }
+  std::vector<geometry::Polyline> cracks() const;
+
+private:
+  Continuation continuation(Keeper& keeper, QuasiStaticLoad& load);
+  static void write_held(Keeper* keeper);
+  template <typename Archive>
+  void memory(Archive& archive);
+  void observe(const Equilibrium& now);
+  void frame();
+  void record();
+  void store();
+  post::GrowthSummary growth_summary() const;
+  post::Summary finish();
+
+  RunPlan plan_;
+  const Growth& growth_;
+  plate::Stopwatch stopwatch_;
+  std::vector<std::string> warnings_;
+  std::unique_ptr<plate::Formulation> start_;  // of bonds
+  std::unique_ptr<GrowingPlate> tips_;
+  std::unique_ptr<QuasiStaticBonds> bonds_;
+  QuasiStaticModel* model_ = nullptr;
+  std::optional<post::Recorder> recorder_;
+  post::Pictures pictures_;  // for the report
+  post::ReactionRows reactions_;
+  post::Table srifs_{post::srif_columns(), {}};
+  std::vector<post::Srif> latest_;
+  plate::State state_;  // of the last advance
+  Grown grown_;
+  std::size_t advance_ = 0;  // its number
+  double factor_ = 0, largest_factor_ = 0;
+  double doubt_ = 0;                                  // largest estimated error of a load factor, relative
+  std::size_t doubtful_ = 0;                          // the advance that has it
+  std::optional<double> first_factor_, first_error_;  // of the first advance; its estimated error, relative
+  bool framed_ = true;
+};
+
+}  // namespace fracture

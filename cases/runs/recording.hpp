@@ -1,0 +1,130 @@
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "plate/model/state.hpp"
+#include "plate/solve/archive_types.hpp"
+#include "post/files/checkpoints.hpp"
+#include "post/files/recorder.hpp"
+
+namespace plate {
+struct Boundary;
+}
+
+namespace fracture {
+
+/// Of the points that no other process has, the columns of some states side by side. One that is empty is left out.
+post::CellValues own_values(const plate::Boundary& boundary, const std::vector<const plate::State*>& states);
+
+/// Gives own points their columns of the states from files of any number of processes (post::write_cells), all others
+/// zeros; those states that were empty stay so. Throws std::runtime_error where a point is in none of the files.
+void put_values(const plate::Boundary& boundary, const std::vector<std::filesystem::path>& files,
+                const std::vector<plate::State*>& states);
+
+}  // namespace fracture
+
+namespace post {
+class SharedCheckpoints;
+struct CellValues;
+}  // namespace post
+
+namespace fracture {
+
+/// Keeps what a run must remember in its folder, from time to time, and gives back what was kept there. Where that
+/// cannot be written the run goes on, with a word.
+class Keeper {
+public:
+  using Remember = std::function<void(plate::OutArchive&)>;
+
+  /// `every` [s]; from a second on it is stretched so that all that this does takes a hundredth of the run.
+  Keeper(post::Checkpoints checkpoints, double every);
+  /// Of one of the processes that share a plate: all call everything at once.
+  Keeper(std::shared_ptr<post::SharedCheckpoints> checkpoints, double every);
+
+  /// Looks for a checkpoint to go on from: there is none, or its memory waits for recall(). What was wrong with others
+  /// goes into `refused`.
+  bool find(std::vector<std::string>& refused);
+  bool goes_on() const { return !found_.empty(); }
+  /// The points of what was found, where processes share the plate.
+  const std::vector<std::filesystem::path>& parts() const { return parts_; }
+  /// What was found; false where nothing was.
+  bool recall(const std::function<void(plate::InArchive&)>& recall);
+
+  /// Is it time to keep?
+  bool due() const;
+  /// Writes a checkpoint now, where processes share the plate with the points of this one.
+  void keep(const Remember& remember, const post::CellValues* own = nullptr);
+  /// Takes the memory, about once a second, and writes it where it is time. `own`: where processes share the plate,
+  /// makes the points of this one; nothing: none are kept.
+  void hold(const Remember& remember, const std::function<post::CellValues()>& own = {});
+  /// Writes what was last taken.
+  void write();
+
+  /// The run has ended: nothing goes on from it.
+  void done() const;
+
+private:
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+  void take(const Remember& remember);
+  void write(const post::CellValues* own);
+  /// Where processes share the plate, is it so in one of them? They take and write together.
+  bool agreed(bool here) const;
+  /// The wanted time from one to the next that takes so long.
+  Seconds stretched(Seconds wanted, Seconds cost) const;
+
+  std::optional<post::Checkpoints> checkpoints_;  // of one of these two
+  std::shared_ptr<post::SharedCheckpoints> together_;
+  std::vector<std::filesystem::path> parts_;
+  Seconds every_, to_take_{0}, to_write_{0};  // the last: how long it took
+  Clock::time_point written_ = Clock::now(), taken_ = {};
+  std::string found_, held_;
+  std::shared_ptr<const post::CellValues> held_points_;
+  bool failed_ = false;
+};
+
+/// A folder that a run cannot write to, or cannot go on in.
+class RefusedFolder : public std::runtime_error {
+public:
+  enum class Wish { write, go_on };
+  RefusedFolder(Wish wish, const std::string& what) : std::runtime_error(what), wish_(wish) {}
+  Wish wish() const { return wish_; }
+
+private:
+  Wish wish_;
+};
+
+/// Throws RefusedFolder where the folder holds something but no results of a run, or another run writes to it.
+void check_folder(const std::filesystem::path& folder);
+
+struct RecordingOptions {
+  std::filesystem::path folder;   // made if it does not exist
+  std::string resolved, version;  // the whole case as text; of the program
+  bool vtk = true, hdf5 = true, velocities = false;
+  double checkpoint_every = 0;  // [s]; 0: nothing is kept
+  bool goes_on = false;         // from what an earlier run has kept, if it has
+  bool quiet = false;
+};
+
+/// The summary of such a run that this version of the program has done, with all that came after it: nothing is left to
+/// go on with. `report`: one is wanted.
+std::optional<post::Summary> done_before(const RecordingOptions& options, bool report);
+
+/// Where the results of a run go, and what it keeps to go on later: none where nothing is kept.
+struct Recording {
+  post::Recorder recorder;
+  std::unique_ptr<Keeper> keeper;
+};
+
+/// Of a folder, kept for this run alone. What an earlier run wrote into it goes, and that is said, unless this one goes
+/// on from it. Throws RefusedFolder where another run writes to it, or there is a checkpoint and nothing goes on from
+/// it.
+Recording recording(const RecordingOptions& options);
+
+}  // namespace fracture

@@ -1,0 +1,176 @@
+#include "cases/runs/response_run.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cases/runs/results.hpp"
+#include "cases/runs/run_plan.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/inertia.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/solve/interruption.hpp"
+#include "plate/solve/motion/harmonic.hpp"
+#include "plate/solve/statics.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "post/files/result_checks.hpp"
+#include "post/report/response.hpp"
+#include "post/report/terminal.hpp"
+
+namespace fracture {
+namespace {
+
+/// The response as it is found.
+class ResponseRun {
+public:
+  ResponseRun(const Ready& ready, const RunPlan& plan, post::Recorder recorder)
+      : ready_(ready),
+        plan_(plan),
+        plate_(*ready.plate),
+        recorder_(std::move(recorder)),
+        probes_(probes_of(plan.probes, plate_)) {
+    if (!recorder_.draws() && !recorder_.stores()) return;
+    const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
+    if (plan_.report) pictures_.open(mesh);
+    recorder_.open(mesh);
+  }
+
+  void solve(post::Summary& summary, plate::Stopwatch& stopwatch);
+  post::Summary finish(post::Summary summary, plate::Stopwatch& stopwatch);
+
+private:
+  plate::HarmonicResponse response(post::Progress& progress) const;
+  void look(double frequency, const std::pair<plate::State, plate::State>& parts);
+  std::vector<post::Srif> factors(const plate::State& state, const plate::Heat& heat) const;
+  void draw_period(double frequency, const std::pair<plate::State, plate::State>& parts);
+
+  const Ready& ready_;
+  const RunPlan& plan_;
+  const plate::Formulation& plate_;
+  post::Recorder recorder_;
+  post::Pictures pictures_;
+  std::vector<post::Probe> probes_;
+  std::vector<post::Response> found_;
+  std::vector<std::vector<double>> unknown_;  // of every tip and of every probe, what the vectors leave, relative
+  double largest_ = -1;                       // deflection of all frequencies
+  double where_ = 0;                          // its frequency
+};
+
+plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
+  const auto& analysis = plan_.analysis;
+  plate::Forces load = plate::Forces::Zero(3, Eigen::Index(plate_.points()));
+  for (const auto& one : plate_.loads()) load += one.forces;
+  plate::HarmonicOptions options;
+  options.sweep = *analysis.sweep, options.tolerance = analysis.tolerance, options.damping = *analysis.damping;
+  options.watched.resize(2);  // factors, probes
+  for (const auto& tip : ready_.tip_methods) options.watched[0].push_back(tip.functionals());
+  for (const auto& probe : probes_)
+    options.watched[1].push_back(post::functionals(probe, plate_.points(), plate_.section().thickness));
+  options.progress = [&](std::size_t vectors, double change) {
+    progress.update(std::min(0.5, double(vectors) / 200), fmt::format("{} vectors, change {:.1e}", vectors, change));
+  };
+  return {plate_, plate_.constraints(), plate_.inertia(1), load, *plate::inverse_of(plate_), options};
+}
+
+std::vector<post::Srif> ResponseRun::factors(const plate::State& state, const plate::Heat& heat) const {
+  if (!plan_.srif) return {};
+  return post::srifs(plate_, *plan_.srif, ready_.tip_methods, state, true, &heat);
+}
+
+/// The largest of w = A cos - B sin at any time.
+double largest_deflection(const std::pair<plate::State, plate::State>& parts, std::size_t points) {
+  const auto w = [&](const plate::State& state) { return state.row(0).head(Eigen::Index(points)).array(); };
+  return std::sqrt((w(parts.first).square() + w(parts.second).square()).maxCoeff());
+}
+
+void ResponseRun::look(double frequency, const std::pair<plate::State, plate::State>& parts) {
+  const auto when = fmt::format("at the frequency {:g}", frequency);
+  const auto& [in_phase, quadrature] = parts;
+  post::require_finite(in_phase, when), post::require_finite(quadrature, when);
+  for (std::size_t i = 0; i < probes_.size(); ++i)
+    std::ranges::move(
+        post::responses_of(frequency, probes_[i], in_phase, quadrature, unknown_[1][i], plate_.section().thickness),
+        std::back_inserter(found_));
+  auto first = factors(in_phase, plate::heat_of(plate_, 1.0)), second = factors(quadrature, plate::Heat{});
+  post::require_finite(first, when), post::require_finite(second, when);
+  const double h = plate_.section().thickness;
+  for (auto* all : {&first, &second})
+    for (auto& srif : *all) post::widen(srif, unknown_[0][srif.tip] * post::largest_factor(srif, h), h);
+  std::ranges::move(post::responses_of(frequency, first, second), std::back_inserter(found_));
+}
+
+void ResponseRun::draw_period(double frequency, const std::pair<plate::State, plate::State>& parts) {
+  if (!recorder_.draws() && !recorder_.stores()) return;
+  constexpr std::size_t frames = 8;
+  for (std::size_t n = 0; n < frames; ++n) {
+    const double turn = double(n) / double(frames), angle = 2 * std::numbers::pi * turn;
+    const plate::State state = std::cos(angle) * parts.first - std::sin(angle) * parts.second;
+    const auto heat = plate::heat_of(plate_, std::cos(angle));
+    auto frame = post::frame_of(plate_, turn / frequency, n, state, true, &heat);
+    if (plan_.report) pictures_.look(frame);
+    recorder_.frame(std::move(frame), {}, {});
+  }
+}
+
+void ResponseRun::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
+  post::Progress progress(plan_.quiet, "response");
+  const auto response = this->response(progress);
+  const auto& frequencies = response.frequencies();
+  stopwatch.lap("solve");
+  summary.analysis.method = "lanczos";
+  summary.analysis.tolerance = plan_.analysis.tolerance;
+  summary.analysis.iterations = response.vectors();
+  summary.analysis.residual = response.change();
+  unknown_ = response.watched_change();
+  for (std::size_t i = 0; i < frequencies.size(); ++i) {
+    plate::stop_if_asked("a response");
+    const auto parts = response.at(i);
+    look(frequencies[i], parts);
+    if (const double w = largest_deflection(parts, plate_.cloud().plate_points); w > largest_)
+      largest_ = w, where_ = frequencies[i];
+    progress.update(0.5 + 0.5 * double(i + 1) / double(frequencies.size()), fmt::format("f = {:.4g}", frequencies[i]));
+    stopwatch.lap("srif");
+  }
+  draw_period(where_, response.at(std::size_t(std::ranges::find(frequencies, where_) - frequencies.begin())));
+  progress.done();
+  stopwatch.lap("output");
+  summary.resonances = response.resonances();
+  summary.analysis.stop_reason =
+      fmt::format("{} frequencies, {} Lanczos vectors", frequencies.size(), response.vectors());
+}
+
+post::Summary ResponseRun::finish(post::Summary summary, plate::Stopwatch& stopwatch) {
+  const auto& section = plate_.section();
+  if (largest_ >= 0) {
+    summary.response = post::largest_responses(found_, section.thickness);
+    summary.response.push_back({"plate", "w", largest_, where_, {}});
+    summary.deflection_over_thickness = largest_ / section.thickness;
+  }
+  recorder_.table("response", post::response_table(found_));
+  if (const auto cracks = post::given_cracks(plate_.paths()); !cracks.lines.empty()) recorder_.cracks(cracks, {});
+  if (std::ranges::any_of(summary.response, [](const auto& one) { return one.quantity == "K1"; }))
+    summary.warnings.push_back(
+        "K1 changes its sign in every period, and nothing keeps the faces of cracks from each other: as it stands the "
+        "response is that of a plate whose cracks something else holds open");
+  for (auto& one : post::left_out(plate_.tips(), ready_.tip_methods)) summary.warnings.push_back(std::move(one));
+  summary = recorder_.finish(std::move(summary), stopwatch);
+  write_report(plan_, pictures_);
+  return summary;
+}
+
+}  // namespace
+
+post::Summary run_response(const Ready& ready, const RunPlan& plan, post::Recorder recorder,
+                           plate::Stopwatch& stopwatch) {
+  ResponseRun run(ready, plan, std::move(recorder));
+  return carried_out(
+      about(plan, *ready.plate, ready.warnings), *ready.plate,
+      [&](post::Summary& summary) { run.solve(summary, stopwatch); },
+      [&](post::Summary summary) { return run.finish(std::move(summary), stopwatch); });
+}
+
+}  // namespace fracture

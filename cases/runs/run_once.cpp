@@ -1,0 +1,334 @@
+#include "cases/runs/run_once.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "cases/runs/bonds_error.hpp"
+#include "cases/runs/distributed_run.hpp"
+#include "cases/runs/recording.hpp"
+#include "cases/runs/results.hpp"
+#include "fracture/growth/moving_growth.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/solve/archive.hpp"
+#include "plate/solve/interruption.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/frequencies.hpp"
+#include "plate/solve/reduction.hpp"
+#include "plate/solve/settled.hpp"
+#include "post/factors/watched_motion.hpp"
+#include "post/files/result_checks.hpp"
+#include "post/report/reactions.hpp"
+#include "post/report/terminal.hpp"
+
+namespace fracture {
+void KeptMotion::keep_to(Keeper& keeper, plate::DynamicOptions& options) {
+  options.due = [&] { return plate::largest_of_all(keeper.due()) > 0; };
+  options.keep = [&](const plate::MotionMemory& now) { shared() ? keep_part(keeper, now) : keep(keeper, now); };
+  if (recall(keeper)) options.from = &memory_;
+}
+
+void KeptMotion::keep(Keeper& keeper, const plate::MotionMemory& now) {
+  keeper.keep([&](plate::OutArchive& archive) {
+    archive(now);
+    results_.remember(archive);
+    if (growth_) growth_->remember(archive);
+  });
+}
+
+void KeptMotion::keep_part(Keeper& keeper, const plate::MotionMemory& now) {
+  std::vector<const plate::State*> states{&now.state, &now.velocity};
+  if (remembers_earlier(now.step)) states.push_back(&now.earlier);
+  states.push_back(&results_.state_of_largest());
+  const auto own = own_values(plate_.boundary(), states);
+  auto common = now;
+  common.state = {}, common.velocity = {}, common.earlier = {};
+  keeper.keep(
+      [&](plate::OutArchive& archive) {
+        archive(common);
+        results_.remember(archive);
+        if (growth_) growth_->remember(archive);
+      },
+      &own);
+}
+
+bool KeptMotion::recall(Keeper& keeper) {
+  const bool found = keeper.recall([&](plate::InArchive& archive) {
+    archive(memory_);
+    results_.recall(archive);
+    if (growth_) growth_->recall(archive);
+  });
+  if (found && shared()) recall_part(keeper);
+  return found;
+}
+
+void KeptMotion::recall_part(const Keeper& keeper) {
+  auto& largest = results_.state_of_largest();
+  std::vector<plate::State*> states{&memory_.state, &memory_.velocity};
+  if (remembers_earlier(memory_.step)) states.push_back(&memory_.earlier);
+  states.push_back(&largest);
+  put_values(plate_.boundary(), keeper.parts(), states);
+  (growth_ ? growth_->constraints() : plate_.constraints()).impose(memory_.state);
+  if (largest.cols() == 0) return;
+  plate_.constraints().impose(largest);
+  if (const auto lift = plate::lift_at(plate_, results_.time_of_largest()); lift.cols() > 0) largest += lift;
+}
+
+/// The state of the step before: from the second one on, where the stiffness damps.
+bool KeptMotion::remembers_earlier(std::size_t step) const {
+  const auto& damping = results_.plan().analysis.damping;
+  return step > 0 && damping && damping->stiffness > 0;
+}
+
+namespace {
+
+using plate::Analysis;
+
+/// The part of the strain energy that foundations and springs have.
+void book_attached(const plate::Formulation& plate, const plate::State& state, post::Summary& summary) {
+  if (const auto& attached = plate.boundary().attached; !attached.parts().empty())
+    summary.energy.emplace_back("attached", attached_energy(plate, state));
+  if (plate.boundary().attached.lifts_off()) summary.touching = share_touching(plate, state);
+}
+
+/// Where forces are no derivative of an energy, that and the work tell how coarse the points are. Measured with surface
+/// nodes, seven kinds of support, horizons of 0.7 to 2 thicknesses: deflections 4 % off where they are 34 % apart.
+void look_for_coarseness(double strain, double work, const plate::Formulation& plate,
+                         std::vector<std::string>& warnings) {
+  constexpr double told = 0.01, most = 0.3;
+  const double apart = std::abs(strain / work - 1);
+  const auto text = fmt::format(
+      "the strain energy is {:.1f} % off the work of the loads, which tells how coarse the points are for this plate",
+      100 * apart);
+  if (apart > most) throw plate::NumericalError(fmt::format("{}: {}", text, plate.remedy()));
+  if (apart > told) warnings.push_back(text);
+}
+
+/// How far the conditions at edges are from equilibrium. Measured with fictitious nodes, squares with 29 kinds of
+/// support and load: of those that are not refused deflections are 5 % off at most up to 1.9, then 6 % beside images
+/// where moments on free edges meet held ones (2.6), 7 % (3.7).
+void look_at_multipliers(double share, const plate::Formulation& plate, std::vector<std::string>& warnings) {
+  constexpr double told = 1, most = 2.5;
+  if (share <= told) return;
+  const auto text = fmt::format(
+      "multipliers add forces of {:.2g} of the loads beside the edges: what is asked for there and equilibrium are far "
+      "apart, and the result may be off by some percent",
+      share);
+  if (share > most) throw plate::NumericalError(fmt::format("{}: {}", text, plate.remedy()));
+  warnings.push_back(fmt::format("{}; {}", text, plate.remedy()));
+}
+
+/// A run on its way.
+struct Going {
+  const Ready& ready;
+  Results& results;
+  post::Summary& summary;
+  plate::Stopwatch& stopwatch;
+
+  const RunPlan& plan() const { return results.plan(); }
+  const Analysis& analysis() const { return plan().analysis; }
+};
+
+bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulation& plate) {
+  return result.strained.cols() > 0 && post::is_zero(result.strained) && !post::is_zero(plate::total_lift(plate));
+}
+
+void solve_static(const Going& run) {
+  auto& [ready, results, summary, stopwatch] = run;
+  const auto& analysis = run.analysis();
+  const plate::Formulation& plate = *ready.plate;
+  using enum Analysis::Method;
+  post::Progress progress(run.plan().quiet, analysis.method == adr      ? "adaptive dynamic relaxation"
+                                            : analysis.method == direct ? "factorisation"
+                                                                        : "conjugate gradients");
+  const plate::StaticOptions options{analysis.tolerance, analysis.max_iterations, [&](std::size_t i, double residual) {
+                                       progress.update(std::log(residual) / std::log(analysis.tolerance),
+                                                       fmt::format("iteration {}, residual {:.1e}", i, residual));
+                                     }};
+  const auto result = ready.solution ? *ready.solution : plate::static_solution(plate, analysis, options);
+  const auto& solution = result.solution;
+  progress.done();
+  stopwatch.lap("solve");
+
+  summary.analysis.preconditioner = result.preconditioner;
+  if (result.factor_bytes > 0)
+    summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate.cloud().plate_points), 0});
+  post::describe(summary.analysis, result.method, solution, analysis.tolerance);
+  post::require_finite(solution.state, "in equilibrium");
+  const double work = post::slow_work(plate, result);
+  const double strain = plate.strain_energy(result.what_strains());
+  plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
+  if (result.strained.cols() > 0) end.rest = &result.strained;
+  if (moved_as_one_body(result, plate))
+    summary.warnings.emplace_back("the supports move the plate as one rigid body: nothing in it is strained");
+  results.sample(end, true);
+  stopwatch.lap("srif");
+  results.frame(end);
+  compare_with_galerkin(plate, solution.state, run.plan().problem, summary.warnings);
+  stopwatch.lap("second_formulation");
+  summary.multipliers = plate.multipliers(solution.state);
+  summary.energy = {{"strain", results.strain_energy()}, {"external_work", results.external_work()}};
+  book_attached(plate, solution.state, summary);
+  if (!post::moves(solution.state, work))
+    post::require_motion(plate, post::forces_of(plate), solution.state, work, summary.warnings);
+  if (!solution.converged)
+    throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
+                                            solution.stop_reason, solution.residual, analysis.tolerance));
+  if (plate.offers(plate::Feature::symmetry))
+    post::EnergyGate(post::EnergyGate::Plate::rests)
+        .look({strain + post::energy_about(plate), strain, work}, "in equilibrium");
+  else
+    look_for_coarseness(strain, work, plate, summary.warnings);
+  if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate, summary.warnings);
+}
+
+/// Takes the rows and frames of a motion, as far as the step `last`.
+std::function<void(const plate::Instant&)> observer(const Going& run, std::size_t last, post::Progress& progress) {
+  const double duration = run.analysis().duration;
+  return [&, last, duration, between = duration / double(last)](const plate::Instant& now) {
+    auto& [ready, results, summary, stopwatch] = run;
+    stopwatch.lap("solve");
+    progress.update(now.time / duration, fmt::format("t = {:.4g}", now.time));
+    const bool is_last = now.step == last;
+    results.sample(now, is_last);
+    stopwatch.lap("srif");
+    if (is_last || now.interrupted || now.time >= results.next_frame() - between / 2) results.frame(now);
+    stopwatch.lap("output");
+    summary.analysis.steps = now.step;
+    summary.energy = {{"strain", results.strain_energy()},
+                      {"kinetic", now.kinetic_energy},
+                      {"external_work", results.external_work()}};
+    book_attached(*ready.plate, now.state, summary);
+    if (run.analysis().damping) summary.energy.emplace_back("dissipated", now.dissipated);
+    if (is_last && !post::moves(now.state, now.external_work))
+      post::require_motion(*ready.plate, post::forces_of(*ready.plate), now.state, now.external_work, summary.warnings);
+  };
+}
+
+void solve_by_lanczos(const Going& run) {
+  auto& [ready, results, summary, stopwatch] = run;
+  const auto& analysis = run.analysis();
+  const auto rows = ready.steps->grid.steps;
+  summary.analysis.method = "lanczos";
+  summary.analysis.duration = analysis.duration;
+  summary.analysis.tolerance = analysis.tolerance;
+  post::Progress progress(run.plan().quiet, "Lanczos vectors");
+  const auto found = [&](std::size_t vectors, double change) {
+    progress.update(std::min(0.9, double(vectors) / 100), fmt::format("{} vectors, change {:.1e}", vectors, change));
+  };
+  std::optional<plate::LanczosMotion> own;
+  if (!ready.motion) {
+    const auto reactions = post::Supports(ready.plate->boundary()).elastic_forces(*ready.plate);
+    own = post::lanczos_motion(analysis, *ready.plate, ready.tip_methods, reactions, INFINITY, found);
+    results.factors().truncated(own->truncated());
+  }
+  const auto& motion = own ? *own : *ready.motion;
+  for (const double share : motion.truncated_told()) results.reactions().truncated(share);
+  motion.observe(rows, observer(run, rows, progress));
+  progress.done();
+  if (motion.change() > analysis.tolerance)
+    summary.warnings.push_back(
+        fmt::format("{} Lanczos vectors, the most that are taken, still change the motion by {:.1e}, more than "
+                    "analysis.tolerance = {:g}: forces at a point that begin at once need many",
+                    motion.vectors(), motion.change(), analysis.tolerance));
+  summary.analysis.iterations = motion.vectors();
+  summary.analysis.residual = motion.change();
+  summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors());
+}
+
+void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
+  auto& [ready, results, summary, stopwatch] = run;
+  const auto& analysis = run.analysis();
+  const plate::Formulation& plate = *ready.plate;
+  const auto& [limit, grid] = *ready.steps;
+  const auto& constraints = growth ? growth->constraints() : plate.constraints();
+  summary.analysis.method = "central_difference";
+  summary.analysis.time_step = grid.time_step;
+  summary.analysis.time_step_limit = limit;
+  summary.analysis.duration = analysis.duration;
+
+  post::Progress progress(run.plan().quiet, "central differences");
+  plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
+  if (analysis.start == Analysis::Start::equilibrium) options.start = plate::start_of(plate, analysis);
+  if (const auto& begin = ready.begin; begin.deflected.size() > 0) options.start = begin.deflected, options.bent = true;
+  options.own = plate.boundary().own;
+  options.velocity = ready.begin.velocity, options.impact = ready.begin.impact, options.given = ready.begin.given;
+  if (const auto& damping = analysis.damping)
+    options.mass_damping = damping->mass, options.stiffness_damping = damping->stiffness;
+  if (analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
+  if (growth) options.changes = &growth->changes();
+  options.held_forces = true;
+  options.whole_mass = plate::driven_mass(plate, analysis.rotary_inertia);
+  KeptMotion motion(plate, results, growth);
+  if (keeper) motion.keep_to(*keeper, options);
+  plate::central_differences(growth ? growth->plate() : plate, constraints, plate.mass(analysis.rotary_inertia),
+                             plate.loads(), options, observer(run, grid.steps, progress));
+  summary.analysis.stop_reason = "end of the duration";
+}
+
+void solve_frequencies(const Going& run) {
+  auto& [ready, results, summary, stopwatch] = run;
+  const auto& analysis = run.analysis();
+  const plate::Formulation& plate = *ready.plate;
+  const auto [low, high] = geometry::bounding_box(run.plan().problem.outline);
+  post::Progress progress(run.plan().quiet, "Lanczos iteration");
+  const double usual = 4 * double(analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
+  const double shift = plate::shift_of(plate.section(), (high - low).maxCoeff());
+  const auto inverse = plate.inverse_of_shifted(shift);
+  const plate::FrequencyOptions options{
+      analysis.modes, analysis.tolerance, analysis.max_iterations, shift, inverse.get(), [&](std::size_t solution) {
+        plate::stop_if_asked("frequencies");
+        progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
+      }};
+  summary.analysis.method = "lanczos";
+  summary.analysis.tolerance = analysis.tolerance;
+  const auto solution = plate::frequencies(plate, plate.constraints(), plate.mass(analysis.rotary_inertia), options);
+  progress.done();
+  stopwatch.lap("solve");
+
+  summary.analysis.iterations = solution.iterations;
+  summary.analysis.residual = 0;
+  for (std::size_t i = 0; i < solution.modes.size(); ++i) {
+    results.mode(i + 1, solution.modes[i]);
+    summary.analysis.residual = std::max(*summary.analysis.residual, solution.modes[i].residual);
+  }
+  stopwatch.lap("output");
+  summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
+}
+
+void solve(const Going& run, MovingGrowth* growth, Keeper* keeper) {
+  switch (run.analysis().kind) {
+    case Analysis::Kind::static_:
+      return solve_static(run);
+    case Analysis::Kind::dynamic:
+      return run.analysis().method == Analysis::Method::lanczos ? solve_by_lanczos(run)
+                                                                : solve_dynamic(run, growth, keeper);
+    case Analysis::Kind::frequencies:
+      return solve_frequencies(run);
+    case Analysis::Kind::harmonic:
+      throw std::logic_error("harmonic analyses are run by run_response()");
+  }
+}
+
+}  // namespace
+
+post::Summary run_once(const Ready& ready, Results& results, plate::Stopwatch& stopwatch, Keeper* keeper) {
+  const RunPlan& plan = results.plan();
+  std::unique_ptr<MovingGrowth> growth;
+  if (plan.growth) {
+    growth = moving_growth(*plan.growth, *ready.plate, plan.srif, plan.analysis.rotary_inertia);
+    results.grows(*growth);
+  }
+  return carried_out(
+      about(plan, *ready.plate, ready.warnings), *ready.plate,
+      [&](post::Summary& summary) {
+        solve({ready, results, summary, stopwatch}, growth.get(), keeper);
+      },
+      [&](post::Summary summary) { return results.finish(std::move(summary), stopwatch); });
+}
+
+}  // namespace fracture

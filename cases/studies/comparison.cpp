@@ -1,0 +1,314 @@
+#include "cases/studies/comparison.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "plate/model/wording.hpp"
+#include "post/files/table.hpp"
+#include "post/files/whole_file.hpp"
+#include "post/report/html_page.hpp"
+#include "post/report/quantity.hpp"
+
+namespace post {
+namespace {
+
+using Row = std::vector<Cell>;
+
+std::optional<double> number(const Cell& cell) {
+  const auto* value = std::get_if<double>(&cell);
+  return value && std::isfinite(*value) ? std::optional(*value) : std::nullopt;
+}
+
+std::string word(const Cell& cell) {
+  const auto* text = std::get_if<std::string>(&cell);
+  return text ? *text : std::string();
+}
+
+bool has(const Table& table, const std::string& name) {
+  return std::ranges::find(table.columns, name) != table.columns.end();
+}
+
+struct Place {
+  double x, y;
+};
+
+/// What probes.csv says about the probe that is compared.
+struct ProbeRows {
+  Table history;
+  std::optional<Place> place;
+};
+
+std::optional<Table> read_if_there(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  return read_csv(path);
+}
+
+Table rows_where(const Table& table, const std::function<bool(const Row&)>& wanted) {
+  Table result{table.columns, {}};
+  std::ranges::copy_if(table.rows, std::back_inserter(result.rows), wanted);
+  return result;
+}
+
+std::optional<Place> place(const Table& table, const Row& row) {
+  const auto x = number(row[table.column("x")]), y = number(row[table.column("y")]);
+  return x && y ? std::optional(Place{*x, *y}) : std::nullopt;
+}
+
+ProbeRows probe(const Table& probes) {
+  const std::size_t name = probes.column("probe");
+  Table history = rows_where(probes, [&](const Row& row) { return word(row[name]) == "tip"; });
+  if (history.rows.empty() && !probes.rows.empty()) {
+    const Cell first = probes.rows.front()[name];
+    history = rows_where(probes, [&](const Row& row) { return row[name] == first; });
+  }
+  const auto where = history.rows.empty() ? std::nullopt : place(history, history.rows.front());
+  return {std::move(history), where};
+}
+
+/// The rows of the tip that is nearest to `near` at the first time, by the first method listed for it.
+Table tip_history(const Table& srifs, const std::optional<Place>& near) {
+  const std::size_t time = srifs.column("time"), tip = srifs.column("tip"), method = srifs.column("method");
+  const Row* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Row& row : srifs.rows) {
+    if (row[time] != srifs.rows.front()[time]) break;
+    const auto where = place(srifs, row);
+    const double distance = near && where ? std::hypot(where->x - near->x, where->y - near->y) : 0;
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &row;
+  }
+  return rows_where(srifs,
+                    [&](const Row& row) { return row[tip] == (*nearest)[tip] && row[method] == (*nearest)[method]; });
+}
+
+/// The reference's columns for a quantity, the best first: F1_J, then F1, F1_paper_LS and so on.
+std::vector<std::string> reference_columns(const Table& reference, const std::string& quantity) {
+  const bool factor = quantity.starts_with('K') || quantity.starts_with('F');
+  std::vector<std::string> names;
+  for (const std::string& name : reference.columns) {
+    if (name == quantity || (factor && name.starts_with(quantity + "_"))) names.push_back(name);
+  }
+  std::stable_partition(names.begin(), names.end(), [&](const std::string& name) { return name == quantity + "_J"; });
+  return names;
+}
+
+template <std::size_t Count>
+void add(std::vector<ComparedQuantity>& rows, const Table& computed, const Table& reference,
+         const std::array<const char*, Count>& quantities) {
+  for (const std::string quantity : quantities) {
+    if (!has(computed, quantity)) continue;
+    const Curve run = curve(computed, "time", quantity);
+    if (run.t.empty()) continue;
+    for (const std::string& name : reference_columns(reference, quantity)) {
+      const Curve known = curve(reference, "t", name);
+      if (std::ranges::all_of(known.y, [](double y) { return y == 0; })) continue;
+      try {
+        rows.push_back({quantity, name, compare(run.t, run.y, known.t, known.y), run, known});
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("{}: {}", name, error.what()));
+      }
+    }
+  }
+}
+
+std::string percent(double share) {
+  const double size = 100 * std::abs(share);
+  return size < 100 ? fmt::format("{:.2f} %", size) : fmt::format("{:.4g} %", size);
+}
+
+std::string legend(const ComparedQuantity& row) {
+  const Comparison& c = row.comparison;
+  return fmt::format("reference {}: rms {}, peak error {}{}", row.reference, percent(c.relative_rms),
+                     c.peak_error < 0 ? "\u2212" : "+", percent(c.peak_error));
+}
+
+}  // namespace
+
+std::vector<ComparedQuantity> compare(const std::filesystem::path& results, const std::filesystem::path& reference) {
+  const Table curves = read_csv(reference);
+  if (!has(curves, "t")) throw std::invalid_argument("no column t, so it holds no curves");
+  std::vector<ComparedQuantity> rows;
+  std::optional<Place> near;
+  if (const auto probes = read_if_there(results / "probes.csv")) {
+    const ProbeRows chosen = probe(*probes);
+    near = chosen.place;
+    add(rows, chosen.history, curves, std::array{"w", "theta_x", "theta_y"});
+  }
+  if (const auto srifs = read_if_there(results / "srif.csv")) {
+    add(rows, tip_history(*srifs, near), curves, std::array{"F1", "F2", "F3", "K1", "K2", "K3"});
+  }
+  if (rows.empty()) {
+    throw std::invalid_argument(fmt::format("no curve in common with {}", (results / "{probes,srif}.csv").string()));
+  }
+  return rows;
+}
+
+Tolerances tolerances(const std::vector<std::string>& texts, std::optional<double> all) {
+  Tolerances result{{}, all};
+  const auto& names = measure_names();
+  for (const auto& text : texts) {
+    const auto equals = std::min(text.find('='), text.size());
+    const std::string name = text.substr(0, equals);
+    if (std::ranges::find(names, name) == names.end())
+      throw std::invalid_argument(fmt::format("\"{}\" given, must be one of {}{}", name, plate::listed(names),
+                                              plate::did_you_mean(name, names)));
+    double value = -1;
+    const char *first = text.data() + std::min(equals + 1, text.size()), *last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(first, last, value);
+    if (end != last || first == last || error != std::errc{} || !(value >= 0) || !std::isfinite(value))
+      throw std::invalid_argument(fmt::format("\"{}\" given, must be {}=NUMBER with a number >= 0", text, name));
+    result.by_measure[name] = value;
+  }
+  return result;
+}
+
+std::vector<Exceeded> exceeded(const std::vector<ComparedQuantity>& rows, const Tolerances& tolerances) {
+  std::vector<Exceeded> result;
+  for (const auto& row : rows)
+    for (const auto& [name, found] : measures(row.comparison)) {
+      const auto own = tolerances.by_measure.find(name);
+      const auto allowed = own != tolerances.by_measure.end() ? std::optional(own->second) : tolerances.all;
+      if (allowed && !(found <= *allowed)) result.push_back({row.quantity, row.reference, name, found, *allowed});
+    }
+  return result;
+}
+
+std::string to_json(const std::vector<ComparedQuantity>& rows, const std::vector<Exceeded>& above) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"within", above.empty()}, {"quantities", Json::array()}, {"exceeded", Json::array()}};
+  for (const auto& [quantity, reference, c, computed, known] : rows) {
+    Json row{{"quantity", quantity},
+             {"reference", reference},
+             {"samples", c.samples},
+             {"from", c.from},
+             {"to", c.to},
+             {"covered", c.covered},
+             {"l2", c.relative_l2},
+             {"max", c.relative_max},
+             {"rms", c.relative_rms},
+             {"rms_of_peak", c.rms_of_peak}};
+    row["peak"] = {{"computed", c.peak_computed},
+                   {"reference", c.peak_reference},
+                   {"error", c.peak_error},
+                   {"time_computed", c.time_of_peak_computed},
+                   {"time_reference", c.time_of_peak_reference},
+                   {"time_error", c.peak_time_error}};
+    if (c.shift) row["shift"] = {{"time", *c.shift}, {"relative", *c.relative_shift()}};
+    json["quantities"].push_back(std::move(row));
+  }
+  for (const auto& [quantity, reference, measure, found, allowed] : above)
+    json["exceeded"].push_back({{"quantity", quantity},
+                                {"reference", reference},
+                                {"measure", measure},
+                                {"found", found},
+                                {"allowed", allowed}});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string to_text(const std::vector<Exceeded>& above) {
+  std::string text;
+  for (const auto& [quantity, reference, measure, found, allowed] : above)
+    text += fmt::format("{} against {}: {} is {:.4g}, above {:g}\n", quantity, reference, measure, found, allowed);
+  return text;
+}
+
+std::string to_text(const std::vector<ComparedQuantity>& rows) {
+  std::vector<TextColumn> columns;
+  const auto add = [&](const std::string& title, bool number,
+                       const std::function<std::string(const ComparedQuantity&)>& text) {
+    columns.push_back({title, number, {}});
+    for (const auto& row : rows) columns.back().cells.push_back(text(row));
+  };
+  using Row = const ComparedQuantity&;
+  const auto shown = [](double share) { return fmt::format("{:.3f} %", 100 * share); };
+  const auto sided = [](double share) { return fmt::format("{:+.3f} %", 100 * share); };
+  add("quantity", false, [](Row row) { return row.quantity; });
+  add("reference", false, [](Row row) { return row.reference; });
+  add("samples", true, [](Row row) { return fmt::format("{}", row.comparison.samples); });
+  add("relative rms", true, [&](Row row) { return shown(row.comparison.relative_rms); });
+  add("L2", true, [&](Row row) { return shown(row.comparison.relative_l2); });
+  add("max", true, [&](Row row) { return shown(row.comparison.relative_max); });
+  add("peak", true, [](Row row) { return fmt::format("{:.6g}", row.comparison.peak_computed); });
+  add("at time", true, [](Row row) { return fmt::format("{:.5g}", row.comparison.time_of_peak_computed); });
+  add("reference peak", true, [](Row row) { return fmt::format("{:.6g}", row.comparison.peak_reference); });
+  add("at time", true, [](Row row) { return fmt::format("{:.5g}", row.comparison.time_of_peak_reference); });
+  add("peak error", true, [&](Row row) { return sided(row.comparison.peak_error); });
+  add("peak time", true, [&](Row row) { return sided(row.comparison.peak_time_error); });
+  add("shift", true, [&](Row row) {
+    const auto shift = row.comparison.relative_shift();
+    return shift ? sided(*shift) : std::string();
+  });
+  std::string text = aligned(columns);
+  for (const auto& row : rows)
+    if (const auto& c = row.comparison; c.covered < 0.999) {
+      text += fmt::format("compared from {:g} to {:g}, {:.0f} % of the range of the reference\n", c.from, c.to,
+                          100 * c.covered);
+      break;
+    }
+  return text;
+}
+
+CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title, bool si) {
+  constexpr std::array lines{Line::reference, Line::second_reference, Line::third_reference};
+  CurvePlot result{title, {}};
+  for (std::size_t first = 0, next = 0; first < rows.size(); first = next) {
+    const std::string& quantity = rows[first].quantity;
+    while (next < rows.size() && rows[next].quantity == quantity) ++next;
+    const bool normalized_too =
+        quantity.starts_with('K') && std::ranges::any_of(rows, [&](const ComparedQuantity& row) {
+          return row.quantity.starts_with('F') && row.quantity.substr(1) == quantity.substr(1);
+        });
+    if (normalized_too) continue;
+    const auto unit = si ? si_unit(quantity) : std::string();
+    Panel panel{si ? "time [s]" : "time",
+                unit.empty() ? described(quantity) : fmt::format("{} [{}]", described(quantity), unit),
+                {}};
+    for (std::size_t i = first; i < next; ++i)
+      panel.series.push_back({legend(rows[i]), lines[std::min(i - first, lines.size() - 1)], rows[i].known});
+    panel.series.push_back({"computed", Line::computed, rows[first].computed});
+    result.panels.push_back(std::move(panel));
+  }
+  return result;
+}
+
+std::string title_of(const std::filesystem::path& results) {
+  std::ifstream file(results / "summary.json");
+  const auto summary = nlohmann::json::parse(file, nullptr, false);  // not JSON: a value that is no object
+  if (summary.is_object() && summary.contains("title") && summary["title"].is_string()) return summary["title"];
+  const auto folder = std::filesystem::absolute(results).lexically_normal();
+  return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+}
+
+ComparedRun compared(const std::filesystem::path& folder, const std::filesystem::path& reference,
+                     const Tolerances& tolerances) {
+  if (!std::filesystem::exists(reference)) throw std::invalid_argument("no such file");
+  auto rows = compare(folder, reference);
+  auto above = exceeded(rows, tolerances);
+  return {folder, std::move(rows), std::move(above)};
+}
+
+std::string to_text(const ComparedRun& run) {
+  return to_text(run.rows) + to_text(run.above);
+}
+
+void write(const ComparedRun& run, const std::filesystem::path& drawing, const std::filesystem::path& json) {
+  if (!drawing.empty()) {
+    const auto summary = read_summary(run.folder / "summary.json");
+    const auto curves = plot(run.rows, title_of(run.folder), summary && summary->units == "SI");
+    const bool page = drawing.extension() == ".html";
+    write_whole(drawing, page ? comparison_page(curves, to_text(run.rows)) : to_svg(curves));
+  }
+  if (!json.empty()) write_whole(json, to_json(run.rows, run.above));
+}
+
+}  // namespace post

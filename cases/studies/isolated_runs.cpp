@@ -1,0 +1,142 @@
+#include "cases/studies/isolated_runs.hpp"
+
+#include <omp.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "plate/solve/interruption.hpp"
+#include "post/report/quantity.hpp"
+
+namespace post {
+namespace {
+
+Ended caught(const std::function<Ended()>& work) {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    return {"broken", error.what()};
+  }
+}
+
+void write_all(int to, const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const auto count = ::write(to, text.data() + done, text.size() - done);
+    if (count < 0 && errno != EINTR) return;
+    if (count > 0) done += std::size_t(count);
+  }
+}
+
+/// What `child` writes, which is asked to end where this process is, unless it knows. SIGINT: a SIGTERM may have
+/// reached both.
+std::string read_all(int from, pid_t child, bool passed_on) {
+  constexpr int patience = 200;  // [ms]
+  std::string text;
+  char part[4096];
+  for (;;) {
+    if (plate::stop_is_asked() && !std::exchange(passed_on, true)) kill(child, SIGINT);
+    pollfd ready{from, POLLIN, 0};
+    if (poll(&ready, 1, patience) <= 0) continue;
+    const auto count = ::read(from, part, sizeof part);
+    if (count == 0 || (count < 0 && errno != EINTR)) return text;
+    if (count > 0) text.append(part, std::size_t(count));
+  }
+}
+
+/// The work of the new process. Its first thread is a copy of one that may have led a team which is not here any more:
+/// OpenMP would wait for that, so that another thread leads.
+[[noreturn]] void work_in_child(const std::function<Ended()>& work, int to, int threads, pid_t parent) {
+  setpgid(0, 0);  // Ctrl-C reaches the parent alone, which passes it on
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it has ended before
+  Ended ended;
+  std::thread([&] {
+    omp_set_num_threads(threads);
+    ended = caught(work);
+  }).join();
+  write_all(to, ended.outcome + "\n" + ended.message);
+  std::fflush(nullptr);
+  _exit(0);
+}
+
+}  // namespace
+
+Ended isolated(const std::function<Ended()>& work) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error(std::string("no pipe: ") + strerror(errno));
+  std::fflush(nullptr);  // or both processes would write what waits
+  const int threads = omp_get_max_threads();
+  const bool knows = plate::stop_is_asked();  // so does the new process
+  const pid_t parent = getpid(), child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    work_in_child(work, ends[1], threads, parent);
+  }
+  close(ends[1]);
+  if (child < 0) {
+    close(ends[0]);
+    throw std::runtime_error(std::string("no process: ") + strerror(errno));
+  }
+  const auto said = read_all(ends[0], child, knows);
+  close(ends[0]);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (WIFSIGNALED(status))
+    return {"killed", std::string("the run was ended by signal ") + std::to_string(WTERMSIG(status)) + " (" +
+                          strsignal(WTERMSIG(status)) + ")"};
+  const auto line = said.find('\n');
+  if (line == std::string::npos) return {"killed", "the run ended with code " + std::to_string(WEXITSTATUS(status))};
+  return {said.substr(0, line), said.substr(line + 1)};
+}
+
+namespace {
+
+std::optional<Summary> summary_of(const RunRecord& record, const std::filesystem::path& folder) {
+  return read_summary(folder / record.run / "summary.json");
+}
+
+}  // namespace
+
+std::optional<RunRecord> kept_record(const RunRecord& wanted, std::size_t repeats, const std::filesystem::path& folder,
+                                     const Ledger& ledger) {
+  auto known = ledger.done(wanted, repeats);
+  if (known && !summary_of(wanted, folder)) known.reset();
+  return known;
+}
+
+RunRecord new_record(RunRecord wanted, std::size_t repeats, const std::filesystem::path& folder, const Ledger& ledger,
+                     const std::function<Ended()>& run) {
+  ledger.forget(wanted.run);
+  std::vector<std::vector<std::pair<std::string, double>>> seconds;
+  for (std::size_t i = 0; i < repeats && wanted.outcome == "done"; ++i) {
+    const auto ended = isolated(run);
+    if (ended.outcome == "broken") throw std::runtime_error(ended.message);
+    wanted.outcome = ended.outcome, wanted.message = ended.message;
+    if (const auto found = summary_of(wanted, folder); found && ended.outcome == "done")
+      seconds.push_back(found->seconds);
+  }
+  wanted.cost = cost_of(seconds);
+  ledger.put(wanted);
+  return wanted;
+}
+
+std::vector<StudyRow> rows_of(const RunRecord& record, StudyRow row, const std::vector<Wanted>& wanted,
+                              const std::filesystem::path& folder) {
+  row.outcome = record.outcome;
+  row.message = record.message;
+  auto summary = summary_of(record, folder);
+  if (record.outcome != "done" || !summary) return {row};
+  summary->seconds = record.cost.seconds;
+  if (record.cost.repeats > 1) row.seconds_min = record.cost.least, row.seconds_max = record.cost.most;
+  return study_rows(row, wanted, *summary, folder / record.run);
+}
+
+}  // namespace post

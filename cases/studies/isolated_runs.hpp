@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "cases/studies/ledger.hpp"
+#include "cases/studies/study_table.hpp"
+
+namespace post {
+
+/// How a piece of work ended: "done", "refused", "failed", "killed" (its process, by a signal) or "broken" (the
+/// machine: no memory, disk full), and why.
+struct Ended {
+  std::string outcome, message = {};
+};
+
+/// Does the work in a process of its own, so that nothing that becomes of it ends this one; it ends with this one. The
+/// work returns "done", "refused" or "failed"; what it throws is "broken". Threads: as many as this process would use.
+Ended isolated(const std::function<Ended()>& work);
+
+/// What the ledger has of a run that was done as it is wanted, and so often, and whose results are there. `folder`: of
+/// the study.
+std::optional<RunRecord> kept_record(const RunRecord& wanted, std::size_t repeats, const std::filesystem::path& folder,
+                                     const Ledger& ledger);
+
+/// Makes a run so often, each in a process of its own, or until one ends otherwise, and writes what it came to into the
+/// ledger. Throws std::runtime_error where the machine fails.
+RunRecord new_record(RunRecord wanted, std::size_t repeats, const std::filesystem::path& folder, const Ledger& ledger,
+                     const std::function<Ended()>& run);
+
+/// The rows of a run that has come to this. `row` has what is the same in all of them: labels, spacing, horizon.
+std::vector<StudyRow> rows_of(const RunRecord& record, StudyRow row, const std::vector<Wanted>& wanted,
+                              const std::filesystem::path& folder);
+
+}  // namespace post

@@ -1,0 +1,148 @@
+#include "cases/studies/ledger.hpp"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <string_view>
+
+#include "post/files/run_folder.hpp"
+#include "post/files/table.hpp"
+#include "post/files/whole_file.hpp"
+
+namespace post {
+namespace {
+
+constexpr std::array stages{"geometry", "families", "parameters", "solve", "srif", "output", "second_formulation"};
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+std::optional<double> stage(const Cost& cost, const std::string& name) {
+  for (const auto& [known, spent] : cost.seconds)
+    if (known == name) return spent;
+  return std::nullopt;
+}
+
+Cell entry(const std::optional<double>& number) {
+  return number ? Cell(*number) : Cell();
+}
+
+Cell entry(const std::string& word) {
+  return word.empty() ? Cell() : Cell(word);
+}
+
+std::vector<Cell> row_of(const RunRecord& r) {
+  std::vector<Cell> row{entry("./" + r.run),
+                        entry("id " + r.digest),  // words, not numbers
+                        entry("version " + r.version),
+                        entry(r.outcome),
+                        entry(r.message),
+                        double(r.cost.repeats),
+                        entry(stage(r.cost, "total")),
+                        r.cost.repeats > 0 ? Cell(r.cost.least) : Cell(),
+                        r.cost.repeats > 0 ? Cell(r.cost.most) : Cell()};
+  for (const char* name : stages) row.push_back(entry(stage(r.cost, name)));
+  return row;
+}
+
+std::vector<std::string> columns() {
+  std::vector<std::string> names{"run",     "digest",  "version",     "outcome",    "message",
+                                 "repeats", "seconds", "seconds_min", "seconds_max"};
+  for (const std::string name : stages) names.push_back(name + "_seconds");
+  return names;
+}
+
+RunRecord record_of(const Table& table, const std::vector<Cell>& row) {
+  const auto word = [&](const char* column, std::size_t skip = 0) {
+    const auto* text = std::get_if<std::string>(&row.at(table.column(column)));
+    return text ? text->substr(std::min(skip, text->size())) : std::string();
+  };
+  const auto number = [&](const std::string& column) {
+    const auto* value = std::get_if<double>(&row.at(table.column(column)));
+    return value ? std::optional(*value) : std::nullopt;
+  };
+  RunRecord record{word("run", 2), word("digest", 3), word("version", 8), word("outcome"), word("message")};
+  record.cost.repeats = std::size_t(number("repeats").value_or(0));
+  record.cost.least = number("seconds_min").value_or(0), record.cost.most = number("seconds_max").value_or(0);
+  for (const std::string name : stages)
+    if (const auto spent = number(name + "_seconds")) record.cost.seconds.emplace_back(name, *spent);
+  if (const auto total = number("seconds")) record.cost.seconds.emplace_back("total", *total);
+  return record;
+}
+
+constexpr std::string_view mark = "# ";  // of the last line: a comment with what the lines before it give
+
+/// Is a record as it was written, to the last bit?
+bool whole(const std::string& text) {
+  const auto end = text.rfind(mark);
+  return end != std::string::npos && text.substr(end) == std::string(mark) + digest(text.substr(0, end)) + "\n";
+}
+
+}  // namespace
+
+Cost cost_of(const std::vector<std::vector<std::pair<std::string, double>>>& seconds) {
+  Cost cost{seconds.size()};
+  if (seconds.empty()) return cost;
+  for (const auto& [name, first] : seconds.front()) {
+    std::vector<double> all;
+    for (const auto& one : seconds)
+      for (const auto& [known, spent] : one)
+        if (known == name) all.push_back(spent);
+    cost.seconds.emplace_back(name, median(all));
+    if (name == "total") cost.least = std::ranges::min(all), cost.most = std::ranges::max(all);
+  }
+  return cost;
+}
+
+Ledger::Ledger(const std::filesystem::path& study) : folder_(study / ".runs") {}  // plain_name: no run is called so
+
+std::filesystem::path Ledger::file_of(const std::string& run) const {
+  return folder_ / (run + ".csv");
+}
+
+std::optional<RunRecord> Ledger::known(const std::string& run) const {
+  try {
+    if (!std::filesystem::exists(file_of(run)) || !whole(read_text(file_of(run)))) return std::nullopt;
+    const auto table = read_csv(file_of(run));
+    return record_of(table, table.rows.at(0));
+  } catch (const std::exception&) {
+    return std::nullopt;  // of another version, or forgotten just now: the run is made anew
+  }
+}
+
+std::optional<RunRecord> Ledger::done(const RunRecord& wanted, std::size_t repeats) const {
+  auto found = known(wanted.run);
+  if (!found || found->outcome != "done" || found->digest != wanted.digest || found->version != wanted.version ||
+      found->cost.repeats < repeats)
+    return std::nullopt;
+  return found;
+}
+
+void Ledger::put(const RunRecord& record) const {
+  std::filesystem::create_directories(folder_);
+  const auto text = csv_text({columns(), {row_of(record)}});
+  write_whole(file_of(record.run), text + std::string(mark) + digest(text) + "\n");
+}
+
+void Ledger::forget(const std::string& run) const {
+  std::filesystem::remove(file_of(run));
+}
+
+bool same_program(const RunRecord& record, const RunRecord& wanted) {
+  const auto without_kernels = [](const std::string& version) { return version.substr(0, version.find(" AVX")); };
+  return without_kernels(record.version) == without_kernels(wanted.version);
+}
+
+void write_records(const std::filesystem::path& file, std::vector<RunRecord> records) {
+  Table table{columns(), {}};
+  for (auto& record : records) {
+    record.message = one_line(record.message);
+    table.rows.push_back(row_of(record));
+  }
+  write_csv(file, table);
+}
+
+}  // namespace post

@@ -1,0 +1,168 @@
+#include "cases/studies/plan.hpp"
+
+#include "post/files/table.hpp"
+
+namespace cases {
+namespace {
+
+namespace fs = std::filesystem;
+using post::Reference;
+
+/// A file that is named relative to the study file.
+fs::path beside_study(const Value& given, const std::string& name) {
+  const fs::path path = fs::path(given.reading().found().place("")).parent_path() / name;
+  if (!fs::exists(path)) given.complain(fmt::format("no such file: {}", path.string()));
+  return path;
+}
+
+void read_where(const Value& given, Reference& reference) {
+  const toml::table* table = given.table();
+  if (!table) return;
+  for (const auto& [name, node] : *table) {
+    const std::string axis(name.str());
+    const Value label(node, given.below(axis), given.reading());
+    reference.where[axis] = label.is_text() ? *label.text() : label.toml();  // 0.1 is the label "0.1"
+  }
+}
+
+void read_value(const Value& given, Reference& reference) {
+  reference.known = given.number().value_or(0);
+}
+
+void read_scale(const Value& given, Reference& reference) {
+  reference.scale = given.number();
+  if (reference.scale && !(*reference.scale > 0)) given.refuse("a number above 0");
+}
+
+bool has_value(const Reference& reference) {
+  return std::holds_alternative<double>(reference.known);
+}
+
+void read_finest(const Value& given, Reference& reference) {
+  const auto is_finest = given.boolean();
+  if (is_finest && !*is_finest) given.refuse("true");
+  reference.known = post::Finest{};
+}
+
+void read_curve(const Value& given, Reference& reference) {
+  const auto name = given.text();
+  post::KnownCurve known;
+  if (name) known.file = beside_study(given, *name);
+  reference.known = known;
+}
+
+bool has_curve(const Reference& reference) {
+  return std::holds_alternative<post::KnownCurve>(reference.known);
+}
+
+void read_column(const Value& given, Reference& reference) {
+  std::get<post::KnownCurve>(reference.known).column = given.text().value_or("");
+}
+
+/// Reads the samples of a curve.
+void load(const Value& reference, post::KnownCurve& known) {
+  Reading& reading = reference.reading();
+  const std::string file = reference.below("curve"), column = reference.below("column");
+  try {
+    const auto table = post::read_csv(known.file);
+    const auto has = [&](const std::string& name) {
+      return std::ranges::find(table.columns, name) != table.columns.end();
+    };
+    if (!has("t")) return reading.complain(file, "the file has no column t, so it holds no curves");
+    if (!has(known.column))
+      return reading.complain(column, fmt::format("\"{}\" given, must be one of {}{}", known.column,
+                                                  listed(table.columns), did_you_mean(known.column, table.columns)));
+    known.curve = post::curve(table, "t", known.column);
+  } catch (const std::exception& error) {
+    return reading.complain(file, error.what());
+  }
+  const auto& [t, y] = known.curve;
+  if (t.size() < 2 || !std::ranges::is_sorted(t) || std::ranges::all_of(y, [](double value) { return value == 0; }))
+    reading.complain(column, "the curve must have two samples or more, other than 0, with times that do not go back");
+}
+
+/// One of value, finest and curve is given.
+void check_reference(const Value& given, Reference& reference) {
+  Reading& reading = given.reading();
+  std::vector<std::string> found;
+  for (const std::string name : {"value", "finest", "curve"})
+    if (reading.given(given.below(name))) found.push_back(name);
+  if (found.empty())
+    reading.complain(given.below("value"),
+                     "is missing, must be a number; or give finest = true, or curve = \"FILE.csv\" and column");
+  if (found.size() > 1) given.complain(fmt::format("{} given, must be one of them", fmt::join(found, " and ")));
+  if (found == std::vector<std::string>{"value"} && !reference.scale && reading.sound(given.below("value")) &&
+      std::get<double>(reference.known) == 0)
+    reading.complain(given.below("value"),
+                     "0 given, must be a number other than 0, because errors are relative to it; or give scale");
+  const bool is_sound = found.size() == 1 && reading.sound(given.key());
+  if (is_sound && has_curve(reference)) load(given, std::get<post::KnownCurve>(reference.known));
+}
+
+/// The short form of the points of an axis: the values of its key.
+void read_values(const Value& given, Axis& axis) {
+  const auto elements = given.elements("a list of values of the key");
+  if (elements && elements->empty()) given.refuse("a list of values of the key");
+  for (const auto& value : elements.value_or(std::vector<Value>())) {
+    auto& point = axis.points.emplace_back();
+    point.label = value.is_text() ? *value.text() : value.toml();
+    point.set.push_back({axis.key + "=" + value.toml(), given.reading().found().place(value.key())});
+  }
+}
+
+Fields<Axis> axis_fields() {
+  const Condition<Axis> has_key{"key", "key", [](const Axis& axis) { return !axis.key.empty(); }};
+  const Condition<Axis> has_no_key{"key", "no key", [](const Axis& axis) { return axis.key.empty(); }};
+  const Fields<AxisPoint> point{word<AxisPoint>("label", &AxisPoint::label).required(), case_file<AxisPoint>(),
+                                settings<AxisPoint>()};
+  return {word<Axis>("name", &Axis::name).required(), word<Axis>("key", &Axis::key),
+          entry<Axis>("values", "a list of values of the key", read_values).required().with(has_key),
+          tables<Axis, AxisPoint>("point", Layout::block, &Axis::points, point).with(has_no_key)};
+}
+
+/// The keys of a quantity, with the method of factors.
+template <class T>
+Fields<T> asked_fields() {
+  const Condition<T> has_method{"quantity", "quantity = K1 ... F3", [](const T& object) {
+                                  const auto& name = object.quantity.name;
+                                  return post::kind_of_place(name) == "tip" && post::has_history(name);
+                                }};
+  auto fields = quantity_fields<T>();
+  fields.push_back(word<T>(
+                       "method", [](auto& object) -> auto& { return object.quantity.method; })
+                       .with(has_method));
+  return fields;
+}
+
+Fields<Reference> reference_fields() {
+  Fields<Reference> fields = asked_fields<Reference>();
+  const Fields<Reference> others{
+      entry<Reference>("where", "", read_where),
+      entry<Reference>("value", "a number", read_value),
+      entry<Reference>("scale", "a number above 0", read_scale).with({"value", "value", has_value}),
+      entry<Reference>("finest", "true", read_finest),
+      entry<Reference>("curve", "a file", read_curve),
+      entry<Reference>("column", "the name of a column of the file", read_column)
+          .required()
+          .with({"curve", "curve", has_curve}),
+      word<Reference>("source", &Reference::source)};
+  fields.insert(fields.end(), others.begin(), others.end());
+  return fields;
+}
+
+}  // namespace
+
+Fields<StudyPlan> study_fields() {
+  return {word<StudyPlan>("title", &StudyPlan::title),
+          word<StudyPlan>("source", &StudyPlan::source),
+          case_file<StudyPlan>(),
+          settings<StudyPlan>(),
+          tables<StudyPlan, Axis>("axis", Layout::block, &StudyPlan::axes, axis_fields()),
+          number<StudyPlan>("repeats", "-", &StudyPlan::repeats, {1, 1000}, ""),
+          tables<StudyPlan, StudyPlan::Listed>("quantities", Layout::block, &StudyPlan::quantities,
+                                               asked_fields<StudyPlan::Listed>()),
+          tables<StudyPlan, Reference>("reference", Layout::block, &StudyPlan::references, reference_fields(),
+                                       check_reference)};
+}
+
+}  // namespace cases

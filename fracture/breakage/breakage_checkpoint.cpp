@@ -1,0 +1,118 @@
+#include "fracture/breakage/breakage_checkpoint.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+
+#include "fracture/breakage/damaged_plate.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/solve/archive.hpp"
+
+namespace fracture {
+
+PointKeys::PointKeys(const plate::Boundary& boundary)
+    : boundary_(boundary),
+      plate_({boundary.lattice.begin(), boundary.lattice.begin() + std::ptrdiff_t(boundary.cloud.plate_points)}) {
+  for (auto k = std::uint32_t(boundary.cloud.plate_points); k < boundary.cloud.size(); ++k)
+    fictitious_[geometry::cell_of(boundary.lattice[k])].push_back(k);
+}
+
+PointKey PointKeys::of(std::uint32_t k) const {
+  const auto cell = geometry::cell_of(boundary_.lattice[k]);
+  if (boundary_.is_plate(k)) return {cell[0], cell[1], 0};
+  const auto& there = fictitious_.at(cell);
+  return {cell[0], cell[1], std::ranges::find(there, k) - there.begin() + 1};
+}
+
+std::optional<std::uint32_t> PointKeys::point(const PointKey& key) const {
+  const auto& [column, row, which] = key;
+  if (which == 0) return plate_.at({double(column) + 0.5, double(row) + 0.5});
+  const auto found = fictitious_.find({long(column), long(row)});
+  if (found == fictitious_.end() || found->second.size() < std::size_t(which)) return std::nullopt;
+  return found->second[std::size_t(which) - 1];
+}
+
+std::vector<SeveredFamily> of_all(std::vector<SeveredFamily> own) {
+  const auto* all = plate::ranks();
+  if (!all) return own;
+  std::ostringstream text;
+  {
+    plate::OutArchive archive(text);
+    archive(own);
+  }
+  std::vector<SeveredFamily> result;
+  for (const auto& one : all->exchanged(std::vector<std::string>(std::size_t(all->size()), text.str()))) {
+    std::istringstream in(one);
+    plate::InArchive archive(in);
+    std::vector<SeveredFamily> theirs;
+    archive(theirs);
+    std::ranges::move(theirs, std::back_inserter(result));
+  }
+  return result;
+}
+
+void SeveredPlate::save(plate::OutArchive& archive) const {
+  archive(memory());
+}
+
+void SeveredPlate::load(plate::InArchive& archive) {
+  SeveredMemory memory;
+  archive(memory);
+  recall(memory);
+}
+
+SeveredMemory SeveredPlate::memory() const {
+  SeveredMemory result;
+  const PointKeys keys(boundary_);
+  for (std::size_t number = 0; number < changed_.size(); ++number) {
+    const auto& [now, target, a_target, left, severed] = changed_[number];
+    if (!boundary_.owns(now.point)) continue;
+    SeveredFamily one{keys.of(now.point), first_losses_[number].event, first_losses_[number].place, now.a, left, {}};
+    for (const auto& going : going_)
+      if (severed && std::ranges::binary_search(going.points, now.point)) one.severing = going.number;
+    for (std::size_t i = 0; i < now.bonds.size(); ++i) {
+      one.broken.push_back(broken_.broken(now.point, i));
+      const auto& weights = now.bonds[i].weights;
+      one.weights.insert(one.weights.end(), {weights.D, weights.B, weights.S});
+    }
+    result.families.push_back(std::move(one));
+  }
+  result.families = of_all(std::move(result.families));
+  for (const auto& one : going_) result.going.emplace_back(one.number, one.share);
+  result.events = events_, result.severings = severings_, result.easing_left = easing_left_;
+  return result;
+}
+
+/// Families come in the order in which they lost their first bonds, as every process had them: of a piece of crack by
+/// their points, of single bonds by these.
+void SeveredPlate::recall(const SeveredMemory& memory) {
+  const PointKeys keys(boundary_);
+  std::vector<std::pair<std::uint32_t, const SeveredFamily*>> found;
+  for (const auto& one : memory.families)
+    if (const auto k = keys.point(one.point); k && known(*k)) found.emplace_back(*k, &one);
+  std::ranges::sort(found, {},
+                    [](const auto& one) { return std::tuple(one.second->event, one.second->place, one.first); });
+  for (const auto& [number, share] : memory.going) going_.push_back({number, {}, share});
+  for (const auto& [k, one] : found) {
+    if (one->broken.size() != base_.families()[k].size() || one->weights.size() != 3 * one->broken.size())
+      throw std::runtime_error("the checkpoint has other bonds than the plate");
+    events_ = one->event;
+    for (std::size_t i = 0; i < one->broken.size(); ++i)
+      if (one->broken[i]) lose(k, i, one->place);
+    auto& changed = change(k);
+    changed.now.a = one->a, changed.left = one->left, changed.severed = one->severing.has_value();
+    for (std::size_t i = 0; i < changed.now.bonds.size(); ++i)
+      changed.now.bonds[i].weights = {one->weights[3 * i], one->weights[3 * i + 1], one->weights[3 * i + 2]};
+    retarget(k);
+    differ(std::size_t(broken_.number(k)));
+    if (one->left > 0) easing_.push_back(k);
+    if (one->severing) std::ranges::find(going_, *one->severing, &Severing::number)->points.push_back(k);
+  }
+  std::ranges::sort(easing_);
+  for (auto& one : going_) std::ranges::sort(one.points);
+  events_ = memory.events, severings_ = memory.severings, easing_left_ = memory.easing_left;
+}
+
+}  // namespace fracture

@@ -1,0 +1,78 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
+
+namespace fracture {
+
+/// A point of a plate, fictitious ones too, by what all processes that share it agree upon: the cell of the lattice,
+/// and which of the fictitious points there it is, from 1; 0: the point of the plate.
+using PointKey = std::array<std::int64_t, 3>;
+
+/// The points that this process sees, by their keys.
+class PointKeys {
+public:
+  /// `boundary` must outlive this.
+  explicit PointKeys(const plate::Boundary& boundary);
+
+  PointKey of(std::uint32_t k) const;
+  /// Nothing where this process does not see it.
+  std::optional<std::uint32_t> point(const PointKey& key) const;
+
+private:
+  const plate::Boundary& boundary_;
+  geometry::CellIndex plate_;
+  std::map<geometry::Cell, std::vector<std::uint32_t>> fictitious_;
+};
+
+/// A family that has lost bonds, as it is by now.
+struct SeveredFamily {
+  PointKey point{};
+  std::uint64_t event = 0, place = 0;  // when it lost the first: in which severing, and as which there
+  double a = 0;
+  unsigned left = 0;                    // Change::left
+  std::optional<std::size_t> severing;  // that goes on
+  std::vector<char> broken = {};        // of every bond of the family at the start
+  std::vector<double> weights = {};     // D, B, S of every bond
+
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(point, event, place, a, left, severing, broken, weights);
+  }
+};
+
+/// All that has been severed of a plate, by whichever processes.
+struct SeveredMemory {
+  std::vector<SeveredFamily> families;
+  std::vector<std::pair<std::size_t, double>> going;  // severings that go on: number, share
+  std::uint64_t events = 0;                           // severings of both kinds so far
+  std::size_t severings = 0;                          // of pieces of cracks
+  unsigned easing_left = 0;
+
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(families, going, events, severings, easing_left);
+  }
+};
+
+/// Those of all processes, which call it at once.
+std::vector<SeveredFamily> of_all(std::vector<SeveredFamily> own);
+
+/// A point with its state and its velocity half a step before.
+struct KeptPoint {
+  PointKey point{};
+  std::array<double, 3> state{}, velocity{};
+
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(point, state, velocity);
+  }
+};
+
+}  // namespace fracture

@@ -1,0 +1,145 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "fracture/breakage/broken_bonds.hpp"
+#include "geometry/shape/crack_path.hpp"
+#include "plate/bonds/family_operator.hpp"
+#include "plate/bonds/family_weights.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/tip_view.hpp"
+#include "plate/solve/archive_types.hpp"
+
+namespace plate {
+class Formulation;
+struct Mesh;
+struct Surroundings;
+}  // namespace plate
+
+namespace post {
+struct Frame;
+}
+
+namespace fracture {
+
+struct SeveredMemory;
+
+/// A bond between two points, the lower number first.
+using PointPair = std::array<std::uint32_t, 2>;
+/// One of which this process does not see both.
+constexpr PointPair unseen{std::uint32_t(-1), std::uint32_t(-1)};
+
+/// A state, and what it was a step before: state - time_step velocity.
+struct Motion {
+  const plate::State& state;
+  const plate::State& velocity;  // half a step before
+  double time_step;              // 0: quasi-static
+};
+
+/// A plate of bonds over a horizon whose bonds break while it is loaded: the plate as it was, and what has changed
+/// since in the families that lost bonds. Each goes over to the weights that its surface correction gives to the bonds
+/// left, at once or step by step. A family with few bonds left would ask for shorter time steps: none gets stiffer than
+/// beside a clean crack, and what has less than two fifths of its bonds gives way in proportion. One call at a time.
+class SeveredPlate : public plate::Operator {
+public:
+  /// All but the rule must outlive this. `seen`: where processes share the plate, what this one knows beside its own
+  /// points: a horizon about all that these see, and about tips what their factors need.
+  SeveredPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary, const plate::FamilyRule& rule,
+               std::shared_ptr<const plate::Surroundings> seen = {});
+
+  std::size_t points() const override { return base_.points(); }
+  void internal_force(const plate::State& state, plate::Forces& forces) const override;
+  /// Of the plate as it was: time steps are found before anything is severed (and kept at 0.9 of the limit).
+  void absolute_product(const plate::State& state, plate::Forces& forces) const override;
+  plate::Forces diagonal() const override;
+
+  /// Those of the boundary; where processes share the plate, all that this one knows is fetched.
+  const plate::Constraints& constraints() const { return wider_ ? *wider_ : boundary_.constraints; }
+  /// Of forces on the free degrees of freedom, weighted by a diagonal that has been carried over to these.
+  double norm(plate::Forces force, const plate::Forces& diagonal) const;
+  /// Is the place this process's?
+  bool here(const geometry::Point& x) const { return boundary_.here(x); }
+
+  /// Begins to sever the bonds that cross the crack's last piece, which is `piece` long at the end `at_back`. Returns a
+  /// number; none, and nothing is done, where a severing that goes on has families of the same points.
+  std::optional<std::size_t> sever(const geometry::CrackPath& path, bool at_back, double piece);
+  /// Carries a severing on to a share from 0 to 1; returns the energy that it takes, as central differences count it:
+  /// mixed from the state and the one a step before (theory.md, "Growth").
+  double carry_on(std::size_t number, double share, const Motion& motion);
+
+  /// Breaks bonds, in the same order in all processes; the families of their ends need `steps` calls of carry_on_all to
+  /// go over.
+  void sever(const std::vector<PointPair>& bonds, unsigned steps);
+  /// Do families lose single bonds, of any process?
+  bool easing() const { return easing_left_ > 0; }
+  /// Carries the families that lose single bonds on by a step; returns the energy that this takes.
+  double carry_on_all(const Motion& motion);
+
+  /// As the tips of its cracks see it now. This must outlive it.
+  std::shared_ptr<const plate::TipView> tip_view() const;
+  /// The cells, cut along the cracks; sets the frame's resultants and damage. `start`: the plate before.
+  plate::Mesh draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start,
+                   const std::vector<geometry::CrackPath>& cracks) const;
+  /// Families as they are after all severings.
+  const geometry::Families& families() const { return families_; }
+  const plate::FamilyOperator& base() const { return base_; }
+  const BrokenBonds& broken() const { return broken_; }
+  /// Factor of the dilatation [force length] and weights of the i-th bond of the base's family, as they are now.
+  double a(std::size_t k) const;
+  const plate::BondWeights& weights(std::size_t k, std::size_t i) const;
+
+  /// What has been severed, and the weights that it has by now, of all processes that share the plate, which call it at
+  /// once.
+  void save(plate::OutArchive& archive) const;
+  /// Of a plate of which nothing has been severed yet.
+  void load(plate::InArchive& archive);
+
+private:
+  struct Severing {
+    std::size_t number;
+    std::vector<std::uint32_t> points;
+    double share = 0;
+  };
+  /// When a point lost its first bond: in which severing, and as which there.
+  struct FirstLoss {
+    std::uint64_t event, place;
+  };
+  SeveredMemory memory() const;
+  void recall(const SeveredMemory& memory);
+  void lose(std::uint32_t k, std::size_t i, std::uint64_t place);
+  Change& change(std::uint32_t k);
+  /// The families without their broken bonds, and where they go.
+  void retarget(std::uint32_t k);
+  bool known(std::size_t k) const { return known_.empty() || known_[k]; }
+  /// Of values of these points, those of the process's own of all processes.
+  double sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const;
+  void soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const;
+  double approach(std::uint32_t k, double fraction, const Motion& motion);
+  /// Sets the differences of a change, by its number, to what its weights are now.
+  void differ(std::size_t number);
+
+  const plate::FamilyOperator& base_;
+  const plate::Boundary& boundary_;
+  plate::FamilyRule rule_;
+  std::vector<char> known_;                  // points whose families are followed; empty: all
+  std::optional<plate::Constraints> wider_;  // where processes share the plate
+  geometry::Families families_;
+  double reach_ = 0;  // of the longest bond [spacings]
+  Stiffest stiffest_;
+  BrokenBonds broken_;
+  std::vector<FirstLoss> first_losses_;  // by number
+  std::vector<Change> changed_;          // by number
+  std::vector<Difference> differences_;  // of every change, as many as its base has bonds
+  std::vector<std::size_t> first_difference_{0};
+  /// What a change gives to its point, and every difference to its neighbour: force and couple along m.
+  mutable std::vector<Eigen::Vector3d> own_force_;
+  mutable std::vector<std::array<double, 2>> given_;
+  std::vector<Severing> going_;
+  std::vector<std::uint32_t> easing_;  // points that lose single bonds, ascending
+  unsigned easing_left_ = 0;           // steps until no process has any
+  std::size_t severings_ = 0;          // so far, of pieces of cracks
+  std::uint64_t events_ = 0;           // and of bonds
+};
+
+}  // namespace fracture

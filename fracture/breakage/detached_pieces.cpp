@@ -1,0 +1,112 @@
+#include "fracture/breakage/detached_pieces.hpp"
+
+#include <algorithm>
+
+#include "fracture/breakage/breakage_checkpoint.hpp"
+#include "plate/formulation/pieces.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/solve/archive.hpp"
+#include "plate/solve/reduction.hpp"
+
+namespace fracture {
+
+constexpr std::size_t look_every = 50;  // steps: looking takes as long as ten of them
+
+FallenPieces::FallenPieces(plate::Changes& growth, const SeveredPlate& plate, const plate::Boundary& boundary,
+                           plate::Forces mass)
+    : growth_(growth), plate_(plate), boundary_(boundary), mass_(std::move(mass)) {}
+
+void FallenPieces::look(const plate::Step& now) {
+  broken_ = plate_.broken().count();
+  for (const auto k : plate::fallen(boundary_, plate_.families()))
+    if (!std::ranges::binary_search(frozen_.points, k)) fresh_.points.push_back(k);
+  const auto of = [&](const plate::State& all) {
+    plate::State result(3, Eigen::Index(fresh_.points.size()));
+    for (std::size_t i = 0; i < fresh_.points.size(); ++i) result.col(Eigen::Index(i)) = all.col(fresh_.points[i]);
+    return result;
+  };
+  fresh_.state = of(now.state), fresh_.velocity = of(now.velocity);
+  falls_ = plate::largest_of_all(!fresh_.points.empty()) > 0;
+}
+
+/// From the step before on; the energy that central differences count there is of the velocities before and after it.
+void FallenPieces::freeze(const plate::Step& now) {
+  std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> all;
+  for (std::size_t i = 0; i < frozen_.points.size(); ++i)
+    all.emplace_back(frozen_.points[i], frozen_.state.col(Eigen::Index(i)));
+  for (std::size_t i = 0; i < fresh_.points.size(); ++i)
+    all.emplace_back(fresh_.points[i], fresh_.state.col(Eigen::Index(i)));
+  energy_ += plate::ordered_sum<1>(fresh_.points.size(), [&](std::size_t i) {  // copies have no mass
+    const auto k = fresh_.points[i];
+    return std::array<double, 1>{
+        mass_.col(k).cwiseProduct(fresh_.velocity.col(Eigen::Index(i))).dot(now.velocity.col(k)) / 2};
+  })[0];
+  std::ranges::sort(all, {}, [](const auto& one) { return one.first; });
+  fresh_ = {}, frozen_ = {}, falls_ = false, fallen_ = true;
+  frozen_.state.resize(3, Eigen::Index(all.size()));
+  for (const auto& [k, state] : all) {
+    frozen_.state.col(Eigen::Index(frozen_.points.size())) = state;
+    frozen_.points.push_back(k);
+  }
+}
+
+std::vector<KeptPoint> FallenPieces::of_all(const Kept& kept, const PointKeys& keys) const {
+  std::vector<KeptPoint> own;
+  const auto column = [](const plate::State& of, std::size_t i) {
+    if (of.cols() == 0) return std::array<double, 3>{};
+    const auto k = Eigen::Index(i);
+    return std::array{of(0, k), of(1, k), of(2, k)};
+  };
+  for (std::size_t i = 0; i < kept.points.size(); ++i)
+    if (const auto k = kept.points[i]; boundary_.owns(k))
+      own.push_back({keys.of(k), column(kept.state, i), column(kept.velocity, i)});
+  return plate::ranks() ? plate::gathered(*plate::ranks(), own) : own;
+}
+
+FallenPieces::Kept FallenPieces::seen(const std::vector<KeptPoint>& kept, const PointKeys& keys) {
+  std::vector<std::pair<std::uint32_t, const KeptPoint*>> found;
+  for (const auto& one : kept)
+    if (const auto k = keys.point(one.point)) found.emplace_back(*k, &one);
+  std::ranges::sort(found);
+  Kept result;
+  result.state.resize(3, Eigen::Index(found.size())), result.velocity.resize(3, Eigen::Index(found.size()));
+  for (const auto& [k, one] : found) {
+    const auto i = Eigen::Index(result.points.size());
+    for (std::size_t c = 0; c < 3; ++c)
+      result.state(Eigen::Index(c), i) = one->state[c], result.velocity(Eigen::Index(c), i) = one->velocity[c];
+    result.points.push_back(k);
+  }
+  return result;
+}
+
+void FallenPieces::save(plate::OutArchive& archive) const {
+  const PointKeys keys(boundary_);
+  const bool looks = plate::largest_of_all(plate_.broken().count() > broken_) > 0;  // when it is time
+  archive(of_all(fresh_, keys), of_all(frozen_, keys), looks, falls_, fallen_, energy_);
+}
+
+void FallenPieces::load(plate::InArchive& archive) {
+  std::vector<KeptPoint> fresh, frozen;
+  bool looks = false;
+  archive(fresh, frozen, looks, falls_, fallen_, energy_);
+  const PointKeys keys(boundary_);
+  fresh_ = seen(fresh, keys), frozen_ = seen(frozen, keys);
+  broken_ = looks ? 0 : plate_.broken().count();
+}
+
+void FallenPieces::before_force(const plate::Step& now) {
+  if (falls_) freeze(now);
+  for (std::size_t i = 0; i < frozen_.points.size(); ++i) {
+    now.state.col(frozen_.points[i]) = frozen_.state.col(Eigen::Index(i));
+    now.velocity.col(frozen_.points[i]).setZero();
+  }
+  if (fallen_) plate_.constraints().fetch(now.state);  // as their owners have them
+  if (now.step % look_every == 0 && plate::largest_of_all(plate_.broken().count() > broken_) > 0) look(now);
+  growth_.before_force(now);
+}
+
+void FallenPieces::after_force(const plate::Step& now, const plate::Forces& force) {
+  growth_.after_force(now, force);
+}
+
+}  // namespace fracture

@@ -1,0 +1,105 @@
+#include "fracture/growth/distributed_growth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "plate/bonds/part_of_lattice.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/model/problem.hpp"
+#include "post/files/archive.hpp"
+#include "post/files/summary.hpp"
+
+namespace fracture {
+
+namespace {
+
+/// What all processes have, one after the other.
+template <typename T>
+std::vector<T> gathered_archives(const plate::Ranks& all, const std::vector<T>& own) {
+  std::ostringstream text;
+  {
+    cereal::BinaryOutputArchive archive(text);
+    archive(own);
+  }
+  std::vector<T> result;
+  for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), text.str()))) {
+    std::istringstream in(one);
+    cereal::BinaryInputArchive archive(in);
+    std::vector<T> theirs;
+    archive(theirs);
+    std::ranges::move(theirs, std::back_inserter(result));
+  }
+  return result;
+}
+
+/// The same for any order of the processes: the larger, the earlier, the lower, the one to the left.
+bool before(const post::Peak& a, const post::Peak& b) {
+  const auto key = [](const post::Peak& peak) {
+    const auto x = peak.position.value_or(geometry::Point(0, 0));
+    return std::array{-std::abs(peak.value), peak.time, x.y(), x.x()};
+  };
+  return key(a) < key(b);
+}
+
+}  // namespace
+
+using geometry::Point;
+
+PointNumbers::PointNumbers(const plate::Boundary& boundary) : boundary_(boundary) {
+  if (!plate::ranks()) return;
+  const auto end = boundary.lattice.begin() + std::ptrdiff_t(boundary.cloud.plate_points);
+  index_.emplace(std::vector<Point>(boundary.lattice.begin(), end));
+  for (const auto& side : boundary.sides)
+    if (!side.circle) columns_ = std::max(columns_, std::uint32_t(std::ceil(side.edge.to.x())));
+}
+
+std::uint32_t PointNumbers::of(std::uint32_t k) const {
+  if (!index_) return k;
+  const auto [column, row] = geometry::cell_of(boundary_.lattice[k]);
+  return std::uint32_t(row) * columns_ + std::uint32_t(column);
+}
+
+std::optional<std::uint32_t> PointNumbers::point(std::uint32_t number) const {
+  return index_ ? index_->at(place(number)) : number;
+}
+
+Point PointNumbers::place(std::uint32_t number) const {
+  if (!index_) return boundary_.lattice[number];
+  return {double(number % columns_) + 0.5, double(number / columns_) + 0.5};
+}
+
+std::shared_ptr<const plate::Surroundings> seen_by_growth(const plate::Formulation& start, bool tips) {
+  // what decides about a bond that a point of the process has: the weights of its other end, whose bonds end three
+  // horizons away at most
+  const double horizon = start.discretization().horizon_ratio;
+  auto seen = plate::surroundings(start.problem().outline, start.discretization(), start.boundary(),
+                                  tips ? plate::reach_about_tips(horizon) : 3 * horizon + 2);
+  return seen ? std::make_shared<const plate::Surroundings>(std::move(*seen)) : nullptr;
+}
+
+std::vector<post::Srif> of_all(std::vector<post::Srif> own) {
+  const auto* all = plate::ranks();
+  if (!all) return own;
+  auto result = gathered_archives(*all, own);
+  std::ranges::stable_sort(result, {}, &post::Srif::tip);
+  return result;
+}
+
+std::vector<post::Peak> of_all(std::vector<post::Peak> own) {
+  const auto* all = plate::ranks();
+  if (!all) return own;
+  auto found = gathered_archives(*all, own);
+  std::vector<post::Peak> result;
+  for (const auto& one : own) {
+    std::erase_if(found, [&](const post::Peak& peak) { return peak.quantity == one.quantity && !peak.position; });
+    auto of_quantity = found;
+    std::erase_if(of_quantity, [&](const post::Peak& peak) { return peak.quantity != one.quantity; });
+    if (!of_quantity.empty()) result.push_back(*std::ranges::min_element(of_quantity, before));
+  }
+  return result;
+}
+
+}  // namespace fracture

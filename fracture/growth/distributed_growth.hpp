@@ -1,0 +1,48 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "post/factors/srif.hpp"
+
+namespace plate {
+class Formulation;
+struct Surroundings;
+}  // namespace plate
+
+namespace post {
+struct Peak;
+}
+
+namespace fracture {
+
+/// Numbers of the points of a plate that are the same for all processes that share it, ascending as theirs are: by the
+/// rows of the lattice. Where one process holds the whole plate, those that they have.
+class PointNumbers {
+public:
+  /// `boundary` must outlive this.
+  explicit PointNumbers(const plate::Boundary& boundary);
+
+  std::uint32_t of(std::uint32_t k) const;
+  /// Nothing where this process does not see it.
+  std::optional<std::uint32_t> point(std::uint32_t number) const;
+  /// [lattice units]
+  geometry::Point place(std::uint32_t number) const;
+
+private:
+  const plate::Boundary& boundary_;
+  std::optional<geometry::CellIndex> index_;  // where processes share the plate
+  std::uint32_t columns_ = 0;
+};
+
+/// What a process knows of a plate whose bonds break, beside its own points: all that decides about its bonds, or
+/// whatever tips need (`tips`), as they may come anywhere. Nothing where one process holds the whole plate.
+std::shared_ptr<const plate::Surroundings> seen_by_growth(const plate::Formulation& start, bool tips);
+
+/// The factors that all processes have found, by tips.
+std::vector<post::Srif> of_all(std::vector<post::Srif> own);
+/// Of every quantity the largest value of all processes, and its place.
+std::vector<post::Peak> of_all(std::vector<post::Peak> own);
+
+}  // namespace fracture

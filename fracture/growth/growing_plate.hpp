@@ -1,0 +1,61 @@
+#pragma once
+#include "fracture/growth/quasi_static_tips.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/solve/statics.hpp"
+#include "post/factors/tip_methods.hpp"
+
+namespace fracture {
+
+/// How the states between advances are found.
+struct StaticSolver {
+  plate::StaticMethod method;
+  plate::Preconditioning preconditioning;
+  plate::StaticOptions options;
+};
+
+/// The plate of a problem, discretised and solved anew with every length of its cracks.
+class GrowingPlate : public QuasiStaticTips {
+public:
+  /// `first`: the problem with its cracks as they are at the start. `factors`: whose methods give the energy release
+  /// rate. Seconds go to `stopwatch`. All references must outlive this.
+  GrowingPlate(const Growth& growth, const plate::Problem& problem, plate::Discretised first, post::SrifOptions factors,
+               StaticSolver solver, plate::Stopwatch& stopwatch);
+
+  /// What is seen becomes that of the last solution.
+  void choose(const Equilibrium& state) override;
+  void recall(plate::InArchive& archive) override;
+  const plate::Formulation& plate() const override { return *seen_.found.plate; }
+  const plate::State& state() const override { return seen_.state; }
+  const plate::StaticSolution& solution() const override { return solution_; }
+  const std::string& method() const { return method_; }
+  double heated(double factor) const override;
+  std::optional<std::vector<post::Srif>> factors(double factor) override;
+  plate::Mesh draw(post::Frame& frame, const plate::State& state) const override;
+
+private:
+  LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) override;
+  std::string remedy() const override;
+  /// A plate under the whole load.
+  struct Solved {
+    plate::Discretised found;
+    plate::State state;
+    std::vector<post::Srif> srifs;
+  };
+  plate::Discretised discretised(const std::vector<geometry::Polyline>& cracks);
+  void solve(plate::Discretised found, const std::vector<post::TipMethods>& methods);
+
+  plate::Problem problem_;
+  std::optional<plate::Discretised> first_;
+  post::SrifOptions options_of_factors_;
+  StaticSolver solver_;
+  plate::Stopwatch& stopwatch_;
+  plate::StartOfCracks start_;
+  std::optional<Solved> latest_;  // last; it may be a trial, or be followed by a failure
+  Solved seen_;                   // at the last equilibrium
+  double seen_factor_ = 1;        // of the load there
+  plate::StaticSolution solution_;
+  std::string method_;
+};
+
+}  // namespace fracture

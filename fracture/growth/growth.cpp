@@ -1,0 +1,118 @@
+#include "fracture/growth/growth.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/problem.hpp"
+#include "post/factors/plate_factors.hpp"
+
+namespace fracture {
+
+std::string in_words(const Ended& ended, bool by_bonds) {
+  using enum End;
+  switch (ended.how) {
+    case no_tip_left:
+      return "no tip is left";
+    case cannot_grow:
+      return by_bonds ? "no bond can break" : "no tip can grow";
+    case no_growth:
+      return by_bonds ? "no bond breaks under the whole load" : "no growth under the whole load";
+    case arrested:
+      return "arrested under the whole load";
+    case most_advances:
+      return "the largest number of advances";
+    case longest:
+      return by_bonds ? "the largest length of cracks" : "the largest length of a crack";
+    case unstable:
+      return by_bonds ? "the next bond breaks unstably" : "the next advance is unstable";
+    case not_resolved:
+      return "the next advance is not resolved: " + ended.detail;
+    case split:
+      return "the plate split: " + ended.detail;
+    case interrupted:
+      return "interrupted";
+    case failed:
+      return "failed: " + ended.detail;
+  }
+  return "";
+}
+
+std::string in_words(const Moved& moved) {
+  std::string result;
+  if (moved.broken)
+    result = *moved.broken == 0 ? "no bond broke" : fmt::format("{} bonds broken", *moved.broken);
+  else
+    result = moved.advances == 0 ? "no growth" : fmt::format("{} pieces of crack", moved.advances);
+  if (!moved.reached.empty()) result += fmt::format(", {} reached", fmt::join(moved.reached, ", "));
+  for (const auto* stopped : {&moved.stopped, &moved.unsteady})
+    if (!stopped->empty()) result += fmt::format("; not resolved, and stopped there: {}", fmt::join(*stopped, "; "));
+  if (moved.parts > moved.parts_before)
+    result += fmt::format("; the plate split in {} parts{}", moved.parts, moved.frozen ? "" : ", which move on");
+  return result;
+}
+
+std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Formulation& plate) {
+  if (!growth.by_bonds()) return {};
+  std::vector<std::string> warnings;
+  const double h = plate.section().thickness / plate.discretization().spacing, m = plate.discretization().horizon_ratio;
+  const bool curvature = growth.criterion == Growth::Criterion::curvature_shear;
+  const bool measured =
+      curvature ? h >= 1.2 && h <= 15 && m >= 3 && m <= 3.1 : h >= 0.4 && h <= 50 && m >= 2.9 && m <= 5.1;
+  if (!growth.apparent_toughness && growth.fracture_energy > 0 && (!measured || plate.section().poisson < 0))
+    warnings.push_back(fmt::format(
+        "apparent toughness of bonds: not measured, or beyond a tenth, at a thickness of {:.3g} spacings, a horizon "
+        "of {:.3g} spacings and a Poisson's ratio of {:g} (plate/theory.md, \"Apparent toughness\")",
+        h, m, plate.section().poisson));
+  if (std::ranges::any_of(plate.boundary().sides,
+                          [](const auto& side) { return side.kind == plate::SupportKind::symmetry; }))
+    warnings.push_back("bonds across a line of symmetry do not break: no crack crosses it");
+  return warnings;
+}
+
+std::vector<std::string> tips_without_rings(const plate::Formulation& plate) {
+  const auto& problem = plate.problem();
+  std::vector<std::string> result;
+  for (const auto& tip : plate.tips()) {
+    if (post::ringed(problem, plate.paths(), tip)) continue;
+    const double clear = post::clear_distance(problem, plate.paths(), tip);
+    result.push_back(
+        fmt::format("tip at ({:g}, {:g}): an edge, a load, a pin, another crack or an end of its own leaves {:.3g} "
+                    "about it, {:.3g} spacings, too little for the energy release rate that growth needs",
+                    tip.position.x(), tip.position.y(), clear, clear / problem.discretization.spacing_at_tips()));
+  }
+  return result;
+}
+
+std::vector<std::string> distrust_of_spent(const Growth& growth, const Moved& moved, const plate::Section& section) {
+  constexpr double band = 0.05, fast = 0.83;  // nine tenths of the largest speed
+  if (growth.by_bonds() || !moved.spent || std::abs(*moved.spent - 1) <= band) return {};
+  const double speed = moved.largest_speed / section.shear_wave_speed();
+  return {*moved.spent > 1 && speed > fast
+              ? fmt::format("tips took {:.2f} times the fracture energy and ran at up to {:.2f} of the speed of shear "
+                            "waves: the loads give more than one crack takes, which would branch (growth.criterion = "
+                            "\"bond_energy\")",
+                            *moved.spent, speed)
+              : fmt::format("tips took {:.2f} times the fracture energy over {} pieces of crack: their speed had not "
+                            "settled, or they ran too far; take a smaller discretization.spacing",
+                            *moved.spent, moved.advances)};
+}
+
+std::vector<std::string> distrust_of_directions(const Moved& moved, const std::string& remedy) {
+  std::vector<std::string> result;
+  if (moved.unseen)
+    result.push_back("directions of tips are not known within 30 degrees: they went straight on; " + remedy);
+  for (const auto& stopped : moved.stopped)
+    result.push_back(fmt::format("{}: it stopped there; {}, or growth.direction = \"straight\"", stopped, remedy));
+  for (const auto& unsteady : moved.unsteady)
+    result.push_back(
+        fmt::format("{}: it stopped there; take a smaller discretization.spacing, or loads that set in "
+                    "more slowly",
+                    unsteady));
+  return result;
+}
+
+}  // namespace fracture

@@ -1,0 +1,212 @@
+#include "fracture/growth/moving_cracks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plate/model/communicator.hpp"
+#include "post/factors/plate_factors.hpp"
+
+namespace fracture {
+namespace {
+
+constexpr std::size_t look_every = 4;  // steps, of a tip at rest: it can go a spacing in two
+constexpr double first_speed = 0.3;    // of a tip that starts: of the limit
+constexpr double least_speed = 0.02;   // of one that runs: of the limit
+constexpr double recent_length = 3;    // spacings: a lattice's steps under an angle to it
+constexpr double gain = 0.45, gain_of_all = 1.5;
+constexpr double gauge_reach = 20;  // spacings: rings of 7.6 and two horizons about them, and more than that
+constexpr double look_after = 5;    // spacings gone without a look at the direction
+constexpr double settled_after = 10,
+                 steady_length = 5;                    // spacings: a tip's speed has settled, and is judged over these
+constexpr double least_taken = 0.6, most_taken = 1.6;  // of the fracture energy, of a tip whose speed is resolved
+constexpr double alike = 1e-6;                         // of energies: what rounding leaves between mirror images
+
+std::vector<geometry::Polyline> polylines(const std::vector<geometry::CrackPath>& paths) {
+  std::vector<geometry::Polyline> result;
+  for (const auto& path : paths) result.push_back(path.vertices);
+  return result;
+}
+
+}  // namespace
+
+MovingCracks::MovingCracks(const Growth& growth, const plate::Problem& problem, SeveredPlate& plate,
+                           std::vector<geometry::CrackPath> paths)
+    : growth_(growth),
+      problem_(problem),
+      plate_(plate),
+      paths_(std::move(paths)),
+      spacing_(problem.discretization.spacing),
+      toughness_(growth.fracture_energy * problem.section.thickness),
+      speed_limit_(0.93 * problem.section.shear_wave_speed()) {
+  for (const auto& tip : geometry::tips(paths_)) tips_.push_back({tip, first_speed * speed_limit_});
+}
+
+/// The energy release rate of a tip; none where no ring fits about it.
+std::shared_ptr<const post::TipMethods> MovingCracks::gauge(const geometry::Tip& tip) const {
+  post::SrifOptions options;
+  options.methods = {"virtual_crack_extension"};
+  options.first_ring_only = true;
+  const double near = 7.6 * spacing_;  // rings of 7 spacings: a quarter of the work of the usual 16
+  auto found = post::tip_methods(plate_.tip_view(), problem_, paths_, tip, options, near);
+  return found ? std::make_shared<const post::TipMethods>(std::move(*found)) : nullptr;
+}
+
+/// What it sees, told to all processes by the one that has the tip.
+MovingCracks::Seen MovingCracks::look(MovingTip& tip, const plate::State& state, const plate::Forces& force) const {
+  const auto* all = plate::ranks();
+  std::vector<Seen> seen;
+  if (plate_.here(tip.tip.position)) {
+    if (!tip.gauge) tip.gauge = gauge(tip.tip);
+    if (tip.gauge) {
+      const auto srif = (*tip.gauge)(state, force, false).front();
+      const auto& [K1, K2, K3] = srif.errors;
+      seen.push_back({true,
+                      *srif.G,
+                      {srif.K1, srif.K2, srif.K3},
+                      {K1.value_or(INFINITY), K2.value_or(INFINITY), K3.value_or(INFINITY)}});
+    } else {
+      seen.emplace_back();
+    }
+  }
+  return all ? plate::gathered(*all, seen).at(0) : seen.front();
+}
+
+std::vector<std::pair<std::size_t, geometry::Tip>> MovingCracks::tips() const {
+  std::vector<std::pair<std::size_t, geometry::Tip>> result;
+  for (std::size_t i = 0; i < tips_.size(); ++i)
+    if (!tips_[i].ended) result.emplace_back(i, tips_[i].tip);
+  return result;
+}
+
+bool MovingCracks::stays(const MovingTip& tip, double G, double K1) const {
+  const bool long_enough = growth_.reached(geometry::length(paths_[tip.tip.crack].vertices));
+  return growth_.held(tip.tip.position) || long_enough || pieces_.size() >= growth_.max_advances || G < toughness_ ||
+         (growth_.tension_only && K1 <= 0);
+}
+
+/// False: the tip stops, because its direction is not resolved.
+bool MovingCracks::finds_direction(std::size_t tip, const Seen& seen, double time, double& angle) {
+  const auto turn = turn_of(seen.factors, seen.errors, growth_.direction, problem_.section);
+  angle = turn.angle;
+  unseen_ |= !turn.known() && turn.resolved();
+  if (turn.resolved()) return true;
+  tips_[tip].ended = true;
+  stopped_.push_back({time, tip, tips_[tip].tip.position, turn.asked, turn.error});
+  return false;
+}
+
+/// Every tip sees the cracks as they are before any of them goes on.
+void MovingCracks::depart(const std::vector<Departure>& departures) {
+  const auto before = polylines(paths_);
+  for (const auto& [number, angle, time] : departures) {
+    auto& tip = tips_[number];
+    const auto way = advance(growth_, problem_.outline, before, spacing_, tip.tip, angle, turns(angle));
+    auto path = paths_[tip.tip.crack];
+    geometry::extend(path.vertices, tip.tip.at_back, way.to);
+    if (way.reached)
+      (tip.tip.at_back ? path.back : path.front) = way.reached->crack ? geometry::End::junction : geometry::End::mouth;
+    const auto severing = plate_.sever(path, tip.tip.at_back, way.length);
+    if (!severing) continue;  // another tip severs bonds of the same points: wait for it
+    paths_[tip.tip.crack] = std::move(path);
+    tip.running = Running{*severing, time, way.length / tip.speed, way.length, 0, tip.tip.position, way};
+    tip.tip.direction = (way.to - tip.tip.position).normalized();
+    tip.tip.position = way.to;
+    tip.since_look += way.length;
+    for (auto& other : tips_)  // what severs bonds in the rings of another gauge makes that wrong
+      if ((other.tip.position - way.to).norm() <= way.length + gauge_reach * spacing_) other.gauge.reset();
+    length_ += way.length, tip.length += way.length;
+  }
+}
+
+double MovingCracks::taken_lately(std::size_t tip) const {
+  double length = 0, spent = 0;
+  for (auto piece = pieces_.rbegin(); piece != pieces_.rend() && length < steady_length * spacing_ * (1 - 1e-9);
+       ++piece)
+    if (piece->tip == tip) {
+      const double gone = (piece->to - piece->from).norm();
+      length += gone, spent += piece->spent * gone;
+    }
+  return spent / length;
+}
+
+bool MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
+  const Running done = *tip.running;
+  tip.running.reset();
+  const double taken = done.spent / (toughness_ * done.length);
+  tip.spent += done.spent;
+  pieces_.push_back({done.begin, now.time, tip.tip.crack, tip.tip.at_back, done.from, tip.tip.position, taken,
+                     done.way.reached ? name_of(*done.way.reached) : "", std::size_t(&tip - tips_.data()), 0});
+  tip.ended = done.way.reached.has_value();
+  pieces_.back().tips = tips().size();
+  if (tip.ended) return false;
+  const auto number = std::size_t(&tip - tips_.data());
+  if (const double steady = taken_lately(number);
+      tip.length >= settled_after * spacing_ && (steady < least_taken || steady > most_taken)) {
+    tip.ended = true;
+    stopped_.push_back({now.time, number, tip.tip.position, 0, 0, steady});
+    return false;
+  }
+  tip.gauge.reset();
+  tip.next_look = now.step;
+  tip.recent.push_back({done.length, done.spent});
+  double length = 0, spent = 0;
+  for (const auto& [l, e] : tip.recent) length += l, spent += e;
+  while (length - tip.recent.front().first >= recent_length * spacing_ * (1 - 1e-9))
+    length -= tip.recent.front().first, spent -= tip.recent.front().second, tip.recent.pop_front();
+  // faster where more than the fracture energy was taken, by the last pieces and by all
+  const double lately = spent / (toughness_ * length), all = tip.spent / (toughness_ * tip.length);
+  tip.speed = std::clamp(tip.speed * std::pow(lately, gain) * std::pow(all, gain_of_all), least_speed * speed_limit_,
+                         speed_limit_);
+  const bool straight = growth_.direction == Growth::Direction::straight || tip.since_look < look_after * spacing_;
+  return lately >= 1 - alike && straight && !stays(tip, toughness_, 1);
+}
+
+void MovingCracks::before_force(const plate::Step& now) {
+  if (std::ranges::any_of(tips_, [](const auto& tip) { return tip.running.has_value(); }))
+    plate_.constraints().fetch(now.velocity);
+  std::vector<Departure> departures;
+  for (std::size_t i = 0; i < tips_.size(); ++i) {
+    auto& tip = tips_[i];
+    if (!tip.running) continue;
+    auto& running = *tip.running;
+    const double share = std::min(1.0, (now.time - running.begin) / running.duration);
+    const double spent = plate_.carry_on(running.severing, share, {now.state, now.velocity, now.time_step});
+    running.spent += spent, spent_ += spent;
+    const double end = running.begin + running.duration;
+    if (share >= 1 && arrive(tip, now)) departures.push_back({i, 0, end});
+  }
+  depart(departures);
+}
+
+void MovingCracks::after_force(const plate::Step& now, const plate::Forces& force) {
+  const auto& attached = plate_.base().attached();
+  plate::Forces
+      own;  // where something is attached, without that; where processes share the plate, with those of others
+  std::vector<std::pair<std::size_t, Seen>> looked;
+  bool any = false;  // does one of them start?
+  for (std::size_t i = 0; i < tips_.size(); ++i) {
+    auto& tip = tips_[i];
+    if (tip.running || tip.ended || now.step < tip.next_look) continue;
+    if ((plate::ranks() || !attached.parts().empty()) && own.size() == 0) {
+      own = force;
+      attached.take_force(now.state, own);
+      plate_.constraints().fetch(own);
+    }
+    const Seen seen = look(tip, now.state, own.size() > 0 ? own : force);
+    tip.ended = !seen.fits;
+    if (tip.ended) continue;
+    tip.next_look = now.step + look_every;
+    tip.since_look = 0;
+    any |= !stays(tip, seen.G, seen.factors.K1);
+    looked.emplace_back(i, seen);
+  }
+  std::vector<Departure> departures;
+  for (const auto& [i, seen] : looked) {
+    double angle = 0;
+    if (any && !stays(tips_[i], seen.G * (1 + alike), seen.factors.K1) && finds_direction(i, seen, now.time, angle))
+      departures.push_back({i, angle, now.time});
+  }
+  depart(departures);
+}
+
+}  // namespace fracture

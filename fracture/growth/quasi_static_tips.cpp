@@ -1,0 +1,352 @@
+#include "fracture/growth/quasi_static_tips.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "fracture/growth/archive.hpp"
+
+namespace fracture {
+namespace {
+
+constexpr double least_calibrated = 10;       // spacings of a tip: the lattice's steps are half of one
+constexpr double largest_calibration = 1.15;  // what is further off is wrong in another way
+constexpr double least_correction = 0.009;    // of a turn: half a degree
+constexpr double together = 0.01;  // of the largest energy release rate: twice what integrals scatter with the lattice
+constexpr double equal_release = 1e-6;  // of an energy release rate or a turn: what solvers leave between mirror images
+constexpr double contradiction = std::numbers::pi / 4;  // a turn that the end of a piece asks for after its own turn
+
+double in_degrees(double angle) {
+  return angle * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+std::string name_of(const geometry::Tip& tip) {
+  return fmt::format("the tip at ({:g}, {:g})", tip.position.x(), tip.position.y());
+}
+
+QuasiStaticTips::QuasiStaticTips(const Growth& growth, const plate::Section& section, const geometry::Outline& outline,
+                                 double spacing, std::vector<geometry::Polyline> cracks)
+    : growth_(growth),
+      section_(section),
+      outline_(outline),
+      spacing_(spacing),
+      toughness_(growth.fracture_energy * section.thickness),
+      cracks_(std::move(cracks)) {
+  for (const auto& crack : cracks_) record_.cracks.lines.push_back({crack, std::vector<double>(crack.size(), 0)});
+  for (const auto& tip : geometry::tips(geometry::crack_paths(outline_, cracks_, geometry::tolerance(outline_))))
+    numbers_.emplace_back(tip.crack, tip.at_back);
+}
+
+std::size_t QuasiStaticTips::number_of(const geometry::Tip& tip) const {
+  return std::size_t(std::ranges::find(numbers_, std::pair(tip.crack, tip.at_back)) - numbers_.begin());
+}
+
+bool QuasiStaticTips::may_grow(const LoadedTip& tip) const {
+  return tip.G && *tip.G > 0 && !(growth_.tension_only && tip.factors.K1 <= 0) && !growth_.held(tip.tip.position);
+}
+
+Loaded QuasiStaticTips::solve() {
+  do {
+    plate_ = solved_ ? *std::exchange(solved_, {}) : whole_load(cracks_);
+    if (!plate_.split.empty()) return {plate_.split, 0, 0, {}};
+  } while (break_through());
+  most_ = 0;
+  for (const auto& tip : plate_.tips)
+    if (may_grow(tip)) most_ = std::max(most_, *tip.G);
+  calibrate();
+  Loaded result{"", plate_.displacement, INFINITY, {}, plate_.held};
+  for (const auto& one : plate_.tips)
+    if (!one.G) result.unresolved = stays(one.tip);
+  moves_ = movers();
+  if (plate_.tips.empty())
+    result.end = End::no_tip_left;
+  else if (most_ == 0)
+    result.end = result.unresolved.empty() ? End::cannot_grow : End::not_resolved;
+  if (most_ == 0) return result;
+  result.critical = std::sqrt(toughness_ / (calibration() * most_));
+  result.error = load_error();
+  result.unresolved = unresolved();
+  return result;
+}
+
+/// Says once that a tip has no room for a ring, and nothing ahead of it to break through to.
+std::string QuasiStaticTips::stays(const geometry::Tip& tip) {
+  const auto why =
+      fmt::format("{} has no room for an energy release rate, and nothing is near ahead of it", name_of(tip));
+  if (std::ranges::none_of(warnings_, [&](const auto& one) { return one.starts_with(why); }))
+    warnings_.push_back(fmt::format("{}: it stays where it is; {}", why, remedy()));
+  return why;
+}
+
+/// Marks the tips that move: those within a percent of the largest energy release rate.
+std::vector<char> QuasiStaticTips::movers() const {
+  double least = most_;
+  for (const auto& tip : plate_.tips)
+    if (may_grow(tip) && *tip.G >= (1 - together) * most_) least = std::min(least, *tip.G);
+  std::vector<char> result;
+  for (const auto& tip : plate_.tips) result.push_back(may_grow(tip) && *tip.G >= (1 - equal_release) * least);
+  return result;
+}
+
+/// Relative error of the next load factor. Another tip may be the first within the errors of the release rates.
+double QuasiStaticTips::load_error() const {
+  double high = 0, low = 0;  // of the square root of the largest energy release rate
+  for (const auto& tip : plate_.tips) {
+    if (!may_grow(tip)) continue;
+    const double root = std::sqrt(*tip.G / most_);
+    high = std::max(high, root * (1 + tip.release_error)), low = std::max(low, root * (1 - tip.release_error));
+  }
+  return std::max(high - 1, 1 - low);
+}
+
+/// Why it is not known how the tips that move go on; empty: it is. Says once that some go straight on unseen.
+std::string QuasiStaticTips::unresolved() {
+  constexpr const char* straight = "directions of tips are not known within 30 degrees";
+  const auto found = turns_of(moves_);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!moves_[i]) continue;
+    const auto& [tip, K, G, errors, release_error] = plate_.tips[i];
+    if (release_error >= 1)
+      return fmt::format("the energy release rate at {} is not known within its own size; {}", name_of(tip), remedy());
+    if (!found[i].resolved())
+      return fmt::format(
+          "{} would turn by {:.0f} degrees, which is not known within {:.0f}; {}, or growth.direction = "
+          "\"straight\"",
+          name_of(tip), in_degrees(found[i].asked), in_degrees(found[i].error), remedy());
+    if (!found[i].known() &&
+        std::ranges::none_of(warnings_, [&](const auto& one) { return one.starts_with(straight); }))
+      warnings_.push_back(fmt::format("{}: they go straight on, first {}; {}", straight, name_of(tip), remedy()));
+  }
+  return {};
+}
+
+/// Turns of the tips that move. If one tip turns, the others turn too where their turn equals its error up to rounding.
+std::vector<Turn> QuasiStaticTips::turns_of(const std::vector<char>& moves) const {
+  const auto find = [&](double share) {
+    std::vector<Turn> result(plate_.tips.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (const auto& tip = plate_.tips[i]; moves[i])
+        result[i] = turn_of(tip.factors, tip.errors, growth_.direction, section_, share);
+    return result;
+  };
+  const auto result = find(1);
+  const bool any = std::ranges::any_of(result, [](const auto& one) { return turns(one.angle); });
+  return any ? find(1 - equal_release) : result;
+}
+
+/// What the last advance has really released under the whole load, of loads half of what its displacement has gained,
+/// beside what the energy release rates of its tips before and after it make of it.
+void QuasiStaticTips::calibrate() {
+  double predicted = 0, length = 0;
+  const auto moved = std::exchange(moved_, {});
+  for (const auto& [crack, at_back, G, gone] : moved) {
+    const auto now = std::ranges::find_if(plate_.tips, [tip = crack, back = at_back](const auto& one) {
+      return one.tip.crack == tip && one.tip.at_back == back;
+    });
+    if (now == plate_.tips.end()) return;  // broken through
+    predicted += gone * (G + *now->G) / 2;
+    length += gone / double(moved.size());
+  }
+  if (length == 0) return;
+  calibrated_ += length, predicted_ += predicted;
+  measured_ += (plate_.given() - last_given_) / 2;
+}
+
+/// Energy released over the one predicted, of all advances.
+double QuasiStaticTips::calibration() const {
+  return calibrated_ < least_calibrated * spacing_ * (1 - 1e-9)
+             ? 1
+             : std::clamp(measured_ / predicted_, 1 / largest_calibration, largest_calibration);
+}
+
+bool QuasiStaticTips::longest() const {
+  return std::ranges::any_of(cracks_, [&](const auto& crack) { return growth_.reached(geometry::length(crack)); });
+}
+
+std::vector<double> QuasiStaticTips::lengths() const {
+  std::vector<double> result;
+  for (const auto& crack : cracks_) result.push_back(geometry::length(crack));
+  return result;
+}
+
+void QuasiStaticTips::choose(const Equilibrium& state) {
+  if (state.ends) moves_.assign(plate_.tips.size(), 0);
+  const auto advance = double(state.advance);
+  draw_cracks(advance);
+  GrowthRow row{advance, {}, state.factor, state.displacement, {}, double(state.stable)};
+  if (std::isfinite(state.critical)) row.critical_load_factor = state.critical;
+  if (std::isfinite(state.critical) && std::isfinite(state.critical_error))
+    row.critical_load_factor_error = state.critical_error;
+  for (const double length : lengths()) row.crack_length += length;
+  row.tips = plate_.tips.size();
+  row.external_work = state.ledger.external_work, row.strain_energy = state.ledger.strain;
+  row.fracture_energy = state.ledger.fracture, row.released_energy = state.ledger.released();
+  record_.add(row);
+  for (std::size_t i = 0; i < plate_.tips.size(); ++i) {
+    const auto& [tip, K, G, errors, release_error] = plate_.tips[i];
+    TipRow one{advance, {}, double(number_of(tip)), double(tip.crack), tip.position.x(), tip.position.y()};
+    one.angle = in_degrees(std::atan2(tip.direction.y(), tip.direction.x()));
+    one.length = geometry::length(cracks_[tip.crack]);
+    one.moves = double(moves_[i]);
+    if (G) {
+      one.G = state.factor * state.factor * *G;
+      one.K1 = state.factor * K.K1, one.K2 = state.factor * K.K2, one.K3 = state.factor * K.K3;
+    }
+    record_.add(one);
+  }
+}
+
+/// Puts what the ends have gone since the last state before and behind the lines. Of pieces straight on, a crack keeps
+/// their end alone, a line all ends.
+void QuasiStaticTips::draw_cracks(double advance) {
+  const double tolerance = geometry::tolerance(outline_);
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    auto& [vertices, advances] = record_.cracks.lines[c];
+    auto crack = cracks_[c];
+    for (int end = 0; end < 2; ++end) {  // back, then front
+      auto next = crack.size() - 1;      // the first vertex beyond the line
+      while (next > 0 && geometry::distance({crack[next - 1], crack[next]}, vertices.back()) > tolerance) --next;
+      if ((crack[next] - vertices.back()).norm() <= tolerance) ++next;
+      advances.insert(advances.end(), crack.size() - next, advance);
+      vertices.insert(vertices.end(), crack.begin() + std::ptrdiff_t(next), crack.end());
+      for (auto* list : {&crack, &vertices}) std::ranges::reverse(*list);
+      std::ranges::reverse(advances);
+    }
+  }
+  const auto paths = geometry::crack_paths(outline_, cracks_, tolerance);
+  const auto tips = geometry::tips(paths);
+  record_.cracks.tips = post::given_cracks(paths).tips;
+  for (std::size_t i = 0; i < tips.size(); ++i) record_.cracks.tips[i].number = number_of(tips[i]);
+}
+
+const Record& QuasiStaticTips::record() {
+  draw_cracks(double(advances_));
+  return record_;
+}
+
+/// Tips without a ring that have something ahead; true where there were any.
+bool QuasiStaticTips::break_through() {
+  std::vector<geometry::Tip> tips;
+  std::vector<std::optional<TipAdvance>> ways;
+  for (const auto& one : plate_.tips) {
+    if (one.G) continue;
+    if (auto way = way_through(cracks_, one.tip)) tips.push_back(one.tip), ways.push_back(std::move(way));
+  }
+  if (tips.empty()) return false;
+  meet_halfway(tips, ways);
+  for (std::size_t i = 0; i < tips.size(); ++i) extend(tips[i], *ways[i]);
+  moved_.clear();  // what the last advance released cannot be told from this
+  ++advances_;
+  return true;
+}
+
+/// A piece that turns is laid twice: the path is curved, and its end tells by how much (theory.md, "Growth").
+void QuasiStaticTips::advance(double) {
+  const auto before = cracks_;
+  const double spent = fracture_;
+  std::vector<double> angles;
+  for (const auto& turn : turns_of(moves_)) angles.push_back(turn.angle);
+  lay(before, angles);
+  if (std::ranges::any_of(angles, turns)) {
+    auto trial = whole_load(cracks_);
+    if (auto why = contradicted(trial, angles); !why.empty()) return stay(before, spent, std::move(why));
+    if (correct(trial, angles)) {
+      cracks_ = before, fracture_ = spent;
+      moved_.clear();
+      lay(before, angles);
+    } else {
+      solved_ = std::move(trial);
+    }
+  }
+  last_given_ = plate_.given();
+  ++advances_;
+}
+
+void QuasiStaticTips::lay(const std::vector<geometry::Polyline>& before, const std::vector<double>& angles) {
+  const bool long_leg = std::ranges::any_of(angles, turns);  // tips that move together go as far
+  std::vector<geometry::Tip> tips;
+  std::vector<std::optional<TipAdvance>> ways(plate_.tips.size());
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    tips.push_back(plate_.tips[i].tip);
+    if (moves_[i]) ways[i] = fracture::advance(growth_, outline_, before, spacing_, tips[i], angles[i], long_leg);
+  }
+  meet_halfway(tips, ways);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (!ways[i]) continue;
+    extend(tips[i], *ways[i]);
+    moved_.push_back({tips[i].crack, tips[i].at_back, *plate_.tips[i].G, ways[i]->length});
+  }
+}
+
+/// Nothing has moved.
+void QuasiStaticTips::stay(const std::vector<geometry::Polyline>& before, double spent, std::string why) {
+  cracks_ = before, fracture_ = spent, stuck_ = std::move(why);
+  moved_.clear();
+  auto& [columns, rows] = record_.tips;
+  const auto moves = record_.tips.column("moves");
+  for (auto row = rows.end() - std::ptrdiff_t(plate_.tips.size()); row != rows.end(); ++row) (*row)[moves] = 0.0;
+}
+
+const LoadedTip* QuasiStaticTips::end_of(const LoadedPlate& trial, std::size_t mover) const {
+  const auto& tip = plate_.tips[mover].tip;
+  const auto end = std::ranges::find_if(
+      trial.tips, [&](const auto& one) { return one.tip.crack == tip.crack && one.tip.at_back == tip.at_back; });
+  return end == trial.tips.end() || !end->G ? nullptr : &*end;
+}
+
+/// After a turn a crack goes on smoothly: an end of a piece that asks for another large turn says that the first one
+/// was wrong.
+std::string QuasiStaticTips::contradicted(const LoadedPlate& trial, const std::vector<double>& angles) const {
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const auto* end = moves_[i] ? end_of(trial, i) : nullptr;
+    if (!end || !turns(angles[i])) continue;
+    const double further = kink_angle(end->factors, growth_.direction, section_);
+    if (std::abs(further) > contradiction)
+      return fmt::format("{} would turn by {:.0f} degrees, and five spacings on by {:.0f} more; {}",
+                         name_of(plate_.tips[i].tip), in_degrees(angles[i]), in_degrees(further), remedy());
+  }
+  return {};
+}
+
+/// Half of the turns that the ends of the pieces ask for; false where there are none to speak of.
+bool QuasiStaticTips::correct(const LoadedPlate& trial, std::vector<double>& angles) const {
+  bool changed = false;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const auto* end = moves_[i] ? end_of(trial, i) : nullptr;
+    if (!end) continue;
+    const double turn = turn_of(end->factors, end->errors, growth_.direction, section_).angle;
+    if (std::abs(turn) < least_correction) continue;
+    angles[i] += turn / 2;
+    changed = true;
+  }
+  return changed;
+}
+
+void QuasiStaticTips::extend(const geometry::Tip& tip, const TipAdvance& step) {
+  geometry::extend(cracks_[tip.crack], tip.at_back, step.to);
+  fracture_ += toughness_ * step.length;
+}
+
+/// Nothing has moved since the plate was solved, and no trial waits.
+template <typename Archive, typename Self>
+void QuasiStaticTips::memory(Archive& archive, Self& self) {
+  archive(self.record_, self.warnings_, self.cracks_, self.most_, self.moves_, self.last_given_, self.calibrated_,
+          self.measured_, self.predicted_, self.fracture_, self.advances_);
+}
+
+void QuasiStaticTips::remember(plate::OutArchive& archive) const {
+  memory(archive, *this);
+}
+
+void QuasiStaticTips::recall(plate::InArchive& archive) {
+  memory(archive, *this);
+  const auto warnings = warnings_;
+  plate_ = whole_load(cracks_);
+  warnings_ = warnings;  // those of the solution have been said
+}
+
+}  // namespace fracture

@@ -1,0 +1,57 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "plate/model/section.hpp"
+
+namespace geometry {
+struct Tessellation;
+}
+
+namespace plate {
+
+/// The section about every point of a plate: one for all where it is the same everywhere.
+class PointSections {
+public:
+  /// Of a section that is the same everywhere.
+  PointSections(const Section& section) : simple_(section.isotropic()), kinds_{LocalSection(section)} {}
+  /// Means over the parts of the cells that belong to each point. Throws Refused where a factor is not above 0.
+  PointSections(const Section& section, const geometry::Tessellation& cells);
+
+  const LocalSection& operator[](std::size_t k) const { return kinds_[uniform() ? 0 : k]; }
+  bool uniform() const { return kinds_.size() == 1; }
+  /// The same everywhere and without directions?
+  bool simple() const { return simple_ && uniform(); }
+  /// Mass that points carry beside that of the plate [mass]. `areas`: of the points.
+  void add_masses(const std::vector<double>& masses, const std::vector<double>& areas);
+  std::size_t bytes() const { return uniform() ? 0 : kinds_.size() * sizeof(LocalSection); }
+
+private:
+  bool simple_;
+  std::vector<LocalSection> kinds_;
+};
+
+/// Section forces per length and the equivalent stress at z = +h/2. M > 0 is tension on the z > 0 face.
+struct Resultants {
+  Eigen::Matrix3Xd moments;   // Mxx, Myy, Mxy [force]
+  Eigen::Matrix2Xd shear;     // Qx, Qy [force/length]
+  Eigen::VectorXd von_mises;  // [force/length^2]
+};
+
+/// Gradients at a point.
+struct Gradients {
+  Eigen::Matrix2d theta = Eigen::Matrix2d::Zero();  // row: theta_x, theta_y; column: d/dx, d/dy
+  Eigen::Vector2d shear = Eigen::Vector2d::Zero();  // gamma_xz, gamma_yz
+};
+
+/// Of moments Mxx, Myy, Mxy, at z = +h/2 [force/length^2].
+double von_mises(const Eigen::Vector3d& moments, const Section& section);
+
+/// Resultants of these points, not yet set.
+Resultants resultants_of(Eigen::Index points);
+
+/// Sets those of point k. `theta`: as in Gradients. `shear`: shear force [force/length].
+void set(Resultants& result, Eigen::Index k, const LocalSection& section, const Eigen::Matrix2d& theta,
+         const Eigen::Vector2d& shear);
+
+}  // namespace plate

@@ -1,0 +1,295 @@
+#include "plate/formulation/springs_and_stiffeners.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "geometry/cells/tessellation.hpp"
+#include "plate/formulation/foundations.hpp"
+#include "plate/formulation/interpolation.hpp"
+#include "plate/model/load_integration.hpp"
+#include "plate/model/problem.hpp"
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+/// A place of a beam and what carries it: rotations as shares of those of points, the deflection with what the
+/// rotations add to it in a plate without shear, w_i + (x - x_i) . psi_i / 2.
+struct Node {
+  Point at;
+  std::vector<Share> shares;
+  std::vector<Point> levers;  // half of the way from each point
+};
+
+using Sum = std::map<std::uint32_t, double>;  // factors of degrees of freedom
+
+void add_deflection(const Node& node, double factor, Sum& form) {
+  for (std::size_t i = 0; i < node.shares.size(); ++i) {
+    const auto [k, share] = node.shares[i];
+    form[3 * k] += factor * share;  // psi = (-theta_y, theta_x)
+    form[3 * k + 1] += factor * share * node.levers[i].y();
+    form[3 * k + 2] -= factor * share * node.levers[i].x();
+  }
+}
+
+void add_slope(const Node& node, const Point& along, double factor, Sum& form) {
+  for (const auto& [k, share] : node.shares) {
+    form[3 * k + 1] += factor * share * along.y();
+    form[3 * k + 2] -= factor * share * along.x();
+  }
+}
+
+/// Between two places: E I and G J by the difference of the slopes, and the shear angle by what makes it the cubic line
+/// of Hermite, one after the other with the beam's own shear.
+void add_element(const Stiffener& beam, const Node& a, const Node& b, AttachmentSum& sum) {
+  const Point way = b.at - a.at, along = way.normalized(), across(-along.y(), along.x());
+  const double length = way.norm();
+  const auto add = [&](double stiffness, const std::function<void(Sum&)>& fill) {
+    if (stiffness <= 0) return;
+    Sum form;
+    fill(form);
+    std::vector<FormTerm> terms;
+    for (const auto& [dof, factor] : form)
+      if (factor != 0) terms.push_back({dof, factor});
+    sum.add(stiffness, terms);
+  };
+  const auto difference = [&](const Point& direction) {
+    return [&, direction](Sum& form) { add_slope(b, direction, 1, form), add_slope(a, direction, -1, form); };
+  };
+  add(beam.bending / length, difference(along));
+  add(beam.torsion / length, difference(across));
+  const double cubic = 12 * beam.bending / (length * length);
+  add(beam.bending > 0 ? (beam.shear ? cubic / (1 + cubic / *beam.shear) : cubic) * length : 0, [&](Sum& form) {
+    add_deflection(b, 1 / length, form), add_deflection(a, -1 / length, form);
+    add_slope(a, along, -0.5, form), add_slope(b, along, -0.5, form);
+  });
+}
+
+Node point_node(std::uint32_t k, const geometry::Tessellation& cells) {
+  return {cells.positions[k], {{k, 1}}, {Point(0, 0)}};
+}
+
+/// visit(a, b) for all elements of a beam.
+void for_elements(const Stiffener& beam, const geometry::Tessellation& cells,
+                  const std::function<void(const Node&, const Node&)>& visit) {
+  for (const auto& border : cells.borders) {
+    if (border.edge == geometry::Curves::crack) continue;
+    if (std::ranges::find(beam.edges, cells.names[std::size_t(border.edge)]) == beam.edges.end()) continue;
+    visit(point_node(border.from, cells), point_node(border.to, cells));
+  }
+  if (beam.along.empty()) return;
+  const geometry::CellLocator locate(cells);
+  const auto node_at = [&](const Point& x) {
+    Node node{x, {}, {}};
+    for (const auto& share : interpolation(locate, cells.units.spacing, x))
+      if (std::abs(share.weight) > 1e-9)
+        node.shares.push_back({share.point, share.weight}),
+            node.levers.push_back((x - cells.positions[share.point]) / 2);
+    return node;
+  };
+  for (std::size_t i = 0; i + 1 < beam.along.size(); ++i) {
+    const Point &from = beam.along[i], way = beam.along[i + 1] - from;
+    const int count = std::max(1, int(std::lround(way.norm() / cells.units.spacing)));
+    std::optional<Node> last;
+    for (int n = 0; n <= count; ++n) {
+      const Point x = from + way * n / count;
+      auto next = cells.sees(x) ? std::optional(node_at(x)) : std::nullopt;
+      if (last && next) visit(*last, *next);
+      last = std::move(next);
+    }
+  }
+}
+
+}  // namespace
+
+void add_stiffener(const Stiffener& stiffener, const geometry::Tessellation& cells, AttachmentSum& sum) {
+  for_elements(stiffener, cells, [&](const Node& a, const Node& b) { add_element(stiffener, a, b, sum); });
+}
+
+std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells) {
+  std::vector<double> result;
+  for (const auto& beam : problem.stiffeners) {
+    if (beam.mass <= 0) continue;
+    result.resize(cells.positions.size(), 0);
+    for_elements(beam, cells, [&](const Node& a, const Node& b) {
+      for (const auto* node : {&a, &b})
+        for (const auto& [k, share] : node->shares) result[k] += beam.mass * (b.at - a.at).norm() / 2 * share;
+    });
+  }
+  return result;
+}
+
+namespace {
+
+using Form = std::vector<FormTerm>;
+
+/// A place of an edge or a line: its value as shares of the values of points, and what the rotations of the first of
+/// them add to the deflection there.
+struct Place {
+  std::vector<std::pair<std::uint32_t, double>> shares;
+  Point lever{0, 0};
+};
+
+Form deflection(const Place& at) {
+  Form form;
+  for (const auto& [k, share] : at.shares) form.push_back({3 * k, share});
+  const auto first = at.shares.front().first;
+  form.push_back({3 * first + 1, at.lever.y()});
+  form.push_back({3 * first + 2, -at.lever.x()});
+  return form;
+}
+
+/// Of psi = (-theta_y, theta_x) along a direction.
+Form slope(const Place& at, const Point& n) {
+  Form form;
+  for (const auto& [k, share] : at.shares) {
+    form.push_back({3 * k + 1, share * n.y()});
+    form.push_back({3 * k + 2, -share * n.x()});
+  }
+  return form;
+}
+
+/// A spring over a length of an edge or line with the unit normal n.
+void add_piece(const Spring& spring, double length, const Place& at, const Point& n, AttachmentSum& sum) {
+  if (spring.deflection > 0) sum.add(length * spring.deflection, deflection(at));
+  if (spring.rotation_normal > 0) sum.add(length * spring.rotation_normal, slope(at, n));
+  if (spring.rotation_tangential > 0) sum.add(length * spring.rotation_tangential, slope(at, {-n.y(), n.x()}));
+}
+
+void add_line(const Spring& spring, const std::vector<LinePiece>& pieces, const std::vector<Point>& positions,
+              AttachmentSum& sum) {
+  for (const auto& [k, middle, way] : pieces) {
+    const Point n = Point(way.y(), -way.x()) / way.norm();
+    add_piece(spring, way.norm(), {{{std::uint32_t(k), 1}}, middle - positions[k]}, n, sum);
+  }
+}
+
+void add_point(const Spring& spring, const std::vector<Point>& positions, std::size_t count, AttachmentSum& sum) {
+  const auto away = [&](const Point& x) { return (x - *spring.position).squaredNorm(); };
+  const auto end = positions.begin() + std::ptrdiff_t(count);
+  const auto k = std::uint32_t(std::ranges::min_element(positions.begin(), end, {}, away) - positions.begin());
+  const Place at{{{k, 1}}, *spring.position - positions[k]};
+  if (spring.deflection > 0) sum.add(spring.deflection, deflection(at));
+  for (const Point& n : {Point(1, 0), Point(0, 1)})
+    if (spring.rotation > 0) sum.add(spring.rotation, slope(at, n));
+}
+
+/// What the points beside an edge have of it: length, and where its middle is.
+struct Stretch {
+  double length = 0;
+  Point moment{0, 0}, normal{0, 0};  // integrals of the place and of the outward normal
+};
+
+/// Loads on an edge: forces beside any others, moments and nothing else.
+struct EdgeLoads {
+  bool shear = false, moments_alone = false;
+};
+
+EdgeLoads loads_on(const std::string& edge, const Problem& problem) {
+  EdgeLoads result{false, !problem.loads.empty()};
+  for (const auto& load : problem.loads) {
+    const bool here = std::ranges::find(load.edges, edge) != load.edges.end();
+    result.shear |= here && load.kind == Load::Kind::edge_shear;
+    result.moments_alone &= here && load.kind == Load::Kind::edge_moment;
+  }
+  return result;
+}
+
+/// A spring and the strip of the plate between the edge and the point next to it, `away` wide, one after the other. A
+/// force on the same edge acts at that point too and must not pass through the strip: then the spring alone; also under
+/// moments, but for other loads the strip turns.
+Spring behind(Spring spring, double away, const Section& section, const EdgeLoads& loads) {
+  const auto soften = [&](double& stiffness, double of_plate) { stiffness /= 1 + stiffness * away / of_plate; };
+  const double D = section.bending_stiffness();
+  if (!loads.shear) soften(spring.deflection, section.shear_stiffness());
+  if (loads.moments_alone) return spring;
+  soften(spring.rotation_normal, D);
+  soften(spring.rotation_tangential, D * (1 - section.poisson) / 2);
+  return spring;
+}
+
+void add_edges(const Spring& spring, const Problem& problem, const geometry::Cloud& cloud, AttachmentSum& sum) {
+  for (const auto& name : spring.edges) {
+    const auto loads = loads_on(name, problem);
+    for (const auto& border : edge_borders(name, cloud, problem.outline)) {
+      std::map<std::uint32_t, Stretch> by_point;
+      for (const auto& [middle, normal] : border.pieces) {
+        auto& stretch = by_point[nearest(border.near, cloud, middle)];
+        stretch.length += normal.norm(), stretch.moment += normal.norm() * middle, stretch.normal += normal;
+      }
+      for (const auto& [k, stretch] : by_point) {
+        const Point n = stretch.normal.normalized(), lever = stretch.moment / stretch.length - cloud.positions[k];
+        const double away = std::max(0.0, lever.dot(n));
+        add_piece(behind(spring, away, problem.section, loads), stretch.length, {{{k, 1}}, lever}, n, sum);
+      }
+    }
+  }
+}
+
+/// Between the ends of a piece all is linear; two places of Gauss are exact for its square.
+void add_edges(const Spring& spring, const geometry::Tessellation& cells, AttachmentSum& sum) {
+  const double gauss = (1 - 1 / std::sqrt(3.0)) / 2;
+  for (const auto& border : cells.borders) {
+    if (border.edge == geometry::Curves::crack) continue;
+    if (std::ranges::find(spring.edges, cells.names[std::size_t(border.edge)]) == spring.edges.end()) continue;
+    const Point way = cells.positions[border.to] - cells.positions[border.from];
+    for (const double at : {gauss, 1 - gauss})
+      add_piece(spring, way.norm() / 2, {{{border.from, 1 - at}, {border.to, at}}},
+                Point(way.y(), -way.x()) / way.norm(), sum);
+  }
+}
+
+/// `found(foundation, sum)`, `hold(spring, sum)`, `stiffen(stiffener, sum)`: what they add.
+template <typename Found, typename Hold, typename Stiffen>
+AttachedStiffness all(const Problem& problem, std::size_t points, const Found& found, const Hold& hold,
+                      const Stiffen& stiffen) {
+  std::vector<Attachment> parts;
+  for (std::size_t i = 0; i < problem.foundations.size(); ++i) {
+    AttachmentSum sum(points);
+    found(problem.foundations[i], sum);
+    parts.push_back(std::move(sum).taken(fmt::format("foundation{}", i), std::nullopt));
+  }
+  for (std::size_t i = 0; i < problem.springs.size(); ++i) {
+    AttachmentSum sum(points);
+    hold(problem.springs[i], sum);
+    parts.push_back(std::move(sum).taken(fmt::format("spring{}", i), problem.springs[i].position));
+  }
+  for (std::size_t i = 0; i < problem.stiffeners.size(); ++i) {
+    AttachmentSum sum(points);
+    stiffen(problem.stiffeners[i], sum);
+    parts.push_back(std::move(sum).taken(fmt::format("stiffener{}", i), std::nullopt, false));
+  }
+  return AttachedStiffness(std::move(parts));
+}
+
+}  // namespace
+
+AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Cloud& cloud) {
+  return all(
+      problem, cloud.size(), [&](const Foundation& one, AttachmentSum& sum) { add_foundation(one, cloud, sum); },
+      [&](const Spring& one, AttachmentSum& sum) {
+        add_edges(one, problem, cloud, sum);
+        if (!one.along.empty())
+          add_line(one, line_pieces(one.along, cloud, crack_paths(problem)), cloud.positions, sum);
+        if (one.position && cloud.seeded(*one.position)) add_point(one, cloud.positions, cloud.plate_points, sum);
+      },
+      [](const Stiffener&, AttachmentSum&) {});  // refused before
+}
+
+AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Tessellation& cells) {
+  const auto points = cells.positions.size();
+  return all(
+      problem, points, [&](const Foundation& one, AttachmentSum& sum) { add_foundation(one, cells, sum); },
+      [&](const Spring& one, AttachmentSum& sum) {
+        add_edges(one, cells, sum);
+        if (!one.along.empty()) add_line(one, line_pieces(one.along, cells), cells.positions, sum);
+        if (one.position && cells.sees(*one.position)) add_point(one, cells.positions, points, sum);
+      },
+      [&](const Stiffener& one, AttachmentSum& sum) { add_stiffener(one, cells, sum); });
+}
+
+}  // namespace plate

@@ -1,0 +1,63 @@
+#pragma once
+#include <vector>
+
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/model/nodal_forces.hpp"
+
+namespace plate {
+
+struct Boundary;
+struct Side;
+
+/// What is held, where settlements move what holds it: every rule of a support is one for the difference from the
+/// motion of the support (theory.md, "Supports that move"). Without settlements everything here is empty.
+class MovedSupports {
+public:
+  using Offsets = std::vector<Constraints::Offset>;
+  using Leaders = std::vector<Constraints::Leader>;
+
+  /// `boundary` must outlive this.
+  MovedSupports(const Boundary& boundary, const std::vector<SupportMotion>& motions)
+      : boundary_(&boundary), motions_(motions) {}
+
+  /// Of a degree of freedom that a side holds by these leaders.
+  Offsets of(std::uint32_t dof, const Side& side, const Leaders& leaders) const;
+  /// Of the image in `second` of the image in `first` of a point, with the signs by which each follows the other.
+  Offsets of_corner(std::uint32_t image, std::uint32_t point, std::uint32_t component, const Side& first,
+                    double first_sign, const Side& second, double second_sign) const;
+  /// Of the body of a support at a place: component 0 to 2 of w, theta_x, theta_y.
+  Offsets inside(std::size_t support, const geometry::Point& x, std::uint32_t component) const;
+
+private:
+  Eigen::Vector3d at(const SupportMotion& motion, const geometry::Point& lattice, const Side& side) const;
+  bool moves(const SupportMotion& motion, const Side& side) const;
+
+  const Boundary* boundary_;
+  std::vector<SupportMotion> motions_;
+};
+
+class MovedSupports;
+struct Problem;
+
+/// Adds what supports along lines and on parts of the plate hold. Of a part: the points in it. Along a line: at every
+/// point next to it the value at the piece of the line that is next to the point, w + (x - x_k) . psi.
+void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const MovedSupports& moved);
+
+/// Fixes w, and of a clamp the rotations, of a point for a holder.
+void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const MovedSupports& moved);
+
+/// The same for a place next to a point: w + (x - x_k) . psi is held there, or of a clamp the point itself.
+void hold_place(Boundary& boundary, std::uint32_t point, const geometry::Point& at, std::uint32_t holder,
+                const MovedSupports& moved);
+
+/// Places that lie on the lines and boundaries of parts that supports hold, at most `spacing` apart [length]; none
+/// nearer to edges and cracks than half of that.
+std::vector<geometry::Point> places_inside(const std::vector<Support>& supports, const geometry::Outline& outline,
+                                           const std::vector<geometry::CrackPath>& cracks, double spacing);
+
+/// The places where loads and supports act, which get a point of their own. `spacing`: between those on lines.
+std::vector<geometry::Point> own_places(const Problem& problem, const std::vector<geometry::CrackPath>& paths,
+                                        double spacing);
+
+}  // namespace plate

@@ -1,0 +1,391 @@
+#include "plate/galerkin/discretised_cells.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+#include "geometry/cells/shared_lattice.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "geometry/shape/predicates.hpp"
+#include "plate/formulation/springs_and_stiffeners.hpp"
+#include "plate/formulation/support_constraints.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/galerkin/operator.hpp"
+#include "plate/galerkin/part_of_cells.hpp"
+#include "plate/galerkin/supports.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/solve/reduction.hpp"
+
+namespace plate {
+
+using geometry::Tessellation;
+
+namespace {
+
+/// Where loads, springs and supports act at a point, and stay there.
+std::vector<geometry::Point> places_of_forces(const Problem& c) {
+  std::vector<geometry::Point> result;
+  for (const auto& load : c.loads)
+    if (load.kind == Load::Kind::point_force && !load.moves()) result.push_back(load.position);
+  for (const auto& spring : c.springs)
+    if (spring.position) result.push_back(*spring.position);
+  for (const auto& support : c.supports) result.insert(result.end(), support.points.begin(), support.points.end());
+  return result;
+}
+
+}  // namespace
+
+namespace {
+
+/// Edges beside which twist and shear change within the layer h / sqrt(12 k_s).
+std::vector<std::string> layered_edges(const Problem& c) {
+  auto result = geometry::edge_names({c.outline.outer, {}});
+  const auto holds = [](const Support& support) {
+    return support.kind != SupportKind::free && support.kind != SupportKind::simply_supported;
+  };
+  std::erase_if(result, [&](const std::string& name) {
+    return std::ranges::any_of(c.supports, [&](const Support& support) {
+      return holds(support) && std::ranges::find(support.edges, name) != support.edges.end();
+    });
+  });
+  return result;
+}
+
+/// Corners at which the plate takes more than 200 degrees: fields are singular there.
+std::vector<geometry::Point> reentrant_corners(const std::vector<geometry::Point>& outer) {
+  const double least = std::sin(20 * std::numbers::pi / 180);
+  std::vector<geometry::Point> result;
+  const auto at = [&](std::size_t i) -> const geometry::Point& { return outer[i % outer.size()]; };
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    const geometry::Point in = (at(i + 1) - at(i)).normalized(), out = (at(i + 2) - at(i + 1)).normalized();
+    const double turn = geometry::cross(in, out);
+    if (turn < -least || (turn < 0 && in.dot(out) < 0)) result.push_back(at(i + 1));
+  }
+  return result;
+}
+
+}  // namespace
+
+geometry::Grading grading_of(const Problem& c, double factor) {
+  constexpr double of_growth = 7;             // a layer that spacings of it at the edge and this growth see: theory.md
+  constexpr double layers = 2, beyond = 0.5;  // where spacings grow as at tips, and how farther away
+  const auto& d = c.discretization;
+  const auto times = [&](std::optional<double> spacing) {
+    return spacing ? std::optional(factor * *spacing) : spacing;
+  };
+  geometry::Grading result{times(d.tip_spacing), times(d.hole_spacing), d.spacing_growth, places_of_forces(c)};
+  for (const auto& support : c.supports)
+    if (support.patch) result.parts.push_back(*support.patch);
+  if (!d.tip_spacing) return result;
+  const double wide = d.spacing_growth * d.spacing, layer = c.section.layer();
+  const double at_edges = std::max({wide, std::sqrt(wide * layer), of_growth * d.spacing_growth * layer});
+  result.corners = reentrant_corners(c.outline.outer.vertices);
+  result.at_corners = factor * wide / 2;
+  if (at_edges < 0.7 * d.spacing)
+    for (auto& name : layered_edges(c))
+      result.edges.push_back({.name = std::move(name),
+                              .spacing = factor * at_edges,
+                              .layer = layers * layer,
+                              .beyond = std::max(d.spacing_growth, beyond)});
+  return result;
+}
+
+Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
+  const double spacing = factor * c.discretization.spacing;
+  return geometry::tessellation(c.outline, paths, spacing, own_places(c, paths, spacing), grading_of(c, factor));
+}
+
+namespace {
+
+WholeCells whole_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor, bool shared) {
+  const auto& d = c.discretization;
+  if (!shared || d.tip_spacing || d.hole_spacing) return cells_of(c, paths, factor);
+  const double spacing = factor * d.spacing;
+  return geometry::WholeLattice(c.outline, paths, spacing, own_places(c, paths, spacing));
+}
+
+}  // namespace
+
+WholeCells whole_cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
+  return whole_cells(c, paths, factor, ranks() != nullptr);
+}
+
+WholeCells required_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, bool shared) {
+  try {
+    return whole_cells(c, paths, 1, shared);
+  } catch (const std::invalid_argument& error) {
+    throw Refused({{Subject::geometry, 0, fmt::format("{}; refine", error.what())}});
+  } catch (const std::length_error& error) {
+    throw Refused({{Subject::spacing, 0, fmt::format("{:g} given makes {}", c.discretization.spacing, error.what())}});
+  }
+}
+
+std::vector<double> cut_share(const Tessellation& cells, const std::vector<double>& areas) {
+  std::map<std::pair<double, double>, double> around;
+  std::vector<char> faces(areas.size(), 0);
+  for (const auto& border : cells.borders)
+    if (border.edge == geometry::Curves::crack) faces[border.from] = faces[border.to] = 1;
+  const auto place = [&](std::size_t k) { return std::pair(cells.positions[k].x(), cells.positions[k].y()); };
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    if (faces[k]) around[place(k)] += areas[k];
+  std::vector<double> result(areas.size(), 0);
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    if (faces[k]) result[k] = 1 - areas[k] / around.at(place(k));
+  return result;
+}
+
+namespace {
+
+/// Where the load acts on points.
+struct Acting {
+  Forces forces;
+  std::shared_ptr<const MovingForces> moving;
+};
+
+/// What this process sees of the plate, or all of it, and what of that it keeps.
+class Plan {
+public:
+  Plan(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole) : problem_(problem) {
+    if (const Ranks* all = ranks())
+      share(*all, std::move(paths), std::move(whole));
+    else
+      keep_all(std::move(paths), std::move(std::get<Tessellation>(whole)));
+  }
+
+  LaidOut laid_out() && {
+    auto& layout = *layout_;
+    auto families = part_ ? galerkin_families(cells_, inside_) : galerkin_families(cells_);
+    require_few_neighbours(families);
+    require_consistent(families);
+    layout.sections.emplace(problem_.section, cells_);
+    layout.sections->add_masses(masses_, families.areas);
+    layout.pieces = pieces(layout.boundary, families.families);
+    for (std::size_t i = 0; i < problem_.loads.size(); ++i) add(problem_.loads[i], std::move(acting_[i]), families);
+    if (!part_) return {std::move(layout), std::move(cells_), std::move(families), {}, {}};
+    return {std::move(layout), std::move(cells_), std::move(families), std::move(part_->number),
+            std::move(part_->stretch)};
+  }
+
+private:
+  Boundary boundary_of(const Tessellation& cells, const std::vector<double>& areas) const {
+    auto result = galerkin_boundary(cells, areas, geometry::to_lattice(problem_.outline, cells.units),
+                                    problem_.supports, support_motions(problem_));
+    result.attached = attached_stiffness(problem_, cells);
+    return result;
+  }
+
+  void keep_all(std::vector<geometry::CrackPath> paths, Tessellation cells) {
+    const auto areas = areas_of(cells);
+    const auto tips = geometry::tips(paths);
+    layout_.emplace(Layout{problem_, std::move(paths), tips, boundary_of(cells, areas), cut_share(cells, areas), {}});
+    masses_ = stiffener_masses(problem_, cells);
+    for (const auto& load : problem_.loads)
+      acting_.push_back(
+          {nodal_forces(load, cells, areas),
+           load.moves() ? std::make_shared<MovingForces>(moving_forces(load, cells, areas.size())) : nullptr});
+    cells_ = std::move(cells);
+  }
+
+  void share(const Ranks& all, std::vector<geometry::CrackPath> paths, WholeCells whole) {
+    const auto tips = geometry::tips(paths);
+    inside_ = about_first_inside(whole);
+    const auto seen = seen_cells(all, problem_, whole, tips);
+    const auto& cells = seen.cells;
+    const auto areas = areas_of(cells);
+    auto boundary = boundary_of(cells, areas);
+    part_ = part_of_cells(all, problem_, seen, boundary.attached, tips);
+    boundary = restricted(boundary, *part_, problem_.loads.size());
+    const auto& part = part_->part;
+    layout_.emplace(
+        Layout{problem_, std::move(paths), tips, std::move(boundary), restricted(cut_share(cells, areas), part), {}});
+    masses_ = restricted(stiffener_masses(problem_, cells), part);
+    std::vector<char> own;
+    for (const int owner : seen.owners) own.push_back(owner == all.rank());
+    for (const auto& load : problem_.loads) {
+      auto& acting = acting_.emplace_back(restricted(nodal_forces(load, cells, areas, own), part), nullptr);
+      if (load.moves())
+        acting.moving =
+            std::make_shared<MovingForces>(restricted(moving_forces(load, cells, areas.size(), own), *part_));
+    }
+    cells_ = std::move(part_->part.cells);
+  }
+
+  /// Vertices and places far closer together than points are give points near them more neighbours than are kept.
+  void require_few_neighbours(const GalerkinFamilies& families) const {
+    constexpr double most = 32, wanted = 5;  // neighbours; times the distance of the places
+    std::size_t worst = 0;
+    const auto count = [&](std::size_t k) { return families.families[k].size(); };
+    for (std::size_t k = 0; k < families.areas.size(); ++k)
+      if (count(k) > count(worst)) worst = k;
+    const double largest = largest_of_all(double(count(worst)));
+    if (largest <= most) return;
+    const geometry::Point& x = cells_.positions[worst];
+    double near = geometry::distance_to_boundary(problem_.outline, x);
+    Refusal refusal{Subject::geometry, 0, "corners"};
+    for (std::size_t i = 0; i < problem_.cracks.size(); ++i)
+      if (const double away = geometry::distance(problem_.cracks[i], x); away < near)
+        near = away, refusal = {Subject::crack, i, "vertices or further cracks"};
+    refusal.what = fmt::format(
+        "{} about ({:.4g}, {:.4g}) are far closer together than points: take fewer, or discretization.spacing = {:.2g}",
+        refusal.what, x.x(), x.y(),
+        std::min(wanted * usual_distance(families, worst), problem_.discretization.spacing / 2));
+    throw Refused({refusal});
+  }
+
+  /// Of the neighbours of a point from the next one of them: the median.
+  double usual_distance(const GalerkinFamilies& families, std::size_t k) const {
+    std::vector<double> least;
+    for (const auto& one : families.families[k]) {
+      least.push_back(INFINITY);
+      for (const auto& other : families.families[k])
+        if (const double away = (cells_.positions[one.neighbour] - cells_.positions[other.neighbour]).norm(); away > 0)
+          least.back() = std::min(least.back(), away);
+    }
+    std::ranges::nth_element(least, least.begin() + std::ptrdiff_t(least.size() / 2));
+    return least[least.size() / 2];
+  }
+
+  void require_consistent(const GalerkinFamilies& families) const {
+    const auto residuals = consistency_residuals(families, cells_, layout_->boundary.own);
+    if (std::max(residuals.first, residuals.second) > 1e-10)
+      throw std::logic_error(fmt::format("families are not variationally consistent: {:.2e}, {:.2e} spacings",
+                                         residuals.first, residuals.second));
+  }
+
+  void add(const Load& load, Acting acting, const GalerkinFamilies& families) {
+    auto& layout = *layout_;
+    const auto points = families.areas.size();
+    TimedLoad result{std::move(acting.forces), load.history,
+                     free_curvature(load, problem_.section, layout.boundary.cloud.positions, points)};
+    if (result.curvature.size() > 0)
+      result.forces = force_of_curvature(families, problem_.section, result.curvature, layout.boundary.own);
+    result.lift = layout.boundary.constraints.lift(layout.loads.size(), points);
+    if (part_ && load.kind == Load::Kind::settlement && result.lift.cols() == 0)
+      result.lift = State::Zero(3, Eigen::Index(points));  // all have one, also those that do not see what moves
+    result.moving = std::move(acting.moving);
+    if (load.gravity && !layout.sections->uniform())  // the load has its value where the section has its own mass
+      for (Eigen::Index k = 0; k < result.forces.cols(); ++k)
+        result.forces.col(k) *= (*layout.sections)[std::size_t(k)].mass / problem_.section.mass();
+    layout.loads.push_back(std::move(result));
+  }
+
+  const Problem& problem_;
+  std::optional<PartOfCells> part_;  // where several processes share the plate
+  Tessellation cells_;               // that are kept
+  Tessellation inside_;              // those about the first point inside a lattice that is shared
+  std::vector<double> masses_;
+  std::vector<Acting> acting_;  // by loads
+  std::optional<Layout> layout_;
+};
+
+}  // namespace
+
+LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole,
+                 Stopwatch& stopwatch) {
+  auto result = Plan(problem, std::move(paths), std::move(whole)).laid_out();
+  stopwatch.lap("families");
+  return result;
+}
+
+namespace {
+
+using geometry::CellBox;
+using geometry::Point;
+
+/// A plate and its shares, where points are counted by boxes of cells.
+struct Shares {
+  geometry::LatticeUnits units;
+  std::vector<double> points;  // of every process
+  std::vector<CellBox> boxes;  // about these
+  std::function<double(const CellBox&)> count;
+  bool whole = false;
+};
+
+Shares shares_of(const geometry::WholeLattice& lattice, int processes) {
+  const geometry::SharedLattice shared(lattice, processes);
+  Shares result{lattice.units(), {}, {}, {}, false};
+  for (int one = 0; one < processes; ++one) {
+    const auto& part = shared.part(one);
+    result.points.push_back(double(part.points));
+    result.boxes.push_back(geometry::box_between(lattice.units(), part.low, part.high));
+  }
+  result.count = [&lattice](const CellBox& box) {
+    double found = 0;
+    for (long j = std::max(0L, box.low[1]); j < std::min(box.high[1], lattice.points().rows()); ++j)
+      for (const auto& run : lattice.points().row(j))
+        found += double(std::max(0L, std::min<long>(run.to, box.high[0]) - std::max<long>(run.from, box.low[0])));
+    for (const auto& x : lattice.others()) found += box.contains(geometry::cell_of(x));
+    return found;
+  };
+  return result;
+}
+
+Shares shares_of(const geometry::Tessellation& cells, int processes) {
+  const auto owners = geometry::shared_out(cells, processes);
+  Shares result{cells.units, std::vector<double>(std::size_t(processes), 0), {}, {}, true};
+  std::vector<Point> low(result.points.size(), Point::Constant(INFINITY)), high(low.size(), -low.front());
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    const auto one = std::size_t(owners[k]);
+    ++result.points[one];
+    low[one] = low[one].cwiseMin(cells.positions[k]), high[one] = high[one].cwiseMax(cells.positions[k]);
+  }
+  for (std::size_t one = 0; one < low.size(); ++one)
+    result.boxes.push_back(geometry::box_between(cells.units, low[one], high[one]));
+  result.count = [&cells](const CellBox& box) {
+    return double(std::ranges::count_if(
+        cells.positions, [&](const Point& x) { return box.contains(geometry::cell_of(cells.units.to_lattice(x))); }));
+  };
+  return result;
+}
+
+/// Points within `reach` of a place, but for those in a box.
+double beyond(const Shares& shares, const Point& x, double reach, const CellBox& box) {
+  const Point at = shares.units.to_lattice(x);
+  const double radius = reach / shares.units.spacing;
+  double found = 0;
+  for (auto j = long(std::floor(at.y() - radius)); double(j) <= at.y() + radius; ++j) {
+    const double half = std::sqrt(std::max(0.0, radius * radius - std::pow(double(j) - at.y(), 2)));
+    const CellBox row{{long(std::ceil(at.x() - half)), j}, {long(std::floor(at.x() + half)) + 1, j + 1}};
+    found += shares.count(row);
+    if (const auto both = common(row, box); !is_empty(both)) found -= shares.count(both);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<ForetoldPart> foretold_parts(const Problem& problem, int processes) {
+  constexpr long seen = 4, rings = 3;  // cells about own points, and about these: part_of_cells(), cells_about()
+  const auto paths = crack_paths(problem);
+  const auto& d = problem.discretization;
+  const bool graded = d.tip_spacing || d.hole_spacing;
+  const auto whole = required_cells(problem, paths, true);
+  require_parts(whole, processes);
+  const auto shares = std::visit([&](const auto& cells) { return shares_of(cells, processes); }, whole);
+  std::vector<ForetoldPart> result;
+  for (std::size_t one = 0; one < shares.boxes.size(); ++one) {
+    const auto box = shares.boxes[one].grown(seen + rings);
+    ForetoldPart part{shares.points[one], shares.count(box), 0, graded};
+    std::vector<CellBox> looked_at{box};
+    for (const auto& tip : geometry::tips(paths)) {
+      if (!shares.boxes[one].contains(geometry::cell_of(shares.units.to_lattice(tip.position)))) continue;
+      const double reach = reach_about_tip(problem, tip) + (graded ? 0 : rings * d.spacing);
+      part.seen += beyond(shares, tip.position, reach, box);
+      const Point corner = Point::Constant(reach);
+      looked_at.push_back(geometry::box_between(shares.units, tip.position - corner, tip.position + corner));
+    }
+    for (std::size_t other = 0; other < shares.boxes.size(); ++other)
+      part.neighbours += other != one && std::ranges::any_of(looked_at, [&](const CellBox& cells) {
+                           return !is_empty(common(cells, shares.boxes[other]));
+                         });
+    result.push_back(part);
+  }
+  return result;
+}
+
+}  // namespace plate

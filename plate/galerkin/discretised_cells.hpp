@@ -1,0 +1,54 @@
+#pragma once
+#include <vector>
+
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/layout.hpp"
+#include "plate/galerkin/families.hpp"
+#include "plate/galerkin/part_of_cells.hpp"
+
+namespace plate {
+
+/// The points and cells of a plate with all spacings `factor` times as wide. Throws std::invalid_argument where cracks
+/// and edges are too close to each other for them.
+geometry::Tessellation cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
+
+/// The same; where processes share them and they are on a lattice, what tells them.
+WholeCells whole_cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
+/// Those of the plate. `shared`: whether processes share them, or are to.
+/// @throws Refused  cracks and edges are too close to each other, or the points too many to be numbered
+WholeCells required_cells(const Problem& problem, const std::vector<geometry::CrackPath>& paths, bool shared);
+
+/// The share of what lies about a place that other points there stand for: both faces of a crack, parted from each
+/// other.
+std::vector<double> cut_share(const geometry::Tessellation& cells, const std::vector<double>& areas);
+
+/// A Galerkin plate before its forces; where several processes share it, the part of this one.
+struct LaidOut {
+  Layout layout;
+  geometry::Tessellation cells;
+  GalerkinFamilies families;
+  // where processes share the plate:
+  std::vector<std::uint32_t> number;   // of every point in the whole
+  std::vector<std::uint32_t> stretch;  // of GalerkinOperator
+};
+
+/// Of a lattice that processes share, each makes the points and cells about its own part, with their supports and nodal
+/// forces, and keeps its part; of graded points all make those of the whole plate.
+/// @throws Refused
+LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole,
+                 Stopwatch& stopwatch);
+
+struct Problem;
+
+/// What one of some processes will have of a Galerkin plate that they share.
+struct ForetoldPart {
+  double points = 0, seen = 0;  // its own; with others' that it has copies of
+  double neighbours = 0;        // whose points these are
+  bool whole = false;           // makes all points before it keeps these
+};
+
+/// Told without processes: the shares of a lattice by its rows, of graded points by the points themselves.
+/// @throws Refused  too few points, or rows of them, for so many processes
+std::vector<ForetoldPart> foretold_parts(const Problem& problem, int processes);
+
+}  // namespace plate

@@ -1,0 +1,94 @@
+#pragma once
+#include "plate/formulation/formulation.hpp"
+#include "plate/galerkin/operator.hpp"
+#include "plate/galerkin/supports.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/model/state.hpp"
+#include "plate/solve/factorised_plate.hpp"
+
+namespace plate {
+
+/// Sums of what several processes have of points that one of them owns.
+class SumByOwners {
+public:
+  /// `all` must outlive this.
+  SumByOwners(const Ranks& all, std::vector<Copy> copies);
+
+  /// Adds what copies have to the points that they are copies of, and leaves zero on them. All call it at once.
+  void add(Forces& forces) const;
+
+private:
+  const Ranks& all_;
+  std::vector<std::vector<std::uint32_t>> sent_;      // to every process: these copies
+  std::vector<std::vector<std::uint32_t>> received_;  // from every process: of these own points
+};
+
+/// From the points of a coarser plate to those of a finer one, or back: what every point takes of others.
+struct LevelTransfer {
+  struct Share {
+    std::uint32_t other;
+    double weight, x, y;  // x, y: half the weight times the way from there [length]
+  };
+  std::vector<std::size_t> first;
+  std::vector<Share> shares;
+};
+
+/// To points of a finer plate from the cells of a coarser one. `own`: the points that take anything; empty: all.
+LevelTransfer transfer_to(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse,
+                          const std::vector<char>& own = {});
+
+class SumByOwners;
+
+/// A Galerkin plate with its supports; `seen`: geometry::seen_positions() of its cells.
+struct GalerkinLevel {
+  geometry::Tessellation cells;
+  std::vector<geometry::Point> seen;
+  Boundary boundary;
+  GalerkinOperator plate;
+  // where processes share the plates:
+  LevelTransfer to_finer = {};                  // from its points
+  std::shared_ptr<const SumByOwners> sum = {};  // of forces on its points
+};
+
+/// The same plate on coarser and coarser points, the last of them factorised, between Jacobi sweeps on each (theory.md,
+/// "Statics"): rotations interpolated in the coarser cells, the deflection with what the rotations add to it in a plate
+/// without shear.
+class GalerkinLevels : public Preconditioner {
+public:
+  /// `plate`, `constraints` and `seen` must outlive this. `coarser`: at least one.
+  GalerkinLevels(const GalerkinOperator& plate, const Constraints& constraints,
+                 const std::vector<geometry::Point>& seen, std::vector<GalerkinLevel> coarser);
+
+  void apply(const Forces& residual, State& result) const override;
+
+  std::size_t bytes() const override;
+
+private:
+  using Transfer = LevelTransfer;  // from the points of the next coarser plate to those of this one, and back
+  struct Sweeps {
+    const GalerkinOperator* plate;
+    const Constraints* constraints;
+    Forces inverse_diagonal;  // times the weight of a sweep
+    Transfer from_coarser, to_coarser;
+    mutable Forces rest, product, coarse_force;
+    mutable State coarse;
+  };
+
+  static Transfer transposed(const Transfer& transfer, std::size_t others);
+  void cycle(std::size_t level, const Forces& residual, State& result) const;
+
+  std::vector<GalerkinLevel> coarser_;
+  std::vector<Sweeps> sweeps_;  // of every level but the last
+  std::unique_ptr<Preconditioner> last_;
+};
+
+/// Points of all processes that share a plate.
+std::size_t points_of_all(const Boundary& boundary);
+
+/// The same plate on points two, four, ... times as far apart, as long as there are enough of them for all processes:
+/// each level is shared out by itself, and every process has what its points of the finer one take from it. `seen`:
+/// geometry::seen_positions() of the plate's points. All call it at once.
+std::vector<GalerkinLevel> coarser_parts(const Ranks& all, const Formulation& plate,
+                                         const std::vector<geometry::Point>& seen);
+
+}  // namespace plate

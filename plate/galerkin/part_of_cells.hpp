@@ -1,0 +1,78 @@
+#pragma once
+#include <memory>
+#include <variant>
+
+#include "geometry/cells/whole_lattice.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/model/state.hpp"
+
+namespace plate {
+
+struct Load;
+struct Problem;
+
+/// The points and cells of a plate; of one on a lattice that processes share only what tells them.
+using WholeCells = std::variant<geometry::Tessellation, geometry::WholeLattice>;
+
+std::size_t points_of(const WholeCells& whole);
+
+/// What a process sees of the points and cells of a plate: all, or of a lattice those about its own part. All that it
+/// asks of them near its own points, and of the supports, loads, soil and beams there, has the same bits as of the
+/// whole.
+struct SeenCells {
+  geometry::Tessellation cells;
+  std::vector<std::uint32_t> number;  // of its points in the whole, ascending; empty: all are here
+  std::vector<int> owners;            // of its points
+  geometry::CellBox own;              // about its own points
+
+  std::uint32_t of_whole(std::uint32_t k) const { return number.empty() ? k : number[k]; }
+};
+
+/// @throws Refused  too few points, or rows of them, for so many processes
+void require_parts(const WholeCells& whole, int processes);
+
+/// Of this process. `whole`: cells are taken from it. `tips`: of which it may own some. `besides`: cells about which it
+/// needs points too.
+/// @throws Refused  too few points for so many processes
+SeenCells seen_cells(const Ranks& all, const Problem& problem, WholeCells& whole,
+                     const std::vector<geometry::Tip>& tips, const std::optional<geometry::CellBox>& besides = {});
+
+/// The first point with squares all about it and its neighbours, with the cells that tell its weights; empty where
+/// there is none.
+geometry::Tessellation about_first_inside(const WholeCells& whole);
+
+struct MovingForces;
+struct Problem;
+
+/// What a process has of the cells of a plate that several share: its own points, copies of those that their forces and
+/// what is drawn of them need, and of those about its crack tips.
+struct PartOfCells {
+  geometry::CellsPart part;                  // of the cells that it sees
+  std::vector<std::uint32_t> number;         // of its points in the whole, ascending
+  std::vector<char> own;                     // of its points
+  std::vector<std::uint32_t> stretch;        // 0 of others' points; in which stretch of columns an own one lies, from 1
+  std::vector<Copy> copies;                  // the others
+  std::shared_ptr<const Exchange> exchange;  // of these
+  geometry::CellBox about;                   // where the point of the plate nearest to a place is known
+};
+
+/// How far about a tip its process knows the state, for intensity factors [length].
+double reach_about_tip(const Problem& problem, const geometry::Tip& tip);
+/// The widest window of displacement extrapolation that is seen about every tip [length].
+double widest_window(const Problem& problem);
+
+/// Of this process, of a plate with some supports, foundations and springs. `asked`: points that it sees which it needs
+/// beside these; empty: none. All call it at once.
+PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const SeenCells& seen,
+                          const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
+                          const std::vector<char>& asked = {});
+
+/// What is of all that a process sees, of the points of a part. `motions`: loads that may move supports.
+Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t motions);
+AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::CellsPart& part);
+Forces restricted(const Forces& whole, const geometry::CellsPart& part);
+std::vector<double> restricted(const std::vector<double>& whole, const geometry::CellsPart& part);
+MovingForces restricted(MovingForces whole, const PartOfCells& part);
+
+}  // namespace plate

@@ -1,0 +1,90 @@
+#include "plate/model/halo_exchange.hpp"
+
+#include <chrono>
+#include <set>
+
+namespace plate {
+namespace {
+
+/// Adds the time of a scope.
+class Timed {
+public:
+  explicit Timed(Traffic& traffic) : traffic_(traffic) {}
+  ~Timed() { traffic_.seconds += std::chrono::duration<double>(Clock::now() - begin_).count(); }
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Traffic& traffic_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+class CountedExchange : public Exchange {
+public:
+  CountedExchange(std::unique_ptr<Exchange> exchange, std::size_t points, const std::vector<Copy>& copies,
+                  Traffic& traffic)
+      : exchange_(std::move(exchange)), points_(points), copies_(std::int64_t(copies.size())), traffic_(traffic) {
+    std::set<int> owners;
+    for (const auto& copy : copies) owners.insert(copy.owner);
+    owners_ = std::int64_t(owners.size());
+  }
+  void start(std::span<double> values) const override { counted(values); }
+  void start(std::span<float> values) const override { counted(values); }
+  void finish() const override {
+    const Timed timed(traffic_);
+    exchange_->finish();
+  }
+  void progress() const override {
+    const Timed timed(traffic_);
+    exchange_->progress();
+  }
+
+private:
+  template <typename Real>
+  void counted(std::span<Real> values) const {
+    const Timed timed(traffic_);
+    traffic_.messages += owners_;
+    if (points_ > 0) traffic_.bytes += copies_ * std::int64_t(values.size() / points_ * sizeof(Real));
+    exchange_->start(values);
+  }
+
+  std::unique_ptr<Exchange> exchange_;
+  std::size_t points_;
+  std::int64_t copies_, owners_ = 0;
+  Traffic& traffic_;
+};
+
+}  // namespace
+
+Traffic& Traffic::operator+=(const Traffic& other) {
+  messages += other.messages, bytes += other.bytes, sums += other.sums, seconds += other.seconds;
+  return *this;
+}
+
+Traffic Traffic::operator-(const Traffic& before) const {
+  return {messages - before.messages, bytes - before.bytes, sums - before.sums, seconds - before.seconds};
+}
+
+void CountedRanks::sum(std::span<std::int64_t> values) const {
+  const Timed timed(traffic_);
+  ++traffic_.sums;
+  ranks_.sum(values);
+}
+
+void CountedRanks::largest(std::span<double> values) const {
+  const Timed timed(traffic_);
+  ++traffic_.sums;
+  ranks_.largest(values);
+}
+
+std::vector<std::string> CountedRanks::exchanged(std::vector<std::string> texts) const {
+  const Timed timed(traffic_);
+  return ranks_.exchanged(std::move(texts));
+}
+
+std::unique_ptr<Exchange> CountedRanks::exchange(std::size_t points, const std::vector<Copy>& copies) const {
+  return std::make_unique<CountedExchange>(ranks_.exchange(points, copies), points, copies, traffic_);
+}
+
+}  // namespace plate

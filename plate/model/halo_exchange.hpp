@@ -1,0 +1,64 @@
+#pragma once
+#include <span>
+
+#include "plate/model/communicator.hpp"
+
+namespace plate {
+
+/// Fetches values of points that a process has copies of from the processes that own them. All processes call it at
+/// once, in the same order, from one thread each.
+class Exchange {
+public:
+  virtual ~Exchange() = default;
+
+  /// Begins with `values` [components x points] of the process, component by component, 1 or 3 of them: those that
+  /// others have copies of are taken as they are now, those of the copies are nobody's until finish(). One at a time.
+  virtual void start(std::span<double> values) const = 0;
+  virtual void start(std::span<float> values) const = 0;
+  /// Waits for the copies, and puts them where they belong.
+  virtual void finish() const = 0;
+  /// Helps what has begun along, where that goes on in calls only.
+  virtual void progress() const {}
+
+  template <typename Real>
+  void fetch(std::span<Real> values) const {
+    start(values);
+    finish();
+  }
+};
+
+/// What came to a process from others: of the copies of their points, and sums and largest values of all. What
+/// libraries behind SharedInverse exchange is not counted.
+struct Traffic {
+  std::int64_t messages = 0, bytes = 0;  // of copies
+  std::int64_t sums = 0;                 // calls
+  double seconds = 0;                    // in all of these: packed, sent, and above all waited for
+
+  Traffic& operator+=(const Traffic& other);
+  Traffic operator-(const Traffic& before) const;
+};
+
+/// Processes, and what comes to this one: it calls them, which must outlive it, and counts.
+class CountedRanks : public Ranks {
+public:
+  explicit CountedRanks(const Ranks& ranks) : ranks_(ranks) {}
+
+  int rank() const override { return ranks_.rank(); }
+  int size() const override { return ranks_.size(); }
+  void sum(std::span<std::int64_t> values) const override;
+  void largest(std::span<double> values) const override;
+  std::vector<std::string> exchanged(std::vector<std::string> texts) const override;
+  std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const override;
+  std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const override { return ranks_.inverse(rows); }
+  SharedPairs largest_pairs(const SharedProduct& product, std::span<const double> start,
+                            const PairsWanted& wanted) const override {
+    return ranks_.largest_pairs(product, start, wanted);
+  }
+  const Traffic* traffic() const override { return &traffic_; }
+
+private:
+  const Ranks& ranks_;
+  mutable Traffic traffic_;
+};
+
+}  // namespace plate

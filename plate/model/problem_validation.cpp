@@ -1,0 +1,305 @@
+#include "plate/model/problem_validation.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <map>
+
+#include "geometry/shape/crack_path.hpp"
+#include "geometry/shape/patch.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/model/numerical_method.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/model/support_validation.hpp"
+#include "plate/model/supports.hpp"
+#include "plate/model/wording.hpp"
+
+namespace plate {
+namespace {
+
+/// Does the name stand for straight edges parallel to the axes only?
+bool axis_parallel(const geometry::Outline& outline, const std::string& name) {
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name) return false;
+  for (const geometry::Edge& edge : geometry::straight_edges(outline))
+    if (edge.name == name && (edge.to - edge.from).cwiseAbs().minCoeff() > geometry::tolerance(outline)) return false;
+  return true;
+}
+
+constexpr auto in_a_layer = ": boundary = \"layer\" holds it in a layer; choose \"images\"";
+
+bool needs_axis_parallel(SupportKind kind) {
+  return kind == SupportKind::symmetry || kind == SupportKind::simply_supported_hard || is_layer(kind);
+}
+
+void check_names(const std::vector<std::string>& names, const std::vector<std::string>& existing, Subject subject,
+                 std::size_t number, std::vector<Refusal>& found) {
+  for (const auto& name : names)
+    if (std::find(existing.begin(), existing.end(), name) == existing.end())
+      found.push_back({subject, number,
+                       fmt::format("the plate has no edge \"{}\"{}; its edges: {}", name, did_you_mean(name, existing),
+                                   listed(existing))});
+}
+
+/// Does a stretch of the one lie on the other? A place where they merely cross does not.
+bool lies_along(const geometry::Polyline& a, const geometry::Polyline& b, double tolerance) {
+  constexpr int places = 16;
+  const auto on = [&](const geometry::Polyline& line, const geometry::Polyline& other) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      int count = 0;
+      for (int n = 0; n < places; ++n)
+        count += geometry::distance(other, line[i] + (n + 0.5) / places * (line[i + 1] - line[i])) < tolerance;
+      if (count > 1) return true;
+    }
+    return false;
+  };
+  return on(a, b) || on(b, a);
+}
+
+/// A line without length, or along a crack, where nobody knows which face it acts on. `fault`: what it would be.
+void check_line(const geometry::Polyline& along, Refusal fault, const Problem& problem, std::vector<Refusal>& found) {
+  const double tolerance = 1e3 * geometry::tolerance(problem.outline);
+  const auto say = [&](const std::string& what) {
+    fault.what = what;
+    found.push_back(fault);
+  };
+  if (along.empty()) return;
+  if (geometry::length(along) < tolerance) say("the line has no length");
+  for (std::size_t i = 0; i < problem.cracks.size(); ++i)
+    if (lies_along(along, problem.cracks[i], tolerance))
+      say(fmt::format("the line lies along crack {}: move it to the face that it loads", i));
+}
+
+/// A patch that misses the plate, or whose boundary crosses itself. `fault`: what it would be, "the pressure acts".
+void check_patch(const std::optional<geometry::Hole>& shape, const Refusal& fault, const geometry::Outline& outline,
+                 std::vector<Refusal>& found) {
+  const auto say = [&](const std::string& what) { found.push_back({fault.subject, fault.number, what}); };
+  const auto* circle = shape ? std::get_if<geometry::Circle>(&*shape) : nullptr;
+  if (circle && !(circle->radius > 0)) {
+    say(fmt::format("radius {:g} given, must be > 0", circle->radius));
+  } else if (shape) {
+    const geometry::Patch patch(*shape);
+    const geometry::Polygon ring{patch.ring(), std::vector<std::string>(patch.ring().size())};
+    const auto faults = geometry::faults({ring, {}});
+    for (const auto& one : faults) say(fmt::format("the polygon that {} on: {}", fault.what, one.what));
+    if (faults.empty() && !patch.meets(outline)) say(fault.what + " on nothing of the plate");
+  }
+}
+
+/// A line that leaves the plate.
+void check_along(const geometry::Polyline& along, const Refusal& fault, const geometry::Outline& outline,
+                 std::vector<Refusal>& found) {
+  const auto say = [&](const std::string& what) { found.push_back({fault.subject, fault.number, what}); };
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    const auto& x = along[i];
+    if (!on_plate(outline, x))
+      say(text_of(x) + " given, must lie in the plate or on its boundary");
+    else if (i > 0 && on_plate(outline, along[i - 1]) && geometry::leaves(outline, along[i - 1], x))
+      say(fmt::format("the line from {} to {} leaves the plate", text_of(along[i - 1]), text_of(x)));
+  }
+}
+
+/// A load on an edge that holds all it acts on: the support takes it, and points beside the edge a part of it.
+void check_held(const Load& load, std::size_t number, const Problem& problem, std::vector<Refusal>& found) {
+  const bool shear = load.kind == Load::Kind::edge_shear;
+  const bool moment = load.has_tensor || load.value != 0, twist = load.has_tensor || load.twist != 0;
+  for (const auto& edge : load.edges)
+    for (std::size_t i = 0; i < problem.supports.size(); ++i) {
+      const auto& support = problem.supports[i];
+      if (std::ranges::find(support.edges, edge) == support.edges.end()) continue;
+      const auto held = held_by(support.kind);
+      if (shear ? held.w : (moment || twist) && (!moment || held.normal) && (!twist || held.tangential))
+        found.push_back(
+            {Subject::load_edges, number,
+             fmt::format("edge \"{}\" is held by support[{}] against all that this load does there: it would "
+                         "go into the support and not into the plate",
+                         edge, i)});
+    }
+}
+
+/// A force on a crack, where nobody knows on which face it acts, or on a part that does not move.
+void check_force(const Load& load, std::size_t number, const Problem& problem, std::vector<Refusal>& found) {
+  if (load.kind != Load::Kind::point_force || load.moves()) return;
+  for (std::size_t i = 0; i < problem.cracks.size(); ++i)
+    if (geometry::distance(problem.cracks[i], load.position) < 1e3 * geometry::tolerance(problem.outline))
+      found.push_back(
+          {Subject::load_position, number,
+           fmt::format("{} given, lies on crack {}: move it to the face that it loads", text_of(load.position), i)});
+  for (std::size_t i = 0; i < problem.supports.size(); ++i) {
+    if (!problem.supports[i].patch) continue;
+    const auto ring = geometry::Patch(*problem.supports[i].patch).ring();
+    if (geometry::contains({{ring, std::vector<std::string>(ring.size())}, {}}, load.position))
+      found.push_back(
+          {Subject::load_position, number,
+           fmt::format("{} given, lies on the part that support[{}] holds: it would go into the support and "
+                       "not into the plate",
+                       text_of(load.position), i)});
+  }
+}
+
+/// Places within the plate that a support holds, of which it has one kind, or edges.
+void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& found) {
+  const auto& support = problem.supports[i];
+  const bool inside = support.kind == SupportKind::pinned || support.kind == SupportKind::clamped;
+  const int places = !support.edges.empty() + !support.points.empty() + !support.along.empty() + bool(support.patch);
+  if (places != 1)
+    found.push_back({Subject::support_edges, i,
+                     std::string(places == 0 ? "nothing is held: give " : "several are given, must be one of ") +
+                         (!inside                               ? "edges"
+                          : support.kind == SupportKind::pinned ? "points, along or on"
+                                                                : "edges, points, along or on")});
+  for (const auto& point : support.points)
+    if (!on_plate(problem.outline, point))
+      found.push_back(
+          {Subject::support_points, i, text_of(point) + " given, must lie in the plate or on its boundary"});
+  check_along(support.along, {Subject::support_line, i, ""}, problem.outline, found);
+  check_line(support.along, {Subject::support_line, i, ""}, problem, found);
+  check_patch(support.patch, {Subject::support_patch, i, "the support lies"}, problem.outline, found);
+  const auto method = problem.discretization.boundary;
+  const bool clamps = support.kind == SupportKind::clamped && !support.points.empty();
+  if ((support.holds_inside() || clamps) &&
+      (method == EdgeMethod::surface_nodes || method == EdgeMethod::fictitious_nodes))
+    found.push_back({Subject::edge_method, 0,
+                     "nodes at edges have no lines, parts and clamped points that are held: choose \"images\""});
+}
+
+/// Is there nothing that layers, which the discretisation asks for, would hold?
+bool layers_in_vain(const Problem& problem, const std::vector<Support>& settled) {
+  return problem.discretization.boundary == EdgeMethod::layer &&
+         problem.discretization.formulation->offers(Feature::surface_nodes) &&
+         std::ranges::none_of(settled, [](const Support& support) { return is_layer(support.kind); });
+}
+
+void check_supports(const Problem& problem, std::vector<Refusal>& found) {
+  const auto existing = geometry::edge_names(problem.outline);
+  const auto supports = settled_supports(problem);
+  std::map<std::string, std::size_t> holder;
+  if (layers_in_vain(problem, supports))
+    found.push_back({Subject::edge_method, 0,
+                     "no edge is clamped or simply supported: a layer would hold nothing; choose \"images\""});
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const auto& support = supports[i];
+    check_names(support.edges, existing, Subject::support_edges, i, found);
+    for (const auto& edge : support.edges) {
+      const auto [first, fresh] = holder.emplace(edge, i);
+      if (!fresh && first->second != i)
+        found.push_back({Subject::support_edges, i,
+                         fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second)});
+      const bool any_direction = problem.discretization.formulation->offers(Feature::any_direction) ||
+                                 problem.discretization.boundary == EdgeMethod::surface_nodes;
+      if (!any_direction && needs_axis_parallel(support.kind) && !axis_parallel(problem.outline, edge))
+        found.push_back({Subject::support_direction, i,
+                         fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
+                                     "of support needs because it mirrors or extends the lattice there{}",
+                                     edge, support.kind == problem.supports[i].kind ? "" : in_a_layer)});
+    }
+    check_places(problem, i, found);
+  }
+}
+
+/// A table that says nothing of a part of what it acts on.
+void check_table(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
+  auto corners = load.patch ? geometry::Patch(*load.patch).ring() : outline.outer.vertices;
+  if (load.patch && std::ranges::all_of(outline.outer.vertices, [&](const auto& x) { return load.table.reaches(x); }))
+    return;
+  for (const auto& x : corners)
+    if (!load.table.reaches(x)) {
+      found.push_back({Subject::load_table, number,
+                       fmt::format("the places of {} do not reach {}, where the pressure acts",
+                                   load.table.file().filename().string(), text_of(x))});
+      return;
+    }
+}
+
+void check_place(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
+  check_patch(load.patch, {Subject::load_patch, number, "the pressure acts"}, outline, found);
+  check_along(load.along, {Subject::load_line, number, ""}, outline, found);
+  check_along(load.path, {Subject::load_path, number, ""}, outline, found);
+  const auto say = [&](Subject subject, const std::string& what) { found.push_back({subject, number, what}); };
+  if (load.moves() && geometry::length(load.path) < geometry::tolerance(outline))
+    say(Subject::load_path, "the path has no length");
+  if (load.moves() && load.kind == Load::Kind::pressure) {
+    if (!load.patch) say(Subject::load_path, "a pressure that moves needs a part of the plate to begin with: give on");
+    if (load.evaluated() || load.level || !load.gradient.isZero(0))
+      say(Subject::load_path, "a pressure that moves has a value alone: remove what makes it vary");
+  }
+  if (load.table.given()) check_table(load, number, outline, found);
+}
+
+}  // namespace
+
+bool on_plate(const geometry::Outline& outline, const geometry::Point& point) {
+  return geometry::contains(outline, point) ||
+         geometry::distance_to_boundary(outline, point) <= geometry::tolerance(outline);
+}
+
+std::vector<Refusal> faults_of_edges(const Problem& problem) {
+  std::vector<Refusal> found;
+  check_supports(problem, found);
+  for (const auto& fault : faults_of_settlements(problem)) found.push_back(fault);
+  for (std::size_t i = 0; i < problem.loads.size(); ++i) {
+    const auto& load = problem.loads[i];
+    check_names(load.edges, geometry::edge_names(problem.outline), Subject::load_edges, i, found);
+    if (!geometry::contains(problem.outline, load.position))
+      found.push_back({Subject::load_position, i, text_of(load.position) + " given, must lie inside the plate"});
+    check_place(load, i, problem.outline, found);
+    check_line(load.along, {Subject::load_line, i, ""}, problem, found);
+    check_held(load, i, problem, found);
+    check_force(load, i, problem, found);
+  }
+  for (std::size_t i = 0; i < problem.foundations.size(); ++i)
+    if (problem.foundations[i].lifts_off && problem.foundations[i].shear > 0)
+      found.push_back(
+          {Subject::foundation, i, "a shear layer holds the plate where it lifts off: remove shear or lifts_off"});
+  for (std::size_t i = 0; i < problem.foundations.size(); ++i)
+    check_patch(problem.foundations[i].patch, {Subject::foundation_patch, i, "the foundation lies"}, problem.outline,
+                found);
+  for (std::size_t i = 0; i < problem.section.regions.size(); ++i)
+    check_patch(problem.section.regions[i].shape, {Subject::region_shape, i, "the region lies"}, problem.outline,
+                found);
+  for (std::size_t i = 0; i < problem.stiffeners.size(); ++i) {
+    const auto& beam = problem.stiffeners[i];
+    check_names(beam.edges, geometry::edge_names(problem.outline), Subject::stiffener_edges, i, found);
+    check_along(beam.along, {Subject::stiffener_line, i, ""}, problem.outline, found);
+    check_line(beam.along, {Subject::stiffener_line, i, ""}, problem, found);
+  }
+  for (std::size_t i = 0; i < problem.springs.size(); ++i) {
+    const auto& spring = problem.springs[i];
+    check_names(spring.edges, geometry::edge_names(problem.outline), Subject::spring_edges, i, found);
+    check_along(spring.along, {Subject::spring_line, i, ""}, problem.outline, found);
+    check_line(spring.along, {Subject::spring_line, i, ""}, problem, found);
+    if (spring.position && !on_plate(problem.outline, *spring.position))
+      found.push_back({Subject::spring_position, i,
+                       text_of(*spring.position) + " given, must lie in the plate or on its boundary"});
+  }
+  for (const auto& fault : faults_of_springs(problem)) found.push_back(fault);
+  return found;
+}
+
+std::vector<KeyFault> faults_of_heat(const Problem& problem) {
+  std::vector<KeyFault> found;
+  if (!heated(problem)) return found;
+  const auto say = [&](const std::string& key, const std::string& what) { found.push_back({key, what}); };
+  if (problem.section.thermal_expansion == 0)
+    say("section.thermal_expansion", "is missing, must be a number > 0: temperatures bend the plate by it");
+  if (!problem.section.uniform())
+    say("section", "temperatures are of plates of one material and one thickness all over");
+  for (std::size_t i = 0; i < problem.loads.size() && !problem.section.isotropic(); ++i)
+    if (problem.loads[i].kind == Load::Kind::temperature && problem.loads[i].formula.given())
+      say(key_of_load(problem, i) + ".expression",
+          "temperatures that vary over the plate are of an isotropic material: give a value");
+  const auto& d = problem.discretization;
+  const bool of_bonds = d.formulation && d.formulation->offers(Feature::horizon);
+  if (of_bonds && d.boundary != EdgeMethod::images)
+    say("discretization.boundary", "temperatures need \"images\": what stands beyond the edges has no temperature");
+  if (of_bonds && d.surface_correction != SurfaceCorrection::position_aware)
+    say("discretization.surface_correction",
+        "temperatures need \"position_aware\", with which bonds bend freely without energy");
+  for (std::size_t i = 0; i < problem.supports.size(); ++i)
+    if (is_layer(problem.supports[i].kind))
+      say(fmt::format("support[{}].kind", i),
+          "a layer outside the plate has no temperature: choose \"clamped\", \"simply_supported\" or "
+          "\"simply_supported_hard\"");
+  return found;
+}
+
+}  // namespace plate

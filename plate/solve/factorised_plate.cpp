@@ -1,0 +1,156 @@
+#include "plate/solve/factorised_plate.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+
+#include "plate/model/communicator.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/halo_exchange.hpp"
+
+namespace plate {
+
+std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix) {
+  // a part that hangs on two points of the local plate, but on more of the true one, leaves a zero
+  for (double shift = 0;; shift = shift == 0 ? 1e-12 : 1e3 * shift) try {
+      return std::make_unique<Factor>(matrix, shift);
+    } catch (const NumericalError&) {
+      if (shift > 1e-4) throw;
+    }
+}
+
+Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces) {
+  Eigen::VectorXd result(unknowns.size());
+  for (Eigen::Index u = 0; u < result.size(); ++u) result[u] = at_dof(forces, unknowns.dof[std::size_t(u)]);
+  return result;
+}
+
+Forces folded_diagonal(const Operator& plate, const Constraints& constraints) {
+  Forces diagonal = plate.diagonal();
+  constraints.fold_diagonal(diagonal);
+  return diagonal;
+}
+
+AssembledPlate::AssembledPlate(const Operator& plate, const Constraints& constraints, const PointMatrix& stiffness)
+    : constraints_(constraints) {
+  const PointMatrix matrix = folded(stiffness, constraints);
+  const Forces diagonal = folded_diagonal(plate, constraints);
+  unknowns_ = unknowns(diagonal, elimination_order(matrix, diagonal));
+  factor_ = std::make_unique<Factor>(of_unknowns(matrix, unknowns_));
+}
+
+void AssembledPlate::apply(const Forces& residual, State& result) const {
+  const Eigen::MatrixXd solution = factor_->solve(gathered(unknowns_, residual));
+  result.setZero(3, residual.cols());
+  for (Eigen::Index u = 0; u < solution.rows(); ++u) at_dof(result, unknowns_.dof[std::size_t(u)]) = solution(u, 0);
+}
+
+std::vector<State> AssembledPlate::solve(const std::vector<Forces>& loads) const {
+  Eigen::MatrixXd right(unknowns_.size(), Eigen::Index(loads.size()));
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    Forces folded = loads[i];
+    constraints_.fold(folded);
+    right.col(Eigen::Index(i)) = gathered(unknowns_, folded);
+  }
+  const Eigen::MatrixXd solution = factor_->solve(right);
+  std::vector<State> result(loads.size());
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    result[i].setZero(3, loads[i].cols());
+    for (Eigen::Index u = 0; u < solution.rows(); ++u)
+      at_dof(result[i], unknowns_.dof[std::size_t(u)]) = solution(u, Eigen::Index(i));
+    constraints_.impose(result[i]);
+  }
+  return result;
+}
+
+namespace {
+
+using Fetch = std::function<void(State&)>;
+
+/// Points by the numbers that they have among all, process by process, -1 where nobody is asked; as numbers of a state,
+/// which copies can fetch.
+State numbers(const Ranks& all, std::size_t points, const std::vector<std::uint32_t>& own, const Fetch& fetch) {
+  const auto counts = gathered(all, std::vector<std::int64_t>{std::int64_t(own.size())});
+  auto next = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
+  State result = State::Constant(3, Eigen::Index(points), -1);
+  for (const auto k : own) result(0, k) = double(next++);
+  fetch(result);
+  return result;
+}
+
+/// A block of the row of an own point.
+struct Block {
+  std::int64_t column;
+  Eigen::Matrix3d entries;
+};
+
+/// Rows of P^T K P of own points, without what is held. `free`: degrees of freedom with stiffness are above 0.
+SharedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::vector<std::uint32_t>& own,
+                const State& number, const State& free) {
+  std::vector<std::vector<Block>> found(matrix.points());
+  const auto add = [&](std::uint32_t row, std::uint32_t column, Eigen::Matrix3d entries) {
+    if (!boundary.owns(row)) return;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      for (Eigen::Index j = 0; j < 3; ++j)
+        if (!(free(i, row) > 0) || !(free(j, column) > 0)) entries(i, j) = 0;
+    if (row != column && entries.isZero(0)) return;
+    if (number(0, column) < 0) throw std::logic_error("a point is coupled to one whose owner nobody asks");
+    found[row].push_back({std::int64_t(number(0, column)), entries});
+  };
+  for (std::uint32_t k = 0; k < matrix.points(); ++k)
+    for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) {
+      const auto j = matrix.row[b];
+      if (j != k) {
+        add(j, k, matrix.block[b]), add(k, j, matrix.block[b].transpose());
+        continue;
+      }
+      add(k, k, matrix.block[b]);
+    }
+  SharedRows result;
+  for (const auto k : own) {
+    std::ranges::sort(found[k], {}, &Block::column);
+    for (const auto& [column, entries] : found[k]) {
+      result.column.push_back(column);
+      for (Eigen::Index i = 0; i < 3; ++i)
+        for (Eigen::Index j = 0; j < 3; ++j) result.block.push_back(entries(i, j));
+    }
+    result.first.push_back(result.column.size());
+    const auto& x = boundary.cloud.positions[k];
+    result.position.insert(result.position.end(), {x.x(), x.y()});
+    found[k] = {};
+  }
+  return result;
+}
+
+}  // namespace
+
+SharedFactor::SharedFactor(const Ranks& all, const Operator& plate, const Boundary& boundary,
+                           const PointMatrix& stiffness, const Exchange* seen)
+    : boundary_(boundary) {
+  for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k)
+    if (boundary.owns(k)) own_.push_back(k);
+  const Fetch fetch = [&](State& state) {
+    if (seen)
+      seen->fetch(std::span(state.data(), std::size_t(state.size())));
+    else
+      boundary.constraints.fetch(state);
+  };
+  const State number = numbers(all, boundary.cloud.size(), own_, fetch);
+  State free = folded_diagonal(plate, boundary.constraints);
+  fetch(free);
+  inverse_ = all.inverse(rows(folded(stiffness, boundary.constraints), boundary, own_, number, free));
+}
+
+void SharedFactor::apply(const Forces& residual, State& result) const {
+  std::vector<double> values;
+  values.reserve(3 * own_.size());
+  for (const auto k : own_)
+    for (Eigen::Index c = 0; c < 3; ++c) values.push_back(residual(c, k));
+  inverse_->apply(values);
+  result.setZero(3, residual.cols());
+  for (std::size_t n = 0; n < own_.size(); ++n)
+    for (Eigen::Index c = 0; c < 3; ++c) result(c, own_[n]) = values[3 * n + std::size_t(c)];
+}
+
+}  // namespace plate

@@ -1,0 +1,59 @@
+#pragma once
+#include <memory>
+
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/solve/matrices/factor.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
+
+namespace plate {
+
+/// The plate itself, assembled and factorised: conjugate gradients with it end after one or two iterations.
+class AssembledPlate : public Preconditioner {
+public:
+  /// `stiffness`: K of all degrees of freedom. `plate`: for its diagonal. `constraints` must outlive this.
+  AssembledPlate(const Operator& plate, const Constraints& constraints, const PointMatrix& stiffness);
+
+  void apply(const Forces& residual, State& result) const override;
+
+  /// P^T K P u = P^T f for several loads at once.
+  std::vector<State> solve(const std::vector<Forces>& loads) const;
+
+  std::size_t bytes() const override { return factor_->bytes(); }
+
+private:
+  const Constraints& constraints_;
+  Unknowns unknowns_;
+  std::unique_ptr<Factor> factor_;
+};
+
+/// The factor of a matrix (lower triangle) that is positive but for zeros, which are lifted.
+std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix);
+
+/// The unknowns of nodal forces, one after the other.
+Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces);
+
+/// The diagonal of P^T K P, zero at held degrees of freedom.
+Forces folded_diagonal(const Operator& plate, const Constraints& constraints);
+
+/// The inverse of a plate that processes share, as the libraries behind Ranks::inverse() find it: exact as far as they
+/// factorise.
+class SharedFactor : public Preconditioner {
+public:
+  /// `stiffness`: right in the rows and columns of own points. `seen`: of all points that these are coupled to, where
+  /// that are more than the copies of `boundary`. `plate`, `boundary` must outlive this.
+  SharedFactor(const Ranks& all, const Operator& plate, const Boundary& boundary, const PointMatrix& stiffness,
+               const Exchange* seen = nullptr);
+
+  void apply(const Forces& residual, State& result) const override;
+  std::size_t bytes() const override { return 0; }  // the libraries do not say
+
+private:
+  const Boundary& boundary_;
+  std::vector<std::uint32_t> own_;  // points of this process
+  std::unique_ptr<SharedInverse> inverse_;
+};
+
+}  // namespace plate

@@ -1,0 +1,112 @@
+#include "plate/solve/motion/contact_and_damping.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plate/formulation/constraints.hpp"
+#include "plate/solve/reduction.hpp"
+
+namespace plate {
+namespace {
+
+/// Of the place, the same for all processes.
+double deflection(const Impactor& impactor, const State& state) {
+  return ordered_sum<1>(impactor.terms.size(), [&](std::size_t i) {
+    const auto& [dof, factor] = impactor.terms[i];
+    return std::array<double, 1>{impactor.own.empty() || impactor.own[i] ? factor * at_dof(state, dof) : 0};
+  })[0];
+}
+
+}  // namespace
+
+ImpactContact::ImpactContact(const Impactor& impactor, const State& state)
+    : impactor_(impactor), striker_{deflection(impactor, state), impactor.velocity} {}
+
+void ImpactContact::press(const State& state, Forces& forces) {
+  const double towards = impactor_.velocity < 0 ? -1 : 1;
+  overlap_ = std::max(0.0, towards * (striker_.place - deflection(impactor_, state)));
+  force_ = towards * impactor_.stiffness * overlap_;
+  if (std::abs(force_) > std::abs(striker_.largest)) striker_.largest = force_;
+  for (const auto& [dof, factor] : impactor_.terms) at_dof(forces, dof) += factor * force_;
+}
+
+Blow ImpactContact::blow(double half) const {
+  return {striker_.place, striker_.velocity + half * acceleration(), force_, striker_.largest, striker_.touching,
+          impactor_.terms};
+}
+
+double ImpactContact::spring() const {
+  return impactor_.stiffness * overlap_ * overlap_ / 2;
+}
+
+double ImpactContact::kinetic(double half) const {
+  const double v = striker_.velocity + half * acceleration();
+  return impactor_.mass * v * v / 2;
+}
+
+double ImpactContact::discrete_kinetic(double half, double time_step) const {
+  const double change = time_step / 2 * acceleration();
+  return kinetic(half) - impactor_.mass * change * change / 2;
+}
+
+void ImpactContact::move(double share, double time_step) {
+  striker_.velocity += share * acceleration();
+  striker_.place += time_step * striker_.velocity;
+  if (force_ != 0) striker_.touching += time_step;
+}
+
+/// The largest eigenvalue of a sum is at most the sum of theirs. A step on the way into the contact may book too much
+/// by (dt Omega)^2 of the energy there, Omega^2 = k (1 / m + b M^-1 b): at most a hundredth.
+double stable_step(double free, const Impactor& impactor, const Constraints& constraints, const Forces& mass) {
+  Forces unit = Forces::Zero(3, mass.cols());
+  for (const auto& [dof, factor] : impactor.terms) at_dof(unit, dof) += factor;
+  constraints.fold(unit);
+  const auto [of_plate] = ordered_sum<1>(std::size_t(unit.size()), [&](std::size_t i) {
+    const double f = unit.data()[i], m = mass.data()[i];
+    return std::array<double, 1>{m > 0 ? f * f / m : 0};
+  });
+  constexpr double of_contact = 0.1;
+  const double square = impactor.stiffness * (1 / impactor.mass + of_plate);
+  return std::min(2 / std::sqrt(4 / (free * free) + square), of_contact / std::sqrt(square));
+}
+
+Beside::Beside(const DynamicOptions& options, const State& state)
+    : damping_{options.mass_damping, options.stiffness_damping}, time_step_(options.time_step), kept_(options.keep) {
+  const auto* from = options.from;
+  if (from) earlier_ = from->earlier, dissipated_ = from->dissipated;
+  if (options.impact)
+    contact_ = from ? ImpactContact(*options.impact, from->striker) : ImpactContact(*options.impact, state);
+}
+
+void Beside::find(const State& state, const State& velocity, const Forces& force, const ForceOf& force_of) {
+  if (damping_.stiffness > 0) {
+    if (before_.size() == 0)
+      before_ = earlier_.size() > 0 ? force_of(earlier_) : Forces(force - time_step_ * force_of(velocity));
+    viscous_ = damping_.stiffness / time_step_ * (force - before_);
+    before_ = force;
+    if (kept_) earlier_ = state;
+  }
+  if (!contact_) return;
+  pressed_.setZero(3, force.cols());
+  contact_->press(state, pressed_);
+}
+
+void Beside::add_on_held(const Constraints& constraints, Eigen::VectorXd& held) const {
+  if (viscous_.size() > 0) held += constraints.on_held(viscous_);
+}
+
+void Beside::fold(const Constraints& constraints) {
+  if (viscous_.size() > 0) constraints.fold(viscous_);
+  if (pressed_.size() > 0) constraints.fold(pressed_);
+}
+
+void Beside::move(double share) {
+  if (contact_) contact_->move(share, time_step_);
+}
+
+void Beside::remember(MotionMemory& memory) const {
+  memory.earlier = earlier_, memory.dissipated = dissipated_;
+  if (contact_) memory.striker = contact_->striker();
+}
+
+}  // namespace plate

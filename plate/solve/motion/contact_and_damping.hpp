@@ -1,0 +1,80 @@
+#pragma once
+#include <functional>
+#include <optional>
+
+#include "plate/model/numerical_method.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+
+namespace plate {
+
+/// The contact in steps.
+class ImpactContact {
+public:
+  /// `state`: of the plate at time 0.
+  ImpactContact(const Impactor& impactor, const State& state);
+  /// Goes on.
+  ImpactContact(const Impactor& impactor, const Striker& striker) : impactor_(impactor), striker_(striker) {}
+
+  /// The force in this state; adds it to forces that are not folded.
+  void press(const State& state, Forces& forces);
+  /// At a step whose velocity is `half` a step after that of the striker: after press().
+  Blow blow(double half) const;
+  /// Energies: of the spring, of the mass with the velocity of the step, and with the mean of both halves.
+  double spring() const;
+  double kinetic(double half) const;
+  double discrete_kinetic(double half, double time_step) const;
+  void move(double share, double time_step);
+  const Striker& striker() const { return striker_; }
+
+private:
+  double acceleration() const { return -force_ / impactor_.mass; }
+
+  Impactor impactor_;
+  Striker striker_;
+  double overlap_ = 0, force_ = 0;
+};
+
+/// The stable step of a plate whose own is `free`, with the spring pressing all the time: a lower bound; and not above
+/// what keeps the energy of the contact to a hundredth.
+/// `mass`: folded.
+double stable_step(double free, const Impactor& impactor, const Constraints& constraints, const Forces& mass);
+
+class Constraints;
+
+/// What acts in steps beside loads and stiffness: damping, of the mass with the mean velocity of both halves of a step,
+/// of the stiffness with that of the half before, and the contact with a mass (theory (84, 85)).
+class Beside {
+public:
+  /// Internal forces of a state in which what is held need not follow yet; not folded.
+  using ForceOf = std::function<Forces(State)>;
+
+  Beside(const DynamicOptions& options, const State& state);
+
+  bool acts() const { return contact_ || damps(); }
+  bool damps() const { return !damping_.none(); }
+  const Damping& damping() const { return damping_; }
+  const std::optional<ImpactContact>& contact() const { return contact_; }
+  /// Of damping by the stiffness alone, and with the contact; folded.
+  double viscous(Eigen::Index i) const { return viscous_.size() > 0 ? viscous_.data()[i] : 0; }
+  double force(Eigen::Index i) const { return viscous(i) + (pressed_.size() > 0 ? pressed_.data()[i] : 0); }
+  double dissipated() const { return dissipated_; }
+
+  /// `force`: internal, not folded; `velocity`: half a step before, at step 0 that of time 0.
+  void find(const State& state, const State& velocity, const Forces& force, const ForceOf& force_of);
+  void add_on_held(const Constraints& constraints, Eigen::VectorXd& held) const;
+  void fold(const Constraints& constraints);
+  void lose(double energy) { dissipated_ += energy; }
+  void move(double share);
+  void remember(MotionMemory& memory) const;
+
+private:
+  Damping damping_;
+  double time_step_;
+  bool kept_;  // is what it remembers asked for?
+  std::optional<ImpactContact> contact_;
+  State earlier_;  // of the step before
+  Forces before_, viscous_, pressed_;
+  double dissipated_ = 0;
+};
+
+}  // namespace plate

@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plate/model/errors.hpp"
+#include "plate/model/state.hpp"
+
+namespace plate {
+
+class Formulation;
+struct Analysis;
+struct Problem;
+
+/// What keeps a plate from its analysis, and what one should know of it.
+struct Suitability {
+  std::vector<Refusal> refusals;
+  std::vector<std::string> warnings;
+};
+
+/// Fewer modes than frequencies are asked for, pins within a spacing of one line, an equilibrium of a plate that is not
+/// held, in whole or in a piece that cracks cut off, a preconditioner that cannot be made.
+Suitability suitability(const Formulation& plate, const Analysis& analysis);
+
+/// What can be said before there is a plate: a spacing with fewer than four cells across it, internal forces in single
+/// precision in which so thin a plate would lose its shear strains.
+std::vector<Refusal> faults_of_lengths(const Problem& problem, const Analysis& analysis);
+
+/// Throws NumericalError of the first point with a displacement or rotation that is not finite; of all processes that
+/// share the plate in all of them.
+void require_finite(const State& state, const std::string& when);
+
+}  // namespace plate

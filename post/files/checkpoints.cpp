@@ -1,0 +1,318 @@
+#include "post/files/checkpoints.hpp"
+
+#define XXH_INLINE_ALL
+#define XXH_VECTOR 0  // scalar: gcc 12 warns of its own AVX-512 header
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <xxhash.h>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "post/files/whole_file.hpp"
+
+namespace post {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, Checkpoints::kept> names{"checkpoint", "checkpoint.before"};
+constexpr const char* magic = "PDPlate checkpoint 3: ";  // the number of its form
+
+[[noreturn]] void fail(const fs::path& path) {
+  throw fs::filesystem_error("cannot write", path, std::error_code(errno != 0 ? errno : EIO, std::generic_category()));
+}
+
+constexpr std::size_t digits = 16;  // of the checksum, at the end
+
+std::string checksum(std::string_view line, std::string_view memory) {
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
+  XXH3_64bits_reset(state.get());
+  for (const auto part : {line, memory}) XXH3_64bits_update(state.get(), part.data(), part.size());
+  return fmt::format("{:016x}", XXH3_64bits_digest(state.get()));
+}
+
+/// What is wrong with a checkpoint; empty: nothing.
+std::string fault_of(std::string_view all, const std::string& of) {
+  const auto line = all.find('\n');
+  if (!all.starts_with(magic) || line == std::string_view::npos) return "is no checkpoint of this version";
+  const auto before = all.substr(0, std::max(all.size(), digits) - digits);
+  if (before.size() <= line || checksum(before, {}) != all.substr(before.size())) return "is damaged or not whole";
+  if (const auto found = all.substr(0, line).substr(std::string_view(magic).size()); found != of)
+    return fmt::format("is of another run: {}, not {}", found, of);
+  return {};
+}
+
+std::string content_of(std::string text) {
+  text.resize(text.size() - digits);
+  text.erase(0, text.find('\n') + 1);
+  return text;
+}
+
+}  // namespace
+
+void Checkpoints::write(const std::string& memory) const {
+  const auto newest = folder_ / names[0];
+  write_whole(newest, [&](const fs::path& beside) {
+    const auto line = magic + of_ + "\n";
+    errno = 0;
+    std::ofstream file(beside, std::ios::binary);
+    file << line << memory << checksum(line, memory);
+    file.close();  // what is still in the buffer meets a full disk only here
+    if (!file) fail(beside);
+    wait_for_disk(beside);
+    std::error_code none;  // there is none before the second
+    fs::rename(newest, folder_ / names[1], none);
+  });
+  wait_for_disk(folder_);
+}
+
+std::optional<std::string> Checkpoints::read(std::size_t which, std::string& fault) const {
+  const auto path = folder_ / names.at(which);
+  if (!fs::exists(path)) return std::nullopt;
+  try {
+    auto text = read_text(path);
+    const auto found = fault_of(text, of_);
+    if (found.empty()) return content_of(std::move(text));
+    fault = fmt::format("{} {}", path.string(), found);
+  } catch (const fs::filesystem_error& error) {
+    fault = error.what();
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> Checkpoints::read(std::vector<std::string>& refused) const {
+  for (std::size_t which = 0; which < kept; ++which) {
+    std::string fault;
+    if (auto found = read(which, fault)) return found;
+    if (!fault.empty()) refused.push_back(fault);
+  }
+  return std::nullopt;
+}
+
+bool Checkpoints::any() const {
+  std::error_code none;
+  return std::ranges::any_of(names, [&](const char* name) { return fs::exists(folder_ / name, none); });
+}
+
+void Checkpoints::remove() const {
+  std::error_code none;
+  fs::remove(folder_ / "checkpoint.partial", none);  // of a process that was killed
+  for (const auto* name : names) fs::remove(folder_ / name, none);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<char, 8> magic_of_cells{'P', 'D', 'P', 'c', 'e', 'l', 'l', '1'};
+constexpr std::size_t piece = 1 << 20;  // bytes at once
+
+struct Header {
+  std::array<char, 8> mark = magic_of_cells;
+  std::uint64_t width = 0, points = 0;
+  std::array<std::int64_t, 4> box{0, 0, 0, 0};  // low column and row, high ones behind the last
+};
+
+class Checksum {
+public:
+  Checksum() : state_(XXH3_createState(), XXH3_freeState) { XXH3_64bits_reset(state_.get()); }
+  void add(const void* data, std::size_t size) { XXH3_64bits_update(state_.get(), data, size); }
+  std::string text() const { return fmt::format("{:016x}", XXH3_64bits_digest(state_.get())); }
+
+private:
+  std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_;
+};
+
+Header header_of(const CellValues& values) {
+  Header header;
+  header.width = values.width, header.points = values.cells.size();
+  if (values.cells.empty()) return header;
+  auto& [low_column, low_row, high_column, high_row] = header.box;
+  low_column = high_column = values.cells[0][0], low_row = high_row = values.cells[0][1];
+  for (const auto& [column, row] : values.cells) {
+    low_column = std::min(low_column, std::int64_t(column)), low_row = std::min(low_row, std::int64_t(row));
+    high_column = std::max(high_column, std::int64_t(column) + 1), high_row = std::max(high_row, std::int64_t(row) + 1);
+  }
+  return header;
+}
+
+std::size_t bytes_of_point(std::size_t width) {
+  return 2 * sizeof(std::int64_t) + width * sizeof(double);
+}
+
+bool meets(const std::array<std::int64_t, 4>& box, const geometry::CellBox& wanted) {
+  return box[0] < wanted.high[0] && wanted.low[0] < box[2] && box[1] < wanted.high[1] && wanted.low[1] < box[3];
+}
+
+}  // namespace
+
+std::string write_cells(const fs::path& path, const CellValues& values) {
+  Checksum sum;
+  write_whole(path, [&](const fs::path& beside) {
+    std::ofstream file(beside, std::ios::binary);
+    std::string text;
+    const auto flush = [&] {
+      sum.add(text.data(), text.size());
+      file.write(text.data(), std::streamsize(text.size()));
+      text.clear();
+    };
+    const auto add = [&](const void* data, std::size_t size) { text.append(static_cast<const char*>(data), size); };
+    const Header header = header_of(values);
+    add(&header, sizeof(header));
+    for (std::size_t k = 0; k < values.cells.size(); ++k) {
+      const std::array<std::int64_t, 2> cell{values.cells[k][0], values.cells[k][1]};
+      add(cell.data(), sizeof(cell));
+      add(values.values.data() + k * values.width, values.width * sizeof(double));
+      if (text.size() > piece) flush();
+    }
+    flush();
+    file.close();  // what is still in the buffer meets a full disk only here
+    if (!file) throw fs::filesystem_error("cannot write", beside, std::make_error_code(std::errc::no_space_on_device));
+    wait_for_disk(beside);
+  });
+  return sum.text();
+}
+
+std::string checksum_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return "";
+  Checksum sum;
+  std::string text(piece, ' ');
+  while (file.read(text.data(), std::streamsize(text.size())) || file.gcount() > 0)
+    sum.add(text.data(), std::size_t(file.gcount()));
+  return file.bad() ? "" : sum.text();
+}
+
+std::size_t read_cells(const fs::path& path, const geometry::CellBox& wanted,
+                       const std::function<void(const geometry::Cell& cell, std::span<const double> values)>& visit) {
+  std::ifstream file(path, std::ios::binary);
+  Header header;
+  constexpr std::size_t most = 1000;  // numbers of a point
+  if (!file.read(reinterpret_cast<char*>(&header), sizeof(header)) || header.mark != magic_of_cells ||
+      header.width > most)
+    throw std::runtime_error(path.string() + " does not hold points of a checkpoint");
+  if (!meets(header.box, wanted)) return header.width;
+  const std::size_t one = bytes_of_point(header.width), at_once = piece / one + 1;
+  std::string text(at_once * one, ' ');
+  std::vector<double> values(header.width);
+  for (std::uint64_t left = header.points; left > 0;) {
+    const auto count = std::min<std::uint64_t>(left, at_once);
+    if (!file.read(text.data(), std::streamsize(count * one)))
+      throw std::runtime_error(path.string() + " is not whole");
+    for (std::uint64_t i = 0; i < count; ++i) {
+      std::array<std::int64_t, 2> cell{};
+      std::memcpy(cell.data(), text.data() + i * one, sizeof(cell));
+      std::memcpy(values.data(), text.data() + i * one + sizeof(cell), header.width * sizeof(double));
+      visit({long(cell[0]), long(cell[1])}, values);
+    }
+    left -= count;
+  }
+  return header.width;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t turns = 3;
+
+/// The first that is not empty.
+std::string first_of(const std::vector<std::string>& texts) {
+  const auto found = std::ranges::find_if(texts, [](const std::string& text) { return !text.empty(); });
+  return found == texts.end() ? "" : *found;
+}
+
+}  // namespace
+
+SharedCheckpoints::SharedCheckpoints(const plate::Ranks& all, fs::path folder, std::string of)
+    : all_(&all), folder_(std::move(folder)), first_(folder_, std::move(of)) {}
+
+/// What every process says.
+std::vector<std::string> SharedCheckpoints::told(const std::string& own) const {
+  return all_->exchanged(std::vector<std::string>(std::size_t(all_->size()), own));
+}
+
+fs::path SharedCheckpoints::part(std::size_t turn, std::size_t rank) const {
+  return folder_ / fmt::format("checkpoint.{}.{}", turn, rank);
+}
+
+void SharedCheckpoints::write(const std::string& memory, const CellValues& own) {
+  const auto together = [&](const auto& write) {
+    std::string result, fault;
+    try {
+      result = write();
+    } catch (const fs::filesystem_error& error) {
+      fault = error.what();
+    }
+    if (fault = first_of(told(fault)); !fault.empty())
+      throw fs::filesystem_error(fault, std::make_error_code(std::errc::io_error));
+    return result;
+  };
+  const auto checksums = told(together([&] { return write_cells(part(turn_, std::size_t(all_->rank())), own); }));
+  together([&] {
+    if (all_->rank() == 0)
+      first_.write(fmt::format("{} {} {}\n", turn_, checksums.size(), fmt::join(checksums, " ")) + memory);
+    return std::string();
+  });
+  turn_ = (turn_ + 1) % turns;
+}
+
+SharedCheckpoints::Main SharedCheckpoints::main_of(const std::string& text) {
+  Main main;
+  const auto line = text.find('\n');
+  std::istringstream words(text.substr(0, line));
+  std::size_t count = 0;
+  words >> main.turn >> count;
+  for (std::string word; main.checksums.size() < count && words >> word;) main.checksums.push_back(word);
+  if (line != std::string::npos) main.memory = text.substr(line + 1);
+  return main;
+}
+
+/// Every process looks at some of the parts.
+std::string SharedCheckpoints::fault_of_parts(const Main& main) const {
+  for (auto rank = std::size_t(all_->rank()); rank < main.checksums.size(); rank += std::size_t(all_->size()))
+    if (const auto path = part(main.turn, rank); checksum_of(path) != main.checksums[rank])
+      return path.string() + " is damaged or not whole";
+  return "";
+}
+
+std::optional<SharedCheckpoints::Found> SharedCheckpoints::read(std::vector<std::string>& refused) {
+  for (std::size_t which = 0; which < Checkpoints::kept; ++which) {
+    std::string fault;
+    const auto text = first_.read(which, fault);
+    const auto main = text ? main_of(*text) : Main{};
+    if (text) fault = fault_of_parts(main);
+    const auto found = told(text ? "+" + fault : fault.empty() ? "" : "-" + fault);  // nothing: there is none
+    const auto missing = std::ranges::count(found, std::string());
+    const auto wrong = std::ranges::find_if(found, [](const std::string& one) { return one.size() > 1; });
+    if (wrong != found.end())
+      refused.push_back(wrong->substr(1));
+    else if (missing == 0) {
+      turn_ = (main.turn + 1) % turns;
+      Found result{main.memory, {}};
+      for (std::size_t rank = 0; rank < main.checksums.size(); ++rank) result.parts.push_back(part(main.turn, rank));
+      return result;
+    } else if (missing < std::ptrdiff_t(found.size()))
+      refused.push_back(folder_.string() + ": not all processes see the checkpoint in it");
+  }
+  return std::nullopt;
+}
+
+void SharedCheckpoints::remove() const {
+  if (all_->rank() > 0) return;
+  first_.remove();
+  std::vector<fs::path> parts;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder_, none))
+    if (entry.path().filename().string().starts_with("checkpoint.")) parts.push_back(entry.path());
+  for (const auto& path : parts) fs::remove(path, none);
+}
+
+}  // namespace post

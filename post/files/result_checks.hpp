@@ -1,0 +1,69 @@
+#pragma once
+#include <initializer_list>
+#include <optional>
+
+#include "plate/formulation/formulation.hpp"
+#include "plate/solve/statics.hpp"
+#include "post/factors/srif.hpp"
+
+/// What must hold of every number before it is written: each throws plate::NumericalError, saying what failed and when.
+namespace post {
+
+/// Numbers by their name.
+using Named = std::initializer_list<std::pair<const char*, double>>;
+void require_finite(const Named& numbers, const std::string& when);
+void require_finite(const std::vector<Srif>& factors, const std::string& when);
+/// Displacements of all points.
+void require_finite(const plate::State& state, const std::string& when);
+
+/// Work of loads that grow slowly from zero.
+double slow_work(const plate::Formulation& plate, const plate::State& state);
+double slow_work(const plate::Formulation& plate, const plate::StaticResult& result);
+/// Of one load [3 x points].
+double slow_work(const plate::Formulation& plate, const plate::Forces& load, const plate::State& state);
+/// Of a plate whose supports have moved while all that is free rests, beside which equilibria are small; 0 of one whose
+/// supports rest.
+double energy_about(const plate::Formulation& plate, const plate::State& lift);
+double energy_about(const plate::Formulation& plate);  // of all settlements together
+/// Of every load at factor 1, of a settlement what it pulls with at first.
+std::vector<plate::Forces> forces_of(const plate::Formulation& plate);
+
+/// Of all processes that share the plate.
+bool is_zero(const plate::State& values);
+/// Is the state not zero, and the work [energy] of the loads not so small that digits of it are lost?
+bool moves(const plate::State& state, double work);
+
+/// For a plate that does not: a plate with a load on any degree of freedom that nothing holds should. Else warns
+/// that no load reaches what may move, or that loads cancel. `loads`: nodal forces, those that act together as one.
+void require_motion(const plate::Formulation& plate, const std::vector<plate::Forces>& loads, const plate::State& state,
+                    double work, std::vector<std::string>& warnings);
+
+/// Looks after the energy of a plate, which is the work of its loads: what is not comes of steps that are too long, of
+/// a force that is not the derivative of an energy, or of a state that is no equilibrium.
+class EnergyGate {
+public:
+  enum class Plate { rests, moves, grows };
+  explicit EnergyGate(Plate plate) : plate_(plate) {}
+
+  struct Books {
+    double energy;  // strain, kinetic, and spent on growth so far: none is negative
+    double kept;    // the same, as central differences keep it, be they stable or not
+    double work;    // of the loads so far
+  };
+  /// Throws plate::NumericalError where what is kept and the work, in motion both since the first call, differ by more
+  /// than a hundredth of the largest work that there has been; and where the energy of the last call was some times as
+  /// much: loads that set in have done no work yet when the plate begins to move.
+  void look(const Books& now, const std::string& when);
+
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(largest_work_, last_energy_, before_);
+  }
+
+private:
+  Plate plate_;
+  double largest_work_ = 0, last_energy_ = 0;
+  std::optional<double> before_;  // what was kept less the work at the first call
+};
+
+}  // namespace post

@@ -1,0 +1,135 @@
+#include "post/files/sinks.hpp"
+
+#include "post/files/frame.hpp"
+#include "post/files/whole_file.hpp"
+
+namespace post {
+namespace {
+
+template <typename Rows>
+Kept::Array array(const Eigen::MatrixBase<Rows>& rows) {
+  Kept::Array result{std::vector<double>(std::size_t(rows.size())), std::size_t(rows.rows())};
+  Eigen::Map<Eigen::MatrixXd>(result.values.data(), rows.rows(), rows.cols()) = rows;
+  return result;
+}
+
+Kept::Array array(const std::vector<Eigen::Vector2d>& points) {
+  Kept::Array result{{}, 2};
+  for (const auto& x : points) result.values.insert(result.values.end(), {x.x(), x.y()});
+  return result;
+}
+
+Eigen::Map<const Eigen::RowVectorXd> row(const std::vector<double>& values) {
+  return {values.data(), Eigen::Index(values.size())};
+}
+
+template <typename Cells>
+std::vector<std::uint32_t> flat(const Cells& cells) {
+  std::vector<std::uint32_t> result;
+  for (const auto& cell : cells) result.insert(result.end(), cell.begin(), cell.end());
+  return result;
+}
+
+}  // namespace
+
+void KeptSink::frame(Frame frame, std::optional<Mesh> mesh, plate::State) {
+  if (mesh) mesh_ = std::move(*mesh);
+  auto& [time, arrays, quads, triangles] = kept_.frames.emplace_back();
+  time = frame.time;
+  const auto linear = [&](const auto& rows) { return array(at_vertices(mesh_, rows, &Mesh::Source::linear)); };
+  const auto mean = [&](const auto& rows) { return array(at_vertices(mesh_, rows, &Mesh::Source::mean)); };
+  auto areas = mesh_.areas;
+  areas.resize(areas.size() + mesh_.corners.size(), 0);
+  arrays = {{"x", array(vertices(mesh_))},
+            {"area", {std::move(areas)}},
+            {"cut", mean(row(mesh_.cut))},
+            {"damage", mean(row(frame.damage))},
+            {"w", linear(frame.state.row(0))},
+            {"theta", linear(frame.state.bottomRows<2>())},
+            {"moments", mean(frame.resultants.moments)},
+            {"shear", mean(frame.resultants.shear)},
+            {"von_mises", mean(frame.resultants.von_mises.transpose())}};
+  quads = flat(mesh_.quads);
+  triangles = flat(mesh_.triangles);
+}
+
+void KeptSink::cracks(const Cracks& cracks) {
+  for (const auto& line : cracks.lines) kept_.cracks.push_back(array(line.vertices));
+}
+
+void KeptSink::tables(const Tables& tables) {
+  for (const auto& [name, table] : tables) kept_.tables.emplace_back(name, *table);
+}
+
+Folder::Folder(FolderOptions options, FolderLock lock) : options_(std::move(options)), lock_(std::move(lock)) {
+  write_whole(options_.folder / "case.resolved.toml", options_.resolved);
+}
+
+void Folder::open(const Mesh& mesh) {
+  if (options_.vtk) vtk_.emplace(options_.folder, mesh);
+  if (options_.hdf5) hdf5_.emplace(state_file(options_.velocities), mesh);
+}
+
+StateFile::Options Folder::state_file(bool velocities) const {
+  return {options_.folder / "state.h5", options_.resolved, options_.version, velocities, options_.goes_on};
+}
+
+void Folder::frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) {
+  if (!options_.vtk && !hdf5_) return;
+  wait_for_frame();
+  times_.push_back(frame.time);
+  if (options_.vtk && !vtk_) vtk_.emplace(options_.folder, Mesh{});
+  if (mesh && vtk_) vtk_->remesh(std::move(*mesh));
+  writing_ = std::async(std::launch::async, [this, frame = std::move(frame), velocity = std::move(velocity)] {
+    if (vtk_) vtk_->write(frame);
+    if (hdf5_) hdf5_->write(frame, options_.velocities ? &velocity : nullptr);
+  });
+}
+
+void Folder::final_state(const Mesh& mesh, const Frame& frame) {
+  wait_for_frame();
+  if (!options_.hdf5) return;
+  auto options = state_file(false);
+  options.goes_on = false;
+  hdf5_.emplace(std::move(options), mesh);
+  hdf5_->write(frame, nullptr);
+}
+
+void Folder::wait_for_frame() {
+  if (writing_.valid()) writing_.get();
+}
+
+void Folder::cracks(const Cracks& cracks) {
+  write_cracks(options_.folder / "cracks.vtp", cracks);
+}
+
+void Folder::plot(const std::string& name, const std::string& svg) {
+  write_whole(options_.folder / (name + ".svg"), svg);
+}
+
+void Folder::tables(const Tables& tables) {
+  for (const auto& [name, table] : tables) write_csv(options_.folder / (name + ".csv"), *table);
+  wait_for_frame();
+  if (!hdf5_) return;
+  for (const auto& [name, table] : tables) hdf5_->write(name, *table);
+  hdf5_->close();
+}
+
+std::vector<double> Folder::written() {
+  wait_for_frame();
+  if (hdf5_) hdf5_->part();
+  return times_;
+}
+
+void Folder::go_on(const std::vector<double>& times) {
+  times_ = times;
+  if (options_.vtk && !vtk_) vtk_.emplace(options_.folder, Mesh{});
+  if (vtk_) vtk_->go_on(times);
+  if (hdf5_) hdf5_->go_on(times.size());
+}
+
+void Folder::summary(const std::string& json) {
+  write_whole(options_.folder / "summary.json", json);
+}
+
+}  // namespace post

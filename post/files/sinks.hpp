@@ -1,0 +1,75 @@
+#pragma once
+#include <filesystem>
+#include <future>
+
+#include "post/files/hdf5/state_file.hpp"
+#include "post/files/kept.hpp"
+#include "post/files/recorder.hpp"
+#include "post/files/run_folder.hpp"
+#include "post/files/vtk_series.hpp"
+
+namespace post {
+
+/// Keeps results in a value that outlives it.
+class KeptSink : public Sink {
+public:
+  explicit KeptSink(Kept& kept) : kept_(kept) {}
+
+  bool draws() const override { return kept_.wants_fields; }
+  bool stores() const override { return false; }
+  bool plots() const override { return false; }
+  void open(const Mesh& mesh) override { mesh_ = mesh; }
+  void frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) override;
+  void final_state(const Mesh&, const Frame&) override {}
+  void cracks(const Cracks& cracks) override;
+  void plot(const std::string&, const std::string&) override {}
+  void tables(const Tables& tables) override;
+  void summary(const std::string& json) override { kept_.summary = json; }
+
+private:
+  Kept& kept_;
+  Mesh mesh_;
+};
+
+/// What is written into a folder.
+struct FolderOptions {
+  std::filesystem::path folder;
+  std::string resolved, version;  // the whole case as text; of the program
+  bool vtk = true, hdf5 = true;
+  bool velocities = false;  // in state.h5
+  bool goes_on = false;     // where a run was ended
+};
+
+/// The results of a run as files. A frame is written while the solver goes on: what went wrong with it is thrown with
+/// the next one, or with the tables.
+class Folder : public Sink {
+public:
+  /// Writes the case into the folder, which is there and locked for this.
+  Folder(FolderOptions options, FolderLock lock);
+
+  bool draws() const override { return options_.vtk; }
+  bool stores() const override { return options_.hdf5; }
+  bool plots() const override { return options_.vtk; }
+  void open(const Mesh& mesh) override;
+  void frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) override;
+  void final_state(const Mesh& mesh, const Frame& frame) override;
+  void cracks(const Cracks& cracks) override;
+  void plot(const std::string& name, const std::string& svg) override;
+  void tables(const Tables& tables) override;
+  void summary(const std::string& json) override;
+  std::vector<double> written() override;
+  void go_on(const std::vector<double>& times) override;
+
+private:
+  void wait_for_frame();
+  StateFile::Options state_file(bool velocities) const;
+
+  FolderOptions options_;
+  FolderLock lock_;
+  std::optional<VtkSeries> vtk_;
+  std::optional<StateFile> hdf5_;
+  std::vector<double> times_;  // of the frames
+  std::future<void> writing_;  // of the last frame; ends before what it writes to
+};
+
+}  // namespace post

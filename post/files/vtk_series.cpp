@@ -1,0 +1,238 @@
+#include "post/files/vtk_series.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <bit>
+#include <pugixml.hpp>
+#include <regex>
+#include <stdexcept>
+
+#include "post/files/data_arrays.hpp"
+#include "post/files/frame.hpp"
+#include "post/files/whole_file.hpp"
+
+namespace post {
+namespace {
+
+std::string fields(std::size_t frame) {
+  return fmt::format("fields_{:04}.vtu", frame);
+}
+
+std::string cracks(std::size_t frame) {
+  return fmt::format("cracks_{:04}.vtp", frame);
+}
+
+}  // namespace
+
+std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame),
+                const std::set<std::size_t>& without) {
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"{}\">\n  <Collection>\n",
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (without.contains(i)) continue;
+    text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", times[i], file_name(i));
+  }
+  return text + "  </Collection>\n</VTKFile>\n";
+}
+
+VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh) : folder_(std::move(folder)), mesh_(std::move(mesh)) {}
+
+void VtkSeries::write(const Frame& frame) {
+  const auto number = times_.size();
+  write_whole(folder_ / fields(number), vtu(mesh_, frame));
+  if (frame.cracks) write_whole(folder_ / cracks(number), vtp(*frame.cracks));
+  times_.push_back(frame.time);
+  write_whole(folder_ / "fields.pvd", pvd(times_, fields, gone_));
+  if (frame.cracks) write_whole(folder_ / "cracks.pvd", pvd(times_, cracks, gone_));
+}
+
+void VtkSeries::go_on(std::vector<double> times) {
+  times_ = std::move(times);
+  for (std::size_t i = 0; i < times_.size(); ++i)
+    if (!std::filesystem::exists(folder_ / fields(i))) gone_.insert(i);
+}
+
+std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> frames;
+  if (!std::filesystem::exists(folder / "fields.pvd")) return frames;
+  static const std::regex file("file=\"([^\"]+\\.vtu)\"");
+  const auto text = read_text(folder / "fields.pvd");
+  for (std::sregex_iterator found(text.begin(), text.end(), file), end; found != end; ++found)
+    frames.push_back(folder / (*found)[1].str());
+  return frames;
+}
+
+void write_cracks(const std::filesystem::path& path, const Cracks& cracks) {
+  write_whole(path, vtp(cracks));
+}
+
+namespace {
+
+/// GridCells as VTK lists them: the points of all, where the points of each end, what each is.
+struct GridCells {
+  enum Type : std::uint8_t { vertex = 1, triangle = 5, quad = 9 };  // VTK's numbers
+  std::vector<std::int64_t> points, ends;
+  std::vector<std::uint8_t> types;
+
+  void add(Type type, const auto& cell) {
+    points.insert(points.end(), cell.begin(), cell.end());
+    ends.push_back(std::int64_t(points.size()));
+    types.push_back(type);
+  }
+};
+
+/// Every point that no cell uses is a cell by itself, unless it is another process's.
+GridCells cells_of(const Mesh& mesh) {
+  GridCells cells;
+  for (const auto& quad : mesh.quads) cells.add(GridCells::quad, quad);
+  for (const auto& triangle : mesh.triangles) cells.add(GridCells::triangle, triangle);
+  std::vector<bool> used(mesh.positions.size() + mesh.corners.size(), false);
+  for (const auto k : cells.points) used.at(std::size_t(k)) = true;
+  const auto own = mesh.positions.size() - mesh.others;
+  for (std::size_t k = 0; k < used.size(); ++k)
+    if (!used[k] && (k < own || k >= mesh.positions.size())) cells.add(GridCells::vertex, std::array{k});
+  return cells;
+}
+
+/// Values of points, one row per component, with those of corners behind; throws where the points are not those of the
+/// mesh.
+template <typename Rows>
+std::string point_data(const Mesh& mesh, const char* name, CornerWeight weight, const Eigen::MatrixBase<Rows>& rows) {
+  if (const auto points = mesh.positions.size(); std::size_t(rows.cols()) != points)
+    throw std::invalid_argument(fmt::format("{} has {} values for {} points", name, rows.cols(), points));
+  const Eigen::MatrixXd values = at_vertices(mesh, rows, weight);
+  return data_array(name, {values.data(), std::size_t(values.size())}, std::size_t(values.rows()));
+}
+
+Eigen::Map<const Eigen::RowVectorXd> field_row(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+std::string fields_of(const Mesh& mesh, const Frame& frame) {
+  const auto& [moments, shear, von_mises] = frame.resultants;
+  std::string text;
+  const auto add = [&](const char* name, CornerWeight weight, const auto& rows) {
+    text += point_data(mesh, name, weight, rows);
+  };
+  constexpr auto linear = &Mesh::Source::linear, mean = &Mesh::Source::mean;
+  add("w", linear, frame.state.row(0));
+  add("theta", linear, frame.state.bottomRows<2>());
+  add("damage", mean, field_row(frame.damage));
+  add("cut", mean, field_row(mesh.cut));
+  add("Mxx", mean, moments.row(0));
+  add("Myy", mean, moments.row(1));
+  add("Mxy", mean, moments.row(2));
+  add("Qx", mean, shear.row(0));
+  add("Qy", mean, shear.row(1));
+  add("von_mises", mean, von_mises.transpose());
+  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, frame.state.cols());
+  displacement.row(2) = frame.state.row(0);
+  add("displacement", linear, displacement);
+  return text;
+}
+
+}  // namespace
+
+std::string vtu(const Mesh& mesh, const Frame& frame) {
+  const auto all = vertices(mesh);
+  std::vector<double> positions;
+  positions.reserve(3 * all.size());
+  for (const auto& x : all) positions.insert(positions.end(), {x.x(), x.y(), 0});
+  const auto cells = cells_of(mesh);
+  return vtk_file(
+      "UnstructuredGrid",
+      fmt::format("<FieldData>\n{}</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
+                  "<PointData>\n{}</PointData>\n<Points>\n{}</Points>\n<Cells>\n{}{}{}</Cells>\n</Piece>\n",
+                  data_array("TimeValue", std::array{frame.time}), all.size(), cells.types.size(),
+                  fields_of(mesh, frame), data_array("Points", positions, 3), data_array("connectivity", cells.points),
+                  data_array("offsets", cells.ends), data_array("types", cells.types)));
+}
+
+namespace {
+
+template <typename Number>
+std::vector<Number> numbers_in(const pugi::xml_node& array) {
+  constexpr const char* type = std::is_same_v<Number, double> ? "Float64" : "Int64";
+  if (array.attribute("type").value() != std::string_view(type))
+    throw std::runtime_error(fmt::format("an array is not of {}", type));
+  return numbers_of<Number>(array.text().get());
+}
+
+pugi::xml_node array_named(const pugi::xml_node& parent, const char* name) {
+  return parent.find_child_by_attribute("DataArray", "Name", name);
+}
+
+/// One row per component and one column per point.
+Eigen::MatrixXd values_in(const pugi::xml_node& data, const char* name, std::size_t components, std::size_t points) {
+  const auto array = array_named(data, name);
+  if (!array) throw std::runtime_error(fmt::format("no {}", name));
+  const auto found = numbers_in<double>(array);
+  if (found.size() != components * points)
+    throw std::runtime_error(fmt::format("{} has {} numbers for {} points", name, found.size(), points));
+  return Eigen::Map<const Eigen::MatrixXd>(found.data(), Eigen::Index(components), Eigen::Index(points));
+}
+
+Mesh mesh_of(const pugi::xml_node& piece) {
+  const auto positions = numbers_in<double>(piece.child("Points").child("DataArray"));
+  const auto ids = numbers_in<std::int64_t>(array_named(piece.child("Cells"), "connectivity")),
+             ends = numbers_in<std::int64_t>(array_named(piece.child("Cells"), "offsets"));
+  Mesh mesh;
+  for (std::size_t i = 0; i + 2 < positions.size(); i += 3) mesh.positions.emplace_back(positions[i], positions[i + 1]);
+  const auto points = std::int64_t(mesh.positions.size()), count = std::int64_t(ids.size());
+  if (std::ranges::any_of(ids, [&](std::int64_t id) { return id < 0 || id >= points; }) ||
+      !std::ranges::is_sorted(ends) || (!ends.empty() && (ends.front() < 0 || ends.back() > count)))
+    throw std::runtime_error("its cells are not of its points");
+  std::int64_t begin = 0;
+  for (const auto end : ends) {
+    const auto id = [&](std::int64_t i) { return std::uint32_t(ids[std::size_t(begin + i)]); };
+    if (end - begin == 4) mesh.quads.push_back({id(0), id(1), id(2), id(3)});
+    if (end - begin == 3) mesh.triangles.push_back({id(0), id(1), id(2)});
+    begin = end;
+  }
+  return mesh;
+}
+
+Frame frame_of(const pugi::xml_node& data, std::size_t points) {
+  const auto values = [&](const char* name, std::size_t components = 1) {
+    return values_in(data, name, components, points);
+  };
+  const auto w = values("w"), theta = values("theta", 2), damage = values("damage");
+  const auto xx = values("Mxx"), yy = values("Myy"), xy = values("Mxy");
+  Frame frame;
+  frame.state.resize(3, Eigen::Index(points));
+  frame.state << w, theta;
+  frame.damage.assign(damage.data(), damage.data() + damage.size());
+  frame.resultants.moments.resize(3, Eigen::Index(points));
+  frame.resultants.moments << xx, yy, xy;
+  frame.resultants.von_mises = values("von_mises").transpose();
+  return frame;
+}
+
+Drawn drawn(const pugi::xml_node& file) {
+  for (const auto& [name, value] : vtk_attributes())
+    if (file.attribute(name).value() != value)
+      throw std::runtime_error(fmt::format("{} is {:?}, not {}: not written by this version of the program", name,
+                                           file.attribute(name).value(), value));
+  const auto grid = file.child("UnstructuredGrid"), piece = grid.child("Piece");
+  Drawn result{mesh_of(piece), {}};
+  result.frame = frame_of(piece.child("PointData"), result.mesh.positions.size());
+  const auto time = numbers_in<double>(array_named(grid.child("FieldData"), "TimeValue"));
+  if (time.size() != 1) throw std::runtime_error("no TimeValue");
+  result.frame.time = time.front();
+  return result;
+}
+
+}  // namespace
+
+Drawn read_frame(const std::filesystem::path& path) {
+  try {
+    pugi::xml_document document;
+    if (const auto parsed = document.load_file(path.c_str()); !parsed) throw std::runtime_error(parsed.description());
+    return drawn(document.child("VTKFile"));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
+}  // namespace post

@@ -1,0 +1,247 @@
+#include "post/report/accuracy_search.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/model/process.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "post/factors/tip_integrals.hpp"
+#include "post/report/terminal.hpp"
+
+namespace post {
+namespace {
+
+/// From any tip to what disturbs its field; the side of the plate without tips.
+double exact_clear_distance(const plate::Problem& problem, double side) {
+  plate::Problem fine = problem;  // bends count, however slight
+  fine.discretization.tip_spacing = 1e-6 * side;
+  const auto paths = plate::crack_paths(problem);
+  return std::min(side, least_clear_distance(fine, paths, geometry::tips(paths)));
+}
+
+/// Of the smallest hole or part of the plate that is held; none without them.
+std::optional<double> least_radius(const plate::Problem& problem) {
+  std::optional<double> result;
+  auto shapes = problem.outline.holes;
+  for (const auto& support : problem.supports)
+    if (support.patch) shapes.push_back(*support.patch);
+  const auto take = [&](double radius) { result = std::min(result.value_or(radius), radius); };
+  for (const auto& hole : shapes) {
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole)) {
+      take(circle->radius);
+      continue;
+    }
+    const auto [low, high] = geometry::bounding_box({std::get<geometry::Polygon>(hole), {}});
+    take((high - low).minCoeff() / 2);
+  }
+  return result;
+}
+
+}  // namespace
+
+plate::Discretization discretization_of(const plate::Problem& problem, bool moves, double size) {
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  const geometry::Point sides = high - low;
+  const double layer = problem.section.layer();
+  plate::Discretization result = problem.discretization;
+  result.spacing = size * sides.minCoeff() / (moves ? 28 : 10);
+  result.tip_spacing = std::min(
+      size * size * std::min(exact_clear_distance(problem, sides.maxCoeff()) / 20, 0.63 * layer), result.spacing);
+  result.hole_spacing.reset();
+  if (const auto radius = least_radius(problem)) result.hole_spacing = std::min(size * *radius / 4, result.spacing);
+  result.spacing_growth = 0.28 * size;
+  return result;
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double doubles_the_points = std::numbers::sqrt2;  // of the size
+constexpr double least_size = 0.0715;                       // of spacing_growth 0.02, the least that a case may ask for
+
+/// Bytes that a run takes: measured 17 kB per point at 8,000 and 39,000 points, 18 at 85,000, most of them of the
+/// factor; in motion `vectors` of Lanczos beside, with their forces and the modes.
+double bytes_of(std::size_t points, std::size_t vectors) {
+  return (18e3 + 3 * 3 * 8 * double(vectors)) * double(points);
+}
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+AccuracyStep step_of(double size, AccuracyTrial trial, double seconds) {
+  const auto& problem = trial.plate->problem();
+  const auto& d = problem.discretization;
+  const double clear = least_clear_distance(problem, trial.plate->paths(), trial.plate->tips());
+  const double faces = std::min(d.spacing, *d.tip_spacing + d.spacing_growth * clear) / problem.section.layer();
+  return {size,
+          trial.plate->cloud().plate_points,
+          d.spacing,
+          *d.tip_spacing,
+          d.hole_spacing,
+          d.spacing_growth,
+          faces,
+          seconds,
+          std::move(trial.rows),
+          std::move(trial.truncated),
+          std::nullopt};
+}
+
+/// K1 of a crack that releases the whole energy of the plate over its smaller side.
+double nominal_factor(const plate::Problem& problem, double strain_energy) {
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  return std::sqrt(strain_energy / (high - low).minCoeff() / unit_release(problem.section)[0]);
+}
+
+/// What forbids to go on to a smaller size; empty where nothing does.
+std::string end_before(double size, const std::vector<AccuracyStep>& path, std::size_t vectors, double seconds,
+                       const SrifOptions& options) {
+  if (size < least_size) return "the finest discretisation of this program";
+  const auto& last = path.back();
+  const double ratio = std::pow(last.size / size, 2);
+  const double free = plate::free_memory();
+  if (free > 0 && bytes_of(std::size_t(ratio * double(last.points)), vectors) > free / 2) return "memory";
+  constexpr double order = 1.3;  // of the time, in the number of points: measured 1.1 to 1.4
+  if (seconds + last.seconds * std::pow(ratio, order) > options.accuracy_seconds) return "srif.accuracy_seconds";
+  return "";
+}
+
+/// The size after the last one, or what ends the search.
+struct Next {
+  double size;
+  std::string end;
+};
+
+/// Where one step that doubles the number of points does not suffice by far, two at once, if they are to be had.
+Next next_size(const std::vector<AccuracyStep>& path, std::size_t vectors, double seconds, const SrifOptions& options) {
+  constexpr double enough = 3.5;
+  const auto& last = path.back();
+  if (last.error && *last.error > enough * *options.accuracy)
+    if (const double size = last.size / 2; end_before(size, path, vectors, seconds, options).empty()) return {size, ""};
+  const double size = last.size / doubles_the_points;
+  return {size, end_before(size, path, vectors, seconds, options)};
+}
+
+/// Adds what Lanczos vectors leave out to the errors of tips without refined factors, in which it is.
+void add_truncation(const std::vector<double>& truncated, const std::vector<std::vector<Srif>>& refined,
+                    std::vector<std::vector<Srif>>& rows, double thickness) {
+  std::vector<double> largest(truncated.size(), 0);
+  for (const auto& row : rows)
+    for (const auto& srif : row)
+      if (!of_opening(srif.method)) largest[srif.tip] = std::max(largest[srif.tip], largest_factor(srif, thickness));
+  for (auto& row : rows)
+    for (auto& srif : row)
+      if (refined.empty() || std::ranges::find(refined.front(), srif.tip, &Srif::tip) == refined.front().end())
+        widen(srif, truncated[srif.tip] * largest[srif.tip], thickness);
+}
+
+/// Puts the refined factors of every tip before those of the finest discretisation, whose errors they tell.
+void put_first(std::vector<Srif> refined, std::vector<Srif>& row, const SrifOptions& options, double thickness) {
+  for (auto& best : refined) {
+    normalize(best, options, thickness);
+    for (auto& srif : row)
+      if (srif.tip == best.tip) refer_to(best, srif, thickness);
+    row.insert(std::ranges::find(row, best.tip, &Srif::tip), std::move(best));
+  }
+}
+
+class Search {
+public:
+  Search(const SrifOptions& options, const Solve& solve, Progress& progress)
+      : options_(options), solve_(solve), progress_(progress) {
+    found_.asked = *options.accuracy;
+  }
+
+  AccuracyFound run() {
+    constexpr double first_sizes = 0.2;
+    constexpr int most = 3;  // that fail one after the other
+    int failed = 0;
+    for (double size = 1; found_.outcome.empty();) {
+      const auto why = step(size);
+      failed = why.empty() ? 0 : failed + 1;
+      if (found_.path.empty() && size < first_sizes) return {};
+      if (!why.empty()) {
+        size /= doubles_the_points;
+        if (found_.path.empty()) continue;
+        found_.outcome =
+            failed == most ? why : end_before(size, found_.path, vectors_, seconds_since(start_), options_);
+        continue;
+      }
+      if (found_.path.back().error && *found_.path.back().error <= found_.asked) found_.outcome = "reached";
+      if (!found_.outcome.empty()) break;
+      const auto next = next_size(found_.path, vectors_, seconds_since(start_), options_);
+      size = next.size, found_.outcome = next.end;
+    }
+    auto best = best_of(refined_, tips_, thickness_, nominal_);
+    judge(best.rows, thickness_, nominal_);
+    found_.reached = best.error;
+    return {std::move(found_), std::move(best.rows)};
+  }
+
+private:
+  /// Adds a discretisation to the path; else why there is none.
+  std::string step(double size) {
+    const auto begin = Clock::now();
+    std::variant<AccuracyTrial, Unfit> next;
+    try {
+      next = solve_(size);
+    } catch (const plate::NumericalError& error) {
+      if (found_.path.empty()) throw;
+      return error.what();
+    }
+    if (const auto* unfit = std::get_if<Unfit>(&next))
+      return fmt::format("what forbids the next discretisation: {}", unfit->why);
+    auto& trial = std::get<AccuracyTrial>(next);
+    const auto& problem = trial.plate->problem();
+    tips_ = trial.plate->tips().size(), vectors_ = trial.vectors;
+    nominal_ = nominal_factor(problem, trial.strain_energy), thickness_ = problem.section.thickness;
+    found_.path.push_back(step_of(size, std::move(trial), seconds_since(begin)));
+    refined_.push_back(post::refined(found_.path, thickness_));
+    const auto error = found_.path.back().error = largest_error(refined_.back(), tips_, thickness_, nominal_);
+    progress_.update(std::min(0.99, error ? found_.asked / *error : 0),
+                     fmt::format("{} points, {}", found_.path.back().points,
+                                 error ? fmt::format("estimated error {:.2g} %", 100 * *error) : "no estimate yet"));
+    return "";
+  }
+
+  const SrifOptions& options_;
+  const Solve& solve_;
+  Progress& progress_;
+  Clock::time_point start_ = Clock::now();
+  AccuracySummary found_;
+  std::vector<std::vector<std::vector<Srif>>> refined_;  // after every discretisation
+  std::size_t tips_ = 0, vectors_ = 0;
+  double nominal_ = 0, thickness_ = 0;
+};
+
+}  // namespace
+
+AccuracyFound refine(const SrifOptions& options, const Solve& solve, Progress& progress) {
+  return Search(options, solve, progress).run();
+}
+
+std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<std::vector<double>>& truncated,
+                                       const SrifOptions& options, double thickness) {
+  auto rows = found.summary.path.back().rows;
+  auto& refined = found.refined;
+  if (truncated) add_truncation(*truncated, refined, rows, thickness);
+  for (std::size_t row = 0; row < refined.size(); ++row)
+    put_first(std::move(refined[row]), rows[row], options, thickness);
+  return rows;
+}
+
+std::vector<std::string> distrust_of(const AccuracySummary& found) {
+  if (found.outcome == "reached") return {};
+  return {fmt::format("srif.accuracy = {:g} not reached, estimated error {}: ended by {}", found.asked,
+                      found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.outcome)};
+}
+
+}  // namespace post

@@ -1,0 +1,65 @@
+#pragma once
+#include <functional>
+#include <variant>
+
+#include "plate/model/numerical_method.hpp"
+#include "post/files/summary.hpp"
+
+namespace plate {
+struct Problem;
+}
+
+namespace post {
+
+/// The lengths of the discretisation of a path to a stated accuracy: those far from tips and holes and their growth
+/// `size` times those of the first, those at tips by its square (theory.md, "To a stated accuracy"). In motion waves
+/// have to cross the plate.
+plate::Discretization discretization_of(const plate::Problem& problem, bool moves, double size);
+
+}  // namespace post
+
+namespace plate {
+class Formulation;
+}
+
+namespace post {
+
+class Progress;
+
+/// What one discretisation of a search gives.
+struct AccuracyTrial {
+  const plate::Formulation* plate;
+  std::vector<std::vector<Srif>> rows;  // at all times; of a static case one
+  std::vector<double> truncated;        // of every tip of a plate in motion: LanczosMotion::truncated()
+  double strain_energy;                 // the largest
+  std::size_t vectors;                  // of Lanczos
+};
+
+/// Why a discretisation cannot be had: points that are too coarse may not do where finer ones do.
+struct Unfit {
+  std::string why;
+};
+
+/// A discretisation of a size, solved.
+using Solve = std::function<std::variant<AccuracyTrial, Unfit>(double size)>;
+
+struct AccuracyFound {
+  AccuracySummary summary;                 // without a path where no discretisation could be had
+  std::vector<std::vector<Srif>> refined;  // what all discretisations tend to, for each tip at all times
+};
+
+/// Refines until every factor is known to options.accuracy, or time, memory or sizes end it (theory.md, "To a stated
+/// accuracy"). The factors are those of best_of(): a finer wish never gives less than a coarser one. `solve`: with the
+/// lengths of discretization_of() at a size; the plate of a trial lives until the next one. Throws
+/// plate::NumericalError where the first trial does.
+AccuracyFound refine(const SrifOptions& options, const Solve& solve, Progress& progress);
+
+/// All rows of the search: for each tip what all discretisations tend to, then those of the finest. `truncated`: what
+/// the vectors of the finest leave out of a motion.
+std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<std::vector<double>>& truncated,
+                                       const SrifOptions& options, double thickness);
+
+/// That the accuracy was not reached, and what ended the search.
+std::vector<std::string> distrust_of(const AccuracySummary& found);
+
+}  // namespace post

@@ -1,0 +1,304 @@
+#include "post/report/html_data.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "plate/model/problem.hpp"
+#include "post/report/html_page.hpp"
+
+namespace post {
+namespace {
+
+const double* number(const Cell& cell) {
+  return std::get_if<double>(&cell);
+}
+
+/// Has a table several rows of one instant, which stay together: one for each tip, probe or support?
+bool is_in_time(const Table& table) {
+  return !table.columns.empty() && (table.columns[0] == "time" || table.columns[0] == "advance");
+}
+
+std::set<std::size_t> rows_of(const Table& table, std::size_t most) {
+  std::set<std::size_t> rows;
+  const auto size = table.rows.size(), step = size / most + 1;
+  const bool together = is_in_time(table);
+  for (std::size_t i = 0, instant = 0; i < size; ++i) {
+    const bool same = together && i > 0 && table.rows[i][0] == table.rows[i - 1][0];
+    if (i > 0 && !same) ++instant;
+    if (instant % step == 0) rows.insert(i);
+  }
+  if (size == 0) return rows;
+  rows.insert(size - 1);
+  for (std::size_t column = 0; column < table.columns.size() && step > 1; ++column) {
+    std::size_t least = 0, largest = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto* x = number(table.rows[i][column]);
+      if (!x) continue;
+      const auto *low = number(table.rows[least][column]), *high = number(table.rows[largest][column]);
+      if (!low || *x < *low) least = i;
+      if (!high || *x > *high) largest = i;
+    }
+    rows.insert({least, largest});
+  }
+  return rows;
+}
+
+std::string text_of(const Cell& cell) {
+  constexpr int digits = 8;
+  if (const auto* x = number(cell)) return json_number(*x, digits);
+  if (const auto* word = std::get_if<std::string>(&cell)) return json_text(*word);
+  return "null";
+}
+
+}  // namespace
+
+std::string table_json(const Table& table, std::size_t most) {
+  const auto rows = rows_of(table, most);
+  Members columns;
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    std::vector<std::string> cells;
+    for (const auto row : rows) cells.push_back(text_of(table.rows[row][column]));
+    if (std::ranges::any_of(cells, [](const auto& cell) { return cell != "null"; }))
+      columns.emplace_back(table.columns[column], json_list(cells));
+  }
+  return json_object(columns);
+}
+
+Table recommended(const Table& srifs) {
+  const auto time = srifs.column("time"), tip = srifs.column("tip");
+  Table result{srifs.columns, {}};
+  for (const auto& row : srifs.rows)
+    if (result.rows.empty() || result.rows.back()[time] != row[time] || result.rows.back()[tip] != row[tip])
+      result.rows.push_back(row);
+  return result;
+}
+
+Table columns_of(const Table& table, const std::vector<std::string>& names) {
+  Table result;
+  std::vector<std::size_t> from;
+  for (const auto& name : names) {
+    const auto found = std::ranges::find(table.columns, name);
+    if (found == table.columns.end()) continue;
+    from.push_back(std::size_t(found - table.columns.begin()));
+    result.columns.push_back(name);
+  }
+  for (const auto& row : table.rows) {
+    auto& cells = result.rows.emplace_back();
+    for (const auto column : from) cells.push_back(row[column]);
+  }
+  return result;
+}
+
+namespace {
+
+std::string text_of(const geometry::Point& x) {
+  return json_list({json_number(x.x()), json_number(x.y())});
+}
+
+std::string text_of(const std::vector<geometry::Point>& points) {
+  std::vector<std::string> texts;
+  for (const auto& x : points) texts.push_back(text_of(x));
+  return json_list(texts);
+}
+
+std::string text_of(const std::vector<std::string>& words) {
+  std::vector<std::string> texts;
+  for (const auto& word : words) texts.push_back(json_text(word));
+  return json_list(texts);
+}
+
+std::string text_of(const geometry::Hole& hole) {
+  if (const auto* circle = std::get_if<geometry::Circle>(&hole))
+    return json_object({{"name", json_text(circle->name)},
+                        {"centre", text_of(circle->centre)},
+                        {"radius", json_number(circle->radius)}});
+  const auto& polygon = std::get<geometry::Polygon>(hole);
+  return json_object({{"vertices", text_of(polygon.vertices)}});
+}
+
+std::string words(plate::SupportKind kind) {
+  using enum plate::SupportKind;
+  switch (kind) {
+    case free:
+      return "free";
+    case clamped:
+      return "clamped";
+    case simply_supported:
+      return "simply supported";
+    case simply_supported_hard:
+      return "simply supported, hard";
+    case symmetry:
+      return "symmetry";
+    case clamped_layer:
+      return "clamped in a layer";
+    case simply_supported_layer:
+      return "simply supported in a layer";
+    case simply_supported_hard_layer:
+      return "simply supported in a layer, hard";
+    case pinned:
+      return "pinned";
+  }
+  return "";
+}
+
+std::string words(const plate::History& history) {
+  using enum plate::History::Kind;
+  switch (history.kind) {
+    case step:
+      return "";
+    case ramp:
+      return fmt::format("rising over {:g}", history.rise_time);
+    case sine:
+      return fmt::format("sine of frequency {:g}", history.frequency);
+    case table:
+      return history.table.size() < 2
+                 ? "table in time"
+                 : fmt::format("table in time, {:g} to {:g}", history.table.front().first, history.table.back().first);
+  }
+  return "";
+}
+
+std::string text_of(const plate::Load& load) {
+  static constexpr std::array kinds{"pressure",  "edge_moment", "edge_shear", "point_force",
+                                    "line_load", "temperature", "settlement"};
+  Members members{{"kind", json_text(kinds.at(std::size_t(load.kind)))},
+                  {"value", json_number(load.value)},
+                  {"twist", json_number(load.twist)},
+                  {"edges", text_of(load.edges)},
+                  {"history", json_text(words(load.history))}};
+  if (load.has_tensor)
+    members.emplace_back(
+        "tensor", json_list({json_number(load.tensor[0]), json_number(load.tensor[1]), json_number(load.tensor[2])}));
+  if (load.formula.given()) members.emplace_back("expression", json_text(load.formula.text()));
+  if (load.table.given())
+    members.emplace_back("expression", json_text("of the table " + load.table.file().filename().string()));
+  if (load.level) {
+    members.emplace_back("level", json_number(*load.level));
+    members.emplace_back("expression", json_text(fmt::format("of a fluid of the unit weight {:g} up to y = {:g}",
+                                                             load.value, *load.level)));
+  }
+  if (load.moves()) {
+    members.emplace_back("path", text_of(load.path));
+    members.emplace_back("speed", json_number(load.speed));
+  }
+  if (load.patch) members.emplace_back("patch", text_of(*load.patch));
+  if (!load.gradient.isZero(0)) {
+    members.emplace_back("gradient", text_of(load.gradient));
+    members.emplace_back("from", text_of(load.from));
+  }
+  if (!load.along.empty()) members.emplace_back("along", text_of(load.along));
+  if (load.kind == plate::Load::Kind::settlement) {
+    members.emplace_back("support", json_number(double(load.support)));
+    members.emplace_back("rotation", json_number(load.rotation));
+    if (!load.slope.isZero(0))
+      members.emplace_back("gradient", text_of(load.slope)), members.emplace_back("from", text_of(load.from));
+  }
+  if (load.kind == plate::Load::Kind::point_force)
+    members.emplace_back("position", text_of(load.moves() ? load.path.front() : load.position));
+  return json_object(members);
+}
+
+std::string text_of(const plate::Foundation& foundation) {
+  Members members{{"modulus", json_number(foundation.modulus)}, {"shear", json_number(foundation.shear)}};
+  if (foundation.lifts_off) members.emplace_back("lifts_off", "true");
+  if (foundation.patch) members.emplace_back("patch", text_of(*foundation.patch));
+  return json_object(members);
+}
+
+std::string text_of(const plate::Spring& spring) {
+  Members members{{"deflection", json_number(spring.deflection)},
+                  {"rotation_normal", json_number(spring.rotation_normal)},
+                  {"rotation_tangential", json_number(spring.rotation_tangential)},
+                  {"rotation", json_number(spring.rotation)},
+                  {"edges", text_of(spring.edges)}};
+  if (!spring.along.empty()) members.emplace_back("along", text_of(spring.along));
+  if (spring.position) members.emplace_back("position", text_of(*spring.position));
+  return json_object(members);
+}
+
+std::string text_of(const plate::Stiffener& beam) {
+  Members members{{"bending", json_number(beam.bending)},
+                  {"torsion", json_number(beam.torsion)},
+                  {"mass", json_number(beam.mass)},
+                  {"edges", text_of(beam.edges)}};
+  if (!beam.along.empty()) members.emplace_back("along", text_of(beam.along));
+  return json_object(members);
+}
+
+std::string material_of(const plate::Section& s) {
+  if (!s.plies.empty()) return fmt::format("{} plies", s.plies.size());
+  if (const auto& m = s.orthotropic)
+    return fmt::format("E1 {:g}, E2 {:g}, ν12 {:g}, G12 {:g}, G13 {:g}, G23 {:g}, axis 1 at {:g}°", m->E1, m->E2,
+                       m->nu12, m->G12, m->G13, m->G23, m->angle);
+  return fmt::format("E {:g}, ν {:g}", s.young, s.poisson);
+}
+
+/// `material`, in words, of sections that vary or have directions alone.
+std::string text_of(const plate::Section& s) {
+  Members members{{"young", json_number(s.young)},
+                  {"poisson", json_number(s.poisson)},
+                  {"thickness", json_number(s.thickness)},
+                  {"density", json_number(s.density)}};
+  if (s.simple()) return json_object(members);
+  auto words = material_of(s);
+  if (s.thickness_factor.given()) words += fmt::format(", thickness times {}", s.thickness_factor.text());
+  if (s.young_factor.given()) words += fmt::format(", E times {}", s.young_factor.text());
+  if (!s.regions.empty())
+    words += fmt::format(", {} region{} of its own", s.regions.size(), s.regions.size() > 1 ? "s" : "");
+  members.emplace_back("material", json_text(words));
+  std::vector<std::string> regions;
+  for (const auto& region : s.regions) regions.push_back(text_of(region.shape));
+  if (!regions.empty()) members.emplace_back("regions", json_list(regions));
+  return json_object(members);
+}
+
+/// What begins a motion beside loads, in words.
+std::string beginning_of(const plate::Problem& problem) {
+  std::vector<std::string> words;
+  if (const auto& initial = problem.initial) {
+    if (initial->deflection.given()) words.push_back("deflection " + initial->deflection.text());
+    if (initial->velocity.given()) words.push_back("velocity " + initial->velocity.text());
+  }
+  if (const auto& impact = problem.impact)
+    words.push_back(fmt::format("a mass of {:g} hits ({:g}, {:g}) with the velocity {:g}, contact stiffness {:g}",
+                                impact->mass, impact->position.x(), impact->position.y(), impact->velocity,
+                                impact->stiffness));
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+template <typename Element, typename Text>
+std::string list_of(const std::vector<Element>& elements, const Text& text) {
+  std::vector<std::string> texts;
+  for (const auto& element : elements) texts.push_back(text(element));
+  return json_list(texts);
+}
+
+}  // namespace
+
+std::string plate_json(const plate::Problem& problem) {
+  const auto edge = [](const geometry::Edge& e) {
+    return json_object({{"name", json_text(e.name)}, {"from", text_of(e.from)}, {"to", text_of(e.to)}});
+  };
+  const auto support = [](const plate::Support& s) {
+    Members members{{"kind", json_text(words(s.kind))}, {"edges", text_of(s.edges)}, {"points", text_of(s.points)}};
+    if (!s.along.empty()) members.emplace_back("along", text_of(s.along));
+    if (s.patch) members.emplace_back("patch", text_of(*s.patch));
+    return json_object(members);
+  };
+  return json_object({{"outline", text_of(problem.outline.outer.vertices)},
+                      {"edges", list_of(geometry::straight_edges(problem.outline), edge)},
+                      {"holes", list_of(problem.outline.holes, [](const auto& hole) { return text_of(hole); })},
+                      {"cracks", list_of(problem.cracks, [](const auto& crack) { return text_of(crack); })},
+                      {"supports", list_of(problem.supports, support)},
+                      {"foundations", list_of(problem.foundations, [](const auto& one) { return text_of(one); })},
+                      {"springs", list_of(problem.springs, [](const auto& one) { return text_of(one); })},
+                      {"stiffeners", list_of(problem.stiffeners, [](const auto& one) { return text_of(one); })},
+                      {"loads", list_of(problem.loads, [](const auto& load) { return text_of(load); })},
+                      {"beginning", json_text(beginning_of(problem))},
+                      {"section", text_of(problem.section)}});
+}
+
+}  // namespace post

@@ -1,0 +1,39 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "geometry/shape/outline.hpp"
+#include "post/report/pictures.hpp"
+
+namespace plate {
+struct Problem;
+}
+
+namespace post {
+
+/// What a report says of a case beside its results.
+struct ReportedCase {
+  const plate::Problem& problem;
+  std::string title, source, units;
+  std::map<std::string, geometry::Point> probes;
+};
+
+/// Writes report.html into the folder of a run, from the files there and pictures of its fields: what it shows are the
+/// numbers of summary.json. Throws std::filesystem::filesystem_error where the folder holds no summary.
+void write_report(const std::filesystem::path& folder, const ReportedCase& about, const Pictures& pictures);
+
+/// The same from the files of a run that has ended: those of the last frame and of a few before it.
+void write_report(const std::filesystem::path& folder, const ReportedCase& about);
+
+/// Writes report.html into the folder of a study, from study.csv, orders.csv and the reports of its runs.
+void write_study_report(const std::filesystem::path& folder, const std::string& title);
+
+/// The same for a table of extremes, from extremes.csv.
+void write_extremes_report(const std::filesystem::path& folder, const std::string& title);
+
+/// The reports again of a study or a table of extremes that has ended, under the title that they had; false where the
+/// folder is of neither.
+bool write_report_of_many(const std::filesystem::path& folder);
+
+}  // namespace post

@@ -1,0 +1,289 @@
+#include "post/report/quantity.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "post/files/summary.hpp"
+#include "post/files/table.hpp"
+
+namespace post {
+namespace {
+
+using Json = nlohmann::json;
+
+template <class Value>
+std::optional<Value> optional(const Json& json, const char* name) {
+  const auto found = json.find(name);
+  return found == json.end() || found->is_null() ? std::nullopt : std::optional(found->get<Value>());
+}
+
+Srif srif_of(const Json& json) {
+  Srif srif;
+  srif.tip = json.at("tip");
+  srif.position = {json.at("x").get<double>(), json.at("y").get<double>()};
+  srif.method = json.at("method");
+  const std::array factors{&srif.K1, &srif.K2, &srif.K3};
+  const std::array normalized{&srif.F1, &srif.F2, &srif.F3};
+  const std::array<const char*, 3> K{"K1", "K2", "K3"}, F{"F1", "F2", "F3"},
+      error{"estimated_error_K1", "estimated_error_K2", "estimated_error_K3"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto factor = optional<double>(json, K[i]);
+    srif.resolved[i] = factor.has_value();
+    *factors[i] = factor.value_or(0);
+    *normalized[i] = optional<double>(json, F[i]);
+    srif.errors[i] = optional<double>(json, error[i]);
+  }
+  srif.estimated_error = optional<double>(json, "estimated_error");
+  return srif;
+}
+
+GrowthSummary growth_of(const Json& json) {
+  GrowthSummary growth;
+  growth.outcome = json.at("outcome");
+  growth.advances = json.at("advances");
+  growth.first_load_factor = optional<double>(json, "first_load_factor");
+  growth.first_load_factor_error = optional<double>(json, "first_load_factor_error");
+  growth.largest_load_factor = optional<double>(json, "largest_load_factor");
+  growth.lengths = json.at("lengths").get<std::vector<double>>();
+  return growth;
+}
+
+Summary summary_of(const Json& json) {
+  Summary summary;
+  summary.units = json.value("units", ""), summary.title = json.at("title"), summary.outcome = json.at("outcome");
+  summary.version = json.at("version"), summary.digest = json.at("digest");
+  summary.formulation = json.at("formulation"), summary.formulation_reason = json.value("formulation_reason", "");
+  summary.points = json.at("points"), summary.bonds = json.at("bonds");
+  summary.analysis.kind = json.at("analysis").at("kind");
+  summary.analysis.stop_reason = json.at("analysis").value("stop_reason", "");
+  summary.analysis.iterations = optional<std::size_t>(json.at("analysis"), "iterations");
+  summary.analysis.steps = optional<std::size_t>(json.at("analysis"), "steps");
+  for (const auto& [stage, spent] : json.at("seconds").items()) summary.seconds.emplace_back(stage, spent);
+  for (const auto& one : json.at("srif")) summary.srif.push_back(srif_of(one));
+  for (const auto& one : json.value("peaks", Json::array()))
+    summary.peaks.push_back(
+        {one.at("quantity"), optional<std::size_t>(one, "tip"), one.at("value"), one.at("time"), {}, {}});
+  for (const auto& one : json.value("frequencies", Json::array()))
+    summary.frequencies.push_back({one.at("mode"), one.at("frequency"), one.at("omega"), one.at("residual")});
+  if (json.contains("growth")) summary.growth = growth_of(json.at("growth"));
+  summary.warnings = json.at("warnings").get<std::vector<std::string>>();
+  return summary;
+}
+
+}  // namespace
+
+std::optional<Summary> read_summary(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  const auto json = Json::parse(file, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    return summary_of(json);
+  } catch (const Json::exception&) {
+    return std::nullopt;  // of another version
+  }
+}
+
+namespace {
+
+using Row = std::vector<Cell>;
+
+/// All that is known of the quantities of a name.
+struct Kind {
+  const char *name, *place;
+  const char* column;  // of its history, at the last time its value; nullptr: the summary has it
+  const char *words, *si;
+};
+
+const std::vector<Kind>& kinds() {
+  constexpr auto moment = "N\u00b7\u221am", shear = "N/\u221am";  // moment or force per length times root of length
+  static const std::vector<Kind> all{{"K1", "tip", "K1", "intensity factor K1", moment},
+                                     {"K2", "tip", "K2", "intensity factor K2", moment},
+                                     {"K3", "tip", "K3", "intensity factor K3", shear},
+                                     {"F1", "tip", "F1", "normalized factor F1", ""},
+                                     {"F2", "tip", "F2", "normalized factor F2", ""},
+                                     {"F3", "tip", "F3", "normalized factor F3", ""},
+                                     {"w", "probe", "w", "deflection w", "m"},
+                                     {"theta_x", "probe", "theta_x", "rotation \u03b8x", ""},
+                                     {"theta_y", "probe", "theta_y", "rotation \u03b8y", ""},
+                                     {"strain_energy", "", "strain_energy", "strain energy", "J"},
+                                     {"kinetic_energy", "", "kinetic_energy", "kinetic energy", "J"},
+                                     {"external_work", "", "external_work", "external work", "J"},
+                                     {"max_w", "", "max_abs_w", "largest |w|", "m"},
+                                     {"K1_peak", "tip", nullptr, "peak of K1 in time", moment},
+                                     {"K2_peak", "tip", nullptr, "peak of K2 in time", moment},
+                                     {"K3_peak", "tip", nullptr, "peak of K3 in time", shear},
+                                     {"w_peak", "", nullptr, "peak of w in time", "m"},
+                                     {"frequency", "mode", nullptr, "frequency", "Hz"},
+                                     {"largest_load_factor", "", nullptr, "largest load factor", ""},
+                                     {"crack_length", "", nullptr, "length of all cracks", "m"}};
+  return all;
+}
+
+const Kind& kind(const std::string& name) {
+  static const Kind none{"", "", nullptr, "", ""};
+  const auto found = std::ranges::find_if(kinds(), [&](const Kind& known) { return name == known.name; });
+  return found == kinds().end() ? none : *found;
+}
+
+std::optional<double> finite(const Cell& cell) {
+  const auto* number = std::get_if<double>(&cell);
+  return number && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
+}
+
+/// The rows of a quantity in one of the tables of a run; no rows where there is none.
+Table rows_of(const Quantity& quantity, const std::filesystem::path& folder) {
+  const char* name = quantity.tip ? "srif.csv" : quantity.probe ? "probes.csv" : "history.csv";
+  if (!std::filesystem::exists(folder / name)) return {};
+  const Table all = read_csv(folder / name);
+  Table result{all.columns, {}};
+  const auto keep = [&](const std::function<bool(const Row&)>& wanted) {
+    std::ranges::copy_if(all.rows, std::back_inserter(result.rows), wanted);
+  };
+  if (quantity.probe) {
+    keep([&, probe = all.column("probe")](const Row& row) { return row[probe] == Cell(*quantity.probe); });
+  } else if (quantity.tip) {
+    const std::size_t tip = all.column("tip"), method = all.column("method");
+    Cell chosen = quantity.method;
+    const auto of_tip = [&](const Row& row) { return row[tip] == Cell(static_cast<double>(*quantity.tip)); };
+    const auto first = std::ranges::find_if(all.rows, of_tip);
+    if (quantity.method.empty() && first != all.rows.end()) chosen = (*first)[method];
+    keep([&](const Row& row) { return of_tip(row) && row[method] == chosen; });
+  } else {
+    result.rows = all.rows;
+  }
+  return result;
+}
+
+/// Of the tip of the quantity; null where there are none.
+const Srif* srif_of(const Quantity& quantity, const Summary& summary) {
+  const auto found = std::ranges::find_if(summary.srif, [&](const Srif& s) {
+    return s.tip == quantity.tip && (quantity.method.empty() || s.method == quantity.method);
+  });
+  return found == summary.srif.end() ? nullptr : &*found;
+}
+
+/// Nothing where the factor is not resolved.
+std::optional<double> factor(const std::string& name, const Srif& srif) {
+  const std::optional<double> values[] = {srif.K1, srif.K2, srif.K3, srif.F1, srif.F2, srif.F3};
+  const std::string names[] = {"K1", "K2", "K3", "F1", "F2", "F3"};
+  for (std::size_t i = 0; i < 6; ++i)
+    if (name == names[i] && srif.resolved[i % 3]) return values[i];
+  return std::nullopt;
+}
+
+/// What the summary says of a quantity without history.
+std::optional<double> of_summary(const Quantity& quantity, const Summary& summary) {
+  if (quantity.name == "frequency") {
+    const auto found = std::ranges::find(summary.frequencies, quantity.mode.value_or(0), &Frequency::mode);
+    return found == summary.frequencies.end() ? std::nullopt : std::optional(found->frequency);
+  }
+  const auto& growth = summary.growth;
+  if (quantity.name == "largest_load_factor") return growth ? growth->largest_load_factor : std::nullopt;
+  if (quantity.name == "crack_length") {
+    if (!growth) return std::nullopt;
+    double sum = 0;
+    for (const double one : growth->lengths) sum += one;
+    return sum;
+  }
+  const auto end = quantity.name.find("_peak");
+  for (const auto& peak : summary.peaks)
+    if (end != std::string::npos && peak.quantity == quantity.name.substr(0, end) && peak.tip == quantity.tip)
+      return peak.value;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string Quantity::place() const {
+  if (mode) return fmt::format("mode {}", *mode);
+  return tip ? fmt::format("tip {}", *tip) : probe.value_or("");
+}
+
+const std::vector<std::string>& quantity_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> result;
+    for (const auto& known : kinds()) result.emplace_back(known.name);
+    return result;
+  }();
+  return names;
+}
+
+std::string kind_of_place(const std::string& quantity) {
+  return kind(quantity).place;
+}
+
+bool has_history(const std::string& quantity) {
+  return kind(quantity).column != nullptr;
+}
+
+std::string described(const std::string& quantity) {
+  return kind(quantity).words;
+}
+
+std::string si_unit(const std::string& quantity) {
+  return kind(quantity).si;
+}
+
+std::string si_unit_of(const std::string& dimension) {
+  static const std::map<std::string, std::string> units{{"length", "m"},
+                                                        {"time", "s"},
+                                                        {"1/time", "1/s"},
+                                                        {"force", "N"},
+                                                        {"force/length", "N/m"},
+                                                        {"force/length^2", "Pa"},
+                                                        {"mass/length^3", "kg/m\u00b3"}};
+  const auto unit = units.find(dimension);
+  return unit == units.end() ? "" : unit->second;
+}
+
+std::optional<double> value(const Quantity& quantity, const Summary& summary, const std::filesystem::path& folder) {
+  if (!has_history(quantity.name)) return of_summary(quantity, summary);
+  if (!quantity.tip) {
+    const Table rows = rows_of(quantity, folder);
+    return rows.rows.empty() ? std::nullopt : finite(rows.rows.back()[rows.column(kind(quantity.name).column)]);
+  }
+  const auto* srif = srif_of(quantity, summary);
+  const auto found = srif ? factor(quantity.name, *srif) : std::nullopt;
+  return found && std::isfinite(*found) ? found : std::nullopt;
+}
+
+std::optional<double> estimated_error(const Quantity& quantity, const Summary& summary) {
+  const auto* srif =
+      quantity.name.starts_with('K') && has_history(quantity.name) ? srif_of(quantity, summary) : nullptr;
+  return srif ? srif->errors.at(std::size_t(quantity.name.at(1) - '1')) : std::nullopt;
+}
+
+Curve history(const Quantity& quantity, const std::filesystem::path& folder) {
+  if (!has_history(quantity.name)) return {};
+  const Table rows = rows_of(quantity, folder);
+  return rows.rows.empty() ? Curve{} : curve(rows, "time", kind(quantity.name).column);
+}
+
+std::string lack(const Quantity& quantity, const Summary& summary) {
+  std::vector<std::string> methods;
+  for (const Srif& srif : summary.srif)
+    if (srif.tip == quantity.tip) methods.push_back(srif.method);
+  if (quantity.method.empty() || methods.empty() || std::ranges::find(methods, quantity.method) != methods.end())
+    return "the results have no such number";
+  return fmt::format("{} has no method {}, but {}", quantity.place(), quantity.method, fmt::join(methods, ", "));
+}
+
+Curve curve(const Table& table, const std::string& time, const std::string& name) {
+  const std::size_t t = table.column(time), y = table.column(name);
+  Curve result;
+  for (const Row& row : table.rows) {
+    const auto instant = finite(row[t]), found = finite(row[y]);
+    if (!instant || !found) continue;
+    result.t.push_back(*instant);
+    result.y.push_back(*found);
+  }
+  return result;
+}
+
+}  // namespace post

@@ -1,0 +1,70 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/files/summary.hpp"
+#include "post/report/curve_plot.hpp"
+
+namespace post {
+
+/// What summary.json of a finished run says of formulation, outcome, points, bonds, iterations, seconds, factors
+/// (without rings and fits), peaks, frequencies, growth, warnings, version and digest. Nothing where there is no such
+/// file, or it is not whole.
+std::optional<Summary> read_summary(const std::filesystem::path& path);
+
+struct Summary;
+struct Table;
+
+/// A number that runs are compared by: K1, K2, K3, F1, F2, F3 of a tip, K1_peak, K2_peak, K3_peak of a motion, w,
+/// theta_x, theta_y at a probe, the frequency of a mode, or of the whole plate. Has a tip, a probe, a mode or none, as
+/// its name asks for.
+struct Quantity {
+  std::string name;
+  std::optional<std::size_t> tip = std::nullopt;
+  std::optional<std::string> probe = std::nullopt;
+  std::string method = {};                         // of K and F; empty: the first of the tip
+  std::optional<std::size_t> mode = std::nullopt;  // from 1
+
+  /// "tip 0", the probe's name, or "".
+  std::string place() const;
+  bool operator==(const Quantity&) const = default;
+};
+
+/// The names that a quantity can have.
+const std::vector<std::string>& quantity_names();
+
+/// What a quantity of this name is of: "tip", "probe", "mode", or "" for the whole plate.
+std::string kind_of_place(const std::string& quantity);
+
+/// What an axis says of a quantity: "deflection w".
+std::string described(const std::string& quantity);
+
+/// Its unit in SI; "" without dimension.
+std::string si_unit(const std::string& quantity);
+
+/// The unit in SI of "force/length" and so on; "" of any other word.
+std::string si_unit_of(const std::string& dimension);
+
+/// Does the quantity change with the time of a run, so that it has a history?
+bool has_history(const std::string& quantity);
+
+/// The quantity at the last time of a finished run, from its summary and the probes.csv and history.csv of its folder.
+/// Nothing where the run has no such number, or it is not finite.
+std::optional<double> value(const Quantity& quantity, const Summary& summary, const std::filesystem::path& folder);
+
+/// The estimated error of that number, in its units; of K1, K2 and K3 only.
+std::optional<double> estimated_error(const Quantity& quantity, const Summary& summary);
+
+/// The quantity at all times that the probes.csv, srif.csv or history.csv of a finished run has; no samples where none
+/// has it.
+Curve history(const Quantity& quantity, const std::filesystem::path& folder);
+
+/// Why a finished run has no such number, as far as its summary tells.
+std::string lack(const Quantity& quantity, const Summary& summary);
+
+/// The samples of a curve in two columns of a table, those with a missing value left out.
+Curve curve(const Table& table, const std::string& time, const std::string& name);
+
+}  // namespace post

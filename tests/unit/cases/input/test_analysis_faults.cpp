@@ -1,0 +1,51 @@
+#include "cases/input/validation.hpp"
+
+#include <set>
+
+#include "plate/formulations.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/solve/analysis.hpp"
+#include "post/factors/srif.hpp"
+#include "tests/catch.hpp"
+
+namespace {
+
+using Keys = std::multiset<std::string>;
+
+Keys keys_of(const std::vector<fracture::KeyFault>& faults) {
+  Keys keys;
+  for (const auto& fault : faults) keys.insert(fault.key);
+  return keys;
+}
+
+}  // namespace
+
+TEST_CASE("analysis faults: steps and Lanczos vectors have keys of their own") {
+  plate::Problem problem;
+  problem.discretization.formulation = plate::formulations().back();
+  const auto all = [](const std::string&) { return true; };
+  plate::Analysis analysis;
+  CHECK(fracture::faults_of_motion(problem, analysis, false, all).empty());
+  analysis.kind = plate::Analysis::Kind::dynamic;
+  analysis.method = plate::Analysis::Method::central_difference;
+  CHECK(keys_of(fracture::faults_of_motion(problem, analysis, false, all)) == Keys{"analysis.tolerance"});
+  analysis.method = plate::Analysis::Method::lanczos;
+  analysis.time_step = 0.1, analysis.precision = plate::Analysis::Precision::mixed;
+  CHECK(keys_of(fracture::faults_of_motion(problem, analysis, false, all)) ==
+        Keys{"analysis.time_step", "analysis.safety", "analysis.precision", "analysis.method"});
+}
+
+TEST_CASE("analysis faults: what stands in the way of a stated accuracy") {
+  plate::Problem problem;
+  problem.discretization.formulation = plate::formulations().front();
+  post::SrifOptions srif;
+  CHECK(fracture::faults_of_accuracy(problem, {}, true, srif, "").empty());
+  srif.accuracy = 0.01;
+  CHECK(fracture::faults_of_accuracy(problem, {}, false, srif, "").empty());
+  CHECK(fracture::faults_of_accuracy(problem, {}, true, srif, "").size() == 1);
+  srif.richardson = true, srif.methods = {"series_fit"};
+  CHECK(fracture::faults_of_accuracy(problem, {}, false, srif, "").size() == 3);
+  problem.discretization.formulation = plate::formulations().back();
+  CHECK_THAT(fracture::faults_of_accuracy(problem, {}, false, srif, "as it is").at(0).what,
+             Catch::Contains("formulation as it is"));
+}

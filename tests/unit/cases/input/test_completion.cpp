@@ -1,0 +1,15 @@
+#include "tests/catch.hpp"
+#include "tests/unit/cases/input/small_program.hpp"
+
+using Catch::Contains;
+using small_program::keys, small_program::program;
+
+TEST_CASE("completion: commands, options and keys, no other shells") {
+  for (const char* shell : {"bash", "fish"}) {
+    const auto script = post::completion(shell, program, keys, {"first", "hole"});
+    for (const char* part : {"run", "quiet", "section.young", "load.0.kind", "first hole"})
+      CHECK_THAT(script, Contains(part));
+  }
+  CHECK_THAT(post::completion("fish", program, keys, {}), Contains("it\\'s quiet"));
+  CHECK_THROWS_AS(post::completion("csh", program, keys, {}), std::invalid_argument);
+}

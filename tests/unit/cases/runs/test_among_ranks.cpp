@@ -1,0 +1,73 @@
+#include "cases/runs/distributed_run.hpp"
+
+#include <mutex>
+
+#include "cases/driver/case_plan.hpp"
+#include "cases/runs/run_plan.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/plate/model/thread_ranks.hpp"
+
+using namespace case_text;
+
+namespace {
+
+std::vector<std::string> refused(std::vector<std::string> overrides) {
+  overrides.insert(overrides.begin(), {"discretization.formulation=ordinary", "section.density=1"});
+  std::vector<std::string> keys;
+  for (const auto& one : fracture::not_for_processes(cases::plan_of(read(plain, overrides).content, {})))
+    keys.push_back(one.key);
+  return keys;
+}
+
+}  // namespace
+
+TEST_CASE("what processes cannot run: motions are not in it, however they begin, are hit, damped and driven") {
+  const std::string motion = "analysis={kind=\"dynamic\",duration=1,damping={ratio=[0.1,0.1],frequencies=[1,5]}}";
+  CHECK(refused({motion, "initial.deflection=0.1*(x+1)^2", "initial.velocity=x",
+                 "impact={position=[0.5,0.3],mass=1,velocity=2,stiffness=9}",
+                 "load[1]={kind=\"point_force\",value=1,path=[[0.5,0.5],[-0.5,0.5]],speed=1}"})
+            .empty());
+  const std::string driven = "analysis={kind=\"dynamic\",duration=1}";
+  CHECK(refused({driven, "load[1]={kind=\"settlement\",value=1,support=0,history=[[0,0],[1,1]]}"}).empty());
+  const std::string lifts = "foundation=[{modulus=1,lifts_off=true}]";
+  CHECK(refused({driven, lifts}).empty());
+  CHECK(refused({lifts}).empty());
+  CHECK(refused({"discretization.formulation=galerkin"}).empty());
+}
+
+TEST_CASE("what processes cannot run: a factor of a million points and more, vectors of Lanczos") {
+  using Keys = std::vector<std::string>;
+  CHECK(refused({"analysis.method=direct"}).empty());
+  CHECK(refused({"analysis.method=direct", "discretization.spacing=0.0005"}) == Keys{"analysis.method"});
+  CHECK(refused({"discretization.spacing=0.0005"}).empty());
+  CHECK(refused({"discretization.formulation=galerkin", "analysis={kind=\"dynamic\",duration=1,method=\"lanczos\"}"}) ==
+        Keys{"analysis.method"});
+}
+
+TEST_CASE("the share of the soil that touches is the same for any number of processes") {
+  const auto file = read(plain, {"discretization.formulation=ordinary", "discretization.spacing=0.02",
+                                 "foundation=[{modulus=1,lifts_off=true},{modulus=2,on={circle=[0.1,0.2,0.4]}}]"});
+  const auto share = [&] {
+    const auto plate = plate::discretise(file.content).plate;
+    plate::State state = plate::State::Zero(3, Eigen::Index(plate->points()));
+    for (std::size_t k = 0; k < plate->cloud().plate_points; ++k)
+      state(0, Eigen::Index(k)) = plate->cloud().positions[k].y() - 0.3;
+    return fracture::share_touching(*plate, state);
+  };
+  const double whole = share();
+  std::vector<double> found;
+  for (const int processes : {1, 3})
+    thread_ranks::run(processes, [&](const plate::Ranks&) {
+      const double own = share();
+      static std::mutex one_by_one;
+      const std::lock_guard guard(one_by_one);
+      found.push_back(own);
+    });
+  CHECK(std::ranges::count(found, found.front()) == 4);
+  CHECK(found.front() == Approx(0.65).epsilon(1e-13));
+  CHECK(found.front() == Approx(whole).epsilon(2e-11));  // 1.6e5 terms one by one: each errs by 2^-53 at most
+}

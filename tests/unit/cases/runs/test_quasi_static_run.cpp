@@ -1,0 +1,28 @@
+#include "cases/runs/quasi_static_run.hpp"
+
+#include "cases/driver/case_plan.hpp"
+#include "geometry/shape/crack_path.hpp"
+#include "post/files/sinks.hpp"
+#include "tests/unit/cases/case_text.hpp"
+
+using namespace case_text;
+
+TEST_CASE("quasi-static run: without factors of its own, those that give the energy release rate") {
+  const auto standard = fracture::factors_of_growth({});
+  CHECK(standard.methods == std::vector<std::string>{"virtual_crack_extension", "domain_integral"});
+  post::SrifOptions asked;
+  asked.methods = {"domain_integral"};
+  CHECK(fracture::factors_of_growth(asked).methods == asked.methods);
+}
+
+TEST_CASE("quasi-static run: a row for every advance, longer cracks in the end") {
+  const auto file = read(plain, {"growth={fracture_energy=1,max_advances=1}"});
+  post::Kept kept;
+  fracture::QuasiStaticRun run(cases::plan_of(file.content, {{}, true, &kept}), plate::discretise(file.content));
+  const auto summary = run({std::make_unique<post::KeptSink>(kept), "", ""}, nullptr);
+  REQUIRE(summary.growth);
+  CHECK(summary.growth->advances == 1);
+  CHECK(geometry::length(run.cracks().front()) > 0.6);
+  for (const auto& [name, table] : kept.tables)
+    if (name == "growth" || name == "history") CHECK(table.rows.size() == 2);
+}

@@ -1,0 +1,93 @@
+#include "cases/runs/run_once.hpp"
+
+#include <fmt/format.h>
+
+#include "cases/driver/case_plan.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "post/files/sinks.hpp"
+#include "tests/unit/cases/case_text.hpp"
+
+using namespace case_text;
+
+namespace {
+
+struct Once {
+  cases::CaseFile file;
+  fracture::Ready ready;
+  post::Kept kept;
+
+  explicit Once(const std::vector<std::string>& settings) : file(read(plain, settings)) {
+    ready.plate = plate::discretise(file.content).plate;
+  }
+  post::Summary run() {
+    fracture::Results results(cases::plan_of(file.content, {{}, true, &kept}), *ready.plate, ready.tip_methods,
+                              {std::make_unique<post::KeptSink>(kept), "", ""});
+    plate::Stopwatch stopwatch;
+    return fracture::run_once(ready, results, stopwatch);
+  }
+  bool has(const std::string& name) const {
+    return std::ranges::any_of(kept.tables, [&](const auto& table) { return table.first == name; });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("run once: at rest, a row, a frame and the summary") {
+  Once once({"discretization.spacing=0.1", "discretization.formulation=ordinary"});
+  const auto summary = once.run();
+  CHECK(summary.outcome == "done");
+  CHECK(summary.points == 400);
+  CHECK(once.has("history"));
+  CHECK(once.has("reactions"));
+  CHECK_FALSE(once.has("srif"));
+  CHECK(once.kept.frames.size() == 1);
+}
+
+TEST_CASE("run once: what was good is kept where the numbers fail") {
+  Once once({"discretization.spacing=0.1", "analysis.max_iterations=1", "analysis.preconditioner=diagonal"});
+  CHECK_THROWS_AS(once.run(), plate::NumericalError);
+  CHECK(once.has("history"));
+  CHECK_THAT(once.kept.summary, Catch::Contains("\"outcome\": \"failed: "));
+}
+
+TEST_CASE("run once: frequencies, a frame for each") {
+  Once once({"discretization.spacing=0.1", "analysis={kind=\"frequencies\",modes=2}", "section.density=1", "-load"});
+  const auto summary = once.run();
+  CHECK(summary.frequencies.size() == 2);
+  CHECK(once.has("frequencies"));
+  CHECK(once.kept.frames.size() == 2);
+}
+
+TEST_CASE("run once: a motion whose energy grows without a load ends, and says where and by what step") {
+  Once once({"discretization.spacing=0.1", "discretization.formulation=ordinary", "section.density=1",
+             "analysis={kind=\"dynamic\",duration=1}", "load[0].history=[[0,1],[0.1,0]]"});
+  const double limit = plate::stable_time_step(*once.ready.plate, once.ready.plate->constraints(),
+                                               once.ready.plate->mass(once.file.content.analysis.rotary_inertia));
+  const double step = GENERATE_COPY(0.9 * limit, 1.02 * limit);
+  const std::size_t steps = 1000, per_row = GENERATE(10, 1000);  // also where the last row alone shows it
+  once.ready.steps = {limit, {step, steps, per_row}};
+  if (step < limit) {
+    CHECK(once.run().outcome == "done");
+    return;
+  }
+  CHECK_THROWS_WITH(once.run(), Catch::Contains("the numbers are wrong") && Catch::Contains("the time step") &&
+                                    Catch::Contains("1.02 of the stable one"));
+  CHECK(once.has("history"));
+  CHECK_THAT(once.kept.summary, Catch::Contains("\"outcome\": \"failed: the plate has an energy of"));
+}
+
+TEST_CASE("run once: what is not finite is named with point, place and time") {
+  const Once once({"discretization.spacing=0.1"});
+  const plate::NumericalError at("w of point 3 is not finite at step 5, time 0.1", 3);
+  post::Summary summary;
+  const auto place = once.ready.plate->cloud().positions[3];
+  CHECK(std::string(fracture::placed(at, *once.ready.plate, summary).what()) ==
+        fmt::format("w of point 3 is not finite at step 5, time 0.1; the point is at ({:g}, {:g})", place.x(),
+                    place.y()));
+  summary.analysis.time_step = 1, summary.analysis.time_step_limit = 2;
+  CHECK_THAT(fracture::placed(plate::NumericalError("no"), *once.ready.plate, summary).what(),
+             Catch::Equals("no; the time step 1 is 0.5 of the stable one"));
+}

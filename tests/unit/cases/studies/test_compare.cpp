@@ -1,0 +1,94 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cases/studies/comparison.hpp"
+#include "post/files/table.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+using post::compare, post::Table, small_run::TemporaryFolder;
+
+namespace {
+
+/// Two probes and two tips by two methods; only what is to be chosen is t times a simple number.
+void write_results(const TemporaryFolder& folder) {
+  Table probes{{"time", "probe", "x", "y", "w", "theta_x", "theta_y"}, {}};
+  Table srifs{{"time", "tip", "x", "y", "method", "K1", "F1"}, {}};
+  for (const double t : {0.0, 1.0, 2.0}) {
+    probes.rows.push_back({t, "edge", 1.0, 0.0, 99.0, 99.0, 99.0});
+    probes.rows.push_back({t, "tip", 0.1, 0.0, 1.1 * t, 0.0, t});
+    for (const double tip : {0.0, 1.0}) {
+      const double x = tip == 0 ? -0.1 : 0.1;
+      srifs.rows.push_back({t, tip, x, 0.0, "first", tip * 2 * t, tip * 3 * t});
+      srifs.rows.push_back({t, tip, x, 0.0, "second", 99.0, 99.0});
+    }
+  }
+  post::write_csv(folder / "probes.csv", probes);
+  post::write_csv(folder / "srif.csv", srifs);
+}
+
+}  // namespace
+
+TEST_CASE("a results folder is compared in every quantity that the reference knows") {
+  const TemporaryFolder folder;
+  write_results(folder);
+  Table reference{{"t", "w", "theta_x", "K1", "F1_paper_LS", "F1", "F1_J", "w_f"}, {}};
+  for (const double t : {0.0, 0.5, 1.5}) reference.rows.push_back({t, t, -0.0, 2 * t, 1.5 * t, 2.0 * t, 3 * t, t});
+  post::write_csv(folder / "reference.csv", reference);
+
+  const auto rows = compare(folder.path(), folder / "reference.csv");
+  std::vector<std::string> names;
+  std::vector<double> errors;
+  for (const auto& row : rows) {
+    names.push_back(row.quantity + ":" + row.reference);
+    errors.push_back(row.comparison.relative_rms);
+  }
+  CHECK(names == std::vector<std::string>{"w:w", "F1:F1_J", "F1:F1_paper_LS", "F1:F1", "K1:K1"});
+  const std::vector<double> expected{0.1, 0, 1, 0.5, 0};
+  CHECK_THAT(errors, Catch::Matchers::Approx(expected).margin(1e-12));
+
+  const std::string text = post::to_text(rows);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 6);
+  CHECK_THAT(text, Catch::Contains("F1_paper_LS") && Catch::Contains("10.000 %"));
+}
+
+TEST_CASE("tolerances are held against every quantity, by measure or all") {
+  const TemporaryFolder folder;
+  write_results(folder);
+  Table reference{{"t", "w", "theta_x"}, {}};
+  for (const double t : {0.0, 0.5, 1.5, 2.0}) reference.rows.push_back({t, t, t});
+  reference.rows.push_back({post::Cell(), 1.0, NAN});  // a row that is not whole counts for nothing
+  post::write_csv(folder / "reference.csv", reference);
+  const auto rows = compare(folder.path(), folder / "reference.csv");
+  REQUIRE(rows.size() == 2);  // w is 1.1 t, theta_x 0
+  CHECK(post::exceeded(rows, {}).empty());
+  CHECK(post::exceeded({rows[0]}, post::tolerances({"l2=0.11"}, std::nullopt)).empty());
+  const auto above = post::exceeded(rows, post::tolerances({"peak=0.2"}, 0.05));
+  std::vector<std::string> names;
+  for (const auto& one : above) names.push_back(one.quantity + " " + one.measure);
+  CHECK(names ==
+        std::vector<std::string>{"w l2", "w max", "theta_x l2", "theta_x max", "theta_x peak", "theta_x peak_time"});
+  CHECK(above[0].found == Approx(0.1));
+  CHECK(above[0].allowed == 0.05);
+  CHECK_THAT(post::to_text(above), Catch::StartsWith("w against w: l2 is 0.1, above 0.05\n"));
+  const auto json = nlohmann::json::parse(post::to_json(rows, above));
+  CHECK(json["within"] == false);
+  CHECK(json["quantities"][0]["l2"].get<double>() == Approx(0.1));
+  CHECK(json["quantities"][0]["peak"]["computed"].get<double>() == Approx(2.2));
+  CHECK(json["exceeded"].size() == 6);
+}
+
+TEST_CASE("tolerances that say nothing are refused") {
+  for (const std::string wrong : {"l3=0.1", "l2", "l2=", "l2=-1", "l2=nan", "l2=1x", "=1"})
+    CHECK_THROWS_AS(post::tolerances({wrong}, std::nullopt), std::invalid_argument);
+  CHECK_THROWS_WITH(post::tolerances({"shft=1"}, std::nullopt), Catch::Contains("did you mean 'shift'?"));
+}
+
+TEST_CASE("a reference without curves is refused") {
+  const TemporaryFolder folder;
+  write_results(folder);
+  post::write_csv(folder / "static.csv", {{"r", "K1"}, {{0.1, 1.0}}});
+  CHECK_THROWS_WITH(compare(folder.path(), folder / "static.csv"), Catch::Contains("no column t"));
+  post::write_csv(folder / "other.csv", {{"t", "pressure"}, {{0.1, 1.0}}});
+  CHECK_THROWS_WITH(compare(folder.path(), folder / "other.csv"), Catch::Contains("no curve in common"));
+}

@@ -1,0 +1,61 @@
+#include "cases/studies/isolated_runs.hpp"
+
+#include <omp.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <stdexcept>
+
+#include "tests/catch.hpp"
+
+namespace {
+
+/// Work that a team of threads shares.
+long shared_work() {
+  long sum = 0;
+#pragma omp parallel for reduction(+ : sum)
+  for (long i = 0; i < 100000; ++i) sum += i;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("isolated: what a run comes to is told, however it ends") {
+  using post::Ended, post::isolated;
+  CHECK(isolated([] { return Ended{"done"}; }).outcome == "done");
+  const auto refused = isolated([] { return Ended{"refused", "two\nlines"}; });
+  CHECK(refused.outcome == "refused");
+  CHECK(refused.message == "two\nlines");
+  const auto broken = isolated([]() -> Ended { throw std::runtime_error("disk full"); });
+  CHECK(broken.outcome == "broken");
+  CHECK(broken.message == "disk full");
+  const auto killed = isolated([]() -> Ended {
+    std::raise(SIGKILL);
+    return {"done"};
+  });
+  CHECK(killed.outcome == "killed");
+  CHECK_THAT(killed.message, Catch::Contains("signal 9"));
+  CHECK(isolated([]() -> Ended { _exit(7); }).outcome == "killed");
+}
+
+TEST_CASE("isolated: threads of this process neither hinder those of the run, nor are there fewer") {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(2);
+  const long expected = shared_work();  // this process has a team now
+  const auto ended = post::isolated([&]() -> post::Ended {
+    return {shared_work() == expected ? "done" : "failed", std::to_string(omp_get_max_threads())};
+  });
+  CHECK(ended.outcome == "done");
+  CHECK(ended.message == "2");
+  CHECK(shared_work() == expected);
+  omp_set_num_threads(before);
+}
+
+TEST_CASE("isolated: nothing that a run changes is changed here") {
+  int value = 1;
+  post::isolated([&]() -> post::Ended {
+    value = 2;
+    return {"done"};
+  });
+  CHECK(value == 1);
+}

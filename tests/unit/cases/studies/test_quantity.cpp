@@ -1,0 +1,58 @@
+#include "post/report/quantity.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/unit/post/finished_run.hpp"
+
+using finished_run::FinishedRun, small_run::TemporaryFolder;
+
+TEST_CASE("quantities are found at the last time of a run") {
+  const FinishedRun run;
+  CHECK(run.value({"K1", 0}) == 0.5);  // of two methods the first
+  CHECK(run.value({"F1", 0}) == 0.25);
+  CHECK(run.value({"K3", 1}) == -2.0);
+  CHECK(run.value({"w", {}, "7"}) == 5.0);
+  CHECK(run.value({"theta_x", {}, "7"}) == 6.0);
+  CHECK(run.value({"w", {}, "b"}) == 7.0);
+  CHECK(run.value({"strain_energy"}) == 11.0);
+  CHECK_FALSE(run.value({"K1", 2}));
+  CHECK_FALSE(run.value({"F2", 0}));
+  CHECK_FALSE(run.value({"F3", 1}));
+  CHECK_FALSE(run.value({"w", {}, "c"}));
+  CHECK_FALSE(run.value({"theta_x", {}, "b"}));
+  const TemporaryFolder empty;
+  CHECK_FALSE(post::value({"strain_energy"}, run.summary, empty.path()));
+}
+
+TEST_CASE("of several methods the one that is named counts") {
+  const FinishedRun run;
+  CHECK(run.value({"K1", 0, {}, "first"}) == 0.5);
+  CHECK(run.value({"K1", 0, {}, "second"}) == 99.0);
+  CHECK_FALSE(run.value({"K1", 1, {}, "second"}));
+  CHECK(post::lack({"K1", 1, {}, "second"}, run.summary) == "tip 1 has no method second, but first");
+  CHECK(post::lack({"F2", 0, {}, "second"}, run.summary) == "the results have no such number");
+  CHECK(post::lack({"K1", 7, {}, "second"}, run.summary) == "the results have no such number");
+}
+
+TEST_CASE("a history has the rows of its probe, or of its tip and method") {
+  const FinishedRun run;
+  const auto history = [&](const post::Quantity& quantity) { return post::history(quantity, run.folder.path()); };
+  CHECK(history({"w", {}, "b"}).y == std::vector<double>{3, 7});
+  CHECK(history({"w", {}, "b"}).t == std::vector<double>{0, 1});
+  CHECK(history({"theta_x", {}, "b"}).y == std::vector<double>{4});  // what is not finite is left out
+  CHECK(history({"K1", 0}).y == std::vector<double>{0.5, 1});
+  CHECK(history({"K1", 0, {}, "second"}).y == std::vector<double>{99, 198});
+  CHECK(history({"strain_energy"}).y == std::vector<double>{0, 11});
+  CHECK(history({"K1", 9}).t.empty());
+  CHECK(history({"w", {}, "c"}).t.empty());
+  const TemporaryFolder empty;
+  CHECK(post::history({"w", {}, "b"}, empty.path()).t.empty());
+}
+
+TEST_CASE("every quantity has a description and a kind of place") {
+  for (const auto& name : post::quantity_names()) {
+    CHECK_FALSE(post::described(name).empty());
+    CHECK_THAT("tip probe mode ", Catch::Contains(post::kind_of_place(name) + (name == "strain_energy" ? "" : " ")));
+  }
+  CHECK(post::si_unit("F1").empty());
+  CHECK(post::si_unit("w") == "m");
+}

@@ -1,0 +1,52 @@
+#include "cases/studies/isolated_runs.hpp"
+
+#include "post/files/summary.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+using post::Ended, post::Ledger, post::RunRecord;
+
+namespace {
+
+const RunRecord wanted{"a", "0123456789012345", "1", "done"};
+
+/// A run that leaves a summary and counts itself.
+Ended run(const small_run::TemporaryFolder& folder, const std::string& outcome) {
+  std::filesystem::create_directories(folder / "a");
+  std::ofstream(folder / "counted", std::ios::app) << "x";
+  std::ofstream(folder / "a/summary.json") << post::to_json(post::Summary());
+  return {outcome, outcome == "done" ? "" : "why"};
+}
+
+}  // namespace
+
+TEST_CASE("repeated: what is done is kept while its results are there") {
+  const small_run::TemporaryFolder folder;
+  const Ledger ledger(folder.path());
+  CHECK_FALSE(post::kept_record(wanted, 2, folder.path(), ledger));
+  const auto record = post::new_record(wanted, 2, folder.path(), ledger, [&] { return run(folder, "done"); });
+  CHECK(record.outcome == "done");
+  CHECK(small_run::text_of(folder / "counted") == "xx");
+  CHECK(post::kept_record(wanted, 2, folder.path(), ledger));
+  CHECK_FALSE(post::kept_record(wanted, 3, folder.path(), ledger));
+  std::filesystem::remove(folder / "a/summary.json");
+  CHECK_FALSE(post::kept_record(wanted, 2, folder.path(), ledger));
+}
+
+TEST_CASE("repeated: a run that is refused is made once, and is a row with its message") {
+  const small_run::TemporaryFolder folder;
+  const Ledger ledger(folder.path());
+  const auto record = post::new_record(wanted, 3, folder.path(), ledger, [&] { return run(folder, "refused"); });
+  CHECK(small_run::text_of(folder / "counted") == "x");
+  CHECK_FALSE(post::kept_record(wanted, 1, folder.path(), ledger));
+  post::StudyRow row;
+  row.labels = {"0.1"};
+  const auto rows = post::rows_of(record, row, {}, folder.path());
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].labels == row.labels);
+  CHECK(rows[0].outcome == "refused");
+  CHECK(rows[0].message == "why");
+  CHECK_THROWS_WITH(
+      post::new_record(wanted, 1, folder.path(), ledger, []() -> Ended { throw std::runtime_error("full"); }),
+      Catch::Contains("full"));
+}

@@ -1,0 +1,168 @@
+#include "cases/studies/study_table.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/unit/post/finished_run.hpp"
+
+using finished_run::FinishedRun, post::Quantity, post::StudyRow, small_run::TemporaryFolder;
+
+namespace {
+
+const std::vector<std::string> axes{"load", "2a/W"};
+
+StudyRow row(const std::string& label, double computed, double reference) {
+  StudyRow result;
+  result.labels = {label};
+  result.quantity = "w";
+  result.place = "centre";
+  result.computed = computed;
+  result.reference = reference;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a reference matches where the labels that it names are those of the run") {
+  const post::Reference all{{"F1", 0}}, load{{"F1", 0}, {{"load", "bending"}}};
+  const post::Reference both{{"F1", 0}, {{"load", "bending"}, {"2a/W", "0.1"}}};
+  CHECK(matches(all, axes, {"pressure", "0.1"}));
+  CHECK(matches(load, axes, {"bending", "0.3"}));
+  CHECK_FALSE(matches(load, axes, {"pressure", "0.3"}));
+  CHECK(matches(both, axes, {"bending", "0.1"}));
+  CHECK_FALSE(matches(both, axes, {"bending", "0.3"}));
+  CHECK_FALSE(matches(both, axes, {"0.1", "bending"}));
+}
+
+TEST_CASE("two references overlap exactly where some run is matched by both") {
+  std::vector<post::Reference> references;
+  for (const std::string load : {"", "pressure", "bending"})
+    for (const std::string length : {"", "0.1", "0.3"})
+      for (const std::size_t tip : {0, 1}) {
+        post::Reference reference{{"F1", tip}};
+        if (!load.empty()) reference.where["load"] = load;
+        if (!length.empty()) reference.where["2a/W"] = length;
+        references.push_back(reference);
+      }
+  for (const auto& one : references)
+    for (const auto& other : references) {
+      bool expected = false;
+      for (const std::string load : {"pressure", "bending"})
+        for (const std::string length : {"0.1", "0.3"})
+          expected = expected || (matches(one, axes, {load, length}) && matches(other, axes, {load, length}));
+      CHECK(overlap(one, other) == (expected && one.quantity.tip == other.quantity.tip));
+    }
+}
+
+TEST_CASE("a run wants each quantity once, with the reference that matches") {
+  const std::vector<post::Reference> references{{{"F1", 0}, {{"load", "bending"}}, 1.0},
+                                                {{"F1", 0}, {{"load", "pressure"}}, 2.0, "s"},
+                                                {{"K2", 1}, {}, 3.0},
+                                                {{"w", {}, "c"}, {{"load", "bending"}}, 4.0}};
+  const auto has = [&](std::size_t i, bool) { return references[i].quantity.name != "K2"; };
+  const auto found = post::wanted({}, references, axes, {"pressure", "0.1"}, has);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].quantity.name == "F1");
+  REQUIRE(found[0].reference);
+  CHECK(std::get<double>(*found[0].reference) == 2);
+  CHECK(found[0].source == "s");
+  CHECK(found[1].quantity.name == "w");
+  CHECK_FALSE(found[1].reference);
+}
+
+TEST_CASE("the first axis is outermost") {
+  CHECK(post::combinations({2, 3}) ==
+        std::vector<std::vector<std::size_t>>{{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}});
+  CHECK(post::combinations({}) == std::vector<std::vector<std::size_t>>{{}});
+  CHECK(post::combinations({2, 0}).empty());
+}
+
+TEST_CASE("names of folders are safe and differ") {
+  CHECK(post::folder_name({"pressure", "none, lattice constants", "0.1"}, {}) == "pressure_none_lattice_constants_0.1");
+  CHECK(post::folder_name({"../../etc"}, {}).find_first_of("/") == std::string::npos);
+  CHECK_FALSE(post::folder_name({".."}, {}).starts_with('.'));
+  CHECK(post::folder_name({}, {}) == "run");
+  CHECK(post::folder_name({"a b"}, {"a_b", "a_b-2"}) == "a_b-3");
+  for (const char* file : {"study.csv", "orders.csv", "error_against_points.svg", "study.csv.partial"})
+    CHECK(post::folder_name({file}, {}) != file);
+  CHECK(post::folder_name({std::string(1000, 'x')}, {}).size() < 200);
+}
+
+TEST_CASE("errors are relative to the reference, with its sign") {
+  CHECK(row("a", 3, 2).error() == 0.5);
+  CHECK(row("a", -3, -2).error() == 0.5);
+  CHECK(row("a", 1, -2).error() == -1.5);
+  CHECK_FALSE(row("a", 1, 0).error());
+  auto unknown = row("a", 1, 2);
+  unknown.reference.reset();
+  CHECK_FALSE(unknown.error());
+}
+
+TEST_CASE("a finished run has a row for each quantity") {
+  const FinishedRun run;
+  StudyRow known;
+  known.labels = {"a"};
+  known.spacing = 0.1;
+  const auto rows = post::study_rows(known, {{{"K1", 0}, post::Known(0.4), "a book"}, {{"K1", 5}, post::Known(1.0)}},
+                                     run.summary, run.folder.path());
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].source == "a book");
+  CHECK(rows[0].labels == known.labels);
+  CHECK(rows[0].place == "tip 0");
+  CHECK(*rows[0].error() == Approx(0.25));
+  CHECK(rows[0].points == std::size_t(400));
+  CHECK(rows[0].iterations == std::size_t(17));
+  CHECK(rows[0].seconds == 2.0);
+  CHECK(rows[0].solve_seconds == 0.5);
+  CHECK(rows[0].spacing == 0.1);
+  CHECK(rows[0].message.empty());
+  CHECK_FALSE(rows[1].computed);
+  CHECK_FALSE(rows[1].message.empty());
+  CHECK(post::study_rows(known, {}, run.summary, run.folder.path()).size() == 1);
+}
+
+TEST_CASE("a method that a run lacks is said in its row, with those that it has") {
+  const FinishedRun run;
+  const auto rows =
+      post::study_rows({}, {{{"K1", 0, {}, "second"}, post::Known(100.0)}, {{"K1", 0, {}, "third"}, post::Known(1.0)}},
+                       run.summary, run.folder.path());
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].method == "second");
+  CHECK(*rows[0].error() == Approx(-0.01));
+  CHECK_THAT(to_text(rows[0]), Catch::Contains("K1 at tip 0 by second = 99"));
+  CHECK_FALSE(rows[1].computed);
+  CHECK_FALSE(rows[1].error());
+  CHECK(rows[1].message == "tip 0 has no method third, but first, second");
+}
+
+TEST_CASE("the error against a curve is the rms difference over the largest value of the curve") {
+  const FinishedRun run;  // w of probe 7 is 1 at time 0 and 5 at time 1
+  const post::KnownCurve known{"some/curves.csv", "w", {{0, 0.5, 1}, {1.5, 3.5, -4}}};
+  const auto rows = post::study_rows(
+      {}, {{{"w", {}, "7"}, known}, {{"w", {}, "7"}, post::KnownCurve{"c.csv", "w", {{3, 4}, {1, 1}}}}}, run.summary,
+      run.folder.path());
+  REQUIRE(rows.size() == 2);
+  CHECK(*rows[0].error() == Approx(std::sqrt((0.25 + 0.25 + 81) / 3) / 4));
+  CHECK(rows[0].computed == 5.0);
+  CHECK(rows[0].reference == -4.0);
+  CHECK(rows[0].source == "curves.csv w");
+  CHECK_FALSE(rows[1].error());
+  CHECK_THAT(rows[1].message, Catch::Contains("0 samples in common"));
+}
+
+TEST_CASE("errors are relative to the reference or to a scale, estimated ones to the same") {
+  const FinishedRun run;
+  auto summary = run.summary;
+  REQUIRE(summary.srif.front().tip == 0);
+  summary.srif.front().errors[0] = 0.02;
+  StudyRow known;
+  known.labels = {"a"};
+  const auto rows = post::study_rows(
+      known,
+      {{{"K1", 0}, post::Known(0.4), ""}, {{"K1", 0}, post::Known(0.0), "", 2.0}, {{"K1", 0}, post::Known(0.0), ""}},
+      summary, run.folder.path());
+  CHECK(*rows[0].error() == Approx(0.25));
+  CHECK(*rows[0].estimated_error() == Approx(0.05));
+  CHECK(*rows[1].error() == Approx(0.5 / 2));
+  CHECK(*rows[1].estimated_error() == Approx(0.01));
+  CHECK_FALSE(rows[2].error().has_value());
+  CHECK_FALSE(rows[2].estimated_error().has_value());
+}

@@ -1,0 +1,70 @@
+#pragma once
+#include <sstream>
+
+#include "fracture/growth/moving_growth.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/solve/archive.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "tests/catch.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+/// A free square of 20 x 20 points with a crack from its left edge, which edge moments open.
+namespace moving_plate {
+
+using fracture::Growth, fracture::MovingGrowth;
+
+inline cases::Case content(Growth::Criterion criterion) {
+  auto c = verified_plate::square(0.1);
+  c.cracks = {{{-1, 0}, {-0.2, 0}}};
+  plate::Load moment;
+  moment.kind = plate::Load::Kind::edge_moment, moment.value = 4, moment.edges = {"bottom", "top"};
+  c.loads = {moment};
+  auto& growth = c.growth.emplace();
+  growth.criterion = criterion;
+  growth.fracture_energy = 5000;
+  growth.direction = Growth::Direction::straight;
+  return c;
+}
+
+struct Motion {
+  explicit Motion(cases::Case of) : c(std::move(of)) {}
+  cases::Case c;
+  std::unique_ptr<plate::Formulation> start = verified_plate::assembled(c);
+  plate::Forces mass = start->mass();
+  double time_step = 0.8 * plate::stable_time_step(*start, start->constraints(), mass);
+
+  struct Books {
+    double work = 0, energy = 0;  // since the first instant; strain and kinetic, as central differences count them
+  };
+  using Keep = std::function<void(const plate::MotionMemory&)>;
+  /// Moves up to this step, or on from a memory; `keep` sees that before every step.
+  Books move(MovingGrowth& growth, std::size_t steps, const plate::MotionMemory* from = nullptr,
+             const Keep& keep = {}) const {
+    Books result;
+    double first = 0;
+    plate::DynamicOptions options;
+    options.time_step = time_step, options.steps = steps, options.observe_every = 20;
+    options.changes = &growth.changes();
+    options.from = from;
+    if (keep) options.due = [] { return true; }, options.keep = keep;
+    plate::central_differences(growth.plate(), start->constraints(), mass, start->loads(), options,
+                               [&](const plate::Instant& now) {
+                                 growth.look(now.time);
+                                 const double energy = now.strain_energy + now.discrete_kinetic_energy;
+                                 if (now.step == 0) first = energy - now.external_work;
+                                 result = {now.external_work, energy - first};
+                               });
+    return result;
+  }
+};
+
+/// What a growth remembers, by another one of the same plate.
+inline void hand_over(const MovingGrowth& from, MovingGrowth& to) {
+  std::stringstream stream;
+  plate::OutArchive out(stream);
+  from.remember(out);
+  plate::InArchive in(stream);
+  to.recall(in);
+}
+
+}  // namespace moving_plate

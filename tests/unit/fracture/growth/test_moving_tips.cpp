@@ -1,0 +1,77 @@
+#include "fracture/growth/moving_growth.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/unit/fracture/growth/moving_plate.hpp"
+#include "tests/unit/fracture/shared_run.hpp"
+
+using namespace fracture;
+namespace mp = moving_plate;
+
+TEST_CASE("moving tips: a crack runs no faster than it may, and takes what the plate loses") {
+  const mp::Motion motion(mp::content(Growth::Criterion::energy_release));
+  MovingTips growth(*motion.c.growth, *motion.start, {}, 1);
+  const auto books = motion.move(growth, 600);
+  const auto moved = growth.moved();
+  REQUIRE(moved.advances > 3);
+  CHECK(moved.largest_speed <= 0.93 * motion.c.section.shear_wave_speed() * (1 + 1e-9));
+  CHECK(moved.largest_speed > 0);
+  REQUIRE(moved.lengths.size() == 1);
+  CHECK(moved.lengths[0] > 0.8 + 0.3);
+  CHECK(growth.fracture_energy() > 0);
+  CHECK(books.energy + growth.fracture_energy() == Approx(books.work).epsilon(1e-9));
+  const auto& record = growth.record();
+  REQUIRE(record.tips.rows.size() == moved.advances);
+  for (std::size_t i = 1; i < moved.advances; ++i) {
+    const auto time = [&](std::size_t row) {
+      return std::get<double>(record.tips.rows[row][record.tips.column("time")]);
+    };
+    CHECK(time(i) > time(i - 1));
+  }
+  CHECK(record.cracks.lines[0].vertices.size() == moved.advances + 2);
+}
+
+TEST_CASE("moving tips: below its fracture energy a tip stays, and its plate is the one at the start") {
+  auto c = mp::content(Growth::Criterion::energy_release);
+  c.growth->fracture_energy = 1e6;
+  const mp::Motion motion(c);
+  MovingTips growth(*motion.c.growth, *motion.start, {}, 1);
+  const auto books = motion.move(growth, 100);
+  CHECK(growth.moved().advances == 0);
+  CHECK_FALSE(growth.moved().spent);
+  CHECK(growth.moved().parts == growth.moved().parts_before);
+  CHECK(growth.fracture_energy() == 0);
+  CHECK(books.energy == Approx(books.work));
+}
+
+TEST_CASE("moving tips: one that goes on from memory grows as if it had never stopped") {
+  const mp::Motion motion(mp::content(Growth::Criterion::energy_release));
+  MovingTips whole(*motion.c.growth, *motion.start, {}, 1), later(*motion.c.growth, *motion.start, {}, 1);
+  plate::MotionMemory memory;
+  motion.move(whole, 400, nullptr, [&](const plate::MotionMemory& now) {
+    if (now.step == 300) memory = now, mp::hand_over(whole, later);
+  });
+  const auto then = later.moved().advances;
+  motion.move(later, 400, &memory);
+  CHECK(later.fracture_energy() == whole.fracture_energy());
+  CHECK(later.moved().advances > then);
+  CHECK(later.record().tips.rows == whole.record().tips.rows);
+}
+
+TEST_CASE("a plate in parts: tips that run across borders and turn") {
+  auto file = shared_run::moving(shared_run::tall_plate(), 0.15);
+  auto& c = file.content;
+  c.srif.emplace().methods = {"virtual_crack_extension"};
+  SECTION("two tips, along a line of the lattice") {
+    c.growth->direction = Growth::Direction::straight;
+  }
+  SECTION("oblique, with turns") {
+    c.cracks = {{{0.4, 0.51}, {0.5, 0.91}}};
+  }
+  const auto one = shared_run::texts(file, 1);
+  REQUIRE(one.contains("tips"));
+  CHECK(std::ranges::count(one.at("tips"), '\n') > 2);  // measured: 10 and 3 lines
+  for (const int processes : {2, 3, 4}) {
+    INFO(processes << " processes");
+    CHECK((shared_run::texts(file, processes) == one));
+  }
+}

@@ -1,0 +1,37 @@
+#include "plate/model/problem_validation.hpp"
+
+#include "tests/unit/cases/case_text.hpp"
+
+using namespace case_text;
+
+TEST_CASE("temperatures are refused where a plate could not bend freely, all reasons at once") {
+  const std::string load = "[[load]]\nkind = \"temperature\"\nvalue = 20\n";
+  CHECK(problems(plain + load, {"section.thermal_expansion=1e-5"}).empty());
+  expect(plain + load, ":1", "section.thermal_expansion", "is missing");
+  const std::vector<std::string> bonds{"section.thermal_expansion=1e-5", "discretization.formulation=ordinary"};
+  const auto with = [&](const std::string& more) {
+    auto all = bonds;
+    all.push_back(more);
+    return problems(plain + load, all).size();
+  };
+  CHECK(problems(plain + load, bonds).empty());
+  CHECK(with("discretization.surface_correction=volume") == 1);
+  CHECK(with("support[0].kind=clamped_layer") == 1);
+  CHECK(problems(plain + load, {"discretization.formulation=ordinary", "discretization.surface_correction=none",
+                                "support[0].kind=clamped_layer"})
+            .size() == 3);
+  expect(plain + "[[load]]\nkind = \"temperature\"\nexpression = \"20 * z\"\n", ":20", "load[1].expression", "\"z\"",
+         {"section.thermal_expansion=1e-5"});
+  const std::string isotropic = "young = 1000.0\npoisson = 0.3\n";
+  std::string turned = plain;
+  turned.replace(turned.find(isotropic), isotropic.size(),
+                 "thermal_expansion = 1e-5\n"
+                 "orthotropic = { E1 = 1000, E2 = 300, nu12 = 0.3, G12 = 150, G13 = 150, G23 = 100 }\n");
+  CHECK(problems(turned + load).empty());
+  const auto varies = problems(turned + "[[load]]\nkind = \"temperature\"\nexpression = \"20 * x\"\n");
+  REQUIRE(varies.size() == 1);
+  CHECK(varies[0].key == "load[1].expression");
+  expect(plain + load, "--set growth.fracture_energy", "growth", "know no temperature",
+         {"section.thermal_expansion=1e-5", "growth.fracture_energy=1", "section.density=1", "analysis.kind=dynamic",
+          "analysis.duration=1"});
+}

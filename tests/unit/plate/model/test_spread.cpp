@@ -1,0 +1,176 @@
+#include "plate/model/load_integration.hpp"
+
+#include <numbers>
+
+#include "geometry/cells/tessellation.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "geometry/shape/patch.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "tests/catch.hpp"
+
+using namespace plate;
+using geometry::Point;
+
+namespace {
+
+/// Work on the three rigid motions: the resultant force, and its moments sum F x, sum F y with the couples.
+Eigen::Vector3d resultant(const Forces& forces, const std::vector<Point>& positions) {
+  Eigen::Vector3d sum(0, 0, 0);
+  for (Eigen::Index k = 0; k < forces.cols(); ++k) {
+    const Point& x = positions[std::size_t(k)];
+    sum += Eigen::Vector3d(forces(0, k), forces(0, k) * x.x() - forces(2, k), forces(0, k) * x.y() + forces(1, k));
+  }
+  return sum;
+}
+
+const auto outline = geometry::rectangle(-0.2, 0.1, 1.8, 1.3);
+
+/// By points in cells, and by squares and triangles between points that lie on edges, alike and graded.
+std::vector<Eigen::Vector3d> resultants(const Load& load) {
+  const auto cloud = geometry::lattice(outline, 0.1);
+  std::vector<Eigen::Vector3d> result{resultant(nodal_forces(load, cloud, outline), cloud.positions)};
+  for (const geometry::Grading& grading : {geometry::Grading{}, geometry::Grading{0.03, std::nullopt, 0.2}}) {
+    const auto cells = geometry::tessellation(outline, {}, 0.1, {{0.33, 0.47}}, grading);
+    const std::vector<double> areas(cells.positions.size());  // of uniform pressures alone
+    result.push_back(resultant(nodal_forces(load, cells, areas), cells.positions));
+  }
+  return result;
+}
+
+Eigen::Vector3d pressed(const Load& load, const std::vector<Point>& ring) {
+  const auto m = geometry::moments(ring, {0, 0});
+  const Point growing = m.second * load.gradient;
+  return load.pressure({0, 0}) * Eigen::Vector3d(m.area, m.first.x(), m.first.y()) +
+         Eigen::Vector3d(load.gradient.dot(m.first), growing.x(), growing.y());
+}
+
+void check(const Load& load, const Eigen::Vector3d& expected) {
+  for (const auto& found : resultants(load)) {
+    CAPTURE(found.transpose(), expected.transpose());
+    CHECK((found - expected).norm() < 1e-12);  // measured: 3e-14 at most
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a pressure that grows has its resultant and the moments of this") {
+  Load load;
+  load.value = 3, load.gradient = {-1.5, 4}, load.from = {0.3, 0.2};
+  check(load, pressed(load, outline.outer.vertices));
+}
+
+TEST_CASE("a pressure on a patch has its resultant and moments, wherever the patch lies on the points") {
+  Load load;
+  load.value = 3, load.gradient = {-1.5, 4}, load.from = {0.3, 0.2};
+  const std::vector<Point> triangle{{0.01, 0.33}, {1.37, 0.21}, {0.9, 1.11}};
+  const std::vector<Point> bent{{0, 0.4}, {1, 0.4}, {1, 0.5}, {0.1, 0.5}, {0.1, 1}, {0, 1}};
+  for (const auto& ring : {triangle, bent}) {
+    load.patch = geometry::Polygon{ring, {}};
+    check(load, pressed(load, ring));
+  }
+  load.patch = geometry::Circle{{0.9, 0.7}, 0.23, ""};
+  check(load, pressed(load, geometry::Patch(*load.patch).ring()));
+}
+
+TEST_CASE("a patch beyond the plate acts on what there is of the plate, one over all of it is the pressure") {
+  Load load;
+  load.value = 3;
+  load.patch = geometry::Polygon{{{1.55, -5}, {9, -5}, {9, 5}, {1.55, 5}}, {}};
+  check(load, pressed(load, {{1.55, 0.1}, {1.8, 0.1}, {1.8, 1.3}, {1.55, 1.3}}));
+  load.patch = geometry::Polygon{{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, {}};
+  Load everywhere;
+  everywhere.value = 3;
+  const auto cloud = geometry::lattice(outline, 0.1);
+  CHECK((nodal_forces(load, cloud, outline) - nodal_forces(everywhere, cloud, outline)).cwiseAbs().maxCoeff() < 1e-15);
+}
+
+TEST_CASE("a line load has its resultant and moments") {
+  Load load;
+  load.kind = Load::Kind::line_load, load.value = -7, load.along = {{-0.2, 0.3}, {0.61, 0.37}, {0.7, 1.3}};
+  Eigen::Vector3d expected(0, 0, 0);
+  for (std::size_t i = 0; i + 1 < load.along.size(); ++i) {
+    const Point middle = (load.along[i] + load.along[i + 1]) / 2;
+    expected += load.value * (load.along[i + 1] - load.along[i]).norm() * Eigen::Vector3d(1, middle.x(), middle.y());
+  }
+  check(load, expected);
+  load.along = {{7, 7}, {8, 8}};
+  CHECK_THROWS_AS(nodal_forces(load, geometry::lattice(outline, 0.1), outline), std::invalid_argument);
+}
+
+TEST_CASE("a line load across a crack gives each side what lies on it, with its moments") {
+  Load load;
+  load.kind = Load::Kind::line_load, load.value = 2;
+  const std::vector<Point> crack{{0.3, 0.41}, {1.4, 0.83}};
+  const Point along = (crack[1] - crack[0]).normalized(), left(-along.y(), along.x());
+  const auto side = [&](const Point& x) { return left.dot(x - crack[0]) > 0; };
+  const auto paths = std::vector<geometry::CrackPath>{{crack, geometry::End::tip, geometry::End::tip}};
+  for (const double turn : {0.1, 0.9, 1.7, 2.6}) {
+    const Point cross = crack[0] + 0.613 * (crack[1] - crack[0]), way(std::cos(turn), std::sin(turn));
+    load.along = {cross - 0.17 * way, cross + 0.23 * way};
+    const auto check_sides = [&](const Forces& forces, const std::vector<Point>& seen, const std::vector<Point>& at) {
+      for (const bool above : {true, false}) {
+        Forces own = forces;
+        for (Eigen::Index k = 0; k < own.cols(); ++k)
+          if (side(seen[std::size_t(k)]) != above) own.col(k).setZero();
+        const bool ahead = side(load.along[1]) == above;
+        const double length = ahead ? 0.23 : 0.17;
+        const Point middle = cross + (ahead ? 0.5 : -0.5) * length * way;
+        const Eigen::Vector3d expected = load.value * length * Eigen::Vector3d(1, middle.x(), middle.y());
+        CAPTURE(turn, above);
+        CHECK((resultant(own, at) - expected).norm() < 1e-12);  // measured: 2e-15
+      }
+    };
+    const auto cloud = geometry::lattice(outline, 0.1);
+    check_sides(nodal_forces(load, cloud, outline, {}, paths), cloud.positions, cloud.positions);
+    for (const geometry::Grading& grading : {geometry::Grading{}, geometry::Grading{0.03, std::nullopt, 0.2}}) {
+      const auto cells = geometry::tessellation(outline, paths, 0.1, {}, grading);
+      const std::vector<double> areas(cells.positions.size());
+      check_sides(nodal_forces(load, cells, areas), geometry::seen_positions(cells), cells.positions);
+    }
+  }
+}
+
+TEST_CASE("spread: expressions do what pressures by values do, on parts too, and their own curves on the whole") {
+  Load value, formula;
+  value.value = 2, value.gradient = {-1, 3}, value.from = {0.1, 0.2};
+  formula.formula = Formula("2 - (x - 0.1) + 3 * (y - 0.2)");
+  value.patch = formula.patch = geometry::Circle{{0.7, 0.6}, 0.3, ""};
+  const auto expected = resultants(value), found = resultants(formula);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    CHECK((found[i] - expected[i]).norm() < 1e-12);  // measured: 1e-15 at most
+  Load curved;
+  curved.formula = Formula("x * x * y");
+  const auto all = resultants(curved);  // (1.8^3 + 0.2^3) / 3 (1.3^2 - 0.1^2) / 2
+  for (const auto& one : all) CHECK(one[0] == Approx((5.832 + 0.008) / 3 * (1.69 - 0.01) / 2).epsilon(1e-3));
+  Load infinite;
+  infinite.formula = Formula("1 / (x - x)");
+  CHECK_THROWS_AS(resultants(infinite), FormulaError);
+  infinite.formula = Formula("1 / (x - 0.3)");  // 0.3 lies on points but for rounding
+  CHECK_THROWS_AS(resultants(infinite), FormulaError);
+  Load narrow, jump;  // neither has too large a value anywhere, but nobody knows the sum of the first
+  narrow.formula = Formula("exp(-1e6 * ((x - 0.3)^2 + (y - 0.4)^2))"), jump.formula = Formula("x > 0.3 ? 1e9 : 0");
+  CHECK_THROWS_AS(resultants(narrow), FormulaError);
+  CHECK_NOTHROW(resultants(jump));
+}
+
+TEST_CASE("spread: expressions that vary within cells have their resultants all the same, or are refused") {
+  Load wave, peak, jump;
+  wave.formula = Formula("1 + sin(60 * pi * x)");  // three waves per spacing
+  // widths of half and a quarter of the spacing, at no point
+  peak.formula = Formula("exp(-((x - 0.512)^2 + (y - 0.437)^2) / (2 * 0.05^2))");
+  jump.formula = Formula("x + 0.5 * y < 1.03 ? 1 : 0");
+  const double whole = std::numbers::pi * 2 * 0.05 * 0.05, cut = 0.5 * (1.18 + 0.58) * 1.2;
+  for (const auto& found : resultants(wave)) CHECK(found[0] == Approx(2 * 1.2).epsilon(1e-4));
+  for (const auto& found : resultants(peak)) {
+    CHECK(found[0] == Approx(whole).epsilon(2e-4));
+    CHECK(found[1] == Approx(0.512 * whole).epsilon(2e-4));
+  }
+  for (const auto& found : resultants(jump)) CHECK(found[0] == Approx(cut).epsilon(1e-3));
+  peak.formula = Formula("exp(-((x - 0.512)^2 + (y - 0.437)^2) / (2 * 0.0125^2))");
+  for (const auto& found : resultants(peak)) CHECK(found[0] == Approx(whole / 16).epsilon(2e-3));
+  Load wild;  // nothing that triangles of a thousandth of a cell would show
+  wild.formula = Formula("sin(1e9 * x * y) > 0 ? 1 : 0");
+  CHECK_THROWS_AS(resultants(wild), FormulaError);
+  wild.formula = Formula("1 / (x - 0.317)^2");
+  CHECK_THROWS_AS(resultants(wild), FormulaError);
+}

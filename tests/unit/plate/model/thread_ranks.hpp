@@ -1,0 +1,13 @@
+#pragma once
+#include <functional>
+
+#include "plate/model/communicator.hpp"
+
+/// Processes that share a plate, as threads of one.
+namespace thread_ranks {
+
+/// Calls `each` in so many threads, each of which is one of plate::ranks(), and waits for all. What the first of them
+/// throws is thrown.
+void run(int count, const std::function<void(const plate::Ranks&)>& each);
+
+}  // namespace thread_ranks
