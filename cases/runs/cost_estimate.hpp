@@ -66,7 +66,6 @@ struct Problem;
 
 namespace fracture {
 
-struct ForetoldRun;
 struct RunPlan;
 
 /// What each of some processes will have of a plate that they share, told from its outline; the numbers are of the one

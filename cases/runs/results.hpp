@@ -58,7 +58,6 @@ struct Mode;
 namespace fracture {
 
 class MovingGrowth;
-class OwnDrawing;
 
 /// The points about probes.
 std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>& places,

@@ -124,7 +124,6 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
 
 namespace {
 
-namespace fs = std::filesystem;
 using post::Reference;
 
 const auto element = [](const std::string& list, std::size_t i) { return fmt::format("{}[{}]", list, i); };

@@ -123,9 +123,6 @@ struct Section;
 
 namespace fracture {
 
-struct Growth;
-struct Moved;
-
 /// What of a growth by bonds is not to be trusted at this discretisation: what the apparent toughness was not measured
 /// for, and what bonds cannot do. Nothing of a growth by tips.
 std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Formulation& plate);

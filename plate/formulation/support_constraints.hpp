@@ -37,7 +37,6 @@ private:
   std::vector<SupportMotion> motions_;
 };
 
-class MovedSupports;
 struct Problem;
 
 /// Adds what supports along lines and on parts of the plate hold. Of a part: the points in it. Along a line: at every

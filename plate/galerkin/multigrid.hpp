@@ -37,8 +37,6 @@ struct LevelTransfer {
 LevelTransfer transfer_to(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse,
                           const std::vector<char>& own = {});
 
-class SumByOwners;
-
 /// A Galerkin plate with its supports; `seen`: geometry::seen_positions() of its cells.
 struct GalerkinLevel {
   geometry::Tessellation cells;

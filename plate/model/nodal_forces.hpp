@@ -57,8 +57,6 @@ struct Tessellation;
 
 namespace plate {
 
-struct MovingForces;
-
 /// A load case: generalised nodal forces times a factor of time; of a settlement none, but where it puts what is held
 /// while all that is free rests (Constraints::lift).
 struct TimedLoad {

@@ -109,8 +109,6 @@ void Checkpoints::remove() const {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::array<char, 8> magic_of_cells{'P', 'D', 'P', 'c', 'e', 'l', 'l', '1'};
 constexpr std::size_t piece = 1 << 20;  // bytes at once
 
@@ -218,8 +216,6 @@ std::size_t read_cells(const fs::path& path, const geometry::CellBox& wanted,
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t turns = 3;
 

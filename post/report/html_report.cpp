@@ -77,8 +77,6 @@ void write_report(const fs::path& folder, const ReportedCase& about) {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t most = 20000;  // rows of a table: all
 
 std::string table_in(const fs::path& path) {

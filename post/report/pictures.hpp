@@ -56,8 +56,6 @@ private:
   std::vector<Source> sources_;  // of every pixel
 };
 
-class Raster;
-
 /// The fields of a run as pictures for its report: all of the last frame, and w, von Mises stress and damage of a few
 /// before it, spread over the run. However many points and frames there are, the pictures take the same room.
 class Pictures {

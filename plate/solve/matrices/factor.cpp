@@ -10,8 +10,6 @@
 #include "plate/model/errors.hpp"
 
 namespace plate {
-namespace {
-
 /// The products of a sparse factorisation are too small to share out, and CHOLMOD starts four threads for its loops
 /// whatever it is told: measured 1.3 to 1.8 times as long as with none (3,000 to 10,000 points, one thread allowed),
 /// and thirty times as long with two on busy processors. Holds for OpenBLAS built with OpenMP.
@@ -46,6 +44,8 @@ public:
 private:
   cholmod_common common_;
 };
+
+namespace {
 
 /// A view of the matrix; nothing is copied.
 cholmod_sparse view(const Eigen::SparseMatrix<double>& lower) {
