@@ -17,7 +17,7 @@ struct Kept {
     std::vector<double> values;
     std::size_t width = 1;
   };
-  /// The fields of a frame by the names that they have for ParaView (vtk/series.hpp), x (2 per point) and area; its
+  /// The fields of a frame by the names that they have for ParaView (vtk_series.hpp), x (2 per point) and area; its
   /// cells. After the points come the corners of cells on edges and cracks, with no area.
   struct Fields {
     double time = 0;

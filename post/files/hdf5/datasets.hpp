@@ -13,7 +13,8 @@
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/table.hpp"
 
-/// What writing and reading state.h5 share. For post/hdf5*.cpp alone: nobody else has HDF5 on the include path.
+/// What writing and reading state.h5 share. For the sources of this folder alone: nobody else has HDF5 on the include
+/// path.
 namespace post::hdf5 {
 
 constexpr int format_version = 1;

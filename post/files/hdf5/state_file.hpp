@@ -66,7 +66,7 @@ public:
   void write(const std::string& name, const Table& table);
   void close();
 
-  /// The open file (files.hpp).
+  /// The open file (loaded.hpp).
   class Open {
   public:
     virtual ~Open() = default;
