@@ -9,7 +9,7 @@ namespace plate {
 struct Discretization;
 struct FormulationKind;
 
-/// Those that a problem may be solved with. What chooses by itself takes the first that can do what is asked for.
+/// Formulations that a problem may be solved with. An automatic choice takes the first that can do what is asked for.
 const std::vector<const FormulationKind*>& formulations();
 
 /// The one of these that a plate may be solved with beside its own.
@@ -32,8 +32,9 @@ struct UsualSolver {
   double bytes = 0;       // at its peak, beside the plate and the vectors
 };
 
-/// What a static solution takes with these settings; "automatic" is settled as a plate does it that parts cannot move
-/// in. Orders and bytes were measured on square plates with a crack (tests/benchmarks, "What check foretells").
+/// Estimates the solver and the cost of a static solution with these settings; "automatic" is resolved as for a plate
+/// whose parts cannot move. Orders and bytes were measured on square plates with a crack (tests/benchmarks, "What check
+/// foretells").
 UsualSolver usual_solver(const Problem& problem, StaticMethod method, Preconditioning wanted, double points);
 
 }  // namespace plate

@@ -12,7 +12,7 @@ fracture::RecordingOptions recording_options(const Case& c, const RunOptions& op
 /// Where the results of a run of the case go. Throws fracture::RefusedFolder.
 fracture::Recording recording_of(const Case& c, const RunOptions& options);
 
-/// What a run of the case, which must outlive it, is to do.
+/// Plan of a run of the case, which must outlive it.
 fracture::RunPlan plan_of(const Case& c, const RunOptions& options);
 
 /// The case in the other formulation, without files for fields. Settings that only one formulation has take their

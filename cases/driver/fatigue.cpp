@@ -54,7 +54,7 @@ std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengt
 
 namespace {
 
-/// Of a table that may have been damaged.
+/// Finite number in a column of a row. Throws std::runtime_error where the table is damaged.
 double number_in(const char* file, const Table& table, const std::vector<Cell>& row, const char* column) {
   if (std::ranges::find(table.columns, column) == table.columns.end())
     throw std::runtime_error(fmt::format("{}: there is no column {}", file, column));

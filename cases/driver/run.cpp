@@ -158,7 +158,7 @@ namespace {
 
 constexpr double giga = 1e9;
 
-/// What processes that share the plate take.
+/// Estimated cost, as text, of a run by `count` processes that share the plate.
 std::string of_processes(const CaseFile& file, const fracture::ForetoldRun& run, int count) {
   const auto plan = plan_of(file.content, {});
   const auto processes = unless_refused(file, [&] { return fracture::foretold_processes(file.content, count); });
@@ -191,7 +191,7 @@ std::string of_run(const CaseFile& file, int processes) {
   return text;
 }
 
-/// What the run would refuse or warn of, where the plate is small enough to be made at once.
+/// Describes the plate, with the warnings and refusals of the run, where the plate is small enough to be made at once.
 std::string of_plate(const CaseFile& file) {
   auto [plate, warnings, stopwatch] = discretised(file);
   check_growing_tips(file, *plate, warnings);

@@ -20,7 +20,7 @@ struct RunOptions {
   post::Kept* kept = nullptr;  // results go here instead, and no file is written
   bool resume = false;         // goes on from what an earlier run has kept in the folder
 
-  /// Of a run that belongs to another one.
+  /// Options of a run that belongs to this one.
   RunOptions part(const std::string& name) const;
 };
 
@@ -28,8 +28,8 @@ struct RunOptions {
 /// plate::Interrupted after the last good frame, the summary and all tables have been written.
 post::Summary run(const CaseFile& file, const RunOptions& options);
 
-/// What a run would cost, as text: points, bonds, memory, time step, steps. Writes nothing. Throws CaseError.
-/// `processes`: that are to share the plate; 0: the run is by this program alone.
+/// Estimates the cost of a run, as text: points, bonds, memory, time step, steps. Writes nothing. Throws CaseError.
+/// `processes`: number that are to share the plate; 0: the run is by this program alone.
 std::string cost(const CaseFile& file, int processes = 0);
 
 /// Extracts the intensity factors again from the frames of a finished run; rows of srif.csv.

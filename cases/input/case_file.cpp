@@ -32,7 +32,7 @@ std::size_t entries(const toml::node* node) {
   return count;
 }
 
-/// What is looked at in pairs, or among all keys, takes seconds for this many.
+/// Problems of lists that are too long: checks in pairs, or among all keys, take seconds for this many entries.
 std::vector<Problem> too_many(const toml::table& root, const std::string& file) {
   constexpr std::size_t most = 10000;
   std::vector<Problem> problems;

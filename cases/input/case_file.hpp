@@ -17,7 +17,7 @@ namespace cases {
 
 using plate::Analysis;
 
-/// What a run writes beside its tables, and how often.
+/// Output of a run beside its tables, and its intervals.
 struct Output {
   bool vtk = true, hdf5 = true;
   std::optional<bool> report;   // absent: where fields are written
@@ -62,10 +62,10 @@ std::string resolved_toml(const Case& content);
 /// The key that a refusal is about.
 std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem);
 
-/// What a plate refuses, as problems of the case.
+/// Converts the refusals of a plate to problems of the case.
 std::vector<Problem> problems_of(const CaseFile& file, const std::vector<plate::Refusal>& refusals);
 
-/// What `make` gives. Throws CaseError where a plate refuses it.
+/// Returns the result of `make`. Throws CaseError where a plate refuses it.
 template <class Make>
 auto unless_refused(const CaseFile& file, const Make& make) {
   try {

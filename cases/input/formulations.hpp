@@ -35,7 +35,7 @@ void settle_grading(Case& content, const Reading& reading);
 /// whose stable steps follow the least spacing, Lanczos vectors if it does not ask for steps.
 void settle_method(Case& content, const Reading& reading);
 
-/// What its formulation cannot do.
+/// Reports what the formulation of the case cannot do.
 void check_formulation(const Case& content, Reading& reading);
 
 }  // namespace cases

@@ -26,8 +26,8 @@ std::string analyses(const Kinds& kinds);
 /// "static, frequencies", as the values of analysis.kind
 std::string kind_names(const Kinds& kinds);
 
-/// What must hold of its table for a key to be used: another key (`selector`) has one of some values, in words
-/// "kind = pinned".
+/// Condition on its table for a key to be used: another key (`selector`) has one of some values, in words "kind =
+/// pinned".
 template <class T>
 struct Condition {
   std::string selector, words;

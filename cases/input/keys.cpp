@@ -30,7 +30,7 @@ const plate::Problem& problem_of(const Case& content) {
   return content;
 }
 
-/// Of [[load]]: to read them all, to write them without those of load cases.
+/// Loads of [[load]]: all of them for reading, without those of load cases for writing.
 std::vector<plate::Load>& own_loads(Case& content) {
   return content.loads;
 }

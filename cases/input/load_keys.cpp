@@ -197,7 +197,7 @@ Fields<Support> support_fields() {
 
 namespace {
 
-/// What acts, and how much of it.
+/// Fields for the kind and the amount of a load.
 Fields<Load> amount_fields() {
   using enum Load::Kind;
   const auto valued = [](const Load& load) { return !load.evaluated() && !load.gravity; };

@@ -169,7 +169,7 @@ using plate::Ply;
 using plate::Section;
 using plate::SectionRegion;
 
-/// Of a whole section or of a ply.
+/// Fields for the orthotropy of a whole section or of a ply.
 template <typename Material>
 Fields<Material> orthotropy_fields() {
   const auto modulus = [](const char* name, double Orthotropy::*member, const char* help) {

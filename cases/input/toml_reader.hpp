@@ -10,7 +10,7 @@
 /// Values of a case file that know their key and their place, and complain by themselves.
 namespace cases {
 
-/// What the reading of one file collects: places of keys, problems.
+/// Data collected while one file is read: places of keys, problems.
 class Reading {
 public:
   explicit Reading(std::string file) : folder(std::filesystem::path(file).parent_path()) {
@@ -34,7 +34,7 @@ public:
   /// Has nothing been complained about at or below this key?
   bool sound(const std::string& key) const;
 
-  /// Those of the command line first, then those of the file by line.
+  /// Problems of the command line first, then problems of the file by line.
   std::vector<Problem> problems() const;
   Source& found() { return found_; }
 

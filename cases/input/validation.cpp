@@ -41,7 +41,7 @@ void check_impact(const plate::Problem& problem, const Analysis& analysis, const
                                             given, i));
 }
 
-/// What begins or damps a motion beside its loads.
+/// Checks what begins or damps a motion beside its loads.
 void check_beside(const plate::Problem& problem, const Analysis& analysis, bool grows, const Refuse& refuse) {
   const bool mixed = analysis.precision == Analysis::Precision::mixed;
   const bool settles =
@@ -210,7 +210,7 @@ namespace {
 using Asked = std::function<bool(const std::string&)>;
 using Complain = std::function<void(const std::string& key, const std::string& what)>;
 
-/// What growth by single bonds has and that by tips has not, and the other way round.
+/// Checks keys that only growth by single bonds has, and keys that only growth by tips has.
 void check_criterion(const Growth& growth, const Asked& given, const Complain& complain) {
   using enum Growth::Criterion;
   const bool limits = growth.criterion == curvature_shear && (growth.critical_curvature || growth.critical_shear);
@@ -298,8 +298,8 @@ void check_heat(const plate::Problem& problem, const Analysis& analysis, const G
              "or \"jump\"");
 }
 
-/// What moves supports is given, so that neither a load nor what it moves can follow the crack; a struck piece flies
-/// off.
+/// Checks growth beside settlements and impact: the motion of supports is given, so that neither a load nor what it
+/// moves can follow the crack; a struck piece flies off.
 void check_beside(const plate::Problem& problem, const Analysis& analysis, const Growth& growth,
                   const Complain& complain) {
   const bool settles =

@@ -18,11 +18,12 @@ namespace fracture {
 
 using plate::KeyFault;
 
-/// What only steps have, and what only Lanczos vectors. `given`: does the case state this key?
+/// Invalid keys of a motion: those that only time steps have, and those that only Lanczos vectors have. `given`: does
+/// the case state this key?
 std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const plate::Analysis& analysis, bool grows,
                                        const std::function<bool(const std::string&)>& given);
 
-/// What has no harmonic response.
+/// Invalid keys of a harmonic analysis: features that have no harmonic response.
 std::vector<KeyFault> faults_of_response(const plate::Problem& problem, const plate::Analysis& analysis);
 
 /// Settlements where they cannot go: Lanczos vectors, frequencies, and in motion a support that is moved at once.
@@ -32,11 +33,11 @@ std::vector<KeyFault> faults_beside_settlements(const plate::Problem& problem, c
 /// that lifts off beside growth and combinations too.
 std::vector<KeyFault> faults_beside_contact(const plate::Problem& problem, const plate::Analysis& analysis, bool grows);
 
-/// What cannot go with load cases, and why.
+/// Keys that cannot be combined with load cases, and why.
 std::vector<KeyFault> faults_beside_load_cases(const plate::Problem& problem, const plate::Analysis& analysis,
                                                bool grows, const std::optional<post::SrifOptions>& srif);
 
-/// What stands in the way of finding the discretisation. `formulation_reason`: why the formulation is what it is.
+/// Keys that prevent the discretisation from being found. `formulation_reason`: why the formulation is what it is.
 std::vector<KeyFault> faults_of_accuracy(const plate::Problem& problem, const plate::Analysis& analysis, bool grows,
                                          const std::optional<post::SrifOptions>& srif,
                                          const std::string& formulation_reason);
@@ -55,7 +56,7 @@ namespace fracture {
 
 struct Growth;
 
-/// What of a growth cannot be, beside the plate, its analysis and the factors that are wanted. `given`: does the case
+/// Invalid keys of a growth, beside the plate, its analysis and the factors that are wanted. `given`: does the case
 /// state this key?
 std::vector<KeyFault> faults_of_growth(const plate::Problem& problem, const plate::Analysis& analysis,
                                        const Growth& growth, const std::optional<post::SrifOptions>& srif,
@@ -73,8 +74,8 @@ struct SrifOptions;
 
 namespace fracture {
 
-/// What a section that varies or has directions cannot serve: growth, stated accuracies, a toughness, factors at tips
-/// beside which it changes. Nothing of others.
+/// Keys that a section that varies or has directions does not support: growth, stated accuracies, a toughness, factors
+/// at tips beside which it changes. Empty for other sections.
 std::vector<KeyFault> faults_of_section(const plate::Problem& problem, bool grows,
                                         const std::optional<post::SrifOptions>& srif);
 

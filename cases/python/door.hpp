@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include "post/files/kept.hpp"
 
-/// What Python calls. Only types of the standard library cross it (why: kept.hpp).
+/// Interface that Python calls. Only types of the standard library cross it (why: kept.hpp).
 namespace cases::door {
 
 /// A case as text, or the path of its file; overrides as in read_case.
@@ -29,10 +29,10 @@ using Key = std::array<std::string, 5>;  // name, unit, allowed values, default,
 #pragma GCC visibility push(default)
 /// Runs a case; with `fields`, its frames are kept. `threads` 0: as many as there are. Throws Wrong.
 Run run(const Source& source, bool fields, int threads);
-/// What a run would cost, as text. Throws Wrong.
+/// Estimates the cost of a run, as text. Throws Wrong.
 std::string check(const Source& source, int threads);
 std::vector<Key> keys();
-/// Of the program, and the instruction set of its kernels.
+/// Version of the program, and the instruction set of its kernels.
 std::array<std::string, 2> version();
 #pragma GCC visibility pop
 

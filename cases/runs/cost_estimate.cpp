@@ -321,7 +321,8 @@ ForetoldProcesses foretold_processes(const plate::Problem& problem, int count) {
 
 namespace {
 
-/// Of the plates that are coarser than a Galerkin plate of so many points; the last has 4,000 points at most.
+/// Number of multigrid plates that are coarser than a Galerkin plate of so many points; the last has 4,000 points at
+/// most.
 double coarser_plates(double points) {
   return std::max(0.0, std::ceil(std::log2(points / 4000) / 2));
 }

@@ -11,7 +11,7 @@
 
 namespace fracture {
 
-/// What a run will be, told from runs of samples: the same with fewer points.
+/// Estimate of a run, from runs of samples: the same with fewer points.
 struct ForetoldRun {
   double points = 0, bonds = 0;
   plate::UsualSolver solver;             // of statics
@@ -23,8 +23,8 @@ struct ForetoldRun {
   std::optional<double> multipliers = {};  // of that sample (Formulation::multipliers)
 };
 
-/// Of the points, cells and loads of a Galerkin plate beside its weights, while it is made, for each point; measured 94
-/// to 98 from 250,000 to 1 million points of a lattice.
+/// Memory per point [bytes] of the points, cells and loads of a Galerkin plate beside its weights, while it is made;
+/// measured 94 to 98 from 250,000 to 1 million points of a lattice.
 constexpr double bytes_while_cells_are_made = 95;
 
 /// How much less a sample does.
@@ -68,8 +68,8 @@ namespace fracture {
 
 struct RunPlan;
 
-/// What each of some processes will have of a plate that they share, told from its outline; the numbers are of the one
-/// that has the most.
+/// Estimated share of each process in a plate that several share, from its outline; the numbers are of the process that
+/// has the most.
 struct ForetoldProcesses {
   int count = 1;
   double points = 0, least_points = 0;  // of its own

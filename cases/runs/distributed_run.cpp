@@ -40,7 +40,7 @@ std::string fault_of_twice_the_spacing(const plate::Problem& problem) {
 
 using Refuse = std::function<void(bool asked, const std::string& key, const std::string& why)>;
 
-/// What is seen about a tip is as wide as the widest ring.
+/// Refuses windows wider than the region seen about a tip, which is as wide as the widest ring.
 void refuse_wide_windows(const RunPlan& plan, double seen, const Refuse& refuse) {
   if (!plan.srif) return;
   const double horizon = plan.problem.discretization.horizon();

@@ -22,7 +22,7 @@ bool shared();
 /// Is this the process that writes and speaks?
 bool speaks();
 
-/// What of a run cannot be shared by processes yet: keys of the case and why. Nothing in one process.
+/// Feature of a run that processes cannot share yet: key of the case and why. None in one process.
 struct Unshared {
   std::string key, why;
 };

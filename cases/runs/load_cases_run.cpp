@@ -27,7 +27,7 @@
 namespace fracture {
 namespace {
 
-/// What acts in a load case or combination, and the state.
+/// Loads of a load case or combination, and the state.
 struct Case {
   plate::Forces load;
   plate::State lift, state;  // lift: of supports that have moved, without columns where none has
@@ -92,7 +92,7 @@ private:
   std::vector<std::string> warnings_;
 };
 
-/// What is to be known of a state in equilibrium under a load.
+/// Evaluates and records a state in equilibrium under a load.
 void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t step) {
   const auto& [load, lift, state, heat, less] = known;
   const auto& strained = known.what_strains();
@@ -145,7 +145,8 @@ std::vector<std::pair<double, const std::vector<post::Srif>*>> LoadCases::parts_
   return parts;
 }
 
-/// Of warnings that say the same of the same place, those of the first load case; none of tips that it hardly loads.
+/// Warnings of all load cases: of those that say the same of the same place, that of the first load case; none of tips
+/// that it hardly loads.
 std::vector<std::string> LoadCases::warnings() const {
   constexpr double close = 0.01, hardly = 1e-3;
   const double h = plate_.section().thickness;

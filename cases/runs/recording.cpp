@@ -204,7 +204,7 @@ bool finds(Keeper* keeper, const RecordingOptions& options) {
   return found;
 }
 
-/// What goes on from a checkpoint: the same case by the same build of the program.
+/// Identifies the runs that may continue from a checkpoint: the same case by the same build of the program.
 std::string run_of(const RecordingOptions& options) {
   return fmt::format("case {}, program {} of {}", post::digest(options.resolved), options.version, plate::build());
 }

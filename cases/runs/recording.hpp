@@ -19,7 +19,7 @@ struct Boundary;
 
 namespace fracture {
 
-/// Of the points that no other process has, the columns of some states side by side. One that is empty is left out.
+/// Values of the points that this rank owns: the columns of some states side by side. An empty state is left out.
 post::CellValues own_values(const plate::Boundary& boundary, const std::vector<const plate::State*>& states);
 
 /// Gives own points their columns of the states from files of any number of processes (post::write_cells), all others
@@ -44,7 +44,7 @@ public:
 
   /// `every` [s]; from a second on it is stretched so that all that this does takes a hundredth of the run.
   Keeper(post::Checkpoints checkpoints, double every);
-  /// Of one of the processes that share a plate: all call everything at once.
+  /// Collective, where ranks share a plate: every rank must call each member function.
   Keeper(std::shared_ptr<post::SharedCheckpoints> checkpoints, double every);
 
   /// Looks for a checkpoint to go on from: there is none, or its memory waits for recall(). What was wrong with others
@@ -53,7 +53,7 @@ public:
   bool goes_on() const { return !found_.empty(); }
   /// The points of what was found, where processes share the plate.
   const std::vector<std::filesystem::path>& parts() const { return parts_; }
-  /// What was found; false where nothing was.
+  /// Restores the checkpoint that was found; false where none was.
   bool recall(const std::function<void(plate::InArchive&)>& recall);
 
   /// Is it time to keep?
@@ -122,9 +122,9 @@ struct Recording {
   std::unique_ptr<Keeper> keeper;
 };
 
-/// Of a folder, kept for this run alone. What an earlier run wrote into it goes, and that is said, unless this one goes
-/// on from it. Throws RefusedFolder where another run writes to it, or there is a checkpoint and nothing goes on from
-/// it.
+/// Recording into a folder, which is reserved for this run alone. Files of an earlier run are removed, with a message,
+/// unless this run continues from that one. Throws RefusedFolder where another run writes to the folder, or where it
+/// has a checkpoint and nothing continues from it.
 Recording recording(const RecordingOptions& options);
 
 }  // namespace fracture

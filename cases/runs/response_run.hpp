@@ -6,9 +6,9 @@ namespace fracture {
 
 struct RunPlan;
 
-/// What a damped plate does for ever under loads that go as cos(2 pi f t), at every frequency f of a sweep: factors and
-/// probes at each, and a period in eight frames where the deflection is largest. Throws plate::NumericalError or
-/// plate::Interrupted after what there is has been written.
+/// Computes the harmonic (steady-state) response of a damped plate under loads that vary as cos(2 pi f t), at every
+/// frequency f of a sweep: factors and probes at each, and a period in eight frames where the deflection is largest.
+/// Throws plate::NumericalError or plate::Interrupted after the results so far have been written.
 post::Summary run_response(const Ready& ready, const RunPlan& plan, post::Recorder recorder,
                            plate::Stopwatch& stopwatch);
 

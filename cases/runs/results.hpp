@@ -17,8 +17,8 @@ class Formulation;
 
 namespace fracture {
 
-/// What one of the processes that share a plate draws and stores of it: its own points, and the cells about them, with
-/// the values of the points of others that these cells have.
+/// Part of a shared plate that one rank draws and stores: the points that it owns, and the cells about them, with the
+/// values of the ghosts that these cells have.
 class OwnDrawing {
 public:
   /// `plate` must outlive this.
@@ -28,7 +28,7 @@ public:
 
   /// The own points come first, in the order that they have in the plate.
   const plate::Mesh& mesh() const { return mesh_; }
-  /// Of a frame with all points that the process sees. All processes call it at once.
+  /// Reduces a frame with all points that the rank sees to those of mesh(). Collective.
   post::Frame frame(post::Frame seen) const;
   /// The columns of own points.
   plate::State own(const plate::State& of_plate) const { return own(of_plate, own_); }
@@ -63,10 +63,11 @@ class MovingGrowth;
 std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>& places,
                                    const plate::Formulation& plate);
 
-/// What is known of a run before it.
+/// Summary of a run before it starts.
 post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings);
 
-/// What the error says, with the place of its point and, in a motion by steps, what its step is of the stable one.
+/// Error with the message of `error`, the place of its point and, in a motion by steps, the ratio of its step to the
+/// stable one.
 plate::NumericalError placed(const plate::NumericalError& error, const plate::Formulation& plate,
                              const post::Summary& summary);
 
@@ -105,12 +106,13 @@ public:
   /// Writes the tables and, last, the summary; returns it complete.
   post::Summary finish(post::Summary summary, plate::Stopwatch& stopwatch);
 
-  /// Of the last row: where temperatures act, of kappa - kappa_0, and the work with what they put in.
+  /// Strain energy and external work of the last row: where temperatures act, the energy of kappa - kappa_0, and the
+  /// work with what they put in.
   double strain_energy() const { return strain_energy_; }
   double external_work() const { return external_work_; }
 
-  /// What has been recorded of a motion; all frames so far are written then. Where processes share the plate without
-  /// state_of_largest(): what all of them know, which all call at once.
+  /// Saves and restores the record of a motion; all frames so far are written then. Where ranks share the plate, the
+  /// record is without state_of_largest(): it has what all ranks know. Collective.
   void remember(plate::OutArchive& archive);
   void recall(plate::InArchive& archive);
   /// Extremes::state().

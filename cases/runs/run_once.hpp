@@ -13,7 +13,7 @@ class Keeper;
 class MovingGrowth;
 class Results;
 
-/// What a motion by steps remembers, and how it goes on from that. All that is given must outlive it.
+/// Checkpoints of a motion by steps: saves its state and continues from it. All that is given must outlive it.
 class KeptMotion {
 public:
   KeptMotion(const plate::Formulation& plate, Results& results, MovingGrowth* growth)

@@ -16,7 +16,7 @@
 
 namespace fracture {
 
-/// What a run is of, and what is wanted of it. All that it refers to must outlive it.
+/// Subject of a run, and the results wanted of it. All that it refers to must outlive it.
 struct RunPlan {
   const plate::Problem& problem;
   const plate::Analysis& analysis;
@@ -36,7 +36,7 @@ struct RunPlan {
   bool si() const { return units == "SI"; }
 };
 
-/// What is asked of the steps of a motion: growth keeps a distance from the stable one.
+/// Options for the steps of a motion: growth keeps a distance from the stable one.
 plate::GridOptions grid_options(const RunPlan& plan);
 
 /// A plate with all that can be refused of its run behind it: nothing has been written yet.

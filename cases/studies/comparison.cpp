@@ -41,7 +41,7 @@ struct Place {
   double x, y;
 };
 
-/// What probes.csv says about the probe that is compared.
+/// Rows of probes.csv for the probe that is compared.
 struct ProbeRows {
   Table history;
   std::optional<Place> place;

@@ -46,7 +46,7 @@ std::vector<Exceeded> exceeded(const std::vector<ComparedQuantity>& rows, const 
 /// The comparisons, and what of them exceeds the tolerances.
 std::string to_json(const std::vector<ComparedQuantity>& rows, const std::vector<Exceeded>& above);
 
-/// What exceeds the tolerances, one line each.
+/// Lists the quantities that exceed the tolerances, one line each.
 std::string to_text(const std::vector<Exceeded>& above);
 
 /// The comparisons as lines of text under a header; where the run does not cover the whole reference, a line says

@@ -35,8 +35,8 @@ void write_all(int to, const std::string& text) {
   }
 }
 
-/// What `child` writes, which is asked to end where this process is, unless it knows. SIGINT: a SIGTERM may have
-/// reached both.
+/// Reads all that `child` writes. The child is asked to end where this process is, unless it knows. SIGINT: a SIGTERM
+/// may have reached both.
 std::string read_all(int from, pid_t child, bool passed_on) {
   constexpr int patience = 200;  // [ms]
   std::string text;

@@ -18,8 +18,8 @@ struct Ended {
 /// work returns "done", "refused" or "failed"; what it throws is "broken". Threads: as many as this process would use.
 Ended isolated(const std::function<Ended()>& work);
 
-/// What the ledger has of a run that was done as it is wanted, and so often, and whose results are there. `folder`: of
-/// the study.
+/// Record in the ledger of a run that was done as it is wanted, and so often, and whose results are there; none
+/// otherwise. `folder`: of the study.
 std::optional<RunRecord> kept_record(const RunRecord& wanted, std::size_t repeats, const std::filesystem::path& folder,
                                      const Ledger& ledger);
 

@@ -17,21 +17,22 @@ struct Cost {
 /// `seconds` of every repetition, by stage. Stages are those of the first.
 Cost cost_of(const std::vector<std::vector<std::pair<std::string, double>>>& seconds);
 
-/// What is known of a run of a study; a row of runs.csv.
+/// Record of a run of a study; a row of runs.csv.
 struct RunRecord {
   std::string run, digest, version;  // its folder; of its settings; of the program
   std::string outcome, message = {};
   Cost cost = {};
 };
 
-/// What became of every run of a study, so that it can go on where it was ended: a file for each, so that processes on
-/// several machines keep one ledger. Of one run one process writes at a time (NamedLock); readers find a file whole.
+/// Ledger of the outcomes of all runs of a study, so that it can go on where it was ended: a file for each, so that
+/// processes on several machines keep one ledger. One process at a time writes the file of a run (NamedLock); readers
+/// find a file whole.
 class Ledger {
 public:
   /// In a folder of its own below that of the study, whose name no run has.
   explicit Ledger(const std::filesystem::path& study);
 
-  /// What there is of a run; nothing where its record is damaged, be it by a bit.
+  /// Record of a run; none where there is no record or it is damaged, even by one bit.
   std::optional<RunRecord> known(const std::string& run) const;
   /// The record of a run that is done, with the same settings, by the same program and at least so often.
   std::optional<RunRecord> done(const RunRecord& wanted, std::size_t repeats) const;

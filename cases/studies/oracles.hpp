@@ -33,7 +33,7 @@ struct ConservedEnergy {
   double tolerance = 0;  // (largest - smallest) / mean
 };
 
-/// What must come out of a case at the edge of what can be computed: one oracle or several.
+/// Expected outcome of a case at the edge of what can be computed: one oracle or several.
 struct Oracles {
   std::string group, title;
   std::optional<KnownValue> value;
@@ -48,7 +48,7 @@ std::vector<std::pair<std::string, std::string>> faults(const std::vector<Oracle
 /// The titles of the rows whose group or title contains this, and of those that they should equal.
 std::set<std::string> chosen(const std::vector<Oracles>& rows, const std::string& only);
 
-/// What became of such a case.
+/// Outcome of such a case.
 struct ExtremeRun {
   std::filesystem::path folder;
   std::optional<Summary> summary;  // of a run that ended well

@@ -41,8 +41,8 @@ struct Order {
   std::optional<double> seconds;  // |error| ~ seconds^this, of the run in total
 };
 
-/// Of all lines along the refinement that have an error in two runs or more, with an order from three runs on; none
-/// without a refinement.
+/// Convergence of all lines along the refinement that have an error in two runs or more, with an order from three runs
+/// on; none without a refinement.
 std::vector<Order> orders(const StudyTable& study);
 
 /// The columns of orders.csv behind those of the other axes.

@@ -19,7 +19,7 @@
 namespace fracture {
 namespace {
 
-/// Of the whole plate.
+/// Reason why the run does not have a quantity of the whole plate; empty where it has.
 std::string lacking_whole(const RunPlan& plan, const std::string& name) {
   const bool modes = plan.analysis.kind == plate::Analysis::Kind::frequencies;
   if (name == "frequency") return modes ? "" : "the case has no frequencies";

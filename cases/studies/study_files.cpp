@@ -30,7 +30,7 @@ bool changes_problem(const std::vector<StudyRow>& rows, std::size_t axis) {
   return false;
 }
 
-/// What the labels of the axes that change the problem are, and of the others.
+/// Labels of the axes that change the problem, and axes with labels of the others.
 struct Split {
   std::vector<std::string> problem;
   std::vector<std::pair<std::string, std::string>> way;

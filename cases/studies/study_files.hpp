@@ -15,7 +15,8 @@ struct Way {
   double error = 0, seconds = 0;                            // |error|
 };
 
-/// Of every quantity with references, the ways that no other is both faster and more exact than, the fastest first.
+/// Pareto front of every quantity with references: the ways that no other is both faster and more exact than, the
+/// fastest first.
 std::vector<Way> front(const StudyTable& study);
 
 /// One sentence for each of these quantities: the fastest way of the front to 1 %, or else the most exact one. None

@@ -18,7 +18,7 @@ constexpr double panel_height = 330;  // [px]; two of them and their legends fil
 
 using Number = std::function<std::optional<double>(const StudyRow&)>;
 
-/// What is on one axis of a plot.
+/// Quantity on one axis of a plot.
 struct Abscissa {
   std::string title;
   Number value;
@@ -33,8 +33,7 @@ bool differs(const std::vector<StudyRow>& rows, const std::function<std::string(
   return std::ranges::any_of(rows, [&](const StudyRow& row) { return word(row) != word(rows.front()); });
 }
 
-/// What a legend says of a line along an axis: the labels of the other axes and the method, as far as there are
-/// several.
+/// Legend entry of a line along an axis: the labels of the other axes and the method, as far as there are several.
 std::string name_of(const StudyTable& study, const StudyLine& line, std::optional<std::size_t> along) {
   std::vector<std::string> parts;
   for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {

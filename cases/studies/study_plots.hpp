@@ -9,7 +9,7 @@
 
 namespace post {
 
-/// What the plots of a study say beside its numbers.
+/// Text of the plots of a study beside its numbers.
 struct StudyTitles {
   std::string title;
   std::vector<std::string> axes;  // with units, where they are known

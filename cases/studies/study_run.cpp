@@ -72,7 +72,7 @@ using Use = NamedLock::Use;
 constexpr auto patience = 2s;  // for the children of a process that was killed: they end with the system's next look
 constexpr auto pause = 200ms;  // between looks at a run that another process makes
 
-/// What became of the runs of a study so far.
+/// Outcome of the runs of a study so far.
 class Made {
 public:
   Made(const StudyJobs& study, const StudyOptions& options) : study_(study), options_(options) {}
@@ -94,7 +94,7 @@ public:
     }
   }
 
-  /// What there is, in the order of the study.
+  /// Outcome so far, in the order of the study.
   StudyOutcome outcome() const {
     auto result = outcome_;
     result.table.axes = study_.axes;

@@ -217,7 +217,7 @@ std::vector<Column> columns_beside(const std::vector<std::string>& axes) {
   return result;
 }
 
-/// What no row has is not printed of what only some studies have.
+/// True for columns to print: columns that only some studies have are left out where no row has a value.
 bool is_wanted_in_text(const StudyTable& study, const Column& column) {
   if (!column.title) return false;
   const std::string name = column.name;

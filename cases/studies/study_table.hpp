@@ -26,7 +26,7 @@ struct KnownCurve {
 
 using Known = std::variant<double, Finest, KnownCurve>;  // a number of 0 needs a scale
 
-/// What a quantity should be, in all runs with these labels.
+/// Reference of a quantity in all runs with these labels.
 struct Reference {
   Quantity quantity;
   std::map<std::string, std::string> where = {};  // axis -> label; the other axes match any label
@@ -49,7 +49,7 @@ struct Wanted {
   std::optional<double> scale = std::nullopt;  // of the reference
 };
 
-/// What is asked of the run with these labels: the listed quantities, which it has, then the distinct others of all
+/// Quantities wanted of the run with these labels: the listed quantities, which it has, then the distinct others of all
 /// references, in their order, as far as the run has them. `has` says whether it has the quantity of a reference, which
 /// `matches` the run or does not.
 std::vector<Wanted> wanted(const std::vector<Quantity>& listed, const std::vector<Reference>& references,

@@ -12,7 +12,7 @@ const std::map<std::string, std::string_view>& templates();
 /// Their names, without ".toml".
 std::vector<std::string> template_names();
 
-/// What there is to begin with: a name and what it shows, a line each.
+/// Lists the templates: a name and what it shows, a line each.
 std::string template_menu();
 
 /// Writes the template into a file, by default NAME.toml here, and says what to do with it. The template of a study

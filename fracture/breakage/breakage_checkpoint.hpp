@@ -61,7 +61,7 @@ struct SeveredMemory {
   }
 };
 
-/// Those of all processes, which call it at once.
+/// Families that have lost bonds, gathered from all ranks. Collective.
 std::vector<SeveredFamily> of_all(std::vector<SeveredFamily> own);
 
 /// A point with its state and its velocity half a step before.

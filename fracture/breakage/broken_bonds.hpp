@@ -62,7 +62,7 @@ struct Change {
   bool severed = false;  // by a piece of crack that goes on
 };
 
-/// What a change does to the forces: one bond of its family.
+/// Contribution of a changed family to the forces: one bond of the family.
 struct Difference {
   std::uint32_t neighbour;
   double mx, my, length;  // as in BondShape
@@ -70,17 +70,18 @@ struct Difference {
   double curvature, shear;  // 2 A times what B and S have gained
 };
 
-/// What no family that lost bonds exceeds, and none of its bonds.
+/// Upper bounds of the stiffness of families that have lost bonds, and of their bonds.
 struct Stiffest {
   double bending = 0, shear = 0;
   std::vector<plate::BondWeights> bonds;  // B and S by bond vector; infinite for those of no full family
 };
 
-/// What a family's bonds do against rotations and deflections of its point alone, over its area.
+/// Stiffness of a family's bonds against rotations (bending) and deflections (shear) of its point alone, divided by its
+/// area.
 double bending_stiffness(double a, std::span<const plate::BondWeights> bonds);
 double shear_stiffness(std::span<const plate::BondWeights> bonds);
 
-/// Of the first full family of the plate, of whichever process.
+/// Computes the bounds from the first full family of the plate, on whichever rank it is.
 Stiffest stiffest(const plate::FamilyOperator& plate, const plate::Boundary& boundary);
 
 }  // namespace fracture

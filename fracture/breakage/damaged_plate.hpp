@@ -50,13 +50,15 @@ public:
 
   std::size_t points() const override { return base_.points(); }
   void internal_force(const plate::State& state, plate::Forces& forces) const override;
-  /// Of the plate as it was: time steps are found before anything is severed (and kept at 0.9 of the limit).
+  /// Absolute product and diagonal of the undamaged plate: time steps are found before any bond is broken (and kept at
+  /// 0.9 of the limit).
   void absolute_product(const plate::State& state, plate::Forces& forces) const override;
   plate::Forces diagonal() const override;
 
-  /// Those of the boundary; where processes share the plate, all that this one knows is fetched.
+  /// Constraints of the boundary; where ranks share the plate, they fetch the values of all points that this rank
+  /// knows.
   const plate::Constraints& constraints() const { return wider_ ? *wider_ : boundary_.constraints; }
-  /// Of forces on the free degrees of freedom, weighted by a diagonal that has been carried over to these.
+  /// Norm of forces on the free degrees of freedom, weighted by a diagonal that has been carried over to these.
   double norm(plate::Forces force, const plate::Forces& diagonal) const;
   /// Is the place this process's?
   bool here(const geometry::Point& x) const { return boundary_.here(x); }
@@ -89,10 +91,9 @@ public:
   double a(std::size_t k) const;
   const plate::BondWeights& weights(std::size_t k, std::size_t i) const;
 
-  /// What has been severed, and the weights that it has by now, of all processes that share the plate, which call it at
-  /// once.
+  /// Saves the broken bonds and their present weights, from all ranks that share the plate. Collective.
   void save(plate::OutArchive& archive) const;
-  /// Of a plate of which nothing has been severed yet.
+  /// Restores them into a plate in which no bond has been broken yet.
   void load(plate::InArchive& archive);
 
 private:
@@ -112,7 +113,7 @@ private:
   /// The families without their broken bonds, and where they go.
   void retarget(std::uint32_t k);
   bool known(std::size_t k) const { return known_.empty() || known_[k]; }
-  /// Of values of these points, those of the process's own of all processes.
+  /// Sum of the values of these points over all ranks, each of which counts the points that it owns.
   double sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const;
   void soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const;
   double approach(std::uint32_t k, double fraction, const Motion& motion);
@@ -132,7 +133,7 @@ private:
   std::vector<Change> changed_;          // by number
   std::vector<Difference> differences_;  // of every change, as many as its base has bonds
   std::vector<std::size_t> first_difference_{0};
-  /// What a change gives to its point, and every difference to its neighbour: force and couple along m.
+  /// Force and couple along m that a change gives to its point, and that every difference gives to its neighbour.
   mutable std::vector<Eigen::Vector3d> own_force_;
   mutable std::vector<std::array<double, 2>> given_;
   std::vector<Severing> going_;

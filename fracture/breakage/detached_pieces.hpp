@@ -20,7 +20,7 @@ public:
   /// Kinetic energy that they had.
   double energy() const { return energy_; }
 
-  /// What goes on from here, of all processes that share the plate, which call it at once.
+  /// Saves the state to continue from, of all ranks that share the plate. Collective.
   void save(plate::OutArchive& archive) const;
   /// The plate has loaded what was severed.
   void load(plate::InArchive& archive);

@@ -36,7 +36,7 @@ public:
   /// that have parted, which lines are off by up to a spacing.
   std::vector<geometry::CrackPath> cuts() const;
   const std::vector<BondTip>& tips() const { return tips_; }
-  /// Those of cracks of eight spacings at least, whose intensity factors mean something.
+  /// Tips of cracks at least eight spacings long, for which intensity factors are meaningful.
   std::vector<std::pair<std::size_t, geometry::Tip>> tips_of_cracks() const;
   double length() const;
   /// As they are now, looked at or not.

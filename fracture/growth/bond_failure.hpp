@@ -9,13 +9,13 @@ namespace fracture {
 /// energy that the criterion was made for: measured, theory.md, "Apparent toughness".
 double apparent_toughness(Growth::Criterion criterion, double thickness, const plate::Discretization& discretization);
 
-/// What the bonds of a plate bear (theory.md, "Bonds that break").
+/// Failure limits of the bonds of a plate (theory.md, "Bonds that break").
 class BondLimits {
 public:
   BondLimits(const Growth& growth, const plate::Section& section, const plate::Discretization& discretization);
 
-  /// Of a bond with this energy, curvature and shear angle (both times its length): below 1 it holds. Quadratic in the
-  /// state. `weight`: omega beta h A_j of either end, times A_k [length^5].
+  /// Demand on a bond with this energy, curvature and shear angle (both times its length): below 1 it holds. Quadratic
+  /// in the state. `weight`: omega beta h A_j of either end, times A_k [length^5].
   double demand(double energy, double curvature_difference, double shear_difference, double length,
                 double weight) const;
   /// Curvature [1/length] and shear angle that no bond bears if all its neighbours have it too: of full families.

@@ -16,7 +16,7 @@ namespace fracture {
 
 namespace {
 
-/// What all processes have, one after the other.
+/// Gathers the values of all ranks, one rank after the other. Collective.
 template <typename T>
 std::vector<T> gathered_archives(const plate::Ranks& all, const std::vector<T>& own) {
   std::ostringstream text;

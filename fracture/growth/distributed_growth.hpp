@@ -36,13 +36,13 @@ private:
   std::uint32_t columns_ = 0;
 };
 
-/// What a process knows of a plate whose bonds break, beside its own points: all that decides about its bonds, or
-/// whatever tips need (`tips`), as they may come anywhere. Nothing where one process holds the whole plate.
+/// Surroundings that a rank knows of a plate whose bonds break, beside its own points: all that decides about its
+/// bonds, or whatever tips need (`tips`), as they may come anywhere. Null where one process holds the whole plate.
 std::shared_ptr<const plate::Surroundings> seen_by_growth(const plate::Formulation& start, bool tips);
 
 /// The factors that all processes have found, by tips.
 std::vector<post::Srif> of_all(std::vector<post::Srif> own);
-/// Of every quantity the largest value of all processes, and its place.
+/// Largest value of every quantity over all ranks, and its place.
 std::vector<post::Peak> of_all(std::vector<post::Peak> own);
 
 }  // namespace fracture

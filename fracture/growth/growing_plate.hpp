@@ -22,7 +22,7 @@ public:
   GrowingPlate(const Growth& growth, const plate::Problem& problem, plate::Discretised first, post::SrifOptions factors,
                StaticSolver solver, plate::Stopwatch& stopwatch);
 
-  /// What is seen becomes that of the last solution.
+  /// Makes the last solution the one that the accessors return, then chooses the advance.
   void choose(const Equilibrium& state) override;
   void recall(plate::InArchive& archive) override;
   const plate::Formulation& plate() const override { return *seen_.found.plate; }

@@ -11,7 +11,7 @@ namespace fracture {
 
 /// How cracks grow: when, where to, and under what control (theory.md, "Growth").
 struct Growth {
-  /// What decides that a crack grows.
+  /// Criterion for the growth of a crack.
   enum class Criterion {
     energy_release,  // the energy release rate of a tip
     bond_energy,     // the energy of every bond
@@ -23,20 +23,20 @@ struct Growth {
     tangential_moment,  // where the moment across the crack is largest: K2 = 0 on the new piece
     energy_release      // where the first piece of a kink releases most energy
   };
-  /// What is held while a crack runs.
+  /// Quantity that is held while a crack runs.
   enum class Control {
     load,          // the load factor, from 0 up to 1
     displacement,  // the displacement that the loads do work on, up to that of the full load before any growth
     equilibrium    // neither: the load follows, so that the crack is always just about to grow
   };
 
-  /// What comes of a quasi-static advance for which the load that is there is more than enough.
+  /// Response to a quasi-static advance for which the present load is more than enough.
   enum class Unstable {
     jump,  // the crack jumps on to where it rests again
     stop,  // the growth ends
     move   // it ends, and motion begins
   };
-  /// What comes of pieces that fall off in motion.
+  /// Treatment of pieces that detach in motion.
   enum class Fallen { move, freeze };
 
   Criterion criterion = Criterion::energy_release;
@@ -93,7 +93,7 @@ struct Ended {
   std::string detail = {};  // what is not resolved; of a split: what is not held; of a failure: what failed
 };
 
-/// What became of a growth in motion.
+/// Outcome of a growth in motion.
 struct Moved {
   std::size_t advances = 0;                 // pieces of crack, or steps in which bonds broke
   std::optional<std::size_t> broken;        // bonds
@@ -111,7 +111,7 @@ struct Moved {
 /// How a quasi-static growth ended. `by_bonds`: of bonds that break one by one.
 std::string in_words(const Ended& ended, bool by_bonds);
 
-/// What became of a growth in motion.
+/// Describes the outcome of a growth in motion.
 std::string in_words(const Moved& moved);
 
 }  // namespace fracture
@@ -123,8 +123,8 @@ struct Section;
 
 namespace fracture {
 
-/// What of a growth by bonds is not to be trusted at this discretisation: what the apparent toughness was not measured
-/// for, and what bonds cannot do. Nothing of a growth by tips.
+/// Warnings of a growth by bonds at this discretisation: where the apparent toughness was not measured for it, and what
+/// bonds cannot do. Empty for growth by tips.
 std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Formulation& plate);
 
 /// Tips that have too little about them for the energy release rate, which growth by tips needs, and why.

@@ -51,7 +51,7 @@ std::shared_ptr<const post::TipMethods> MovingCracks::gauge(const geometry::Tip&
   return found ? std::make_shared<const post::TipMethods>(std::move(*found)) : nullptr;
 }
 
-/// What it sees, told to all processes by the one that has the tip.
+/// Evaluates a tip on the rank that has it and sends the result to all ranks.
 MovingCracks::Seen MovingCracks::look(MovingTip& tip, const plate::State& state, const plate::Forces& force) const {
   const auto* all = plate::ranks();
   std::vector<Seen> seen;

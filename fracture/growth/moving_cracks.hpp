@@ -56,7 +56,7 @@ public:
   double length() const { return length_; }
   /// Speed that no tip exceeds: 0.93 of the shear wave's, about Rayleigh's [length/time].
   double speed_limit() const { return speed_limit_; }
-  /// Those that may still go on, by their number at the start.
+  /// Tips that may still advance, by their number at the start.
   std::vector<std::pair<std::size_t, geometry::Tip>> tips() const;
 
   template <typename Archive>

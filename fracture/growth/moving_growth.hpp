@@ -48,7 +48,7 @@ public:
   virtual void recall(plate::InArchive& archive) = 0;
 
 protected:
-  /// What both kinds remember of themselves.
+  /// Serialises the state that both kinds of growth have.
   template <typename Archive, typename Self>
   static void memory(Archive& archive, Self& self) {
     archive(self.plate_, self.record_);
@@ -61,7 +61,7 @@ protected:
   virtual std::vector<geometry::CrackPath> paths() const = 0;
   /// Where the plate is parted.
   virtual std::vector<geometry::CrackPath> cuts() const { return paths(); }
-  /// What both kinds have to say.
+  /// Outcome so far, as far as both kinds of growth have it.
   Moved moved_so_far() const;
 
   const Growth& growth_;
@@ -116,7 +116,7 @@ private:
   double spent_ = 0;
 };
 
-/// Of bonds by falling demand, those that may break at once: one for each family, and what is loaded alike.
+/// Selects, from bonds by falling demand, those that may break at once: one for each family, and bonds loaded alike.
 std::vector<LoadedBond> first_to_break(const std::vector<LoadedBond>& failing);
 
 /// Bonds that break one by one while the plate moves.

@@ -32,7 +32,7 @@ public:
   plate::Mesh draw(post::Frame& frame, const plate::State& state) const override;
   std::vector<double> lengths() const override;
   std::optional<std::size_t> broken_bonds() const override { return cracks_.broken(); }
-  /// Of the cracks, over their length at the start [length].
+  /// Growth of the cracks beyond their length at the start [length].
   double grown_length() const { return cracks_.growth(); }
 
   void remember(plate::OutArchive& archive) const override;

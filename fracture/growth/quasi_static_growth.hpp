@@ -33,7 +33,7 @@ struct Equilibrium {
   double critical_error = 0;  // estimated, of `critical`, relative to it; infinite where not known
 };
 
-/// What grows quasi-statically: tips of cracks, or bonds that break one by one.
+/// Model of quasi-static growth: by tips of cracks, or by bonds that break one by one.
 class QuasiStaticModel {
 public:
   virtual ~QuasiStaticModel() = default;
@@ -56,8 +56,8 @@ public:
   virtual const plate::State& state() const = 0;                     // of it, under the whole load
   virtual const plate::Operator& forces() const { return plate(); }  // as it is now
   virtual const plate::StaticSolution& solution() const = 0;         // how it was found, without its state
-  /// What strain energy and work are more than those without temperatures (plate::stored()), of the last solution times
-  /// a load factor [energy].
+  /// Amount by which strain energy and work exceed those without temperatures (plate::stored()), of the last solution
+  /// times a load factor [energy].
   virtual double heated(double) const { return 0; }
   /// Intensity factors under a share of the load; none where they have not been found anew.
   virtual std::optional<std::vector<post::Srif>> factors(double factor) = 0;
@@ -65,15 +65,16 @@ public:
   virtual plate::Mesh draw(post::Frame& frame, const plate::State& state) const = 0;
   virtual std::vector<double> lengths() const = 0;
   virtual std::optional<std::size_t> broken_bonds() const { return std::nullopt; }
-  /// Of all equilibria, with the cracks as they are now.
+  /// Record of all equilibria, with the cracks as they are now.
   virtual const Record& record() { return record_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// What goes on from an equilibrium, between choose() and advance().
+  /// Saves the state to continue from at an equilibrium, between choose() and advance().
   virtual void remember(plate::OutArchive& archive) const = 0;
-  /// Of a model that has not been solved yet. Throws plate::NumericalError.
+  /// Restores the state of a model that has not been solved yet. Throws plate::NumericalError.
   virtual void recall(plate::InArchive& archive) = 0;
-  /// What else is to be remembered, of points; where processes share the plate, each keeps its own apart.
+  /// Further values of points to be saved, null where there are none; where ranks share the plate, each saves its own
+  /// separately.
   virtual plate::State* of_points() { return nullptr; }
   /// Own points have theirs again.
   virtual void recalled_points() {}

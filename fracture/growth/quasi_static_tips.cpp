@@ -138,8 +138,8 @@ std::vector<Turn> QuasiStaticTips::turns_of(const std::vector<char>& moves) cons
   return any ? find(1 - equal_release) : result;
 }
 
-/// What the last advance has really released under the whole load, of loads half of what its displacement has gained,
-/// beside what the energy release rates of its tips before and after it make of it.
+/// Adds the energy that the last advance has released under the whole load (the work of the loads on half of the gain
+/// in displacement) and the energy predicted from the energy release rates of its tips before and after it.
 void QuasiStaticTips::calibrate() {
   double predicted = 0, length = 0;
   const auto moved = std::exchange(moved_, {});

@@ -57,7 +57,7 @@ public:
 protected:
   /// The plate with these cracks under the whole load.
   virtual LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) = 0;
-  /// What makes factors of the last plate better.
+  /// Remedy that improves the factors of the last plate.
   virtual std::string remedy() const { return "refine"; }
   /// Where a tip without a ring breaks through to.
   std::optional<TipAdvance> way_through(const std::vector<geometry::Polyline>& cracks, const geometry::Tip& tip) const {

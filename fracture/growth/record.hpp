@@ -82,7 +82,7 @@ struct TipRow {
   std::string reached = {};          // an edge, a hole or a crack
 };
 
-/// What a growth leaves behind: growth.csv, tips.csv, cracks.csv and cracks.vtp.
+/// Output of a growth: growth.csv, tips.csv, cracks.csv and cracks.vtp.
 struct Record {
   Record();
   void add(const GrowthRow& row);

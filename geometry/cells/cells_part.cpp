@@ -60,7 +60,8 @@ private:
 
   static double off(std::size_t cut, std::size_t wanted) { return std::abs(double(cut) - double(wanted)); }
 
-  /// Of the places where these may be parted along an axis the one nearest to the wanted; none: the wanted itself.
+  /// Index nearest to `wanted` at which the points, sorted along the axis, may be divided. Where there is none:
+  /// `wanted` itself; along x the number of points.
   std::size_t nearest_cut(std::span<std::uint32_t> points, Eigen::Index axis, std::size_t wanted) const {
     const auto& x = cells_.positions;
     std::ranges::sort(points, {}, [&](std::uint32_t k) { return std::tuple(x[k][axis], x[k][1 - axis], k); });

@@ -3,8 +3,8 @@
 
 namespace geometry {
 
-/// What is drawn of points at the centres of a lattice: squares between four of them, and triangles that fill the plate
-/// up to its edges, holes and cracks. Circles are polygons whose corners are on them.
+/// Cells for drawing points that lie at the centres of a lattice: squares between four of them, and triangles that fill
+/// the plate up to its edges, holes and cracks. Circles are polygons whose corners are on them.
 struct DrawnCells {
   /// A corner on an edge, a hole or the face of a crack.
   struct Corner {

@@ -41,7 +41,7 @@ public:
   const Run* run_at(long i, long j) const;
   /// Column and row of a number.
   std::pair<long, long> place(std::uint32_t number) const;
-  /// Those but for some, by ascending numbers, numbered anew.
+  /// Copy without the places of the given ascending numbers, numbered anew.
   RowRuns except(std::span<const std::uint32_t> numbers) const;
 
 private:

@@ -17,7 +17,7 @@ public:
     Point low{0, 0}, high{0, 0};  // of its points [length]
   };
   const Part& part(int one) const { return parts_[std::size_t(one)]; }
-  /// Of points of the whole.
+  /// Returns the part that each point of `some`, a portion of the global plate, belongs to [points of `some`].
   std::vector<int> owners(const CellsPart& some) const;
 
 private:

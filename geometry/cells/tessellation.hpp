@@ -27,7 +27,7 @@ struct Tessellation {
   /// `positions` are not where the plate is far from the origin.
   std::vector<Point> local;
 
-  /// What a process sees of a plate on a lattice that it shares.
+  /// Portion of a plate on a shared lattice that one rank holds.
   struct Window {
     CellBox about;  // the points nearest to a place there are here, and the cells about it
     Cell last;      // the column and row of the last points of the whole

@@ -24,7 +24,7 @@ inline std::uint64_t side_between(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t(a < b ? a : b) << 32 | (a < b ? b : a);
 }
 
-/// What rings of points are about.
+/// Centres of the rings of points.
 struct RingCentres {
   std::vector<Point> tips;
   std::vector<std::pair<Point, Point>> forces;  // places, and the unit vector that leads away from the next tip

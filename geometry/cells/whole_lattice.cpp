@@ -76,7 +76,8 @@ WholeLattice::WholeLattice(const Outline& outline, const std::vector<CrackPath>&
   part(lattice_cells(found, 0.6));
 }
 
-/// What cracks part gets its points after all others; points without cells are left out.
+/// Separates the cells along cracks and numbers the points added there after all others; leaves out points without
+/// cells.
 void WholeLattice::part(LatticeCells all) {
   auto band = band_of(all);
   auto& cells = band.cells;
@@ -276,7 +277,7 @@ private:
       }
   }
 
-  /// Of the points that may be corners those that are.
+  /// Keeps those candidate points that are corners of cells, and renumbers the corners.
   void keep_corners() {
     auto& cells = result_.cells;
     const auto for_corners = [&](const auto& visit) {

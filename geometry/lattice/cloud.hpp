@@ -76,7 +76,7 @@ inline CellBox common(const CellBox& a, const CellBox& b) {
           {std::min(a.high[0], b.high[0]), std::min(a.high[1], b.high[1])}};
 }
 
-/// Of the cells of all places between two corners [length].
+/// Box of the cells of all places between two corners [length].
 inline CellBox box_between(const LatticeUnits& units, const Point& low, const Point& high) {
   CellBox box{cell_of(units.to_lattice(low)), cell_of(units.to_lattice(high))};
   for (long& side : box.high) ++side;

@@ -18,7 +18,7 @@ public:
     least_ = 1e-9 * (high - low).norm();  // what crack_paths() takes for the noise of decimals
   }
 
-  /// What is closer is one place.
+  /// Distance below which two places count as one.
   double same(const Point& x) const { return std::max(least_, 1e-5 * sizing_(x)); }
 
   /// The place that is known next to x, or else x, known from now on.

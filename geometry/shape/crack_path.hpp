@@ -7,7 +7,7 @@ namespace geometry {
 
 using Polyline = std::vector<Point>;
 
-/// What the end of a crack is: a tip inside the plate, a mouth on an edge or hole, a junction on another crack.
+/// Kind of a crack end: a tip inside the plate, a mouth on an edge or hole, a junction on another crack.
 enum class End { tip, mouth, junction };
 
 /// A crack as a polyline with the kind of its two ends.
@@ -48,7 +48,7 @@ std::vector<Fault> faults(const Outline& outline, const std::vector<Polyline>& p
 /// Distance of a point from a polyline.
 double distance(const Polyline& polyline, const Point& point);
 
-/// What a tip that runs straight on meets first.
+/// First obstacle that a tip running straight on meets.
 struct Obstacle {
   double distance;  // [length]
   Point position;

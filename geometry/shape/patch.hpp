@@ -10,7 +10,7 @@ struct AreaMoments {
   Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
 };
 
-/// Of what a ring encloses; negative where it runs clockwise. `about`: the place.
+/// Area moments of the region that a ring encloses, about the place `about`; negative where the ring runs clockwise.
 AreaMoments moments(const std::vector<Point>& ring, const Point& about);
 
 /// A part of the plane with a boundary: a polygon, or a circle as the regular polygon of the same area.
@@ -22,8 +22,9 @@ public:
   const std::vector<Point>& ring() const& { return ring_; }
   std::vector<Point> ring() && { return std::move(ring_); }
 
-  /// What it has in common with a convex cell, counter-clockwise: the ring of the cell, none, or what is left of the
-  /// patch's (Sutherland, Hodgman 1974; parts that such clipping leaves connected are joined by lines without area).
+  /// Intersection with a convex cell, counter-clockwise: the ring of the cell, an empty ring, or the remaining part of
+  /// the patch's ring (Sutherland, Hodgman 1974; parts that such clipping leaves connected are joined by lines without
+  /// area).
   std::vector<Point> common(const std::vector<Point>& cell) const;
 
   /// Has it an area in common with the plate? One that is thinner than a fortieth of what both span may be overlooked.

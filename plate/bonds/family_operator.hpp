@@ -87,9 +87,9 @@ private:
   OperatedPart part_;
 };
 
-/// What a curvature kappa_0 by points of the plate, which heat would give them freely, loads the points with: minus the
-/// derivative of what the energies of their bonds have of s xi kappa_0 xi, theory (79) [3 x points]. `own`: points that
-/// no other process has, empty: all; processes that share the plate call it at once.
+/// Nodal forces [3 x points] of a free thermal curvature kappa_0 given by points of the plate: minus the derivative of
+/// the terms of the bond energies in s xi kappa_0 xi, theory (79). `own`: points that no other rank owns; empty: all.
+/// Collective: every rank that shares the plate must call it.
 Forces force_of_curvature(const geometry::Families& families, const std::vector<BondShape>& shapes,
                           const std::vector<double>& areas, const HorizonWeights& weights,
                           const Eigen::VectorXd& curvature, const std::vector<char>& own);

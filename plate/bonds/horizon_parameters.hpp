@@ -58,8 +58,8 @@ std::vector<PointParameters> horizon_parameters(const geometry::Families& famili
                                                 const std::vector<char>& active, const Section& section,
                                                 const Discretization& discretization);
 
-/// What the energy of a point gives to one of its bonds (theory (12)): W = a theta^2 + sum (B (s xi)^2 + S (gamma
-/// xi)^2), theta = sum D s xi.
+/// Weights of one bond in the energy of a point (theory (12)): W = a theta^2 + sum (B (s xi)^2 + S (gamma xi)^2),
+/// theta = sum D s xi.
 struct BondWeights {
   double D = 0;  // [1 / length]
   double B = 0;  // [force length]

@@ -36,8 +36,8 @@ public:
     return result;
   }
 
-  /// What the wanted points see, what is about own tips [spacings], and what that follows, as far as it is not one's
-  /// own.
+  /// Ghosts: neighbours of the wanted points, points about own tips [spacings], and the points that these follow,
+  /// except owned points.
   std::vector<std::uint32_t> copies(const std::vector<char>& wanted, const geometry::Families& families,
                                     const std::vector<geometry::Point>& tips) const {
     std::vector<char> seen = wanted;
@@ -56,7 +56,7 @@ public:
     return result;
   }
 
-  /// What is within `cells` of one's own box, and what that follows.
+  /// Flags of the points within `cells` of the rank's own box, and of the points that these follow.
   std::vector<char> near(long cells) const {
     const auto box = part_.own.grown(cells);
     std::vector<char> result(boundary_.cloud.size(), 0);

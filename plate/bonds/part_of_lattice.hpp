@@ -34,7 +34,7 @@ constexpr double reach_about_tips(double horizon_ratio) {
 OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geometry::Families& families,
                       const std::vector<geometry::Tip>& tips);
 
-/// What a process knows beside its own points where more is asked for than their forces need.
+/// Points that a rank knows beside its owned points, where more are requested than their forces need.
 struct Surroundings {
   std::vector<char> known;                   // points whose states are known
   std::shared_ptr<const Exchange> exchange;  // of those that others own

@@ -334,7 +334,7 @@ private:
     for (std::size_t i = 0; i < fine_.size(); ++i) coarse.col(Eigen::Index(i)) = fine.col(fine_[i]);
   }
 
-  /// Of all coarse points seen here, -1 where their owner is not asked.
+  /// Global numbers of all coarse points seen on this rank; -1 where their owner is not asked.
   std::vector<std::int64_t> numbers(const Ranks& all) const {
     const auto counts = gathered(all, std::vector<std::int64_t>{std::int64_t(own_.size())});
     const auto before = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));

@@ -40,7 +40,7 @@ public:
     k_ = k;
     for (auto b = matrix_.first[k]; b < matrix_.first[k + 1]; ++b) place_[matrix_.row[b]] = std::uint32_t(b);
   }
-  /// Of a row of the column, from the diagonal on.
+  /// Block of a row of the current column, from the diagonal on (row >= k).
   Eigen::Matrix3d& at(std::uint32_t row) { return matrix_.block[place_[row]]; }
   bool has(std::uint32_t row) const { return row >= k_; }
 

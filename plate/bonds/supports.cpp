@@ -56,7 +56,7 @@ private:
     b_.fictitious.push_back(what);
   }
   std::uint32_t last() const { return static_cast<std::uint32_t>(b_.lattice.size() - 1); }
-  /// What a side holds: by what it follows, or at nothing.
+  /// Constrains a degree of freedom that a side holds: tie() to those that it follows, fix() to none.
   void tie(std::uint32_t dof, const Side& side, const MovedSupports::Leaders& leaders) {
     b_.constraints.tie(dof, leaders, moved_.of(dof, side, leaders));
   }

@@ -295,7 +295,7 @@ void check_edge_layer(const Formulation& plate, bool factors, std::vector<std::s
                   layer / horizon * plate.discretization().spacing));
 }
 
-/// What the full lattice family makes of the bending stiffness: D11 / D - 1 (theory (16-18)).
+/// Relative error of the bending stiffness of the full lattice family: D11 / D - 1 (theory (16-18)).
 double anisotropy(const Section& section, const Discretization& d) {
   double fourth = 0, twist = 0;
   for (const auto& xi : full_family(d)) {

@@ -7,10 +7,10 @@
 
 namespace plate {
 
-/// What a lattice of points cannot carry of a problem (bonds over a horizon): parts of the plate that have no points
-/// because they are no wider than a spacing, loaded edges without points, pins and point forces that would move
-/// by more than a spacing, supports that act on less than one. Throws Refused with all of them. `cells`: the outline in
-/// the cloud's units.
+/// Checks that a lattice of points (bonds over a horizon) can carry the problem. Throws Refused with all violations:
+/// parts of the plate that have no points because they are no wider than a spacing, loaded edges without points, pins
+/// and point forces that would move by more than a spacing, supports that act on less than one spacing. `cells`: the
+/// outline in the cloud's units.
 void check_lattice(const Problem& problem, const geometry::Cloud& cloud, const geometry::Outline& cells);
 
 /// How far the pins that alone hold a plate are from one line: each acts up to 0.7 of a spacing beside its place.
@@ -20,15 +20,15 @@ std::optional<double> width_of_pins(const Problem& problem, const geometry::Latt
 /// From a place to the nearest point of the plate, at most twelve [spacings].
 double distance_to_points(const geometry::Cloud& cloud, const geometry::Point& x);
 
-/// What is said of a place that is too far from the points.
+/// Message for a place that is too far from the points. `away`, `most`: distance and its limit [spacings].
 std::string too_far(const std::string& what, const geometry::Point& x, double away, double most);
 
-/// What of a plate of bonds over a horizon is not to be trusted: thin plates, the layer beside free edges, lattices
-/// that are not isotropic, oblique edges. `factors`: intensity factors are asked for.
+/// Warnings for a plate of bonds over a horizon: thin plates, the layer beside free edges, lattices that are not
+/// isotropic, oblique edges. `factors`: intensity factors are requested.
 std::vector<std::string> distrust_of_bonds(const Formulation& plate, bool factors);
 
-/// Those of them that a comparison with the Galerkin plate replaces by numbers: shear locking of thin plates, and
-/// stress at holes and clamped edges.
+/// Warnings of distrust_of_bonds() that a comparison with the Galerkin plate replaces by numbers: shear locking of thin
+/// plates, and stress at holes and clamped edges.
 std::vector<std::string> foretold_errors(const Formulation& plate);
 
 /// Share by which deflections usually are too large where edges are oblique to the lattice: stairs of the spacing.

@@ -61,8 +61,8 @@ bool sees_mirror_image(const Boundary& boundary, std::uint32_t k, std::uint32_t 
   });
 }
 
-/// Of the images at one place a bond meets that of the side through which it leaves; through a vertex, of
-/// a mirror image or of the first.
+/// True if the bond from k to j meets this image. Of several images at one place, a bond meets that of the side through
+/// which it leaves the plate; through a vertex, it meets a mirror image or the first one.
 bool sees_general_image(const Boundary& boundary, std::uint32_t k, std::uint32_t j, const FictitiousPoint& image) {
   const Point &p = boundary.lattice[k], &q = boundary.lattice[j];
   const auto own = std::size_t(image.sides[0]);

@@ -42,7 +42,8 @@ struct Route {
   }
 };
 
-/// What goes one way in one exchange: values of all points of a route, and where those of every neighbour begin.
+/// Buffer for one direction of one halo exchange: the values of all points of a route, and the offset at which those of
+/// each neighbour begin.
 struct Shipment {
   std::vector<int> counts, begins;
   std::vector<std::byte> values;
@@ -90,7 +91,8 @@ public:
   }
 
 private:
-  /// What has begun, and what has been sent so far, by the number of components.
+  /// State of the exchanges of one value type: the target of the exchange in progress, and the buffers used so far, by
+  /// the number of components.
   template <typename Real>
   struct OfKind {
     std::span<Real> target;                                          // none: nothing is on its way

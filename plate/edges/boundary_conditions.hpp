@@ -63,8 +63,8 @@ private:
   std::optional<GeneralFactor> factor_;  // none of an empty matrix
 };
 
-/// What an edge is loaded with or brought to; what is not given is 0. M_nn and M_ns: tension where z > 0 is positive; s
-/// is the outward normal n turned by +90 degrees.
+/// Prescribed loads, deflection or rotations of an edge; those not given are 0. M_nn and M_ns are positive for tension
+/// where z > 0; s is the outward normal n turned by +90 degrees.
 struct EdgeAction {
   std::optional<double> shear = {}, moment = {}, twisting_moment = {};                    // Q, M_nn, M_ns, per length
   std::optional<double> deflection = {}, normal_rotation = {}, tangential_rotation = {};  // w, psi_n, psi_s

@@ -63,7 +63,7 @@ namespace {
 using Triplets = std::vector<Eigen::Triplet<double>>;
 constexpr double same_position = 1e-9;  // spacings: lattice positions differ by more, or are equal but for rounding
 
-/// What an expansion stands on: a real node, or a surface node and the cells behind it.
+/// Centre of an expansion: a real node, or a surface node and the cells behind it.
 struct Stand {
   int cell;     // a real node
   int face;     // its surface node; -1: expanded about the real node itself

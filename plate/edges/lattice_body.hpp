@@ -27,8 +27,9 @@ struct LatticeBody {
   std::vector<Index> nodes;  // real nodes, then fictitious nodes
   int real = 0;
   std::vector<SurfaceNode> surface;
-  /// Of fictitious nodes that lie straight behind faces of more than one axis, beyond a corner that points inwards: one
-  /// for each. Their values differ: through whichever face a bond leaves the body, the edge runs on beyond the corner.
+  /// Sights of the fictitious nodes that lie straight behind faces of more than one axis, beyond a re-entrant corner:
+  /// one for each axis. Their values differ: through whichever face a bond leaves the body, the edge runs on beyond the
+  /// corner.
   std::vector<Sight> sights;
 
   int count() const { return int(nodes.size()); }

@@ -46,7 +46,7 @@ LatticeBonds lattice_bonds(const Section& section, const Discretization& discret
 LatticeBonds lattice_bonds(const Section& section, const Discretization& discretization,
                            const std::vector<CellShare>& family);
 
-/// What the energy of one end gives to a bond (theory (12)); nothing where a crack severs it.
+/// Contribution of the energy of one end to a bond (theory (12)); zero where a crack severs the bond.
 struct BondHalf {
   double dilatation_couple;    // 2 A a D: of a unit dilatation of this end [force]
   double D, curvature, shear;  // as in LatticeBond, of this end alone
@@ -70,7 +70,7 @@ private:
   std::vector<std::vector<BondHalf>> families_;
 };
 
-/// Of bond `i` of a node.
+/// Contribution of a node's energy to its bond `i`.
 BondHalf half(const LatticeBonds& bonds, const CutFamilies& cuts, int node, std::size_t i);
 
 /// A bond from a node as the energies of its two ends make it.

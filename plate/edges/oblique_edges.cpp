@@ -65,7 +65,7 @@ Point beside(const EdgeNode& node) {
   return node.at - off * node.normal;
 }
 
-/// What lies within a distance and is seen.
+/// Nodes within a distance of an edge node and visible from it.
 struct Near {
   std::vector<int> nodes;
   std::vector<Point> away;  // from the edge node

@@ -82,7 +82,8 @@ void add_fluxes(const LatticeBody& b, int k, int j, const ActingBond& bond, Flux
   }
 }
 
-/// What the other end of a bond of the plate is worth, by shares: seen through the faces that the bond leaves through.
+/// Values of the other end j of a bond of the plate from node k, with their shares: those seen through the faces
+/// through which the bond leaves.
 std::vector<std::pair<int, double>> seen(const LatticeBody& b, int k, int j) {
   if (!has_sights(b, j)) return {{j, 1}};
   std::vector<std::pair<int, double>> result;
@@ -105,7 +106,8 @@ void add_shear_of_strip(const LatticeBody& b, int s, const LatticeBonds& family,
   }
 }
 
-/// Of nodes: are some places that their bonds may run over outside the plate? Elsewhere no bond crosses a face.
+/// Flags of nodes: true where the bonds of a node may run over places outside the plate. Elsewhere no bond crosses a
+/// face.
 std::vector<char> near_edges(const LatticeBody& b, int reach) {
   std::vector<char> result(std::size_t(b.count()), false);
   for (const auto& face : b.surface) {
@@ -179,8 +181,8 @@ namespace {
 
 using geometry::Point;
 
-/// What Q, M_nn and M_ns (theory (26)) of an edge are per unit of a value w, theta_x or theta_y whose derivatives
-/// [1 / length] and whose own value at the edge are these.
+/// Section forces Q, M_nn and M_ns (theory (26)) of an edge per unit of a value w, theta_x or theta_y, given its
+/// derivatives [1 / length] and its own value at the edge.
 struct Law {
   const Section& section;
   Point n;

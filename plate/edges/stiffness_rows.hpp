@@ -10,8 +10,8 @@
 
 namespace plate {
 
-/// What is linear in the values of all nodes U, those of fictitious nodes among them (w, theta_x, theta_y of node k
-/// from 3 k on), and in their dilatations. Rows: of real nodes, then of surface nodes, three each.
+/// Linear maps from the values of all nodes U, fictitious nodes included (w, theta_x, theta_y of node k from 3 k on),
+/// and from their dilatations. Rows: of real nodes, then of surface nodes, three each.
 struct PlateActions {
   WeightRows dilatation;          // real nodes x U [1 / length]
   SparseStiffness of_values;      // minus force and couples on the real nodes; through the cells' faces, see below
@@ -26,12 +26,13 @@ struct PlateActions {
 /// cross it, and the couple along the edge is therefore that at the border and this one.
 PlateActions actions(const LatticeBody& body, const LatticeBonds& bonds, FluxRule rule, const CutFamilies& cuts = {});
 
-/// What bonds to points beyond the edges do to the plate: of each edge node, the forces of the bonds to the points that
-/// are expanded about it, and their couples about it. They balance what all bonds do to the real nodes. No dilatations.
+/// Actions on the plate of bonds to points beyond the edges. Rows of each edge node: the forces of the bonds to the
+/// points that are expanded about it, and their couples about it. They balance the actions of all bonds on the real
+/// nodes. The result has no rows of dilatations.
 PlateActions edge_actions(const LatticeBody& body, const LatticeBonds& bonds, const ObliqueEdges& edges,
                           const CutFamilies& cuts = {});
 
-/// Of w, psi_n, psi_s of an edge node, which are held.
+/// Flags for w, psi_n and psi_s of an edge node: true where the support holds the value.
 using HeldOfNode = std::array<bool, 3>;
 
 /// The section forces of the local plate at edge nodes as what the edge does there: Q and the couples of M_nn and M_ns,

@@ -225,7 +225,7 @@ Discretised discretised(const Problem& problem) {
   return result;
 }
 
-/// What neither surface nodes nor fictitious nodes can do.
+/// Features that plates with surface nodes or fictitious nodes do not support, each with the reason.
 std::map<Feature, std::string> lacks(const std::string& nodes) {
   const std::string asymmetric = "the stiffness with " + nodes + " is not symmetric: ";
   return {{Feature::layers, nodes + " hold edges, not layers"},

@@ -35,8 +35,9 @@ Clearance clearance_of(const Problem& problem) {
                                          : oblique_clearance(problem.outline, problem.discretization.spacing);
 }
 
-/// What lies beyond an edge is expanded from points behind it, as far as a horizon, and must not be seen from behind
-/// another edge; edges as short as a horizon have too few nodes of their own.
+/// Throws Refused for outlines whose edges cannot be served. Values beyond an edge are expanded from points behind it,
+/// as far as a horizon, and must not be seen from behind another edge; edges as short as a horizon have too few nodes
+/// of their own.
 void check_outline(const Problem& problem, EdgeMethod method) {
   const std::string images = ": choose boundary = \"images\"";
   const double spacing = problem.discretization.spacing;
@@ -69,8 +70,9 @@ void check_outline(const Problem& problem, EdgeMethod method) {
                      images + ", or a smaller spacing");
 }
 
-/// What is known on oblique edges is of the local plate and of whole cells: deflections under loads on them did not
-/// converge, and rotations held alone there leave moments of reactions a third off.
+/// Throws Refused for symmetry supports and edge loads on plates with oblique edges. Conditions on oblique edges are
+/// those of the local plate and of whole cells: deflections under loads on them did not converge, and rotations held
+/// alone there give reaction moments that are wrong by a third.
 void check_oblique(const Problem& problem) {
   if (is_rectilinear(problem.outline)) return;
   const std::string instead =
@@ -83,7 +85,8 @@ void check_oblique(const Problem& problem) {
     if (!problem.loads[k].edges.empty()) throw Refused({{Subject::load_edges, k, "a load on an edge" + instead}});
 }
 
-/// What lies beyond an edge is expanded from points that must see each other.
+/// Throws Refused for cracks within a horizon of an edge: values beyond an edge are expanded from points that must see
+/// each other.
 void check_cracks(const Problem& problem, const std::vector<geometry::CrackPath>& paths, EdgeMethod method) {
   const double horizon = problem.discretization.horizon();
   for (const auto& path : paths)
@@ -188,7 +191,7 @@ std::size_t side_at(const Boundary& b, const Point& at, const Point& normal) {
   return result;
 }
 
-/// Of the surface nodes, in their order: the side on which each lies.
+/// Side on which each surface node lies, in the order of the surface nodes.
 std::vector<std::size_t> sides_of_nodes(const SurfacePlate& plate, const Boundary& boundary) {
   std::vector<std::size_t> result;
   for (int s = 0; s < plate.surfaces(); ++s) result.push_back(side_at(boundary, plate.at_surface(s), plate.normal(s)));
@@ -259,7 +262,7 @@ SparseStiffness stiffness_of(const SurfacePlate& plate, EdgeMethod method, Bound
   return stiffness;
 }
 
-/// What a load does to an edge with this normal.
+/// Action of a load on an edge with this normal.
 EdgeAction action_of(const Load& load, const Point& n) {
   EdgeAction action;
   const auto given = [](double value) { return value == 0 ? std::nullopt : std::optional(value); };
@@ -279,8 +282,8 @@ geometry::Cloud whole_cells(geometry::Cloud cloud) {
   return cloud;
 }
 
-/// Of a pressure on edges in any direction: what the cells of the points leave out or have too much, on the edges that
-/// hold the deflection, so that reactions are those of the whole load.
+/// Adds the part of a pressure that the cells of the points leave out, or have too much of, where edges run in any
+/// direction. It is put on the edges that hold the deflection, so that reactions are those of the whole load.
 void add_rest(double pressure, const SurfacePlate& plate, const Boundary& b, const geometry::Outline& outline,
               Forces& forces) {
   std::vector<int> held;

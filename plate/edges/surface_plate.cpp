@@ -39,7 +39,8 @@ SurfacePlate oblique_plate(const Section& section, LatticeBonds bonds, const geo
   return result;
 }
 
-/// Of edge nodes in any direction: what is held, and forces with what rotations are brought to.
+/// Adds the conditions of an edge node in any direction: held unknowns, and forces together with prescribed rotations
+/// on the right side.
 void add_oblique(const SurfacePlate& p, int s, const EdgeCondition& c, EdgeProblem& to) {
   const Point normal = p.normal(s);
   const int row = 3 * (p.body.real + s);

@@ -60,9 +60,9 @@ SurfacePlate surface_plate(const Section& section, const Discretization& discret
 /// Values of all nodes from those of real and, behind them, surface nodes: 3 nodes x unknowns().
 WeightRows expansion(const SurfacePlate& plate);
 
-/// Of edges along the axes. Equilibrium of real nodes (Sca23 33) and fluxes of surface nodes (Sca23 36), expanded
-/// fictitious nodes in them: deflections and rotations about the nearest surface node, dilatations to one order below
-/// the rotations about the nearest real node. Not symmetric.
+/// Stiffness of a plate with edges along the axes: equilibrium of real nodes (Sca23 33) and fluxes of surface nodes
+/// (Sca23 36), with the fictitious nodes in them expanded. Deflections and rotations are expanded about the nearest
+/// surface node, dilatations to one order below the rotations about the nearest real node. Not symmetric.
 /// @throws std::invalid_argument  as check_orders() does
 /// @throws Refused                where the plate has too few points for the orders
 SparseStiffness stiffness(const SurfacePlate& plate);
@@ -81,7 +81,8 @@ struct EdgeProblem {
   std::vector<HeldUnknown> held;  // of surface nodes
 };
 
-/// What lies between the border of an outermost cell and an edge beyond it is loaded too; it goes to the surface node.
+/// Right sides and held unknowns under these conditions and this load. The strip between the border of an outermost
+/// cell and an edge beyond it is loaded too; its load goes to the surface node.
 EdgeProblem edge_problem(const SurfacePlate& plate, const EdgeConditions& edges, const AreaLoad& load);
 
 /// The stiffness under these conditions: stiffness(), or oblique_stiffness() with rows of what they hold.
@@ -105,7 +106,7 @@ using StiffnessRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 StiffnessRows rows_with_reactions(const SurfacePlate& plate, const StiffnessRows& own, const StiffnessRows& crossed,
                                   const std::function<bool(int unknown)>& held);
 
-/// Of the squares of the frequencies, lambda = omega^2, of a plate with surface nodes.
+/// Measures of the squared frequencies, lambda = omega^2, of a plate with surface nodes.
 struct EdgeSpectrum {
   double lowest;     // real part of lambda, over the largest |lambda|; below 0: a motion that grows
   double asymmetry;  // largest |Im omega| over the largest |omega|: 0 in a symmetric plate

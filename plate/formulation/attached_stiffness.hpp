@@ -49,7 +49,7 @@ public:
   explicit AttachedStiffness(std::vector<Attachment> parts);
 
   const std::vector<std::shared_ptr<const Attachment>>& parts() const { return parts_; }
-  /// Those that hold the plate against rigid motions.
+  /// Attachments that hold the plate against rigid motions.
   std::vector<std::shared_ptr<const Attachment>> holding() const;
 
   void add_force(const State& state, Forces& forces) const;  // forces += -K state
@@ -64,9 +64,10 @@ public:
 
   bool lifts_off() const;
   Touching touching(const State& state) const;
-  /// Of the soil that lifts off, the share that touches.
+  /// Share of all unilateral foundations that is in contact.
   double share_touching(const State& state) const;
-  /// What forces on a state would be if soil touched there, less what they are; of all that lifts off.
+  /// Adds the forces on a state with the contact `touching` less those with its present contact, over all unilateral
+  /// foundations.
   void add_change(const State& state, const Touching& touching, Forces& forces) const;
 
 private:

@@ -1,8 +1,7 @@
 #pragma once
 
-/// What one bond does: the formulas of theory.md, "Bond law" (Dai 1-13), written per pair of points with areas
-/// A_k, A_j. `Value` is a number, or an array of
-/// numbers for as many pairs at once.
+/// Constitutive law of one bond: the formulas of theory.md, "Bond law" (Dai 1-13), written per pair of points with
+/// areas A_k, A_j. `Value` is a number, or an array of numbers for as many pairs at once.
 namespace plate {
 
 /// Geometry of a bond k -> j. The rotation along the bond is n . psi = m . theta with psi = (-theta_y, theta_x)

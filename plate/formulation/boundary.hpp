@@ -40,7 +40,7 @@ struct FictitiousPoint {
   bool exact = false;  // the exact mirror image of a point of the plate
 };
 
-/// What reactions are booked to: all edges of one name, a point, a line or a part of the plate.
+/// Support that reactions are attributed to: all edges of one name, a point, a line or a part of the plate.
 struct Holder {
   enum class Place { edge, point, inside };
   std::string name;  // of the edges; pin0, pin1, ..., line0, ..., part0, ... in the order of the case
@@ -75,7 +75,7 @@ struct Boundary {
   AttachedStiffness attached = {};  // of foundations and springs
   std::vector<char> own = {};       // of all points: not another process's; empty where one process holds the plate
 
-  /// Of all points in the whole plate, where processes share it and points are in no cells of a lattice.
+  /// Global numbers of all points, where ranks share the plate and points are in no cells of a lattice.
   std::vector<std::uint32_t> number = {};
 
   bool owns(std::size_t k) const { return own.empty() || own[k]; }

@@ -13,13 +13,13 @@ namespace {
 using Wanted = std::unordered_map<std::uint32_t, std::vector<Constraints::Leader>>;
 using Offsets = std::unordered_map<std::uint32_t, std::vector<Constraints::Offset>>;
 
-/// What a degree of freedom is in terms of free ones, and of motions of supports.
+/// Expansion of a degree of freedom in free ones and in motions of supports.
 struct Expanded {
   std::map<std::uint32_t, double> free;
   std::map<std::size_t, double> motions;
 };
 
-/// What is wanted of all that is held.
+/// Prescribed constraints of all held degrees of freedom.
 struct Rules {
   const Wanted& wanted;
   const std::unordered_set<std::uint32_t>& fixed;

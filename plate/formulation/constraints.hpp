@@ -23,7 +23,7 @@ public:
     std::uint32_t follower, leader;
     double factor;  // u[follower] = sum of factor * u[leader] over its ties
   };
-  /// What is held is at this beside what it follows, where its support moves by one.
+  /// Offset of a held degree of freedom from the value of its leaders, per unit motion of its support.
   struct Offset {
     std::size_t motion;  // whose
     double value;
@@ -51,8 +51,8 @@ public:
   const std::vector<std::uint32_t>& fixed() const { return fixed_; }
   bool held(std::uint32_t dof) const;
   const std::vector<std::uint32_t>& held() const { return held_; }  // fixed or tied, ascending
-  /// What is held in a motion of supports by one, where all that is free rests [3 x points]; without columns where
-  /// nothing of it moves.
+  /// Dirichlet lift: values of the held degrees of freedom under a unit motion of supports, with all free ones at rest
+  /// [3 x points]; without columns where none of them moves.
   State lift(std::size_t motion, std::size_t points) const;
   /// Forces on what is held, in that order, before they are carried over.
   Eigen::VectorXd on_held(const Forces& forces) const;
@@ -67,7 +67,8 @@ public:
   void begin_imposing(State& state) const;
   void progress() const;
   void end_imposing(State& state) const;
-  /// Of every point, whether it is one of those [points]; empty where there are none.
+  /// Flags the points that lack values between begin_imposing() and end_imposing() [points]; empty where there are
+  /// none.
   std::vector<char> awaited(std::size_t points) const;
 
   void impose(State& state) const;  // u = P q
@@ -116,8 +117,8 @@ private:
   std::shared_ptr<const Exchange> exchange_;  // none where one process holds the plate
 };
 
-/// What a state waits for while copies of other processes' points are on their way. As long as it lives, the state
-/// stays where it is.
+/// Halo exchange in progress: a state waits for the ghost values of points that other ranks own. As long as it lives,
+/// the state must stay where it is.
 class Awaited {
 public:
   /// Begins to impose the constraints.

@@ -108,7 +108,7 @@ public:
   virtual Inertia inertia(double rotary) const;
 
   virtual ChosenPreconditioner preconditioner(Preconditioning wanted) const = 0;
-  /// What approaches (K + shift M)^-1 in the search for frequencies, shift > 0; nothing: the diagonal.
+  /// Approximation of (K + shift M)^-1 in the search for frequencies, shift > 0; null: use the diagonal.
   virtual std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const;
   /// The plate itself, factorised. Only of kinds that offer it.
   virtual std::unique_ptr<Preconditioner> factor() const;
@@ -116,16 +116,16 @@ public:
   /// Bonds over a horizon that may break; none in kinds that do not offer it.
   virtual const FamilyOperator* breaking() const { return nullptr; }
 
-  /// What is kept of the formulation itself, beside points and families. `single`: with the forces in single precision.
+  /// Memory of the formulation itself, beside points and families. `single`: with the forces in single precision.
   virtual std::vector<MemoryPart> memory(bool single) const = 0;
   virtual std::optional<MatchCounts> matched() const { return std::nullopt; }
   /// A line on what a small plate with the same edges tells of them; nothing of kinds that are sound with any.
   virtual std::string of_edges() const { return ""; }
   /// The forces that multipliers add in the equilibrium under all loads, over these; of kinds with multipliers.
   virtual std::optional<double> multipliers(const State&) const { return std::nullopt; }
-  /// What of the results is not to be trusted at this discretisation. `factors`: intensity factors are asked for.
+  /// Warnings about results that are unreliable at this discretisation. `factors`: intensity factors are asked for.
   virtual std::vector<std::string> distrust(bool factors) const = 0;
-  /// What would resolve the layer beside faces in which K2 and K3 live: "take discretization.spacing = 0.01".
+  /// Advice on how to resolve the layer beside faces that carries K2 and K3: "take discretization.spacing = 0.01".
   virtual std::string remedy() const = 0;
   /// How far the pins that alone hold the plate are from one line, where places of points decide about it [spacings].
   virtual std::optional<double> width_of_pins() const { return std::nullopt; }
@@ -146,8 +146,8 @@ std::vector<MemoryPart> memory_of(const Formulation& plate, bool single);
 /// side where none is [1 / length].
 double lowest_wave(const Formulation& plate);
 
-/// What a factor of the rotary inertia other than 1 does to the lowest frequency, which goes as (1 + (k h)^2 /
-/// 12)^(-1/2) with the rotary inertia of the plate (theory.md, "Dynamics").
+/// Warning about the effect of a factor of the rotary inertia other than 1 on the lowest frequency, which goes as
+/// (1 + (k h)^2 / 12)^(-1/2) with the rotary inertia of the plate (theory.md, "Dynamics").
 std::vector<std::string> distrust_of_rotary_inertia(const Formulation& plate, double factor);
 
 }  // namespace plate

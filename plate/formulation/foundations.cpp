@@ -135,7 +135,7 @@ geometry::AreaMoments moments_of(const Shape& patch, const CellRing& cell, const
   return found.area > sliver * geometry::moments(cell, about).area ? found : geometry::AreaMoments{};
 }
 
-/// Of (1, x, y) (1, x, y)^T.
+/// Gram matrix of (1, x, y): the integral of (1, x, y) (1, x, y)^T, from area moments.
 Eigen::Matrix3d gram(const geometry::AreaMoments& m) {
   Eigen::Matrix3d result;
   result << m.area, m.first.transpose(), m.first, m.second;

@@ -36,7 +36,8 @@ DofTerms terms_of(const std::vector<PlaceShare>& place, std::uint32_t component)
 
 using PlacedPoint = std::pair<std::uint32_t, geometry::Point>;
 
-/// Of the first `count` points those as near as `reach` from which no crack parts the place. Lengths in spacings.
+/// Points among the first `count` that lie within `reach` of the place and that no crack separates from it. Lengths in
+/// spacings.
 std::vector<PlacedPoint> seen_from(const geometry::Point& at, double reach, const std::vector<geometry::Point>& points,
                                    std::size_t count, const std::vector<geometry::CrackPath>& cracks);
 

@@ -12,7 +12,7 @@
 
 namespace plate {
 
-/// What every formulation makes of a problem: points, supports, nodal loads.
+/// Data that every formulation derives from a problem: points, supports, nodal loads.
 struct Layout {
   Problem problem;
   std::vector<geometry::CrackPath> paths;  // [length]

@@ -20,7 +20,7 @@ public:
   RigidParts(const Boundary& boundary, const geometry::Families& families);
 
   std::size_t count() const { return first_.size(); }
-  /// Of all processes that share the plate.
+  /// Number of rigid parts over all ranks that share the plate. Collective.
   std::size_t count_of(const Ranks& all);
   std::uint32_t part(std::uint32_t k) const { return part_[k]; }
   bool has(std::uint32_t k) const { return part_[k] != none; }  // not images, nor fictitious points without a bond
@@ -87,8 +87,8 @@ struct LoosePart {
   geometry::Point ligament{0, 0};  // a point of the line that it turns about [length]
 };
 
-/// What no bond resists although every piece is held. A bond ties two points together but for the turn about its own
-/// line, so that bonds along one line, a ligament one row of points wide, are a hinge.
+/// Mechanisms: motions that no bond resists although every piece is held. A bond ties two points together but for the
+/// rotation about its own line, so that bonds along one line, a ligament one row of points wide, are a hinge.
 struct Mechanisms {
   std::size_t twisting = 0;          // points whose bonds all lie on one line: their turn about it has no stiffness
   std::optional<LoosePart> twisted;  // one of them that the load turns
@@ -106,11 +106,12 @@ Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& famili
 /// so that it moves with the plate and has no motion of its own. Changes no other point. Of one process.
 void tie_twists(Boundary& boundary, const geometry::Families& families);
 
-/// What supports do not hold: pieces that may move as rigid bodies, or, where all are held, a part that hangs by bonds
-/// along one line and that the load turns. Empty for a plate that can be in equilibrium with its loads.
+/// Refusals for parts that supports do not hold: pieces that may move as rigid bodies, or, where all are held, a part
+/// that hangs by bonds along one line and that the load turns. Empty for a plate that can be in equilibrium with its
+/// loads.
 std::vector<Refusal> loose(const Formulation& plate);
 
-/// What is said of parts that can move without resistance.
+/// Warnings about parts that can move without resistance.
 std::vector<std::string> distrust_of_mechanisms(const Formulation& plate);
 
 /// The part that hangs by bonds along one line and has the frequency 0 although every piece is held. Empty for a plate

@@ -7,7 +7,7 @@
 
 namespace plate {
 
-/// What is drawn of a plate: its points and the cells between them.
+/// Mesh for drawing a plate: its points and the cells between them.
 struct Mesh {
   std::vector<geometry::Point> positions;  // [length]
   std::vector<double> areas;               // [length^2]
@@ -30,7 +30,7 @@ struct Mesh {
   std::vector<Corner> corners = {};
   std::size_t others = 0;  // points at the end of `positions` that are in no cell: corners take values from them
   std::optional<std::size_t> own = {};  // points at the beginning that no other process has; absent: one has all
-  /// Of the points in the whole plate, where processes share it and these are in no rows of a lattice.
+  /// Global numbers of the points, where ranks share the plate and these points are in no rows of a lattice.
   std::vector<std::uint32_t> numbers = {};
 };
 

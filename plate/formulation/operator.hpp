@@ -5,7 +5,7 @@ namespace plate {
 
 class Awaited;
 
-/// What the solvers ask of a plate: K = d2U/d(state)2 and what bounds it.
+/// Stiffness operator of a plate as the solvers use it: K = d2U/d(state)2 and its bounds.
 class Operator {
 public:
   virtual ~Operator() = default;

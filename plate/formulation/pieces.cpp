@@ -92,8 +92,8 @@ void share(const Ranks& all, Grams& grams) {
         Eigen::Map<const Eigen::Matrix3d>(part.entries);
 }
 
-/// What foundations and springs have against the rigid motions of every piece, over the largest entry. A link between
-/// two pieces holds neither: of those, rounding is left.
+/// Stiffness of foundations and springs against the rigid motions of every piece, divided by its largest entry. A link
+/// between two pieces holds neither: only rounding errors remain of it, and these are set to zero.
 template <typename Rows>
 Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_of, const Rows& at) {
   constexpr double rounding = 1e-11;

@@ -71,7 +71,7 @@ struct Layers {
   double along = 0;                                  // of C - B A^-1 B
   double shear_across = 0, shear_mixed = 0, shear_along = 0;
 
-  /// Of curvatures nn, nt, tt by those along x and y.
+  /// Transformation of curvatures along x and y into curvatures nn, nt, tt [3 x 3].
   Eigen::Matrix3d turn() const {
     const double c = n.x(), s = n.y();
     Eigen::Matrix3d result;

@@ -13,7 +13,7 @@ namespace plate {
 /// The section about every point of a plate: one for all where it is the same everywhere.
 class PointSections {
 public:
-  /// Of a section that is the same everywhere.
+  /// Constructs from a section that is the same everywhere.
   PointSections(const Section& section) : simple_(section.isotropic()), kinds_{LocalSection(section)} {}
   /// Means over the parts of the cells that belong to each point. Throws Refused where a factor is not above 0.
   PointSections(const Section& section, const geometry::Tessellation& cells);
@@ -44,7 +44,7 @@ struct Gradients {
   Eigen::Vector2d shear = Eigen::Vector2d::Zero();  // gamma_xz, gamma_yz
 };
 
-/// Of moments Mxx, Myy, Mxy, at z = +h/2 [force/length^2].
+/// Von Mises stress of moments Mxx, Myy, Mxy, at z = +h/2 [force/length^2].
 double von_mises(const Eigen::Vector3d& moments, const Section& section);
 
 /// Resultants of these points, not yet set.

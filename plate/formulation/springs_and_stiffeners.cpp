@@ -143,7 +143,7 @@ Form deflection(const Place& at) {
   return form;
 }
 
-/// Of psi = (-theta_y, theta_x) along a direction.
+/// Linear form of the slope psi = (-theta_y, theta_x) along a direction.
 Form slope(const Place& at, const Point& n) {
   Form form;
   for (const auto& [k, share] : at.shares) {
@@ -178,7 +178,7 @@ void add_point(const Spring& spring, const std::vector<Point>& positions, std::s
     if (spring.rotation > 0) sum.add(spring.rotation, slope(at, n));
 }
 
-/// What the points beside an edge have of it: length, and where its middle is.
+/// Portion of an edge that belongs to one of the points beside it: its length, and where its middle is.
 struct Stretch {
   double length = 0;
   Point moment{0, 0}, normal{0, 0};  // integrals of the place and of the outward normal

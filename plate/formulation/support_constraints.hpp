@@ -10,8 +10,9 @@ namespace plate {
 struct Boundary;
 struct Side;
 
-/// What is held, where settlements move what holds it: every rule of a support is one for the difference from the
-/// motion of the support (theory.md, "Supports that move"). Without settlements everything here is empty.
+/// Offsets of held degrees of freedom where settlements move the supports: every rule of a support applies to the
+/// difference from the motion of the support (theory.md, "Supports that move"). Without settlements everything here is
+/// empty.
 class MovedSupports {
 public:
   using Offsets = std::vector<Constraints::Offset>;
@@ -21,12 +22,13 @@ public:
   MovedSupports(const Boundary& boundary, const std::vector<SupportMotion>& motions)
       : boundary_(&boundary), motions_(motions) {}
 
-  /// Of a degree of freedom that a side holds by these leaders.
+  /// Offsets of a degree of freedom that a side holds by these leaders.
   Offsets of(std::uint32_t dof, const Side& side, const Leaders& leaders) const;
-  /// Of the image in `second` of the image in `first` of a point, with the signs by which each follows the other.
+  /// Offsets at a corner: of the image in `second` of the image in `first` of a point, with the signs by which each
+  /// follows the other.
   Offsets of_corner(std::uint32_t image, std::uint32_t point, std::uint32_t component, const Side& first,
                     double first_sign, const Side& second, double second_sign) const;
-  /// Of the body of a support at a place: component 0 to 2 of w, theta_x, theta_y.
+  /// Offsets by the motion of the body of a support at a place: component 0 to 2 of w, theta_x, theta_y.
   Offsets inside(std::size_t support, const geometry::Point& x, std::uint32_t component) const;
 
 private:

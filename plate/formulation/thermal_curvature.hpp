@@ -10,8 +10,8 @@ class Formulation;
 struct Resultants;
 struct Section;
 
-/// What temperatures do to a plate at an instant (theory.md, "Heated plates"). Empty where none acts: nothing below
-/// costs anything then.
+/// Thermal load of a plate at an instant (theory.md, "Heated plates"). Empty where no temperature acts: the functions
+/// below then cost nothing.
 struct Heat {
   Eigen::VectorXd curvature = {};  // kappa_0 of the points of the plate [1 / length]
   Forces forces = {};              // what it loads the plate with [3 x points]
@@ -19,21 +19,21 @@ struct Heat {
   bool none() const { return curvature.size() == 0; }
 };
 
-/// Of loads times `shares`.
+/// Thermal load of the loads times `shares`.
 Heat heat_of(const Formulation& plate, const std::vector<double>& shares);
-/// Of loads as they are at a time; in statics the whole.
+/// Thermal load of the loads as they are at a time; in statics of the full loads.
 Heat heat_at(const Formulation& plate, double time);
-/// Of all loads times one share.
+/// Thermal load of all loads times one share.
 Heat heat_of(const Formulation& plate, double share);
 
 /// Moments Mxx, Myy, Mxy per free curvature kappa_0 of a plate that is held flat: D (1 + nu) (1, 1, 0), or with
 /// directions the bending stiffness times (1, 1, 0) [force length].
 Eigen::Vector3d moments_held_flat(const Section& section);
 
-/// What the energy of a heated plate, that of kappa - kappa_0, is more than that of kappa; the work of the loads, with
-/// what the heat puts in, is more by the same [force length]: the energy of the plate held flat, which is the sum of
-/// A (kappa_0, kappa_0) M / 2 (isotropic A D (1 + nu) kappa_0^2), less what the forces do. Processes that share the
-/// plate call it at once.
+/// Excess of the energy of a heated plate, that of kappa - kappa_0, over that of kappa [force length]. The work of the
+/// loads, heat input included, is greater by the same amount. The excess is the energy of the plate held flat, the sum
+/// of A (kappa_0, kappa_0) M / 2 (isotropic A D (1 + nu) kappa_0^2), less the work of the thermal forces. Collective:
+/// every rank that shares the plate must call it.
 double stored(const Formulation& plate, const Heat& heat, const State& state);
 
 /// Takes the moments moments_held_flat() kappa_0 that free curvature would have away.

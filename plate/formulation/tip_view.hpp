@@ -67,8 +67,8 @@ struct GradientShares {
   Eigen::Matrix2Xd share;  // per bond: of a difference along the bond, in the gradient
 };
 
-/// What the estimates of the errors of intensity factors count, and of what: measured for each formulation (theory.md,
-/// "What the estimated errors mean").
+/// Weights in the error estimates of intensity factors, with the quantity that each multiplies: measured for each
+/// formulation (theory.md, "What the estimated errors mean").
 struct TipTrust {
   double energy, shear;  // of the difference between energies of the fit and of the integrals, in K1 and K2, and in K3
   double fits, fits_shear;  // of the largest difference between fits: their turn, in K1 and K2, and in K3

@@ -147,7 +147,7 @@ struct Acting {
   std::shared_ptr<const MovingForces> moving;
 };
 
-/// What this process sees of the plate, or all of it, and what of that it keeps.
+/// Cells of the plate that this rank sees (all of them on one process) and the part of these that it keeps.
 class Plan {
 public:
   Plan(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole) : problem_(problem) {
@@ -237,7 +237,7 @@ private:
     throw Refused({refusal});
   }
 
-  /// Of the neighbours of a point from the next one of them: the median.
+  /// Median over the neighbours of point k of the distance to the nearest other neighbour.
   double usual_distance(const GalerkinFamilies& families, std::size_t k) const {
     std::vector<double> least;
     for (const auto& one : families.families[k]) {

@@ -14,7 +14,7 @@ geometry::Tessellation cells_of(const Problem& problem, const std::vector<geomet
 
 /// The same; where processes share them and they are on a lattice, what tells them.
 WholeCells whole_cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
-/// Those of the plate. `shared`: whether processes share them, or are to.
+/// Cells of the plate itself (factor 1). `shared`: true where ranks share the cells, or are to.
 /// @throws Refused  cracks and edges are too close to each other, or the points too many to be numbered
 WholeCells required_cells(const Problem& problem, const std::vector<geometry::CrackPath>& paths, bool shared);
 
@@ -32,15 +32,15 @@ struct LaidOut {
   std::vector<std::uint32_t> stretch;  // of GalerkinOperator
 };
 
-/// Of a lattice that processes share, each makes the points and cells about its own part, with their supports and nodal
-/// forces, and keeps its part; of graded points all make those of the whole plate.
+/// Discretises the plate. Where ranks share a lattice, each rank makes the points and cells about its own part, with
+/// their supports and nodal forces, and keeps its part; with graded points every rank makes those of the whole plate.
 /// @throws Refused
 LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole,
                  Stopwatch& stopwatch);
 
 struct Problem;
 
-/// What one of some processes will have of a Galerkin plate that they share.
+/// Estimated size of one rank's part of a shared Galerkin plate.
 struct ForetoldPart {
   double points = 0, seen = 0;  // its own; with others' that it has copies of
   double neighbours = 0;        // whose points these are

@@ -8,7 +8,7 @@
 
 namespace plate {
 
-/// What the family of point k takes from its member i (theory (62-64)).
+/// Weights of member i in the family of point k (theory (62-64)).
 struct GalerkinBond {
   geometry::Point gradient;  // G^k_i, the mean over the cells about k of the gradient of i's hat function [1 / length]
   double share;              // c_ki: how much of k's area the residuals of the bond stand for [length^2]
@@ -34,7 +34,8 @@ struct GalerkinFamilies {
 };
 
 GalerkinFamilies galerkin_families(const geometry::Tessellation& cells);
-/// Of a part of the cells of a plate. `whole`: with the same weights inside the lattice as that, to the last bit.
+/// Families of a part of the cells of a plate. Inside the lattice, their weights equal those of `whole` to the last
+/// bit.
 GalerkinFamilies galerkin_families(const geometry::Tessellation& cells, const geometry::Tessellation& whole);
 
 /// A point of kind 0, and the families that know it.

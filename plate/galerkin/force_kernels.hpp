@@ -15,11 +15,11 @@ public:
   GalerkinRows(const GalerkinFamilies& families, const PointSections& sections,
                const std::vector<std::uint32_t>& stretch = {}, const std::vector<char>& awaited = {});
 
-  /// Of these the points that are in no row.
+  /// Points that are in no row, among those whose forces are requested.
   const std::vector<std::uint32_t>& others() const { return others_; }
 
   void internal_force(const State& state, Forces& forces) const;
-  /// Of rows that see no awaited point, and of the others.
+  /// Internal forces of rows that see no awaited point (inside), and of the other rows (waiting).
   void internal_force_inside(const State& state, Forces& forces) const;
   void internal_force_waiting(const State& state, Forces& forces) const;
   void absolute_product(const State& state, Forces& forces) const;

@@ -10,7 +10,8 @@ namespace plate {
 /// Families of cells (theory.md, "The Galerkin plate").
 extern const FormulationKind galerkin;
 
-/// What "auto" stands for in a plate of so many points: coarser plates, or, as "automatic", its own factor.
+/// Preconditioner that "auto" selects for a plate with this number of points: multigrid on coarser plates or, as
+/// "automatic", the factor of the plate itself.
 Preconditioning usual_preconditioner_of_cells(const Problem& problem, double points);
 
 /// How points are graded with all spacings `factor` times as wide: at tips and holes as the case says, about forces

@@ -179,7 +179,8 @@ std::size_t GalerkinLevels::bytes() const {
 
 namespace {
 
-/// What a process needs of a level, and for its points of a finer plate, of which `own` take from it.
+/// Part of a multigrid level that a rank needs for itself and for its points of a finer plate, of which `own`
+/// interpolate from the level.
 class LevelOfParts {
 public:
   LevelOfParts(const Ranks& all, const Problem& problem, WholeCells whole, const std::vector<geometry::Point>& seen,

@@ -208,7 +208,7 @@ PointMatrix GalerkinOperator::own_matrix() const {
   return whole_ ? whole_->matrix() : stiffness_matrix(families_, sections_);
 }
 
-/// Of points about which the families' normals cancel (theory (63)) rounding would be left: none is.
+/// Sets to zero the rounding that would be left at points about which the families' normals cancel (theory (63)).
 Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature,
                           const std::vector<char>& own) {
   constexpr double rounding = 1e-12;

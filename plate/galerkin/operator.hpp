@@ -80,9 +80,9 @@ private:
   bool knows_awaited_;
 };
 
-/// What a curvature kappa_0 by points, which heat would give them freely, loads the plate with: minus the derivative of
-/// -sum of V D (1 + nu) kappa_0 times the curvatures, theory (79); with directions of moments_held_flat() [3 x points].
-/// `own`: the points whose forces are asked for, where processes share the plate.
+/// Nodal forces [3 x points] of a free thermal curvature kappa_0 given by points: minus the derivative of
+/// -sum of V D (1 + nu) kappa_0 times the curvatures, theory (79); for sections with material directions, with
+/// moments_held_flat(). `own`: the points whose forces are requested, where ranks share the plate.
 Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature,
                           const std::vector<char>& own = {});
 

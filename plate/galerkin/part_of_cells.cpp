@@ -125,7 +125,7 @@ namespace {
 
 constexpr auto none = std::uint32_t(-1);
 
-/// Of every point of the whole its number in a part.
+/// Number in the part of every point of the whole; `none` where the part lacks the point.
 std::vector<std::uint32_t> places(const geometry::CellsPart& part, std::size_t whole) {
   std::vector<std::uint32_t> result(whole, none);
   for (std::uint32_t i = 0; i < part.number.size(); ++i) result[part.number[i]] = i;

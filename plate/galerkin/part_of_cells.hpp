@@ -17,9 +17,9 @@ using WholeCells = std::variant<geometry::Tessellation, geometry::WholeLattice>;
 
 std::size_t points_of(const WholeCells& whole);
 
-/// What a process sees of the points and cells of a plate: all, or of a lattice those about its own part. All that it
-/// asks of them near its own points, and of the supports, loads, soil and beams there, has the same bits as of the
-/// whole.
+/// Points and cells of a plate that a rank sees: all, or of a lattice those about its own part. All that the rank
+/// computes of them near its own points, and of the supports, loads, soil and beams there, is bitwise equal to the
+/// values of the whole plate.
 struct SeenCells {
   geometry::Tessellation cells;
   std::vector<std::uint32_t> number;  // of its points in the whole, ascending; empty: all are here
@@ -32,8 +32,8 @@ struct SeenCells {
 /// @throws Refused  too few points, or rows of them, for so many processes
 void require_parts(const WholeCells& whole, int processes);
 
-/// Of this process. `whole`: cells are taken from it. `tips`: of which it may own some. `besides`: cells about which it
-/// needs points too.
+/// Points and cells that this rank sees. `whole`: cells are taken from it. `tips`: crack tips, of which the rank may
+/// own some. `besides`: cells about which it needs points too.
 /// @throws Refused  too few points for so many processes
 SeenCells seen_cells(const Ranks& all, const Problem& problem, WholeCells& whole,
                      const std::vector<geometry::Tip>& tips, const std::optional<geometry::CellBox>& besides = {});
@@ -45,8 +45,8 @@ geometry::Tessellation about_first_inside(const WholeCells& whole);
 struct MovingForces;
 struct Problem;
 
-/// What a process has of the cells of a plate that several share: its own points, copies of those that their forces and
-/// what is drawn of them need, and of those about its crack tips.
+/// Part that one rank holds of the cells of a shared plate: its owned points, ghosts that their forces and plots need,
+/// and ghosts about its crack tips.
 struct PartOfCells {
   geometry::CellsPart part;                  // of the cells that it sees
   std::vector<std::uint32_t> number;         // of its points in the whole, ascending
@@ -62,13 +62,14 @@ double reach_about_tip(const Problem& problem, const geometry::Tip& tip);
 /// The widest window of displacement extrapolation that is seen about every tip [length].
 double widest_window(const Problem& problem);
 
-/// Of this process, of a plate with some supports, foundations and springs. `asked`: points that it sees which it needs
-/// beside these; empty: none. All call it at once.
+/// Part of the cells that this rank holds, for a plate with some supports, foundations and springs. `asked`: further
+/// points that the rank sees and needs; empty: none. Collective: every rank must call it.
 PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const SeenCells& seen,
                           const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
                           const std::vector<char>& asked = {});
 
-/// What is of all that a process sees, of the points of a part. `motions`: loads that may move supports.
+/// Restricts a quantity of all that a rank sees to the points of its part. `motions`: number of loads that may move
+/// supports.
 Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t motions);
 AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::CellsPart& part);
 Forces restricted(const Forces& whole, const geometry::CellsPart& part);

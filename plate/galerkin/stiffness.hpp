@@ -23,7 +23,7 @@ public:
   /// Throws std::invalid_argument where k has more than 32 neighbours.
   void find(std::size_t k);
 
-  /// Of the last find(): its owner and its neighbours.
+  /// Number of members of the family of the last find(): its owner and its neighbours.
   std::size_t members() const { return members_; }
 
   /// K_ij of members i and j, in the order of the family; 0: the owner.

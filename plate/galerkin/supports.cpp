@@ -20,7 +20,8 @@ struct Direction {
   Offsets offsets;
 };
 
-/// What supports ask of one point: w = 0, and d . psi = 0 for every direction d; with motions their values.
+/// Constraints of supports on one point: w = 0, and d . psi = 0 for every direction d; with support motions, the
+/// prescribed values.
 struct HeldPoint {
   bool w = false;
   Offsets of_w;

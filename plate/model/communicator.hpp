@@ -36,7 +36,8 @@ struct SharedRows {
 class SharedInverse {
 public:
   virtual ~SharedInverse() = default;
-  /// Of the unknowns of the process's own points [3 x points, point by point]. All processes call it at once.
+  /// Applies the inverse to the unknowns of the rank's own points [3 x points, point by point]. Collective: every rank
+  /// must call it.
   virtual void apply(std::span<double> values) const = 0;
 };
 
@@ -70,7 +71,7 @@ public:
   virtual std::vector<std::string> exchanged(std::vector<std::string> texts) const = 0;
   virtual std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const = 0;
   virtual std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const = 0;
-  /// What has come to this process so far, where that is counted.
+  /// Traffic that this rank has received so far; null where it is not counted.
   virtual const Traffic* traffic() const { return nullptr; }
   /// `start`: a vector to begin with. Fewer pairs than wanted where they are not found in so many restarts. What the
   /// product throws is thrown.
@@ -78,7 +79,7 @@ public:
                                     const PairsWanted& wanted) const = 0;
 };
 
-/// Those of the thread in hand; nothing where one process holds the whole plate.
+/// Communicator of the current thread; null where one process holds the whole plate.
 const Ranks* ranks();
 
 /// While it lives, the thread is one of these.
@@ -110,7 +111,7 @@ std::vector<T> values_of(const std::string& text) {
   return values;
 }
 
-/// What all processes have, one after the other.
+/// Gathers the values of all ranks, one rank after the other.
 template <typename T>
 std::vector<T> gathered(const Ranks& all, const std::vector<T>& own) {
   std::vector<T> result;

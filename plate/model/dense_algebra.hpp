@@ -12,13 +12,13 @@ struct Eigenpairs {
   bool found;  // the iteration converged
 };
 Eigenpairs eigenpairs(const Eigen::Ref<const Eigen::MatrixXd>& symmetric);
-/// Of A v = lambda B v with a positive B.
+/// Eigenpairs of A v = lambda B v with a positive definite B.
 Eigenpairs eigenpairs(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-/// Of a symmetric tridiagonal matrix [n], [n - 1].
+/// Eigenpairs of a symmetric tridiagonal matrix: diagonal [n], entries beside it [n - 1].
 Eigenpairs tridiagonal_eigenpairs(const Eigen::Ref<const Eigen::VectorXd>& diagonal,
                                   const Eigen::Ref<const Eigen::VectorXd>& beside);
 
-/// Of m equations for n unknowns: the inverse of Moore and Penrose [n x m].
+/// Moore-Penrose inverse [n x m] of the matrix of m equations for n unknowns, with its rank.
 struct PseudoInverse {
   Eigen::MatrixXd inverse;
   Eigen::Index rank;

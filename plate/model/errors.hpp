@@ -7,7 +7,7 @@
 
 namespace plate {
 
-/// What of a problem or of its analysis a discretisation cannot carry.
+/// Subject of a refusal: the item of a problem or of its analysis that a discretisation cannot carry.
 enum class Subject {
   geometry,
   section,

@@ -17,7 +17,7 @@ struct Formula::Parsed {
 
 namespace {
 
-/// Of long texts what fits into a line.
+/// Shortens a long text to what fits into a line.
 std::string begin_of(const std::string& text) {
   constexpr std::size_t most = 60;
   return text.size() <= most ? text : text.substr(0, most) + "...";

@@ -17,7 +17,7 @@ public:
 
   bool given() const { return bool(parsed_); }
   std::string text() const;
-  /// What is not finite there is returned as it is.
+  /// Value at x; a value that is not finite is returned as it is.
   double operator()(const geometry::Point& x) const;
 
 private:

@@ -27,8 +27,8 @@ public:
   }
 };
 
-/// What came to a process from others: of the copies of their points, and sums and largest values of all. What
-/// libraries behind SharedInverse exchange is not counted.
+/// Traffic that a rank receives from others: ghost values of their points, and sums and maxima over all. Exchanges in
+/// the libraries behind SharedInverse are not counted.
 struct Traffic {
   std::int64_t messages = 0, bytes = 0;  // of copies
   std::int64_t sums = 0;                 // calls

@@ -143,7 +143,7 @@ void require_value(const Formula& formula, const Point& x, double usual, double 
   if (most < orders * value) throw FormulaError(formula, x);
 }
 
-/// What a pressure does to pieces of the plate: its force, and the moment of it, int p (x - about) dA.
+/// Resultants of a pressure on pieces of the plate: its force, and the moment of it, int p (x - about) dA.
 class Thrust {
 public:
   explicit Thrust(const Load& load)
@@ -210,7 +210,7 @@ private:
     return (low.array() > high_.array()).any() || (high.array() < low_.array()).any();
   }
 
-  /// What of a ring lies below a level of y.
+  /// Part of a ring that lies below a level of y.
   static Ring below(const Ring& ring, double level) {
     Ring result;
     for (std::size_t i = 0; i < ring.size(); ++i) {

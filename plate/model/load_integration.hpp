@@ -11,8 +11,8 @@
 
 namespace plate {
 
-/// Of a function f over a part of the plate: the integrals of f, of f (x - about) and of |f|, and what the first may be
-/// wrong by where halving triangles did not help.
+/// Integrals of a function f over a part of the plate: of f, of f (x - about) and of |f|, and the possible error of the
+/// first where halving triangles did not help.
 struct Integral {
   double value = 0;
   geometry::Point first{0, 0};
@@ -53,12 +53,12 @@ struct EdgeBorder {
   std::vector<std::uint32_t> near;
 };
 
-/// Of all edges of a name; eight pieces per spacing, so that each lies in one cell where the edge follows the lattice.
-/// `outline` in the cloud's own units. Throws std::invalid_argument for an edge without points beside it.
+/// Borders of all edges of a name; eight pieces per spacing, so that each lies in one cell where the edge follows the
+/// lattice. `outline` in the cloud's own units. Throws std::invalid_argument for an edge without points beside it.
 std::vector<EdgeBorder> edge_borders(const std::string& name, const geometry::Cloud& cloud,
                                      const geometry::Outline& outline);
 
-/// Of these points, the one next to x.
+/// Returns the one of `points` that is nearest to x.
 std::uint32_t nearest(const std::vector<std::uint32_t>& points, const geometry::Cloud& cloud, const geometry::Point& x);
 
 }  // namespace plate

@@ -39,7 +39,7 @@ public:
 
   bool given() const { return bool(values_); }
   const std::filesystem::path& file() const;
-  /// Of the content, 16 digits.
+  /// Digest of the file's content, 16 digits.
   const std::string& digest() const;
   bool gridded() const;
   /// Times a factor.

@@ -43,7 +43,7 @@ private:
   std::size_t after(double time) const;  // number of the first station later than that
 };
 
-/// Of a load with a path and a speed, from time 0 on. `own`: points that no other process has, empty: all.
+/// Nodal forces of a load with a path and a speed, from time 0 on. `own`: points that no other rank has, empty: all.
 MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own = {});
 MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points,
                            const std::vector<char>& own = {});
@@ -99,7 +99,7 @@ struct SupportMotion {
   Eigen::Vector3d at(const geometry::Point& x, const geometry::Point& outward, double beyond) const;
 };
 
-/// Of all loads at factor 1.
+/// Support motions of all loads of the kind settlement, at factor 1.
 std::vector<SupportMotion> support_motions(const Problem& problem);
 
 struct Problem;

@@ -29,9 +29,9 @@ enum class FullHorizon { continuum, lattice };
 /// Calibration of b_b in the arbitrary horizon domain: independent of the axes, or Dai 35.
 enum class TwistMatch { frame_invariant, paper };
 
-/// What stands beyond the edges: mirror images and rows that follow where edges are held, the layers of Dai et al.
-/// there, surface nodes on all edges (Sca23, for the plate), or nodes whose values are expanded from those inside, with
-/// conditions at all edges by Lagrange multipliers (Sca21, for the plate).
+/// Treatment of the region beyond the edges: mirror images and rows that follow where edges are held, the layers of Dai
+/// et al. there, surface nodes on all edges (Sca23, for the plate), or nodes whose values are expanded from those
+/// inside, with conditions at all edges by Lagrange multipliers (Sca21, for the plate).
 enum class EdgeMethod { images, layer, surface_nodes, fictitious_nodes };
 
 /// By their names in case files.
@@ -65,7 +65,7 @@ struct Discretization {
 struct Problem;
 struct Discretised;
 
-/// What not every formulation can do.
+/// Capability that not every formulation has.
 enum class Feature {
   horizon,    // families within a horizon
   influence,  // a choice of the influence function

@@ -50,7 +50,7 @@ std::vector<std::size_t> loads_of(const Problem& problem, std::size_t which);
 /// The key of a load of a problem, after join_loads(): "load[2]", "case[0].load[1]".
 std::string key_of_load(const Problem& problem, std::size_t load);
 
-/// What each load case counts for in a combination.
+/// Factor of each load case in a combination [load cases].
 std::vector<double> factors_of(const Combination& combination, const std::vector<LoadCase>& cases);
 
 /// A plate with its cracks, how it is held and loaded, and how it is to be turned into points.

@@ -17,8 +17,8 @@ bool on_plate(const geometry::Outline& outline, const geometry::Point& point);
 /// of loads that do not lie inside it: of those that have none, too.
 std::vector<Refusal> faults_of_edges(const Problem& problem);
 
-/// What of a problem loads by temperature cannot have: a section without thermal expansion, edges and corrections of
-/// bonds under which a bent plate is not free of stress.
+/// Faults of a problem with loads by temperature: a section without thermal expansion, edges and corrections of bonds
+/// under which a bent plate is not free of stress.
 std::vector<KeyFault> faults_of_heat(const Problem& problem);
 
 }  // namespace plate

@@ -31,7 +31,7 @@ namespace {
 }
 #endif
 
-/// What nobody catches, as of a thread that has no memory to begin with.
+/// Reports an uncaught exception, as of a thread that has no memory to begin with, and ends the process.
 [[noreturn]] void end_in_words() {
   constexpr int failed_machine = 4;  // as of main
   const auto thrown = std::current_exception();

@@ -9,8 +9,8 @@ namespace plate {
 /// gone, or a file larger than is allowed, fails what is written to it and does not end the process.
 void settle_process(char** argv);
 
-/// Of a number of threads that is wanted what this machine can make something of: no more than eight for each of its
-/// processors, nor than half of the address space that is allowed holds with their stacks and heaps; one at least.
+/// Limits a wanted number of threads to what this machine can use: no more than eight for each of its processors, nor
+/// than half of the address space that is allowed holds with their stacks and heaps; one at least.
 int sensible_threads(int wanted);
 
 /// When the file of this program was written: what runs of the very same build have in common.

@@ -48,7 +48,7 @@ struct Section {
 
   /// The same everywhere?
   bool uniform() const { return regions.empty() && !thickness_factor.given() && !young_factor.given(); }
-  /// Of a material without directions?
+  /// True for a material without directions.
   bool isotropic() const { return !orthotropic && plies.empty(); }
   bool simple() const { return uniform() && isotropic(); }
 
@@ -81,7 +81,7 @@ struct LocalSection {
   double mass = 0, rotary = 0;                        // integrals of rho and rho z^2 [mass/length^2, mass]
 
   LocalSection() = default;
-  /// Of a section that is the same everywhere.
+  /// Constructs from a section that is the same everywhere.
   LocalSection(const Section& section);
 
   void add(const LocalSection& other, double weight);

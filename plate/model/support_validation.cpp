@@ -94,7 +94,7 @@ bool clamps(SupportKind kind) {
   return kind == SupportKind::clamped || kind == SupportKind::clamped_layer;
 }
 
-/// What of its settlement a support does not hold; empty where all is held.
+/// Describes the part of its settlement that a support does not hold; empty where all is held.
 std::string not_held(const Load& load, const Support& support) {
   if (support.kind == SupportKind::free) return "holds nothing that could move";
   if (support.kind == SupportKind::symmetry && (load.value != 0 || !load.slope.isZero(0)))
@@ -180,7 +180,7 @@ std::vector<Point> crossings(const Support& one, const Support& other) {
   return result;
 }
 
-/// What a support makes of w and, as far as it holds them, of the slopes at a place.
+/// Values that a support prescribes at a place: w and, as far as it holds them, the slopes.
 struct Kept {
   std::optional<double> w;
   std::vector<std::pair<Point, double>> slopes;  // d . psi, d of unit length
@@ -248,7 +248,7 @@ std::string torn(const Problem& problem, const Together& motions) {
   return "";
 }
 
-/// Those of one load case, or of none, with one history.
+/// Groups the settlements of one load case, or of none, with one history.
 std::vector<Together> together(const Problem& problem) {
   const auto case_of = [&](std::size_t load) {
     std::size_t count = shared_loads(problem), which = 0;

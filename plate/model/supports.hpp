@@ -35,21 +35,22 @@ struct Support {
   bool holds_inside() const { return !along.empty() || patch; }
 };
 
-/// Of the kinds that hold points outside the plate.
+/// True for the kinds that hold points outside the plate.
 bool is_layer(SupportKind kind);
 
 /// The kind that holds the same in a layer; the kind itself where there is none.
 SupportKind in_layer(SupportKind kind);
 
-/// What a support holds of the line of an edge: w, the rotation psi_n along its normal, psi_s along it.
+/// Degrees of freedom that a support holds along the line of an edge: w, the rotation psi_n along its normal, psi_s
+/// along it.
 struct Held {
   bool w = false, normal = false, tangential = false;
 };
 
 Held held_by(SupportKind kind);
 
-/// What a plate lies on: soil that answers the deflection w with the pressure -k w + G_p laplace(w) (Winkler 1867;
-/// Pasternak 1954).
+/// Elastic foundation of a plate: soil that answers the deflection w with the pressure -k w + G_p laplace(w) (Winkler
+/// 1867; Pasternak 1954).
 struct Foundation {
   double modulus = 0;                   // k [force/length^3]
   double shear = 0;                     // G_p [force/length]

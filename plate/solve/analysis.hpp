@@ -6,7 +6,7 @@
 
 namespace plate {
 
-/// What is sought of a plate, and how.
+/// Kind of analysis of a plate, with its methods and parameters.
 struct Analysis {
   enum class Kind { static_, dynamic, frequencies, harmonic };
   enum class Method { adr, cg, direct, central_difference, lanczos };

@@ -12,9 +12,9 @@
 
 #include "plate/solve/archive_types.hpp"
 
-/// What writes and reads the memory of a run, for sources that know all of one. Classes have a serialize() with the
-/// members that cannot be made again; structures are taken apart by a structured binding, which does not compile once a
-/// member is forgotten.
+/// Serialization of the checkpoint of a run, for source files that know all of its types. Classes have a serialize()
+/// with the members that cannot be recomputed; structures are taken apart by a structured binding, which does not
+/// compile once a member is forgotten.
 namespace Eigen {
 
 template <typename Archive, typename Scalar, int rows, int columns, int options>

@@ -20,7 +20,8 @@ bool owns(const Formulation& plate, std::size_t entry) {
   return plate.boundary().owns(entry % plate.points());
 }
 
-/// Of forces where there is stiffness, each by the displacement that it causes; as the solvers measure.
+/// Norm of forces where there is stiffness, each weighted by the displacement that it causes; the measure of the
+/// solvers.
 double norm(const Formulation& plate, const Forces& forces, const Forces& diagonal) {
   if (ranks()) {
     const auto of_dof = [&](std::size_t i) {

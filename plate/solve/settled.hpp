@@ -22,7 +22,7 @@ bool cancel(const Formulation& plate, const std::vector<Forces>& loads);
 /// All loads at their last values together; zero where they cancel.
 Forces acting_load(const Formulation& plate);
 
-/// What settlements ask of a plate as two parts.
+/// Displacements that settlements prescribe for a plate, as two parts.
 struct Parted {
   State rigid;  // a motion of the whole plate as one rigid body, which strains nothing; without columns: none
   State rest;   // the lift beside it; exactly zero where all supports move as that body
@@ -41,7 +41,7 @@ public:
 
   /// Load and internal force of a state.
   Forces force(const State& state) const;
-  /// What acts on the plate where all that is free rests.
+  /// Forces on the plate with all free degrees of freedom at rest.
   Forces pull() const { return lift_.cols() > 0 ? force(lift_) : load_; }
 
   struct Left {
@@ -50,7 +50,7 @@ public:
   };
   Left left(const State& state) const;
 
-  /// Of the supports that have moved slowly [energy].
+  /// Work of the supports that have moved slowly [energy].
   double work(const State& state) const;
 
 private:

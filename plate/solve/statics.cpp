@@ -56,7 +56,7 @@ std::string reason(bool converged, const StaticOptions& options) {
                    : "not converged in " + std::to_string(options.max_iterations) + " iterations";
 }
 
-/// What a state leaves of the forces `residual` on degrees of freedom that have a weight.
+/// Adds the forces -K `state` to the forces `residual` on degrees of freedom that have a weight.
 template <typename Product>
 void leave(const Product& minus_k, State state, const Forces& weight, Forces& residual) {
   Forces product;
@@ -333,7 +333,7 @@ bool same_everywhere(const Formulation& plate, const Touching& one, const Touchi
   return largest_of_all(differ) == 0;
 }
 
-/// Of a load that is not carried over.
+/// Potential of a load that is not folded.
 double potential(const Formulation& plate, const Forces& load, const State& state) {
   if (!ranks()) return -load.cwiseProduct(state).sum();
   return -ordered_sum<1>(plate.points(), [&](std::size_t k) {

@@ -80,8 +80,8 @@ StaticResult static_solution(const Formulation& plate, const Analysis& analysis,
 /// At rest under the loads of time 0; nothing where these are none. Throws NumericalError.
 State start_of(const Formulation& plate, const Analysis& analysis);
 
-/// What is nearest to the inverse of a held plate and pays for many loads: its factor, or, where it has many points,
-/// its coarser plates. `plate` must outlive it.
+/// Best affordable approximation to the inverse of a held plate for many loads: its factor, or, where it has many
+/// points, its coarser plates (multigrid). `plate` must outlive it.
 std::unique_ptr<Preconditioner> inverse_of(const Formulation& plate);
 
 class Preconditioner;

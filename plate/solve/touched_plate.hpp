@@ -17,7 +17,7 @@ public:
     plate_.internal_force(state, forces);
     attached_.add_change(state, touching_, forces);
   }
-  /// Of soil that touches everywhere.
+  /// Upper bound of |K| state with soil that touches everywhere.
   void absolute_product(const State& state, Forces& forces) const override { plate_.absolute_product(state, forces); }
   Forces diagonal() const override { return plate_.diagonal(); }
 

@@ -11,7 +11,7 @@ class Formulation;
 struct Analysis;
 struct Problem;
 
-/// What keeps a plate from its analysis, and what one should know of it.
+/// Refusals that keep a plate from its analysis, and warnings about it.
 struct Suitability {
   std::vector<Refusal> refusals;
   std::vector<std::string> warnings;
@@ -21,8 +21,8 @@ struct Suitability {
 /// held, in whole or in a piece that cracks cut off, a preconditioner that cannot be made.
 Suitability suitability(const Formulation& plate, const Analysis& analysis);
 
-/// What can be said before there is a plate: a spacing with fewer than four cells across it, internal forces in single
-/// precision in which so thin a plate would lose its shear strains.
+/// Refusals that can be found before there is a plate: a spacing with fewer than four cells across the plate, internal
+/// forces in single precision in which so thin a plate would lose its shear strains.
 std::vector<Refusal> faults_of_lengths(const Problem& problem, const Analysis& analysis);
 
 /// Throws NumericalError of the first point with a displacement or rotation that is not finite; of all processes that

@@ -9,7 +9,7 @@ namespace {
 
 using Factors = Eigen::Vector3d;  // K1, K2, K3 h
 
-/// What counts of each sign of an error, of K1, K2, K3. Calibrated: theory.md, "To a stated accuracy".
+/// Weights of the indicators of an error, for K1, K2, K3. Calibrated: theory.md, "To a stated accuracy".
 constexpr std::array of_integrals{0.1, 0.05, 0.05};  // of the difference of both integrals
 constexpr std::array of_change{0.3, 0.3, 0.5};       // of the last change of the result
 constexpr std::array of_size{0.0, 0.01, 0.02};       // of K2 and K3 h together, with size^2: the layer beside the faces
@@ -62,7 +62,7 @@ Factors mean(const Pair& pair) {
   return (pair.domain + pair.extension) / 2;
 }
 
-/// What both integrals give at one tip: of every time the last discretisations that have both.
+/// Factors by both integrals at one tip: for every time, those of the last discretisations that have both.
 using Course = std::vector<std::vector<Pair>>;
 
 /// The sum over all times of the products of two changes of each factor.
@@ -145,8 +145,8 @@ void level(std::vector<Refined>& course, double truncated) {
   for (auto& one : course) one.errors = one.errors.cwiseMax(mean).array() + truncated * largest;
 }
 
-/// Of the result: about as many vectors leave out about the same of each discretisation, which extrapolation does not
-/// enlarge.
+/// Truncation error of the result, as a share of the largest factor. Discretisations with about as many vectors leave
+/// out about the same share, which extrapolation does not enlarge.
 double truncation(const std::vector<AccuracyStep>& path, std::size_t tip) {
   const auto of = [&](const AccuracyStep& one) { return tip < one.truncated.size() ? one.truncated[tip] : 0; };
   return std::max(of(path.back()), of(path[path.size() - 2]));
@@ -208,7 +208,8 @@ void refer_to(const Srif& refined, Srif& srif, double thickness) {
 
 namespace {
 
-/// What errors count against, by tip.
+/// Reference value of the errors of each tip: its largest factor, or a hundredth of the largest of all tips or of
+/// `nominal` where that is more.
 class Scales {
 public:
   Scales(const std::vector<std::vector<Srif>>& rows, double thickness, double nominal) : least_(0.01 * nominal) {

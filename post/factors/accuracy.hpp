@@ -38,9 +38,9 @@ struct BestFactors {
   std::optional<double> error;
 };
 
-/// Of what was known after every discretisation of a path, as refined() tells, that with the least error. Errors are
-/// widened first to reach what any later discretisation tells, unless that is within them. The last where none has
-/// factors at every tip.
+/// Returns the factors with the least error among those known after every discretisation of a path, as refined() gives
+/// them. Errors are first widened to reach the factors of any later discretisation, unless these are within them.
+/// Returns the last where none has factors at every tip.
 BestFactors best_of(std::vector<std::vector<std::vector<Srif>>> refined, std::size_t tips, double thickness,
                     double nominal);
 

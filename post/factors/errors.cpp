@@ -14,8 +14,8 @@ Eigen::Vector3d vector_of(const Factors& K) {
   return {K.K1, K.K2, K.K3};
 }
 
-/// Of sqrt(G): from another integral, or from the next ring where there is no other. An integral that is not positive
-/// contradicts: it counts as one that finds nothing.
+/// Relative difference in sqrt(G) from another integral, or from the next ring where there is no other. An integral
+/// that is not positive contradicts: it counts as one that finds G = 0.
 std::optional<double> difference_of_energies(const Srif& srif, const std::vector<Srif>& found) {
   std::optional<double> result;
   const auto compare = [&](double G) {
@@ -86,8 +86,8 @@ private:
     return Eigen::Vector2d::Constant(shares_.tied * at_.section.thickness * std::abs(fits_.front().K3));
   }
 
-  /// Of the largest factor: what the points between the tip and what is next to it, and those in the layer beside the
-  /// faces, at the tip and away from it, do not resolve.
+  /// Resolution errors, relative to the largest factor: those of the points between the tip and what is next to it, and
+  /// of the points in the layer beside the faces, at the tip and away from it.
   Eigen::Vector3d unresolved() const {
     constexpr double in_bending = 0.0008, in_shear = 0.0015, served = 0.5, widest = 4;  // served, widest: layers
     const double faces = std::min(shares_.faces, widest);

@@ -4,7 +4,7 @@
 
 namespace post {
 
-/// What the estimates of the errors count of each sign of an error (theory.md, "What the estimated errors mean").
+/// Weights of the indicators of an error in the estimated errors (theory.md, "What the estimated errors mean").
 struct ErrorShares {
   double
       energy;    // of the difference between the energy release rates of the fit and of the integrals, in K1 and K2 ...

@@ -58,7 +58,7 @@ namespace {
 
 using geometry::Point;
 
-/// What an integral takes of the gradients of psi, of the shear angles and of psi at a point.
+/// Coefficients of an integral at a point: by the gradients of psi, the shear angles and psi.
 struct Taken {
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
   Point shear{0, 0}, psi{0, 0};

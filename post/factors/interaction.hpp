@@ -17,7 +17,7 @@ public:
 
   /// Gradients at a place that is not the tip, along x and y: of psi for unit K1 and K2, row psi_x, psi_y.
   std::array<Eigen::Matrix2d, 2> rotations(const plate::Polar& at) const;
-  /// Of w for unit K3.
+  /// Gradient of w for unit K3 at a place that is not the tip, along x and y.
   Eigen::Vector2d deflection(const plate::Polar& at) const;
 
 private:

@@ -32,7 +32,7 @@ std::string named(const Srif& srif, double thickness, double largest, const Whic
   return result;
 }
 
-/// Of a part of the plate; 0 within it.
+/// Distance to a part of the plate [length]; 0 within it.
 double distance_to(const geometry::Hole& part, const geometry::Point& x) {
   auto ring = geometry::Patch(part).ring();
   if (geometry::contains({{ring, std::vector<std::string>(ring.size())}, {}}, x)) return 0;
@@ -88,7 +88,7 @@ double clear_distance(const plate::Problem& c, const std::vector<geometry::Crack
 
 namespace {
 
-/// What is around a tip, of which points within `reach` are known.
+/// Surroundings of a tip, of which points within `reach` are known.
 TipPlace place_of(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip,
                   double reach) {
   const auto& d = c.discretization;
@@ -175,8 +175,8 @@ void tell(const plate::Ranks& all, std::vector<TipMethods>& methods) {
   }
 }
 
-/// What the whole plate errs by, as a share of the largest factor: of the second order in its spacing over its smaller
-/// side.
+/// Discretisation error of the whole plate, as a share of the largest factor: of the second order in its spacing over
+/// its smaller side.
 double error_of_coarseness(const plate::Problem& problem) {
   constexpr double share = 2;
   const auto [low, high] = geometry::bounding_box(problem.outline);
@@ -224,8 +224,8 @@ double curvature_at(const geometry::Point& tip, const plate::Formulation& plate,
   return count > 0 ? sum / count : 0;
 }
 
-/// Of a heated plate, from which the free curvature about the tip is taken first: what is left has the moments that
-/// there are, and no method needs to know of a heat that is the same everywhere.
+/// Factors of a tip of a heated plate. The free curvature about the tip is subtracted first: the remaining field has
+/// the actual moments, and no method needs to account for uniform heating.
 std::vector<Srif> of_heated(const plate::Formulation& plate, const TipMethods& methods, const geometry::Tip& tip,
                             const plate::State& state, const plate::Forces& force, const plate::Heat& heat,
                             bool all_rings) {

@@ -176,7 +176,7 @@ private:
     return result;
   }
 
-  /// Of a degree that `terms` does not have yet.
+  /// Appends the terms of `sum`, of a degree that `terms` does not have yet.
   static void append(std::vector<Term>& terms, const Powers& sum) {
     sum.for_each([&](int a, int b, double c) {
       if (std::abs(c) > 1e-12) terms.push_back({a + b, a - b, c});
@@ -268,8 +268,8 @@ namespace {
 
 using geometry::Point;
 
-/// Of a radius: circles go through points of a lattice (5 layers of a plate 5 spacings thick do, at (4.5, 6.5)), which
-/// are all in or all out. By rounding alone K2 was 1e-4 of K1 in a symmetric plate.
+/// Relative tolerance of a radius: circles go through points of a lattice (5 layers of a plate 5 spacings thick do, at
+/// (4.5, 6.5)), which must be all in or all out. By rounding alone K2 was 1e-4 of K1 in a symmetric plate.
 constexpr double rounding = 1e-9;
 
 /// Points; 16 spacings about a tip hold 800.

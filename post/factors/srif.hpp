@@ -7,7 +7,7 @@
 #include "geometry/shape/outline.hpp"
 #include "plate/model/section.hpp"
 
-/// What leaves the program: intensity factors, tables, files for ParaView and HDF5.
+/// Output of the program: intensity factors, tables, files for ParaView and HDF5.
 namespace post {
 
 /// The forces or moments that F = K / (...) refers to: pressure and width: F = K / (p (W/2)^2 sqrt a);
@@ -114,8 +114,8 @@ void normalize(Srif& srif, const SrifOptions& options, double thickness);
 /// sections of plies none; of a section with directions without equivalent, utilisation and overlap.
 struct FaceFactors {
   std::array<std::optional<double>, 3> K;
-  /// Of the mode 1 that takes the same energy at the height where that is most: a face or the middle plane (theory
-  /// (70)).
+  /// Equivalent mode 1 factor: it takes the same energy at the height where that is largest, a face or the middle plane
+  /// (theory (70)).
   std::optional<double> equivalent;
   std::optional<double> error;                           // estimated, of `equivalent`
   std::optional<double> utilisation, utilisation_error;  // over the toughness, where that is given

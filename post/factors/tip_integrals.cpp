@@ -75,7 +75,7 @@ Eigen::VectorXd TipSurroundings::forward_work(const plate::State& state, const p
 
 namespace {
 
-/// What the domain integral takes from a field at a point: gradients of psi, shear angles and dw/dx' [1/length, 1, 1].
+/// Values of a field at a point for the domain integral: gradients of psi, shear angles and dw/dx' [1/length, 1, 1].
 struct PointStrains {
   Eigen::Matrix2d psi = Eigen::Matrix2d::Zero();  // row: psi_x, psi_y; column: d/dx, d/dy
   geometry::Point gamma{0, 0};

@@ -11,12 +11,14 @@ using plate::EnergyRelease, plate::NearField, plate::Ring, plate::TipFrame, plat
 /// By the domain integral of moments, shear forces and gradients at the points of the ring (J-integral; theory (48)).
 std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFrame& frame, const Ring& ring);
 
-/// What a curvature kappa_0 of heat that varies about a tip adds to -dU/da of a ring (theory (80)) [force]. `field`:
-/// less the free curvature at the tip, `curvature`: of all points of the plate, less that at the tip [1 / length].
+/// Contribution to -dU/da of a ring of a thermal curvature kappa_0 that varies about a tip (theory (80)) [force].
+/// `field`: less the free curvature at the tip; `curvature`: of all points of the plate, less that at the tip
+/// [1 / length].
 double release_of_heat(const TipView& plate, const TipFrame& frame, const Ring& ring, const plate::State& field,
                        const Eigen::VectorXd& curvature);
 
-/// What all integrals about a tip share: the points that their extensions may move, and the work of the forces there.
+/// Data shared by all integrals about a tip: the points that their extensions may move, and the work of the forces
+/// there.
 class TipSurroundings {
 public:
   /// All points within `radius` of the tip, the nearest first. `plate` must outlive this.

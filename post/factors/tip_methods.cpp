@@ -50,7 +50,7 @@ double turn_of_stairs(const geometry::Point& ahead, double spacing, double reach
   return std::tan(angle) < spacing / reach ? angle : 0;
 }
 
-/// Of the rings that fit [length].
+/// Largest outer radius of the rings that fit [length].
 double largest_radius(double clear, double spacing, bool graded) {
   double result = 0;
   for (const auto& ring : rings(clear, spacing, graded)) result = std::max(result, ring.outer);

@@ -13,7 +13,7 @@ namespace post {
 
 using plate::TipView;
 
-/// What is around a tip.
+/// Surroundings of a tip.
 struct TipPlace {
   geometry::Tip tip;
   geometry::CrackPath path;

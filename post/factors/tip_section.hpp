@@ -18,7 +18,7 @@ struct TipSection {
 
   /// G = pi / 2 K . Lambda K [force] (theory (50)).
   double release(const Eigen::Vector3d& K) const;
-  /// Of Lambda the inverse.
+  /// Inverse of Lambda.
   Eigen::Matrix3d stiffness() const;
   /// G of unit factors.
   Eigen::Vector3d unit_release() const;

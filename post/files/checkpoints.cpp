@@ -38,7 +38,7 @@ std::string checksum(std::string_view line, std::string_view memory) {
   return fmt::format("{:016x}", XXH3_64bits_digest(state.get()));
 }
 
-/// What is wrong with a checkpoint; empty: nothing.
+/// Describes the fault of a checkpoint; empty where there is none.
 std::string fault_of(std::string_view all, const std::string& of) {
   const auto line = all.find('\n');
   if (!all.starts_with(magic) || line == std::string_view::npos) return "is no checkpoint of this version";
@@ -230,7 +230,7 @@ std::string first_of(const std::vector<std::string>& texts) {
 SharedCheckpoints::SharedCheckpoints(const plate::Ranks& all, fs::path folder, std::string of)
     : all_(&all), folder_(std::move(folder)), first_(folder_, std::move(of)) {}
 
-/// What every process says.
+/// Gathers the text `own` of every rank.
 std::vector<std::string> SharedCheckpoints::told(const std::string& own) const {
   return all_->exchanged(std::vector<std::string>(std::size_t(all_->size()), own));
 }

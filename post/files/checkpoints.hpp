@@ -11,9 +11,9 @@
 
 namespace post {
 
-/// What a run keeps in its folder in order to go on after it was killed: `checkpoint`, and `checkpoint.before` with
-/// the one before it. A file begins with what it is of, ends with a checksum of all before, and is in its place whole
-/// and on the disk or not at all.
+/// Checkpoints of a run in its folder, from which it goes on after it was killed: `checkpoint`, and `checkpoint.before`
+/// with the previous one. A file begins with the line that identifies its run and ends with a checksum of all before.
+/// It is in its place complete and on the disk, or not at all.
 class Checkpoints {
 public:
   /// `of`: one line that says which run of which program may go on from it.
@@ -56,10 +56,10 @@ std::string checksum_of(const std::filesystem::path& path);
 std::size_t read_cells(const std::filesystem::path& path, const geometry::CellBox& wanted,
                        const std::function<void(const geometry::Cell& cell, std::span<const double> values)>& visit);
 
-/// What processes that share a plate keep in its folder, in order to go on as any number of them: the first of them
-/// what all know (Checkpoints), each the numbers of its points, checkpoint.N.RANK, N from 0 to 2 in turn, so that the
-/// last two stay whole while the next is written. The checksums of these are in the first's. All call everything at
-/// once; the folder is one that all of them see.
+/// Checkpoints of a plate that several ranks share, in its folder; any number of ranks can go on from them. The first
+/// rank writes what all ranks know (Checkpoints). Each rank writes the values of its points to checkpoint.N.RANK, N
+/// from 0 to 2 in turn, so that the last two stay complete while the next is written. The checksums of these files are
+/// in that of the first rank. Collective: every rank must call each member function. All ranks must see the folder.
 class SharedCheckpoints {
 public:
   /// `all` must outlive this.
@@ -78,7 +78,7 @@ public:
   void remove() const;
 
 private:
-  /// What the checkpoint says of its parts, and the memory behind it.
+  /// Content of the main checkpoint: turn and checksums of its parts, and the memory after them.
   struct Main {
     std::size_t turn = 0;
     std::vector<std::string> checksums;

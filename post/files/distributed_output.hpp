@@ -21,7 +21,7 @@ class VtkPieces {
 public:
   /// `mesh`: what this process draws. `all` must outlive this.
   VtkPieces(const plate::Ranks& all, std::filesystem::path folder, Mesh mesh);
-  /// Of the frames from now on.
+  /// Sets the mesh of the frames from now on.
   void remesh(Mesh mesh) { mesh_ = std::move(mesh); }
   /// All processes call it at once.
   void write(const Frame& frame);
@@ -46,11 +46,11 @@ public:
   /// `numbers`: of the points of the process among all, ascending.
   PointOrder(const plate::Ranks& all, const std::vector<std::uint32_t>& numbers);
 
-  /// Of all processes.
+  /// Number of points of all ranks.
   std::size_t points() const { return points_; }
 
-  /// What `count` points from `first` on have, so many numbers (`width`) of each, point by point: in the first process;
-  /// nothing in the others. `numbers(k, to)` gives those of the process's own point k. All call it at once.
+  /// Gathers the values of `count` points from `first` on, `width` of each, point by point: on the first rank; empty on
+  /// the others. `numbers(k, to)` gives those of the rank's own point k. Collective: every rank must call it.
   std::vector<double> at_first(std::size_t first, std::size_t count, std::size_t width,
                                const std::function<void(std::size_t k, double* to)>& numbers) const;
 

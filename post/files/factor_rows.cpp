@@ -96,7 +96,7 @@ void append(Table& table, double time, const std::vector<Srif>& srifs) {
 
 namespace {
 
-/// Of all load cases and combinations, in the order of their frames; where there are none, of no frame.
+/// Names of all load cases and combinations, in the order of their frames; empty where there are none.
 std::vector<std::string> names_of_frames(const plate::Problem& problem) {
   std::vector<std::string> names;
   for (const auto& one : problem.load_cases) names.push_back(one.name);
@@ -116,7 +116,7 @@ void widen_errors_of_frame(std::size_t frame, const plate::Formulation& plate,
   widen_errors(of_frames[frame], parts, plate.section().thickness);
 }
 
-/// What every load counts for in a frame: of a load case or combination, or at its time.
+/// Factors of all loads in a frame: those of its load case or combination, or those at its time.
 std::vector<double> shares_of_frame(std::size_t frame, double time, const plate::Formulation& plate) {
   const auto& problem = plate.problem();
   const auto cases = problem.load_cases.size();
@@ -136,7 +136,7 @@ plate::Heat heat_of_frame(std::size_t frame, double time, const plate::Formulati
                                             : plate::heat_of(plate, shares_of_frame(frame, time, plate));
 }
 
-/// Of what supports hold in a frame.
+/// Dirichlet lift of a frame: the displacements that supports prescribe [3 x points].
 plate::State lift_of_frame(std::size_t frame, double time, const plate::Formulation& plate) {
   const auto shares = shares_of_frame(frame, time, plate);
   plate::State lift = plate::State::Zero(3, Eigen::Index(plate.points()));

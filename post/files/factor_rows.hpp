@@ -21,7 +21,8 @@ public:
   /// The factors of all rows where they are known already, the recommended ones of each tip first.
   void known(std::vector<std::vector<Srif>> rows) { known_ = std::move(rows); }
   bool known() const { return !known_.empty(); }
-  /// What the estimated errors of every tip miss of a motion: a share of the largest factor that the tip ever has.
+  /// Sets the truncation error of every tip in a motion, which the estimated errors do not include: a share of the
+  /// largest factor that the tip ever has.
   void truncated(std::vector<double> shares) { truncated_ = std::move(shares); }
 
   /// A row. `found`: without meaning where all rows are known. Throws plate::NumericalError where one is not finite.
@@ -32,9 +33,9 @@ public:
 
   const std::vector<std::vector<Srif>>& rows() const { return rows_; }
   std::vector<Srif> last() const { return rows_.empty() ? std::vector<Srif>{} : rows_.back(); }
-  /// Of every tip so far: of |K1|, |K2|, |K3| h, by any method.
+  /// Largest of |K1|, |K2|, |K3| h of every tip so far, by any method.
   const std::vector<double>& largest() const { return largest_; }
-  /// What truncation leaves out, where that is more than 3 %.
+  /// Warnings of tips where truncation leaves out more than 3 % of the largest factor.
   std::vector<std::string> distrust() const;
 
   /// The rows so far.

@@ -10,7 +10,7 @@
 namespace post {
 namespace {
 
-/// Of every number of a list, over all processes.
+/// Spread of every number of a list over all ranks.
 std::vector<Spread> spreads(const plate::Ranks& all, const std::vector<double>& own) {
   const auto found = plate::gathered(all, own);
   std::vector<Spread> result;

@@ -11,7 +11,7 @@ struct Traffic;
 
 namespace post {
 
-/// Of a number that every process has.
+/// Spread over all ranks of a number that each rank has.
 struct Spread {
   double least = 0, mean = 0, largest = 0;
 };
@@ -28,8 +28,9 @@ struct ProcessesSummary {
   Spread messages, bytes, sums;
 };
 
-/// Of all processes that share the plate, from what each has itself; nothing where one has all. All call it at once.
-/// `points`: its own; `seconds`: of its stages; `since`: traffic of the run; `steps`: or iterations.
+/// Summary of all ranks that share the plate, from the values of each; null where one process holds the whole plate.
+/// Collective: every rank must call it. `points`: of the rank; `seconds`: of its stages; `since`: traffic of the run;
+/// `steps`: or iterations.
 std::shared_ptr<const ProcessesSummary> of_processes(std::size_t points,
                                                      const std::vector<std::pair<std::string, double>>& seconds,
                                                      double memory, const plate::Traffic& since,

@@ -124,7 +124,7 @@ public:
 
   const Table& history() const { return history_; }
 
-  /// What has been recorded; all frames so far are written then.
+  /// Saves what has been recorded; on return all frames so far are written.
   void remember(plate::OutArchive& archive);
   /// Goes on after open().
   void recall(plate::InArchive& archive);

@@ -6,7 +6,7 @@
 #include "plate/solve/statics.hpp"
 #include "post/factors/srif.hpp"
 
-/// What must hold of every number before it is written: each throws plate::NumericalError, saying what failed and when.
+/// Checks applied to results before they are written: each throws plate::NumericalError, saying what failed and when.
 namespace post {
 
 /// Numbers by their name.
@@ -19,16 +19,16 @@ void require_finite(const plate::State& state, const std::string& when);
 /// Work of loads that grow slowly from zero.
 double slow_work(const plate::Formulation& plate, const plate::State& state);
 double slow_work(const plate::Formulation& plate, const plate::StaticResult& result);
-/// Of one load [3 x points].
+/// Work of one load [3 x points] that grows slowly from zero.
 double slow_work(const plate::Formulation& plate, const plate::Forces& load, const plate::State& state);
-/// Of a plate whose supports have moved while all that is free rests, beside which equilibria are small; 0 of one whose
-/// supports rest.
+/// Strain energy of a plate whose supports are displaced while all free degrees of freedom rest; that of equilibria is
+/// small beside it. 0 where the supports rest.
 double energy_about(const plate::Formulation& plate, const plate::State& lift);
 double energy_about(const plate::Formulation& plate);  // of all settlements together
-/// Of every load at factor 1, of a settlement what it pulls with at first.
+/// Nodal forces of every load at factor 1; of a prescribed support displacement, the force that it exerts at first.
 std::vector<plate::Forces> forces_of(const plate::Formulation& plate);
 
-/// Of all processes that share the plate.
+/// True where the values are zero on all ranks that share the plate.
 bool is_zero(const plate::State& values);
 /// Is the state not zero, and the work [energy] of the loads not so small that digits of it are lost?
 bool moves(const plate::State& state, double work);

@@ -44,7 +44,7 @@ private:
 /// Keeps a folder for one run, as long as it lives or its process does. File systems that know no locks let all in.
 class FolderLock {
 public:
-  /// Of a folder that exists.
+  /// Locks a folder that exists.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;
@@ -86,7 +86,7 @@ private:
 
 }  // namespace post
 
-/// What a run finds in the folder that it is to write to.
+/// Content of the folder that a run is to write to.
 namespace post {
 
 /// Names in a folder that holds something but no results of a run; empty where a run may write.
@@ -111,7 +111,7 @@ public:
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Of all files in it.
+  /// Size of all files in it [bytes].
   double bytes() const;
 
 private:

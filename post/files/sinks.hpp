@@ -31,7 +31,7 @@ private:
   Mesh mesh_;
 };
 
-/// What is written into a folder.
+/// Options of the results that are written into a folder.
 struct FolderOptions {
   std::filesystem::path folder;
   std::string resolved, version;  // the whole case as text; of the program

@@ -19,19 +19,19 @@ struct Wrench {
   Wrench& operator+=(const Wrench& other);
 };
 
-/// What supports do to a plate at an instant (theory (67), (68)).
+/// Reactions of the supports of a plate at an instant, and their balance with loads and inertia (theory (67), (68)).
 struct Balance {
   std::vector<Wrench> supports;   // by every holder
   Wrench loads;                   // that act
   std::optional<Wrench> inertia;  // of a motion: mass times acceleration
-  /// What is left of loads and reactions less inertia, relative to the sum of the sizes of all nodal loads or to the
-  /// largest reaction or the inertia, whichever is most; moments over half the diagonal of the plate.
+  /// Residual of the balance: loads and reactions less inertia, relative to the sum of the sizes of all nodal loads or
+  /// to the largest reaction or the inertia, whichever is most; moments over half the diagonal of the plate.
   double residual = 0;
 
   Wrench sum() const;  // of the supports
 };
 
-/// What edges and pins do to the plate, and its balance with the loads.
+/// Reactions of edges and pins on the plate, and their balance with the loads.
 struct ReactionSummary {
   struct Support {
     std::string name;                         // of edges; of pins: pin0, pin1, ...
@@ -135,7 +135,7 @@ struct AccuracySummary {
   std::vector<AccuracyStep> path;
 };
 
-/// What summary.json holds; cases/files.md documents every field.
+/// Content of summary.json; cases/files.md documents every field.
 struct Summary {
   std::string title, outcome, version, digest;
   std::string units;                            // "SI" or "none"

@@ -13,7 +13,7 @@ namespace post {
 class VtkSeries {
 public:
   VtkSeries(std::filesystem::path folder, Mesh mesh);
-  /// Of the frames from now on.
+  /// Sets the mesh of the frames from now on.
   void remesh(Mesh mesh) { mesh_ = std::move(mesh); }
   void write(const Frame& frame);
   /// Goes on after frames that a run has written which was ended; those that are gone are listed no more.

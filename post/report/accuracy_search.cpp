@@ -26,7 +26,7 @@ double exact_clear_distance(const plate::Problem& problem, double side) {
   return std::min(side, least_clear_distance(fine, paths, geometry::tips(paths)));
 }
 
-/// Of the smallest hole or part of the plate that is held; none without them.
+/// Radius of the smallest hole or supported part of the plate [length]; none without them.
 std::optional<double> least_radius(const plate::Problem& problem) {
   std::optional<double> result;
   auto shapes = problem.outline.holes;
@@ -101,7 +101,7 @@ double nominal_factor(const plate::Problem& problem, double strain_energy) {
   return std::sqrt(strain_energy / (high - low).minCoeff() / unit_release(problem.section)[0]);
 }
 
-/// What forbids to go on to a smaller size; empty where nothing does.
+/// Reason that forbids a smaller size; empty where there is none.
 std::string end_before(double size, const std::vector<AccuracyStep>& path, std::size_t vectors, double seconds,
                        const SrifOptions& options) {
   if (size < least_size) return "the finest discretisation of this program";

@@ -26,7 +26,7 @@ namespace post {
 
 class Progress;
 
-/// What one discretisation of a search gives.
+/// Results of one discretisation of a search.
 struct AccuracyTrial {
   const plate::Formulation* plate;
   std::vector<std::vector<Srif>> rows;  // at all times; of a static case one

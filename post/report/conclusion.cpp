@@ -21,7 +21,7 @@
 namespace post {
 namespace {
 
-/// Of one quantity of one tip.
+/// Key of one quantity of one tip.
 using Key = std::pair<std::size_t, std::size_t>;  // tip, 0 to 2 of K1 to K3, 3 of the utilisation
 
 void look(std::map<Key, Peak>& found, std::size_t tip, std::size_t quantity, double value, double time) {

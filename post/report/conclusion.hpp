@@ -52,7 +52,8 @@ public:
   /// The state of the row with the largest strain energy; empty before the first.
   plate::State& state() { return state_; }
   double time() const { return time_; }  // of that row
-  /// What has been found so far of the deflection, and of stress in frames; and the same as all processes have.
+  /// Peaks found so far, of the deflection and of stress in frames; the second function sets them to those of all
+  /// ranks.
   std::vector<Peak> so_far() const;
   void so_far(const std::vector<Peak>& peaks);
 
@@ -72,11 +73,11 @@ private:
   std::optional<double> seen_;  // time of the last frame
 };
 
-/// What a summary says of a static solution.
+/// Sets the fields of a summary that describe a static solution.
 void describe(Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
               double tolerance);
 
-/// What a run has found.
+/// Results of a run.
 struct Found {
   const plate::Section& section;
   const std::optional<SrifOptions>& options;  // of the case

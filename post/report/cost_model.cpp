@@ -82,7 +82,7 @@ double by_area(const Samples& s, double small, double large) {
   return TwoTerms({a * a, a, small}, {b * b, b, large})(1, 1);
 }
 
-/// Of the factors: rings of points about the tips, and at each row the energies of all points.
+/// Computing time of the factors: of rings of points about the tips, and at each row of the energies of all points.
 double of_factors(const Samples& s, const WholeRun& whole) {
   const auto& without = s.large;
   const auto& with = s.factors.value_or(s.large);

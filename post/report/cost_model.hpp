@@ -16,7 +16,7 @@ namespace post {
 struct ScenePart;
 struct Summary;
 
-/// What a run gives beside its solution.
+/// Output of a run beside its solution.
 struct Given {
   bool factors = false, fields = false;  // intensity factors, fields for ParaView
 };
@@ -24,7 +24,7 @@ struct Given {
 /// The parts of the program that a run uses, each with the memory that it takes. What is not listed is not there.
 std::vector<ScenePart> scene(const plate::Formulation& plate, const plate::Analysis& analysis, const Given& given);
 
-/// What is known of a run before it, without title and warnings.
+/// Summary of a run as it is known before the run, without title and warnings.
 Summary about(const plate::Formulation& plate, const plate::Analysis& analysis, const Given& given);
 
 /// a u + b v with neither a nor b below zero, through two values: through the second where both cannot be met.
@@ -52,7 +52,7 @@ struct SampleRun {
 
   double points() const { return double(summary.points); }
   double steps() const { return double(summary.analysis.steps.value_or(0)); }
-  /// Of the stage of this name, or of all stages, were the machine free [time].
+  /// Computing time of the stage of this name, or of all stages, on a machine that is otherwise idle [time].
   double seconds(const std::string& stage = "total") const;
 };
 
@@ -64,7 +64,7 @@ struct Samples {
   double opening = 0;  // of libraries, once [time]
 };
 
-/// What a run is asked for, and how its solution's cost follows the number of points.
+/// Size of the run whose cost is estimated, and the orders of its solution's cost in the number of points.
 struct WholeRun {
   double points = 0, rings = 0;
   double steps = 0, rows = 1, frames = 1;  // in motion
@@ -72,7 +72,7 @@ struct WholeRun {
   double advances = 0;  // of a quasi-static growth, each an equilibrium of its own; 0 where none grows
 };
 
-/// What a run will take.
+/// Estimated cost of a run.
 struct Foretold {
   std::vector<std::pair<std::string, double>> seconds;  // setting up, solution, factors, files
   double iterations = 0, files = 0;                     // files: [bytes]

@@ -65,7 +65,7 @@ Series line(const std::string& label, const std::vector<double>& t, std::vector<
   return {label, Line::plain, {t, std::move(y)}, number};
 }
 
-/// Those of the columns that have a value other than zero.
+/// Series of the columns that have a value other than zero.
 std::vector<Series> lines(const Table& table, const std::vector<double>& t,
                           const std::vector<std::pair<std::string, std::string>>& columns) {
   std::vector<Series> series;

@@ -255,7 +255,7 @@ std::string text_of(const plate::Section& s) {
   return json_object(members);
 }
 
-/// What begins a motion beside loads, in words.
+/// Describes in words what starts a motion beside loads.
 std::string beginning_of(const plate::Problem& problem) {
   std::vector<std::string> words;
   if (const auto& initial = problem.initial) {

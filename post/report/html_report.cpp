@@ -92,7 +92,7 @@ std::string reports_in(const fs::path& folder) {
   return json_list(names);
 }
 
-/// Of the report that is there, or else the name of the folder.
+/// Title of the existing report, or else the name of the folder.
 std::string title_of(const fs::path& folder) {
   constexpr std::string_view mark = "\"title\":";
   const auto path = folder / "report.html";

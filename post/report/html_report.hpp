@@ -12,7 +12,7 @@ struct Problem;
 
 namespace post {
 
-/// What a report says of a case beside its results.
+/// Data of a case that a report shows beside its results.
 struct ReportedCase {
   const plate::Problem& problem;
   std::string title, source, units;

@@ -10,8 +10,8 @@ namespace post {
 
 struct Table;
 
-/// What the rows of srif.csv say of the faces behind each tip, by the recommended method: where they overlap at z > 0
-/// (K1 < 0) and when that changes. A K1 below a thousandth of the largest of its tip has no sign.
+/// Overlaps of the faces behind each tip from the rows of srif.csv, by the recommended method: where they overlap at
+/// z > 0 (K1 < 0) and when that changes. A K1 below a thousandth of the largest of its tip has no sign.
 std::vector<FaceOverlaps> face_overlaps(const Table& srifs);
 
 /// A line for every crack with a tip that has or had K1 < 0. `crack` of a tip; without it all tips are one crack's.

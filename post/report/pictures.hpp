@@ -74,7 +74,7 @@ public:
   /// `low` and `high` of the codes 1 and 65535. Code 0 is no plate.
   std::string json() const;
 
-  /// What has been looked at; the cells are opened again.
+  /// Saves or restores the frames taken so far; the cells are opened again.
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(earlier_, last_, frames_, stride_);

@@ -12,7 +12,7 @@ namespace post {
 struct Srif;
 struct Summary;
 
-/// What a user reads at the end of a run: one row of factors per tip by the recommended method, the other methods below
+/// Text for the user at the end of a run: one row of factors per tip by the recommended method, the other methods below
 /// as a comparison, peaks of a motion, growth, warnings. `si`: with the units of SI. A factor is printed as 0 below
 /// 1e-8 of the largest of its tip, below 1e-6 of it and its estimated error, or below a twentieth of an error under 3
 /// %. The error of a row is that of the factors that it has: one that is not resolved is "-" and does not count.
@@ -29,8 +29,9 @@ std::string place_text(const geometry::Point& x, double thickness);
 
 struct Table;
 
-/// Of every tip and of |K1|, |K2|, |K3| and G the largest, by recommended methods, and the load case or combination
-/// that gives it. Where one has a factor that is not resolved, the error is at least what that may be beyond.
+/// Largest |K1|, |K2|, |K3| and G of every tip, by recommended methods, and the load case or combination that gives
+/// each. Where one has a factor that is not resolved, the error is at least the amount by which that factor may be
+/// larger.
 std::vector<EnvelopeEntry> envelope(const std::vector<LoadCaseSummary>& cases);
 /// tip, x, y, quantity, value, estimated_error, case.
 Table envelope_table(const std::vector<EnvelopeEntry>& entries);

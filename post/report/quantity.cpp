@@ -160,7 +160,7 @@ Table rows_of(const Quantity& quantity, const std::filesystem::path& folder) {
   return result;
 }
 
-/// Of the tip of the quantity; null where there are none.
+/// Factors at the tip of the quantity; null where there are none.
 const Srif* srif_of(const Quantity& quantity, const Summary& summary) {
   const auto found = std::ranges::find_if(summary.srif, [&](const Srif& s) {
     return s.tip == quantity.tip && (quantity.method.empty() || s.method == quantity.method);
@@ -177,7 +177,7 @@ std::optional<double> factor(const std::string& name, const Srif& srif) {
   return std::nullopt;
 }
 
-/// What the summary says of a quantity without history.
+/// Value of a quantity without history in the summary; nothing where it has none.
 std::optional<double> of_summary(const Quantity& quantity, const Summary& summary) {
   if (quantity.name == "frequency") {
     const auto found = std::ranges::find(summary.frequencies, quantity.mode.value_or(0), &Frequency::mode);

@@ -9,9 +9,9 @@
 
 namespace post {
 
-/// What summary.json of a finished run says of formulation, outcome, points, bonds, iterations, seconds, factors
-/// (without rings and fits), peaks, frequencies, growth, warnings, version and digest. Nothing where there is no such
-/// file, or it is not whole.
+/// Reads from summary.json of a finished run: formulation, outcome, points, bonds, iterations, seconds, factors
+/// (without rings and fits), peaks, frequencies, growth, warnings, version and digest. Returns nothing where there is
+/// no such file, or it is incomplete.
 std::optional<Summary> read_summary(const std::filesystem::path& path);
 
 struct Summary;
@@ -35,10 +35,10 @@ struct Quantity {
 /// The names that a quantity can have.
 const std::vector<std::string>& quantity_names();
 
-/// What a quantity of this name is of: "tip", "probe", "mode", or "" for the whole plate.
+/// Kind of place of a quantity of this name: "tip", "probe", "mode", or "" for the whole plate.
 std::string kind_of_place(const std::string& quantity);
 
-/// What an axis says of a quantity: "deflection w".
+/// Axis label of a quantity: "deflection w".
 std::string described(const std::string& quantity);
 
 /// Its unit in SI; "" without dimension.

@@ -13,7 +13,7 @@ class Operator;
 
 namespace post {
 
-/// Of the nodal force `value`, conjugate to w (component 0) or a rotation (1, 2), at a place.
+/// Wrench of the nodal force `value`, conjugate to w (component 0) or a rotation (1, 2), at a place.
 Wrench wrench(const geometry::Point& at, std::size_t component, double value);
 
 /// Nodal forces as the balance sees them.
@@ -36,16 +36,17 @@ public:
   Applied nothing() const;
   /// Not carried over to the free degrees of freedom.
   Applied applied(const plate::Forces& forces) const;
-  /// Of edges and pins, then of foundations and springs. `internal`: force -K u on what is held; `loads`: that act;
-  /// `inertia`: mass times acceleration, in motion; `state`: u.
+  /// Balance with the reactions of edges and pins, then of foundations and springs. `internal`: force -K u on the held
+  /// degrees of freedom; `loads`: that act; `inertia`: mass times acceleration, in motion; `state`: u.
   Balance balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia,
                   const plate::State& state) const;
-  /// What the elastic forces of the plate do along w to every support, as functionals of its state [supports x 3
-  /// points, as State::data()]; of many supports, to all together.
+  /// Elastic forces of the plate along w on every support, as functionals of its state [supports x 3 points, as
+  /// State::data()]; where there are many supports, their sum.
   Eigen::MatrixXd elastic_forces(const plate::Operator& plate) const;
 
 private:
-  /// What a unit of force on a degree of freedom that is held does to its holder, with what its leaders take.
+  /// Wrench on a holder by a unit force on a degree of freedom that it holds, with what the leaders of that degree of
+  /// freedom take.
   struct Share {
     std::uint32_t holder, held;  // number among those that are held
     Wrench unit;
@@ -71,14 +72,14 @@ namespace post {
 /// rows of a plate that nothing holds.
 class ReactionRows {
 public:
-  /// Of plates that change from row to row.
+  /// Constructs the rows of plates that change from row to row.
   ReactionRows() = default;
-  /// Of one plate, which must outlive this. `rotary`: factor of the rotary inertia; `mass_of_cells`: Lanczos vectors
-  /// move it; `drag`: alpha of its damping, whose forces count as inertia.
+  /// Constructs the rows of one plate, which must outlive this. `rotary`: factor of the rotary inertia;
+  /// `mass_of_cells`: Lanczos vectors move it; `drag`: alpha of its damping, whose forces count as inertia.
   ReactionRows(const plate::Formulation& plate, double rotary, bool mass_of_cells, double drag = 0);
 
-  /// Of that plate: under all of its loads where nothing moves. `forces`: the plate as it is now, where bonds may have
-  /// broken.
+  /// Adds a row of the plate of the constructor: under all of its loads where nothing moves. `forces`: the plate as it
+  /// is now, where bonds may have broken.
   void add(const plate::Instant& now, const plate::Operator& forces);
   /// In equilibrium under a share of all loads.
   void add(double time, const plate::Formulation& plate, const plate::Operator& forces, const plate::State& state,

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array factor_names{"K1", "K2", "K3"};
 
-/// Of each tip the recommended one, which is its first.
+/// Recommended factors of each tip, which are its first.
 std::vector<const Srif*> recommended(const std::vector<Srif>& all) {
   std::vector<const Srif*> result;
   for (const auto& one : all)

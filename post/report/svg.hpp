@@ -64,7 +64,7 @@ struct PlotAxis {
 /// one. `covers`: a linear axis begins and ends with a tick, otherwise with the range.
 PlotAxis plot_axis(const Range& range, Scale scale, int count, bool covers);
 
-/// What an axis says, as SVG text: its name, and the power of ten that its labels leave out.
+/// Axis title as SVG text: its name, and the power of ten that its labels leave out.
 std::string axis_title(const std::string& name, const PlotAxis& axis);
 
 /// Multiples of 1, 2 or 5 times a power of ten, about `count` of them, from at or below `low` to at or above `high`

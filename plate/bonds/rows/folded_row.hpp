@@ -51,7 +51,7 @@ private:
   using Part = Lane<Real>;  // for the columns, whose sums fill the machine's registers
   static constexpr auto size = std::ptrdiff_t(Vector::size());
 
-  /// What the columns i beside a point give: the same to both sides, and with opposite signs.
+  /// Contributions of the columns i beside a point: `even` is equal on both sides, `odd` has opposite signs.
   struct Sums {
     Part even = 0, odd = 0;
   };
@@ -82,10 +82,10 @@ private:
     }
   }
 
-  /// What points i columns to the left (or right: i < 0) of the columns in hand receive from them.
+  /// Stored contributions of the current columns to the points i columns to their left (right: i < 0).
   Real* kept(int i, int component) { return kept_ + ((i + reach) * 3 + component) * pitch; }
 
-  /// What the columns beside points of the row give to them.
+  /// Sum of the contributions of the columns beside points of the row to these points.
   Vector gathered(std::ptrdiff_t at, int component) {
     Vector sum = load(kept(0, component) + at + reach);
     unrolled<reach>([&](auto i) __attribute__((always_inline)) {

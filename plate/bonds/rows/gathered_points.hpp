@@ -23,7 +23,7 @@ struct PointColumns {
   std::vector<std::uint32_t> rest;  // points in no column
 };
 
-/// Of every point of the plate.
+/// Pattern and block of every point of the plate.
 struct PointNumbers {
   const std::vector<std::uint32_t>& pattern_of;  // which of the patterns it has
   const std::vector<std::uint32_t>& block;       // no column holds points of different blocks; empty: one block

@@ -59,7 +59,7 @@ double row_work(const RowPattern<Real>& pattern, double length) {
 
 }  // namespace
 
-/// What a thread works in: the fields of a gathered row.
+/// Work arrays of one thread: the fields of a gathered row.
 template <typename Real>
 struct LatticeRows<Real>::Scratch {
   std::size_t size;  // numbers of a field

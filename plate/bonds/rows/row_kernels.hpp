@@ -67,7 +67,7 @@ extern template RowPattern<float> row_pattern<float>(std::span<const PatternBond
 
 }  // namespace plate
 
-/// What a row of points with one pattern of bonds does: Dai 11-13 for a vector of points at once.
+/// Kernels for a row of points with one pattern of bonds: Dai 11-13 for a vector of points at once.
 namespace plate {
 
 /// Deflection, rotations and q = 2 A a theta, point by point.

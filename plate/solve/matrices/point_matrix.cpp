@@ -120,7 +120,7 @@ namespace {
 
 constexpr auto none = std::uint32_t(-1);
 
-/// What points with a degree of freedom that follows others are made of: u_k = sum of factor times u of the leader.
+/// Shares of leaders in points with a degree of freedom that follows others: u_k = sum of factor times u of the leader.
 class Followers {
 public:
   struct Share {
@@ -153,7 +153,7 @@ private:
     first_.push_back(shares_.size());
     shares_.push_back({k, Eigen::Matrix3d::Identity()});  // of what does not follow
   }
-  /// Of the point that was begun last.
+  /// Share of a leader in the point that was begun last; added as zero where it is new.
   Share& share(std::uint32_t leader) {
     for (auto s = first_.back(); s < shares_.size(); ++s)
       if (shares_[s].leader == leader) return shares_[s];
@@ -217,7 +217,7 @@ Eigen::Matrix3d between(const Eigen::Matrix3d* T, const Eigen::Matrix3d& K, cons
   return result;
 }
 
-/// What the blocks of points that follow others have, for those others.
+/// Blocks that points which follow others contribute to the points that they follow.
 PointMatrix of_leaders(const PointMatrix& matrix, const Followers& followers) {
   Parts parts(matrix.points());
   for (std::uint32_t k = 0; k < matrix.points(); ++k)

@@ -1,7 +1,7 @@
 #include <cstdio>
 
-/// What the archives of SuiteSparse take for stdout and stderr where they become part of a shared library: they are
-/// compiled for programs, and the linker refuses their way to a variable of another library (option --wrap).
+/// Replacements of stdout and stderr for the archives of SuiteSparse where they become part of a shared library: they
+/// are compiled for programs, and the linker refuses their access to a variable of another library (option --wrap).
 extern "C" {
 extern FILE *__real_stdout, *__real_stderr;
 [[gnu::visibility("hidden")]] FILE *__wrap_stdout, *__wrap_stderr;

@@ -9,7 +9,7 @@
 namespace plate {
 namespace {
 
-/// Of the place, the same for all processes.
+/// Deflection at the place of impact, the same on all ranks.
 double deflection(const Impactor& impactor, const State& state) {
   return ordered_sum<1>(impactor.terms.size(), [&](std::size_t i) {
     const auto& [dof, factor] = impactor.terms[i];

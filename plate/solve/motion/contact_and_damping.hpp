@@ -41,8 +41,8 @@ double stable_step(double free, const Impactor& impactor, const Constraints& con
 
 class Constraints;
 
-/// What acts in steps beside loads and stiffness: damping, of the mass with the mean velocity of both halves of a step,
-/// of the stiffness with that of the half before, and the contact with a mass (theory (84, 85)).
+/// Forces in time steps beside loads and stiffness: damping, of the mass with the mean velocity of both halves of a
+/// step, of the stiffness with that of the half step before, and the contact with a mass (theory (84, 85)).
 class Beside {
 public:
   /// Internal forces of a state in which what is held need not follow yet; not folded.
@@ -54,7 +54,7 @@ public:
   bool damps() const { return !damping_.none(); }
   const Damping& damping() const { return damping_; }
   const std::optional<ImpactContact>& contact() const { return contact_; }
-  /// Of damping by the stiffness alone, and with the contact; folded.
+  /// Force of stiffness-proportional damping alone, and its sum with the contact force; folded.
   double viscous(Eigen::Index i) const { return viscous_.size() > 0 ? viscous_.data()[i] : 0; }
   double force(Eigen::Index i) const { return viscous(i) + (pressed_.size() > 0 ? pressed_.data()[i] : 0); }
   double dissipated() const { return dissipated_; }

@@ -12,10 +12,10 @@ class Constraints;
 struct Instant;
 struct TimedLoad;
 
-/// What is held, in a motion by steps whose settlements move it: where it is, what its mass adds to the forces, and the
-/// work that supports do (theory.md, "Supports that move"). Without settlements it holds nothing and does nothing.
-/// Where processes share the plate, each books what is held by itself where it has that, and what it owes to a leader
-/// where it has the leader: the sums are the same for all.
+/// Held degrees of freedom in a motion by time steps whose settlements move them: their displacement, the forces that
+/// their mass adds, and the work of the supports (theory.md, "Supports that move"). Without settlements it holds
+/// nothing and does nothing. On a distributed plate, each rank adds the terms of a held degree of freedom alone where
+/// it owns that, and its terms with a leader where it owns the leader: the sums are the same on all ranks.
 class DrivenSupports {
 public:
   DrivenSupports() = default;
@@ -40,7 +40,8 @@ public:
   void book(const State& state, const State& velocity, const Values<Real>& folded, double half);
 
   double work() const { return work_; }
-  /// What kinetic energies, strain energy, velocities and accelerations of what is free leave out.
+  /// Adds the contributions of the held degrees of freedom to kinetic energies, strain energy, velocities and
+  /// accelerations, which those of the free ones leave out, and the work of the supports to the external work.
   void complete(Instant& seen) const;
 
   /// The numbers to go on from.

@@ -32,7 +32,7 @@ auto acceleration_of(const Values<Real>& force, const State& velocity, const Bes
   };
 }
 
-/// What damping takes in the half steps before and after a step [energy].
+/// Losses to damping in the half steps before and after a step [energy].
 template <typename Real>
 std::array<double, 2> losses(const Step& now, const Values<Real>& force, const Masses& masses, const Beside& beside) {
   const double dt = now.time_step, alpha = beside.damping().mass;
@@ -44,7 +44,7 @@ std::array<double, 2> losses(const Step& now, const Values<Real>& force, const M
   });
 }
 
-/// What those who observe see of a step; all that is given must outlive it. `force`: folded.
+/// Instant that observers receive of a step; all arguments must outlive it. `force`: folded.
 template <typename Real>
 Instant seen(const Step& now, const Values<Real>& force, double work, const Masses& masses,
              const Constraints& constraints, const Beside& beside) {

@@ -17,7 +17,7 @@ struct TimedLoad;
 /// random numbers by the order of the points.
 double stable_time_step(const Operator& plate, const Constraints& constraints, const Forces& mass,
                         std::optional<State> start = {});
-/// Of a plate with this factor of its rotary inertia; of a shared one the same for any number of processes.
+/// Stable time step of a plate with this factor of its rotary inertia; the same for any number of ranks that share it.
 double stable_time_step(const Formulation& plate, double rotary);
 /// Numbers by the places of the points; absent where one process holds the whole plate.
 std::optional<State> start_by_place(const Formulation& plate);
@@ -40,7 +40,7 @@ struct Striker {
   double largest = 0, touching = 0;  // force, with its sign [force]; for how long [time]
 };
 
-/// What the mass does at an instant.
+/// Motion and contact force of the impacting mass at an instant.
 struct Blow {
   double place, velocity;                               // along w [length, length/time]
   double force;                                         // that it presses with, on the plate along w [force]
@@ -55,7 +55,7 @@ struct BeginOfMotion {
   double given = 0;  // strain and kinetic energy of it [energy]
 };
 
-/// What the observer of a dynamic run sees.
+/// Data of one step that the observer of a dynamic run receives.
 struct Instant {
   std::size_t step;
   double time;

@@ -26,7 +26,7 @@ using Eigen::VectorXd;
 constexpr double inner_tolerance = 0.1;  // of a solution, relative to that of the eigenpairs
 constexpr Index largest_restarts = 100;
 
-/// Of what every process has of sums, the sums.
+/// Global sums, entry by entry, of the partial sums on each rank.
 MatrixXd of_all(MatrixXd sums) {
   for (double& sum : sums.reshaped()) sum = sum_of_all(sum);
   return sums;

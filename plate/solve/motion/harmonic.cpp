@@ -37,7 +37,7 @@ struct Modes {
     return std::sqrt(squares[i]) * (damping.mass + damping.stiffness * squares[i]);
   }
 
-  /// Those that fewer vectors have too, and that the load excites.
+  /// Resonances from `from` to `to` that fewer vectors have too, and that the load excites [1/time].
   std::vector<double> resonances(double from, double to, const Modes& fewer, const Damping& damping) const {
     constexpr double same = 1e-5, felt = 1e-3;
     std::vector<double> result;
@@ -76,7 +76,7 @@ std::vector<double> merged(std::vector<double> frequencies, const std::vector<do
   return frequencies;
 }
 
-/// Of the answer at every frequency, over the mass; the largest.
+/// Relative change of the response at every frequency, in the norm of the mass; the largest of them.
 double change_of(const MatrixXcd& now, const MatrixXcd& before) {
   MatrixXcd difference = now;
   difference.topRows(before.rows()) -= before;
@@ -84,7 +84,7 @@ double change_of(const MatrixXcd& now, const MatrixXcd& before) {
   return (difference.colwise().norm().transpose().array() / size.max(std::numeric_limits<double>::min())).maxCoeff();
 }
 
-/// Of every group of a family, by its largest functional.
+/// Relative change of every group of a family, measured by the largest functional of the group.
 std::vector<double> changes_of(const std::vector<MatrixXd>& family, const LanczosSpace& space, const MatrixXcd& now,
                                const MatrixXcd& before) {
   const Eigen::ArrayXd size = now.colwise().norm().transpose().array().max(std::numeric_limits<double>::min());

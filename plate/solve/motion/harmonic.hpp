@@ -26,9 +26,9 @@ struct HarmonicOptions {
   std::function<void(std::size_t vectors, double change)> progress = {};
 };
 
-/// What a damped held plate does for ever under forces F cos(2 pi f t): u = A cos(2 pi f t) - B sin(2 pi f t), with
-/// (K + i omega C - omega^2 M) (A + i B) = F, in the space of load-dependent Lanczos vectors (LanczosMotion; theory.md,
-/// "Vibration").
+/// Steady-state harmonic response of a damped held plate under forces F cos(2 pi f t):
+/// u = A cos(2 pi f t) - B sin(2 pi f t), with (K + i omega C - omega^2 M) (A + i B) = F, in the space of
+/// load-dependent Lanczos vectors (LanczosMotion; theory.md, "Vibration").
 class HarmonicResponse {
 public:
   /// Every free degree of freedom must have mass. `load`: not folded; `inverse`: of K, exact or near. Throws
@@ -36,9 +36,9 @@ public:
   HarmonicResponse(const Operator& plate, const Constraints& constraints, const Inertia& inertia, const Forces& load,
                    const Preconditioner& inverse, const HarmonicOptions& options);
 
-  /// Those of the sweep, and resonances between them [1/time].
+  /// Frequencies of the sweep, and resonances between them [1/time].
   const std::vector<double>& frequencies() const { return frequencies_; }
-  /// Of the plate without damping, those that the load excites: with a thousandth of the answer there [1/time].
+  /// Resonances of the undamped plate that the load excites: with a thousandth of the response there, or more [1/time].
   const std::vector<double>& resonances() const { return resonances_; }
   /// A and B at the frequency of this number [3 x points].
   std::pair<State, State> at(std::size_t number) const;

@@ -41,8 +41,8 @@ State bent(const Formulation& plate, const Formula& formula) {
   return result;
 }
 
-/// What is wrong with a deflection that is not nearly a straight line over a spacing about every point, or not zero
-/// where supports hold an edge, as far as this process sees.
+/// Message about a deflection that is not nearly a straight line over a spacing about every point, or not zero where
+/// supports hold an edge, as far as this rank sees; empty where the deflection is sound.
 std::string fault_of(const Formulation& plate, const Formula& formula, const State& state) {
   const auto points = Eigen::Index(plate.cloud().plate_points);
   const double spacing = plate.discretization().spacing_at_tips();

@@ -121,7 +121,8 @@ public:
   /// is a whole number of steps.
   template <typename Real>
   void add(double time, double time_step, const State& state, Values<Real>& force);
-  /// What energies, work and potential leave out, or have too much of as these are no internal forces.
+  /// Corrects energies, work and potential for these loads: adds what they leave out, and subtracts what they have too
+  /// much of as these are no internal forces.
   void complete(Instant& seen) const;
 
   /// The numbers to go on from.
@@ -133,7 +134,7 @@ private:
     std::shared_ptr<const MovingForces> forces;
     History history;
   };
-  /// Of the forces of some times with the state, over all own points.
+  /// Scalar products of the forces at some times with the state, over all owned points.
   template <std::size_t N>
   std::array<double, N> products(const std::array<double, N>& times, const State& state) const;
 

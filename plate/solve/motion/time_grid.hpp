@@ -7,8 +7,8 @@
 
 namespace plate {
 
-/// What has these ratios alpha / 2 omega + beta omega / 2 of the critical damping at these two frequencies [1/time].
-/// One of alpha and beta is negative where the ratios differ more than the frequencies allow.
+/// Damping with these ratios alpha / 2 omega + beta omega / 2 of the critical damping at these two frequencies
+/// [1/time]. One of alpha and beta is negative where the ratios differ more than the frequencies allow.
 Damping damping_of(const std::array<double, 2>& ratios, const std::array<double, 2>& frequencies);
 
 struct Damping;
@@ -19,7 +19,7 @@ struct TimeGrid {
   std::size_t steps, steps_per_row;  // rows of history, probes and intensity factors
 };
 
-/// What is asked of them.
+/// Options of a time grid.
 struct GridOptions {
   double duration;
   std::optional<double> time_step;  // absent: from the limit

@@ -144,7 +144,8 @@ void Series::append(const Series& other, std::size_t count) {
   }
 }
 
-/// Of the entry `index`, as the last one here; `chunk`: room for it.
+/// Copies the chunk of entry `index` of `other` from point `first` on into the last entry here, as it is stored;
+/// `chunk`: buffer.
 void Series::append_chunk(const Series& other, std::size_t index, hsize_t first, std::vector<char>& chunk) {
   Sizes from(sizes_.size(), 0), to(sizes_.size(), 0);
   from[0] = index, to[0] = length() - 1;

@@ -13,8 +13,8 @@
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/table.hpp"
 
-/// What writing and reading state.h5 share. For the sources of this folder alone: nobody else has HDF5 on the include
-/// path.
+/// Functions and types that writing and reading state.h5 share. Only for the sources of this folder: no others have
+/// HDF5 on the include path.
 namespace post::hdf5 {
 
 constexpr int format_version = 1;
@@ -74,7 +74,7 @@ private:
 
 }  // namespace post::hdf5
 
-/// What state.h5 is made of. For the sources of this folder alone.
+/// Groups, datasets and attributes of state.h5. Only for the sources of this folder.
 namespace post::hdf5 {
 
 constexpr auto missing = std::numeric_limits<double>::quiet_NaN();

@@ -25,7 +25,7 @@ const Files& files() {
 
 namespace {
 
-/// Of numbers that follow each other, so many of every point.
+/// Parts of a contiguous array that holds `width` values of every point.
 InParts parts_of(const double* values, std::size_t width) {
   return [=](std::size_t first, std::size_t count) { return std::span(values + width * first, width * count); };
 }

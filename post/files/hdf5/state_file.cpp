@@ -74,7 +74,7 @@ struct Frames {
     step = Series(group, "step", {}, instants, {"1", "number of the time step or iteration"});
     time = Series(group, "time", {}, instants, {"time", "time of the frame"});
   }
-  /// Of a file that is there.
+  /// Opens the frames of an existing file.
   explicit Frames(hid_t file)
       : group(H5Gopen2(file, "frames", H5P_DEFAULT), H5Gclose, "frames"), step(group, "step"), time(group, "time") {
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -204,7 +204,7 @@ void OpenStateFile::remove_parts(std::size_t first) const {
   while (end > first) folder_.remove(part(--end));
 }
 
-/// What is no good, unless another process may go on from it.
+/// Removes incomplete files, unless another process may go on from them.
 void OpenStateFile::drop() {
   const bool known = folder_.has("checkpoint") || folder_.has("checkpoint.before");
   if (!known && !options_.goes_on) return remove_files();

@@ -38,7 +38,7 @@ public:
     bool velocities = false;  // of motions, with every frame
     bool goes_on = false;     // with the file of a run that was ended
   };
-  /// What it holds of points: x, y; area; share that is cut. They are asked for one after the other.
+  /// Data of the points in the file: x, y; area; severed share of the family. They are requested one after the other.
   struct Points {
     std::size_t count = 0;
     InParts positions, areas, cut;
@@ -81,7 +81,7 @@ private:
   std::unique_ptr<Open> open_;
 };
 
-/// What `pdplate srif` needs of a finished run.
+/// Data of a finished run that `pdplate srif` needs.
 struct StoredRun {
   std::vector<Eigen::Vector2d> positions;
   std::vector<double> times;

@@ -6,7 +6,7 @@
 namespace post::hdf5 {
 namespace {
 
-/// What the columns of all tables hold, by their names; numbers without a unit have none.
+/// Unit and description of a column of any table, by its name; numbers without a unit have none.
 Meaning meaning_of_column(const std::string& name) {
   static const std::map<std::string, Meaning> known{
       {"time", {"time", "time of the row"}},
