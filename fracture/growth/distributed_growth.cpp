@@ -35,7 +35,8 @@ std::vector<T> gathered_archives(const plate::Ranks& all, const std::vector<T>& 
   return result;
 }
 
-/// The same for any order of the processes: the larger, the earlier, the lower, the one to the left.
+/// Order of peaks that does not depend on the order of the ranks: the larger comes first, then the earlier, the lower,
+/// the one to the left.
 bool before(const post::Peak& a, const post::Peak& b) {
   const auto key = [](const post::Peak& peak) {
     const auto x = peak.position.value_or(geometry::Point(0, 0));

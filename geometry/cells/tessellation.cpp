@@ -288,7 +288,7 @@ double about_tip(double least, double growth, double spacing) {
          pi * r * r / spacing / spacing;
 }
 
-/// The same along a length of edge.
+/// Integral of 1 / s^2 - 1 / spacing^2 away from an edge, per length of it, with s as in about_tip().
 double along_edge(double least, double growth, double spacing) {
   return (1 / least - 1 / spacing) / growth - (spacing - least) / growth / spacing / spacing;
 }

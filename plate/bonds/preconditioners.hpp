@@ -14,8 +14,9 @@
 
 namespace plate {
 
-/// The same plate with a horizon of 1.5 spacings and without dilatation, factorised, between two Jacobi sweeps: its
-/// stiffness follows that of the plate for every wave that the lattice carries (theory.md, "Statics").
+/// Preconditioner of a plate with the short horizon of 1.5 spacings and without dilatation, factorised, between two
+/// Jacobi sweeps: its stiffness follows that of the plate for every wave that the lattice carries (theory.md,
+/// "Statics").
 class LocalPlate : public Preconditioner {
 public:
   /// `plate` and `boundary` must outlive this. `added`: to the diagonal of what is factorised; empty: nothing.

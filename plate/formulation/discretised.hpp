@@ -17,7 +17,7 @@ public:
   const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
   /// Time spent in the stages of another watch.
   void add(const Stopwatch& other);
-  /// The same, and goes on where it ended.
+  /// Adds the stages of another watch, and goes on from the time at which that one ended.
   void follow(const Stopwatch& other) { add(other), last_ = other.last_; }
   double seconds(const std::string& stage) const;
   double total() const;

@@ -72,7 +72,7 @@ struct Foundation;
 /// neighbouring points, on either side of cracks too.
 void add_foundation(const Foundation& foundation, const geometry::Cloud& cloud, AttachmentSum& sum);
 
-/// The same under cells between points: by the linear function that their corners carry.
+/// Foundation under a plate whose points are corners of cells: acts on the linear function that the corners carry.
 void add_foundation(const Foundation& foundation, const geometry::Tessellation& cells, AttachmentSum& sum);
 
 }  // namespace plate

@@ -231,7 +231,7 @@ Change fill(LanczosSpace& space, const std::vector<TimedLoad>& loads, const Lanc
       if (options.progress) options.progress(std::size_t(space.size()), change.motion);
       const double worst = change.watched.empty() ? 0 : *std::ranges::max_element(change.watched);
       if (space.size() >= least && change.motion <= options.tolerance) {
-        if (most == 0) most = std::min(16 * space.size(), Index(options.max_vectors));
+        if (most == 0) most = std::min(8 * space.size(), Index(options.max_vectors));
         if (std::isfinite(worst) && (worst <= options.watched_tolerance || space.size() >= most)) return change;
       }
       // forces at a point that begin at once have a spectrum without end: what is told of its change, not refused

@@ -57,7 +57,7 @@ struct LanczosOptions {
       false;  // at time 0 in equilibrium with the loads of that time, which have grown slowly; else undeformed
   /// Groups of linear functionals of the state (rows, or none; columns as State::data()) whose truncation is wanted.
   std::vector<Eigen::MatrixXd> watched = {};
-  /// Tolerance of the truncation of every group, as far as sixteen times as many vectors as the motion needs reach it:
+  /// Tolerance of the truncation of every group, as far as eight times as many vectors as the motion needs reach it:
   /// a fit where points are few sees little but noise.
   double watched_tolerance = std::numeric_limits<double>::infinity();
   std::vector<Eigen::MatrixXd> told = {};  // likewise, but however large it is
