@@ -27,13 +27,13 @@ const FormulationKind& formulation_of(const Discretization& d) {
   return d.boundary == EdgeMethod::surface_nodes ? bonds_with_surface_nodes : *d.formulation;
 }
 
-Discretised discretise(const Problem& problem) {
+Discretised discretise(const Problem& problem, const Communicator& communicator) {
   require_memory(problem);
   Problem settled = problem;
   settled.discretization.formulation = &formulation_of(problem.discretization);
   settled.supports = settled_supports(problem);
   try {
-    return settled.discretization.formulation->discretise(settled);
+    return settled.discretization.formulation->discretise(settled, communicator);
   } catch (const FormulaError& error) {
     std::size_t number = 0;
     while (problem.loads[number].formula.text() != error.formula()) ++number;

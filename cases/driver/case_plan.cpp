@@ -10,14 +10,14 @@ namespace cases {
 
 RunOptions RunOptions::part(const std::string& name) const {
   if (kept) kept->parts[name].wants_fields = kept->wants_fields;
-  return {folder / name, quiet, kept ? &kept->parts[name] : nullptr, resume};
+  return {folder / name, quiet, kept ? &kept->parts[name] : nullptr, resume, communicator};
 }
 
 fracture::RecordingOptions recording_options(const Case& c, const RunOptions& options) {
   const auto& out = c.output;
   const bool moves = c.analysis.kind == Analysis::Kind::dynamic;
-  return {options.folder, resolved_toml(c),     PDPLATE_VERSION, out.vtk,      out.hdf5,
-          moves,          out.checkpoint_every, options.resume,  options.quiet};
+  return {options.folder, resolved_toml(c),     PDPLATE_VERSION, out.vtk,       out.hdf5,
+          moves,          out.checkpoint_every, options.resume,  options.quiet, options.communicator};
 }
 
 fracture::Recording recording_of(const Case& c, const RunOptions& options) {
@@ -31,8 +31,22 @@ fracture::Recording recording_of(const Case& c, const RunOptions& options) {
 fracture::RunPlan plan_of(const Case& c, const RunOptions& options) {
   const auto& [vtk, hdf5, reports, every, history_every, checkpoint_every, probes] = c.output;
   const auto report = options.kept || !c.output.reports() ? std::nullopt : std::optional(options.folder);
-  return {c,     c.analysis,    c.growth, c.srif, probes, c.title,      c.source, c.units, c.formulation_reason,
-          every, history_every, vtk,      hdf5,   report, options.quiet};
+  return {c,
+          c.analysis,
+          c.growth,
+          c.srif,
+          probes,
+          c.title,
+          c.source,
+          c.units,
+          c.formulation_reason,
+          every,
+          history_every,
+          vtk,
+          hdf5,
+          report,
+          options.quiet,
+          options.communicator};
 }
 
 CaseFile in_other_formulation(const CaseFile& file) {

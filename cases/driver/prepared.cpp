@@ -44,9 +44,9 @@ void require_shared(const CaseFile& file, const std::vector<fracture::Unshared>&
   if (!problems.empty()) throw CaseError(problems);
 }
 
-plate::Discretised discretised(const CaseFile& file) {
+plate::Discretised discretised(const CaseFile& file, const plate::Communicator& communicator) {
   const Case& c = file.content;
-  auto result = unless_refused(file, [&] { return plate::discretise(c); });
+  auto result = unless_refused(file, [&] { return plate::discretise(c, communicator); });
   const auto& plate = *result.plate;
   const auto suits = plate::suitability(plate, c.analysis);
   auto problems = problems_of(file, suits.refusals);
@@ -125,8 +125,8 @@ plate::BeginOfMotion begin_of(const CaseFile& file, const plate::Formulation& pl
 
 }  // namespace
 
-Prepared::Prepared(CaseFile wanted) : file(std::move(wanted)) {
-  auto found = discretised(file);
+Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : file(std::move(wanted)) {
+  auto found = discretised(file, communicator);
   plate = std::move(found.plate), warnings = std::move(found.warnings), stopwatch = found.stopwatch;
   const Case& c = file.content;
   if (c.analysis.kind == Analysis::Kind::dynamic) {

@@ -13,7 +13,7 @@ namespace cases {
 /// The plate of a case, and what its user should know of it. Throws CaseError where the discretisation cannot carry the
 /// case, where the plate is not held in statics, in whole or in a piece that cracks cut off, and where it has fewer
 /// modes than frequencies are asked for.
-plate::Discretised discretised(const CaseFile& file);
+plate::Discretised discretised(const CaseFile& file, const plate::Communicator& communicator = plate::single_process());
 
 /// Throws CaseError where the machine has not even the memory for the points of a case.
 void require_memory(const CaseFile& file);
@@ -33,7 +33,7 @@ std::vector<post::TipMethods> tip_methods(const CaseFile& file, const plate::For
 /// A case with all that can be refused behind it. Stays where it is made.
 struct Prepared : fracture::Ready {
   /// Throws CaseError.
-  explicit Prepared(CaseFile wanted);
+  explicit Prepared(CaseFile wanted, const plate::Communicator& communicator = plate::single_process());
   Prepared(const Prepared&) = delete;
 
   CaseFile file;

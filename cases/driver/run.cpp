@@ -34,14 +34,15 @@ namespace cases {
 namespace {
 
 /// The intensity factors of the case with twice the spacing.
-std::vector<post::Srif> coarser_srifs(const CaseFile& file, std::vector<std::string>& warnings) {
+std::vector<post::Srif> coarser_srifs(const CaseFile& file, const plate::Communicator& all,
+                                      std::vector<std::string>& warnings) {
   CaseFile coarse = file;
   const Case& c = coarse.content;
   coarse.content.discretization.spacing *= 2;
-  const auto found = discretised(coarse);
+  const auto found = discretised(coarse, all);
   const auto methods = tip_methods(coarse, *found.plate);
   auto factors = fracture::of_all(
-      fracture::factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors);
+      all, fracture::factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors);
   post::require_finite(factors, "with twice the spacing");
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
     if (!methods[tip].works())
@@ -91,7 +92,7 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
   const Case& c = file.content;
   CaseFile with_factors = file;
   if (!c.growth->by_bonds()) with_factors.content.srif = fracture::factors_of_growth(c.srif);
-  auto found = discretised(with_factors);
+  auto found = discretised(with_factors, *options.communicator);
   check_growing_tips(file, *found.plate, found.warnings);
   tip_methods(with_factors, *found.plate);  // for what they refuse
   fracture::QuasiStaticRun run(plan_of(c, options), std::move(found));
@@ -105,11 +106,11 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
 }
 
 post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
-  if (!options.kept) fracture::check_folder(options.folder);
+  if (!options.kept && options.communicator->rank() == 0) fracture::check_folder(options.folder);
   const Case& c = file.content;
   if (c.growth && c.analysis.kind == Analysis::Kind::static_) return grow(file, options);
   if (c.srif && c.srif->accuracy) return run_accurately(file, options);
-  Prepared prepared(file);
+  Prepared prepared(file, *options.communicator);
   plate::Stopwatch stopwatch = prepared.stopwatch;
   std::optional<Prepared> second;
   if (c.srif && c.srif->second_formulation) {
@@ -125,7 +126,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
   const plate::StopOnSignals signals;
   stopwatch.lap("output");
   if (c.srif && c.srif->richardson)
-    results.factors().coarser(coarser_srifs(file, prepared.warnings)), stopwatch.lap("srif");
+    results.factors().coarser(coarser_srifs(file, *options.communicator, prepared.warnings)), stopwatch.lap("srif");
   if (second) {
     const auto name = second->file.content.discretization.formulation->name;
     auto part = options.part(name);

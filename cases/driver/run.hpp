@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "plate/model/communicator.hpp"
+
 namespace post {
 struct Kept;
 struct ParisLaw;
@@ -19,6 +21,7 @@ struct RunOptions {
   bool quiet = false;
   post::Kept* kept = nullptr;  // results go here instead, and no file is written
   bool resume = false;         // goes on from what an earlier run has kept in the folder
+  const plate::Communicator* communicator = &plate::single_process();
 
   /// Options of a run that belongs to this one.
   RunOptions part(const std::string& name) const;

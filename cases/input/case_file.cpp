@@ -43,8 +43,10 @@ std::vector<Problem> too_many(const toml::table& root, const std::string& file) 
   return problems;
 }
 
-CaseFile case_of(toml::table root, const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+CaseFile case_of(toml::table root, const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                 bool distributed) {
   Reading reading(path.string());
+  reading.distributed = distributed;
   for (const auto& setting : overrides) apply_override(root, setting, reading);
   if (const auto problems = too_many(root, path.string()); !problems.empty()) throw CaseError(problems);
   reading.kind = kind_of(root);
@@ -73,12 +75,12 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
 
 }  // namespace
 
-CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  return case_of(parsed(path, "run"), path, overrides);
+CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides, bool distributed) {
+  return case_of(parsed(path, "run"), path, overrides, distributed);
 }
 
 CaseFile read_case_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
-  return case_of(parsed_text(text, name), name, overrides);
+  return case_of(parsed_text(text, name), name, overrides, false);
 }
 
 std::string resolved_toml(const Case& content) {

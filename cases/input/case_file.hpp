@@ -50,8 +50,9 @@ struct CaseFile {
 
 /// Reads a case file and applies the overrides in turn: "key=value" (value as TOML; a bare word is a string), or
 /// "-key", which takes the key out. Checks syntax, unknown and unused keys, types, bounds, geometry, edge names. Throws
-/// CaseError.
-CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides);
+/// CaseError. `distributed`: several ranks are to run it, which decides about methods that the file leaves open.
+CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                   bool distributed = false);
 
 /// The same of text; `name` stands for the file.
 CaseFile read_case_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides);

@@ -146,7 +146,7 @@ void settle_method(Case& content, const Reading& reading) {
       });
   const bool steps_asked = analysis.time_step || reading.given("analysis.safety") || needs_steps;
   // stiffness damping shortens the stable step a hundred times and more; vectors take none
-  const bool damped = analysis.damping && analysis.damping->stiffness > 0 && !plate::ranks() &&
+  const bool damped = analysis.damping && analysis.damping->stiffness > 0 && !reading.distributed &&
                       analysis.precision == Analysis::Precision::double_;
   if (analysis.kind == Analysis::Kind::dynamic && d.formulation->offers(Feature::lanczos) && (graded || damped) &&
       !steps_asked)

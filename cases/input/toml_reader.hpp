@@ -21,6 +21,7 @@ public:
 
   std::optional<plate::Analysis::Kind> kind;  // analysis.kind, where it is known
   bool finds_spacing = false;                 // srif.accuracy is given
+  bool distributed = false;                   // several ranks are to run the case
 
   /// The key was set on the command line as `typed`: "--set TYPED" is its place and that of everything below it.
   void overridden(const std::string& key, const std::string& typed) { overridden_.emplace_back(key, typed); }

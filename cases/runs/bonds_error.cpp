@@ -28,8 +28,8 @@ namespace {
 constexpr double told_deflection = 0.01, told_stress = 0.05;
 constexpr double thin = 3;  // spacings: thicker plates lock by less than 1 % where 20 spacings span them
 
-bool of_bonds(const plate::Problem& problem) {
-  return problem.discretization.formulation == &plate::ordinary && !plate::ranks();
+bool of_bonds(const plate::Formulation& plate, const plate::Problem& problem) {
+  return problem.discretization.formulation == &plate::ordinary && !plate.communicator().distributed();
 }
 
 bool is_thin(const plate::Problem& problem) {
@@ -146,7 +146,7 @@ std::optional<DeflectionError> deflection_error(const plate::Formulation& bonds,
 void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& state, const plate::Problem& problem,
                            std::vector<std::string>& warnings) {
   constexpr std::size_t many = 40000;  // points
-  if (!of_bonds(problem) || (bonds.points() > many && !is_thin(problem))) return;
+  if (!of_bonds(bonds, problem) || (bonds.points() > many && !is_thin(problem))) return;
   const auto witness = galerkin_witness(problem);
   if (!witness) return;
   replace_foretold(bonds, warnings);
@@ -164,7 +164,7 @@ void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& 
 
 void compare_under_pressure(const plate::Formulation& bonds, const plate::Problem& problem,
                             std::vector<std::string>& warnings) {
-  if (!of_bonds(problem) || !is_thin(problem) || !bonds.held() || bonds.may_move()) return;
+  if (!of_bonds(bonds, problem) || !is_thin(problem) || !bonds.held() || bonds.may_move()) return;
   plate::Problem pressed = problem;
   plate::Load pressure;
   pressure.kind = plate::Load::Kind::pressure, pressure.value = 1;

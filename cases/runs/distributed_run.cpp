@@ -20,14 +20,14 @@ namespace fracture {
 namespace {
 
 /// Where it has too few blocks or points for the processes that there are.
-std::string fault_of_twice_the_spacing(const plate::Problem& problem) {
-  if (!plate::ranks()) return "";
+std::string fault_of_twice_the_spacing(const plate::Problem& problem, const plate::Communicator& all) {
+  if (!all.distributed()) return "";
   auto coarse = problem;
   coarse.discretization.spacing *= 2;
-  const int processes = plate::ranks()->size();
+  const int processes = all.size();
   try {
     if (problem.discretization.formulation == &plate::galerkin)
-      plate::require_parts(plate::whole_cells_of(coarse, plate::crack_paths(coarse), 1), processes);
+      plate::require_parts(plate::whole_cells_of(coarse, plate::crack_paths(coarse), 1, true), processes);
     else
       plate::partition_of_lattice(coarse.outline, coarse.discretization, processes);
   } catch (const plate::Refused& refused) {
@@ -60,16 +60,8 @@ void refuse_of_bonds(const RunPlan& plan, const Refuse& refuse) {
 
 }  // namespace
 
-bool shared() {
-  return plate::ranks() != nullptr;
-}
-
-bool speaks() {
-  return !plate::ranks() || plate::ranks()->rank() == 0;
-}
-
 std::vector<Unshared> unshared(const RunPlan& plan) {
-  return shared() ? not_for_processes(plan) : std::vector<Unshared>();
+  return plan.communicator->distributed() ? not_for_processes(plan) : std::vector<Unshared>();
 }
 
 std::vector<Unshared> not_for_processes(const RunPlan& plan) {
@@ -95,7 +87,9 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
     const auto key = "support[" + std::to_string(i) + "]";
     refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
   }
-  if (auto fault = plan.srif && plan.srif->richardson ? fault_of_twice_the_spacing(plan.problem) : ""; !fault.empty())
+  if (auto fault =
+          plan.srif && plan.srif->richardson ? fault_of_twice_the_spacing(plan.problem, *plan.communicator) : "";
+      !fault.empty())
     result.push_back({"srif.richardson", std::move(fault)});
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
@@ -103,32 +97,9 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
   return result;
 }
 
-double attached_energy(const plate::Formulation& plate, const plate::State& state) {
-  const auto& boundary = plate.boundary();
-  if (!plate::ranks()) return boundary.attached.energy(state);
-  plate::Forces force = plate::Forces::Zero(3, state.cols());
-  boundary.attached.add_force(state, force);
-  return plate::exact_sum<1>(*plate::ranks(), std::size_t(state.cols()), [&](std::size_t k, const auto& add) {
-    if (boundary.owns(k)) add(0, -state.col(Eigen::Index(k)).dot(force.col(Eigen::Index(k))) / 2);
-  })[0];
-}
-
-double share_touching(const plate::Formulation& plate, const plate::State& state) {
-  const auto& boundary = plate.boundary();
-  if (!plate::ranks()) return boundary.attached.share_touching(state);
-  const auto& parts = boundary.attached.parts();
-  const auto [touching, all] = plate::exact_sum<2>(*plate::ranks(), parts.size(), [&](std::size_t i, const auto& add) {
-    if (!parts[i]->contact) return;
-    parts[i]->contact->for_each(state, [&](std::size_t point, double stiffness, bool touches) {
-      if (boundary.owns(point)) add(0, touches ? stiffness : 0), add(1, stiffness);
-    });
-  });
-  return all > 0 ? touching / all : 0;
-}
-
 void count_all(post::Summary& summary, const plate::Formulation& plate) {
-  const auto* all = plate::ranks();
-  if (!all) return;
+  const plate::Communicator& all = plate.communicator();
+  if (!all.distributed()) return;
   const auto& boundary = plate.boundary();
   std::array<std::int64_t, 4> counts{};  // points, bonds among them, fictitious points, all other bonds
   for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k) {
@@ -138,7 +109,7 @@ void count_all(post::Summary& summary, const plate::Formulation& plate) {
     for (const auto& bond : plate.families()[k]) ++counts[real && boundary.is_plate(bond.neighbour) ? 1 : 3];
   }
   summary.own_points = std::size_t(counts[0]);
-  all->sum(counts);
+  all.sum(counts);
   summary.points = std::size_t(counts[0]), summary.bonds = std::size_t(counts[1]);
   summary.fictitious_points = std::size_t(counts[2]), summary.fictitious_bonds = std::size_t(counts[3]);
 }

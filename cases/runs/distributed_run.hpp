@@ -16,12 +16,6 @@ namespace fracture {
 
 struct RunPlan;
 
-/// Do several processes share the plate of this one's runs?
-bool shared();
-
-/// Is this the process that writes and speaks?
-bool speaks();
-
 /// Feature of a run that processes cannot share yet: key of the case and why. None in one process.
 struct Unshared {
   std::string key, why;
@@ -30,10 +24,6 @@ std::vector<Unshared> unshared(const RunPlan& plan);
 /// The same whatever this process is.
 std::vector<Unshared> not_for_processes(const RunPlan& plan);
 
-/// The part of the strain energy that foundations and springs have.
-double attached_energy(const plate::Formulation& plate, const plate::State& state);
-/// AttachedStiffness::share_touching of all.
-double share_touching(const plate::Formulation& plate, const plate::State& state);
 /// Points and bonds of all processes, each counted by its owner.
 void count_all(post::Summary& summary, const plate::Formulation& plate);
 

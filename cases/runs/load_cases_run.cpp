@@ -13,9 +13,9 @@
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/reduction.hpp"
 #include "plate/solve/settled.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/errors.hpp"
@@ -40,8 +40,9 @@ struct Case {
 double folded_norm(const plate::Formulation& plate, const Case& one) {
   auto pull = plate::Settled(plate, one.load, one.lift).pull();
   plate.constraints().fold(pull);
-  const auto [squared] = plate::ordered_sum<1>(
-      std::size_t(pull.size()), [&](std::size_t i) { return std::array<double, 1>{pull.data()[i] * pull.data()[i]}; });
+  const auto [squared] = plate::ordered_sum<1>(plate.communicator(), std::size_t(pull.size()), [&](std::size_t i) {
+    return std::array<double, 1>{pull.data()[i] * pull.data()[i]};
+  });
   return std::sqrt(squared);
 }
 
@@ -61,7 +62,7 @@ public:
         probes_(probes_of(plan.probes, plate_)) {
     if (!recorder_.draws() && !recorder_.stores()) return;
     const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
-    if (shared()) {
+    if (plate_.communicator().distributed()) {
       drawing_ = std::make_unique<OwnDrawing>(plate_, mesh);
       recorder_.open(drawing_->mesh());
       return;
@@ -98,7 +99,7 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
   const auto& strained = known.what_strains();
   const auto when = fmt::format("in {}", one.name);
   const auto number = double(found_.size() + 1);
-  post::require_finite(state, when);
+  post::require_finite(state, when, plate_.communicator());
   const plate::Settled settled(plate_, load, lift);
   const double work = post::slow_work(plate_, load, state) + settled.work(strained);
   const double strain = plate_.strain_energy(strained), heated = plate::stored(plate_, heat, state);
@@ -115,7 +116,9 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
     std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
     one.reactions = reactions.summary();
   }
-  if (plan_.srif) one.srif = of_all(post::srifs(plate_, *plan_.srif, ready_.tip_methods, strained, true, &heat));
+  if (plan_.srif)
+    one.srif =
+        of_all(plate_.communicator(), post::srifs(plate_, *plan_.srif, ready_.tip_methods, strained, true, &heat));
   if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
@@ -129,10 +132,12 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
     extremes.frame(number, frame.resultants);
     recorder_.frame(drawing_ ? drawing_->frame(std::move(frame)) : std::move(frame), {}, {});
   }
-  one.extremes = of_all(extremes.found(&heat));
+  one.extremes = of_all(plate_.communicator(), extremes.found(&heat));
   found_.push_back(std::move(one));
-  const bool rests = !found_.back().of.empty() && post::is_zero(state);  // a combination that cancels
-  if (!rests && !post::moves(state, work)) post::require_motion(plate_, {settled.pull()}, state, work, warnings_);
+  const bool rests =
+      !found_.back().of.empty() && post::is_zero(state, plate_.communicator());  // a combination that cancels
+  if (!rests && !post::moves(state, work, plate_.communicator()))
+    post::require_motion(plate_, {settled.pull()}, state, work, warnings_);
   post::EnergyGate(post::EnergyGate::Plate::rests)
       .look({strain + post::energy_about(plate_, lift), strain, work}, when);
 }
@@ -205,7 +210,7 @@ void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
     if (!problem.combinations.empty()) cases.push_back(std::move(now));
   }
   for (const auto& one : problem.combinations) {
-    plate::stop_if_asked("combinations");
+    plate::stop_if_asked("combinations", plate_.communicator());
     combine(one, cases);
     stopwatch.lap("srif");
   }

@@ -87,7 +87,7 @@ void QuasiStaticRun::observe(const Equilibrium& now) {
   const auto time = double(now.advance);
   advance_ = now.advance, factor_ = now.factor;
   const auto when = fmt::format("at advance {}", now.advance);
-  post::require_finite(model_->state(), when);
+  post::require_finite(model_->state(), when, plate.communicator());
   state_ = now.factor * model_->state();
   post::Sample row{time, now.advance, state_, now.ledger.strain, 0, now.ledger.external_work, now.ledger.fracture};
   row.released_energy = now.ledger.released(), row.load_factor = now.factor, row.displacement = now.displacement;
@@ -134,9 +134,9 @@ Continuation QuasiStaticRun::continuation(Keeper& keeper, QuasiStaticLoad& load)
     recorder_->recall(archive);
     memory(archive);
     model_->recall(archive);
-    if (points && !shared()) archive(*points);
+    if (points && !plan_.communicator->distributed()) archive(*points);
   });
-  if (goes_on && points && shared())
+  if (goes_on && points && plan_.communicator->distributed())
     put_values(model_->plate().boundary(), keeper.parts(), {points}), model_->recalled_points();
   if (goes_on) state_ = factor_ * model_->state();
   const auto hold = [this, &keeper, points](const QuasiStaticLoad& now) {
@@ -145,10 +145,11 @@ Continuation QuasiStaticRun::continuation(Keeper& keeper, QuasiStaticLoad& load)
       recorder_->remember(archive);
       memory(archive);
       model_->remember(archive);
-      if (points && !shared()) archive(*points);
+      if (points && !plan_.communicator->distributed()) archive(*points);
     };
     std::function<post::CellValues()> own;
-    if (points && shared()) own = [this, points] { return own_values(model_->plate().boundary(), {points}); };
+    if (points && plan_.communicator->distributed())
+      own = [this, points] { return own_values(model_->plate().boundary(), {points}); };
     keeper.hold(remember, own);
   };
   return {goes_on ? &load : nullptr, hold};

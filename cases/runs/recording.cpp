@@ -7,15 +7,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "cases/runs/distributed_run.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/process.hpp"
 #include "plate/solve/archive.hpp"
-#include "plate/solve/reduction.hpp"
 #include "post/files/checkpoints.hpp"
-#include "post/files/distributed_output.hpp"
 #include "post/files/run_folder.hpp"
 #include "post/files/sinks.hpp"
 #include "post/report/quantity.hpp"
@@ -26,20 +23,21 @@ namespace {
 
 /// The cell of a point; where cells are not enough to tell points, its number stands for it.
 geometry::Cell cell_of(const plate::Boundary& boundary, std::uint32_t k) {
-  return boundary.number.empty() ? geometry::cell_of(boundary.lattice[k]) : geometry::Cell{boundary.number[k], 0};
+  return boundary.map.global.empty() ? geometry::cell_of(boundary.lattice[k])
+                                     : geometry::Cell{boundary.map.global[k], 0};
 }
 
 /// Points by these.
 class Found {
 public:
   explicit Found(const plate::Boundary& boundary) : boundary_(boundary) {
-    if (boundary.number.empty()) index_.emplace(boundary.lattice);
+    if (boundary.map.global.empty()) index_.emplace(boundary.lattice);
   }
   std::optional<std::uint32_t> at(const geometry::Cell& cell) const {
     if (index_) return index_->at({double(cell[0]) + 0.5, double(cell[1]) + 0.5});
-    const auto found = std::ranges::lower_bound(boundary_.number, std::uint32_t(cell[0]));
-    if (found == boundary_.number.end() || *found != std::uint32_t(cell[0])) return std::nullopt;
-    return std::uint32_t(found - boundary_.number.begin());
+    const auto found = std::ranges::lower_bound(boundary_.map.global, std::uint32_t(cell[0]));
+    if (found == boundary_.map.global.end() || *found != std::uint32_t(cell[0])) return std::nullopt;
+    return std::uint32_t(found - boundary_.map.global.begin());
   }
 
 private:
@@ -150,7 +148,7 @@ void Keeper::keep(const Remember& remember, const post::CellValues* own) {
 }
 
 bool Keeper::agreed(bool here) const {
-  return together_ ? plate::largest_of_all(here) > 0 : here;
+  return together_ ? together_->communicator().largest_of(here) > 0 : here;
 }
 
 void Keeper::hold(const Remember& remember, const std::function<post::CellValues()>& own) {
@@ -209,50 +207,32 @@ std::string run_of(const RecordingOptions& options) {
   return fmt::format("case {}, program {} of {}", post::digest(options.resolved), options.version, plate::build());
 }
 
-/// The sink of the run's folder, from which what an earlier one wrote is gone unless this one goes on from it.
-std::unique_ptr<post::Folder> cleared(const RecordingOptions& options, bool goes_on, post::FolderLock lock) {
-  const auto& [folder, resolved, version, vtk, hdf5, velocities, every, resumes, quiet] = options;
-  const bool same = resumes && post::is_of(folder, resolved);  // then runs that belong to it may go on
+/// Removes what an earlier run wrote, unless this one goes on from it.
+void clear(const RecordingOptions& options, bool goes_on) {
+  const auto& folder = options.folder;
+  const bool same = options.goes_on && post::is_of(folder, options.resolved);  // then runs that belong to it may go on
   const auto removed = goes_on ? 0 : post::remove_earlier(folder, same ? post::Parts::stay : post::Parts::go);
-  if (removed > 0 && !quiet)
+  if (removed > 0 && !options.quiet)
     post::say(fmt::format("{}: removed {} files of an earlier run\n", folder.string(), removed));
-  return std::make_unique<post::Folder>(post::FolderOptions{folder, resolved, version, vtk, hdf5, velocities, goes_on},
-                                        std::move(lock));
 }
 
-void wait_for_all(const plate::Ranks& all) {
+void wait_for_all(const plate::Communicator& all) {
   std::array<std::int64_t, 1> ready{1};
   all.sum(ready);
 }
 
-/// Where processes share the plate: when the first has made the folder ready, all write their pieces into it.
-Recording shared_recording(const plate::Ranks& all, const RecordingOptions& options) {
-  std::optional<post::FolderLock> lock;
-  if (speaks()) {
-    std::filesystem::create_directories(options.folder);
-    lock.emplace(options.folder);
-    require_lock(*lock);
-  }
-  wait_for_all(all);
-  std::unique_ptr<Keeper> keeper;
-  if (options.checkpoint_every > 0)
-    keeper = std::make_unique<Keeper>(std::make_shared<post::SharedCheckpoints>(all, options.folder, run_of(options)),
-                                      options.checkpoint_every);
-  const bool goes_on = options.goes_on && finds(keeper.get(), options);
-  auto sink = lock ? cleared(options, goes_on, std::move(*lock)) : nullptr;
-  wait_for_all(all);
-  std::optional<post::StateFile::Options> stored;
-  if (options.hdf5)
-    stored = {options.folder / "state.h5", options.resolved, options.version, options.velocities, goes_on};
-  return {{std::make_unique<post::Pieces>(all, options.folder, options.vtk, std::move(stored), std::move(sink)),
-           options.resolved, options.version},
-          std::move(keeper)};
+std::unique_ptr<Keeper> keeper_of(const RecordingOptions& options) {
+  const auto& [all, folder] = std::tie(*options.communicator, options.folder);
+  if (options.checkpoint_every <= 0) return nullptr;
+  if (!all.distributed())
+    return std::make_unique<Keeper>(post::Checkpoints(folder, run_of(options)), options.checkpoint_every);
+  return std::make_unique<Keeper>(std::make_shared<post::SharedCheckpoints>(all, folder, run_of(options)),
+                                  options.checkpoint_every);
 }
 
 }  // namespace
 
 void check_folder(const std::filesystem::path& folder) {
-  if (!speaks()) return;
   constexpr std::size_t most = 3;
   require_lock(post::FolderLock(folder));
   auto found = post::strangers(folder);
@@ -274,15 +254,22 @@ std::optional<post::Summary> done_before(const RecordingOptions& options, bool r
 }
 
 Recording recording(const RecordingOptions& options) {
-  if (const auto* all = plate::ranks()) return shared_recording(*all, options);
-  std::filesystem::create_directories(options.folder);
-  post::FolderLock lock(options.folder);
-  require_lock(lock);
-  std::unique_ptr<Keeper> keeper;
-  if (options.checkpoint_every > 0)
-    keeper = std::make_unique<Keeper>(post::Checkpoints(options.folder, run_of(options)), options.checkpoint_every);
+  const auto& all = *options.communicator;
+  std::optional<post::FolderLock> lock;
+  if (all.rank() == 0) {
+    std::filesystem::create_directories(options.folder);
+    require_lock(lock.emplace(options.folder));
+  }
+  wait_for_all(all);
+  auto keeper = keeper_of(options);
   const bool goes_on = options.goes_on && finds(keeper.get(), options);
-  return {{cleared(options, goes_on, std::move(lock)), options.resolved, options.version}, std::move(keeper)};
+  if (lock) clear(options, goes_on);
+  auto sink = std::make_unique<post::Folder>(
+      post::FolderOptions{options.folder, options.resolved, options.version, options.vtk, options.hdf5,
+                          options.velocities, goes_on, options.communicator},
+      std::move(lock));
+  wait_for_all(all);
+  return {{std::move(sink), options.resolved, options.version, all}, std::move(keeper)};
 }
 
 }  // namespace fracture

@@ -110,6 +110,7 @@ struct RecordingOptions {
   double checkpoint_every = 0;  // [s]; 0: nothing is kept
   bool goes_on = false;         // from what an earlier run has kept, if it has
   bool quiet = false;
+  const plate::Communicator* communicator = &plate::single_process();
 };
 
 /// The summary of such a run that this version of the program has done, with all that came after it: nothing is left to

@@ -121,7 +121,7 @@ OwnDrawing::OwnDrawing(const plate::Formulation& plate, const plate::Mesh& whole
 }
 
 std::optional<OwnDrawing> own_drawing(const plate::Formulation& plate, const plate::Mesh& whole) {
-  return plate::ranks() ? std::optional<OwnDrawing>(std::in_place, plate, whole) : std::nullopt;
+  return plate.communicator().distributed() ? std::optional<OwnDrawing>(std::in_place, plate, whole) : std::nullopt;
 }
 
 plate::State OwnDrawing::own(const plate::State& of_plate, std::size_t count) const {
@@ -163,7 +163,7 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
       energy_gate_(plan.growth ? post::EnergyGate::Plate::grows : post::EnergyGate::Plate::moves) {
   if (!recorder_.draws() && !recorder_.stores()) return;
   const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
-  if (shared()) {
+  if (plate.communicator().distributed()) {
     drawing_ = std::make_unique<OwnDrawing>(plate, mesh);
     recorder_.open(drawing_->mesh());
     return;
@@ -201,9 +201,10 @@ void Results::sample(const plate::Instant& now, bool last) {
   if (!growth_) extremes_.row(now);
   times_.push_back(now.time);
   const auto factors = [&]() -> std::vector<post::Srif> {
-    if (growth_) return of_all(growth_->factors(now.state));
+    if (growth_) return of_all(plate_.communicator(), growth_->factors(now.state));
     if (!plan_.srif || factors_.known()) return {};
-    return of_all(post::srifs(plate_, *plan_.srif, tip_methods_, now.what_strains(), last, &heat));
+    return of_all(plate_.communicator(),
+                  post::srifs(plate_, *plan_.srif, tip_methods_, now.what_strains(), last, &heat));
   };
   factors_.add(factors(), fmt::format("at step {}, time {:g}", now.step, now.time));
 }
@@ -240,7 +241,7 @@ void Results::frame(const plate::Instant& now) {
 void Results::mode(std::size_t number, const plate::Mode& mode) {
   const auto when = fmt::format("of mode {}", number);
   post::require_finite({{"frequency", mode.frequency}, {"residual", mode.residual}}, when);
-  post::require_finite(mode.shape, when);
+  post::require_finite(mode.shape, when, plate_.communicator());
   frequencies_.push_back({number, mode.frequency, 2 * std::numbers::pi * mode.frequency, mode.residual});
   recorder_.mode(frequencies_.back());
   frame({number, double(number), mode.shape, {}, 0, 0, 0, 0});
@@ -283,7 +284,8 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   summary.accuracy = accuracy_;
   summary.frequencies = frequencies_;
   post::conclude(summary, {section, plan_.srif, plan_.si(), history, reactions_, factors_.last()});
-  if (!growth_) post::look_for_largest(summary, section, of_all(extremes_.found()), times_, factors_.rows());
+  if (!growth_)
+    post::look_for_largest(summary, section, of_all(plate_.communicator(), extremes_.found()), times_, factors_.rows());
   const auto at_time = [](double time) { return fmt::format("t = {:.4g}", time); };
   const auto crack = [&](std::size_t tip) { return std::size_t(plate_.tips()[tip].crack); };
   for (const auto& some :
@@ -309,9 +311,9 @@ void Results::memory(Archive& archive) {
 
 void Results::remember(plate::OutArchive& archive) {
   recorder_.remember(archive);
-  if (!shared()) return memory(archive);
+  if (!plate_.communicator().distributed()) return memory(archive);
   auto own = extremes_;
-  extremes_.so_far(of_all(own.so_far())), extremes_.state().resize(3, 0);
+  extremes_.so_far(of_all(plate_.communicator(), own.so_far())), extremes_.state().resize(3, 0);
   memory(archive);
   extremes_ = std::move(own);
 }
@@ -373,7 +375,7 @@ post::Summary carried_out(post::Summary summary, const plate::Formulation& plate
 }
 
 void write_report(const RunPlan& plan, const post::Pictures& pictures) {
-  if (plan.report && speaks())
+  if (plan.report && plan.communicator->rank() == 0)
     post::write_report(*plan.report, {plan.problem, plan.title, plan.source, plan.units, plan.probes}, pictures);
 }
 

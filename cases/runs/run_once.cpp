@@ -14,11 +14,11 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
-#include "plate/solve/reduction.hpp"
 #include "plate/solve/settled.hpp"
 #include "post/factors/watched_motion.hpp"
 #include "post/files/result_checks.hpp"
@@ -27,8 +27,10 @@
 
 namespace fracture {
 void KeptMotion::keep_to(Keeper& keeper, plate::DynamicOptions& options) {
-  options.due = [&] { return plate::largest_of_all(keeper.due()) > 0; };
-  options.keep = [&](const plate::MotionMemory& now) { shared() ? keep_part(keeper, now) : keep(keeper, now); };
+  options.due = [&] { return plate_.communicator().largest_of(keeper.due()) > 0; };
+  options.keep = [&](const plate::MotionMemory& now) {
+    plate_.communicator().distributed() ? keep_part(keeper, now) : keep(keeper, now);
+  };
   if (recall(keeper)) options.from = &memory_;
 }
 
@@ -62,7 +64,7 @@ bool KeptMotion::recall(Keeper& keeper) {
     results_.recall(archive);
     if (growth_) growth_->recall(archive);
   });
-  if (found && shared()) recall_part(keeper);
+  if (found && plate_.communicator().distributed()) recall_part(keeper);
   return found;
 }
 
@@ -90,9 +92,9 @@ using plate::Analysis;
 
 /// The part of the strain energy that foundations and springs have.
 void book_attached(const plate::Formulation& plate, const plate::State& state, post::Summary& summary) {
-  if (const auto& attached = plate.boundary().attached; !attached.parts().empty())
-    summary.energy.emplace_back("attached", attached_energy(plate, state));
-  if (plate.boundary().attached.lifts_off()) summary.touching = share_touching(plate, state);
+  const auto& [attached, map] = std::tie(plate.boundary().attached, plate.boundary().map);
+  if (!attached.parts().empty()) summary.energy.emplace_back("attached", attached.energy(state, map));
+  if (attached.lifts_off()) summary.touching = attached.share_touching(state, map);
 }
 
 /// Where forces are no derivative of an energy, that and the work tell how coarse the points are. Measured with surface
@@ -134,7 +136,8 @@ struct Going {
 };
 
 bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulation& plate) {
-  return result.strained.cols() > 0 && post::is_zero(result.strained) && !post::is_zero(plate::total_lift(plate));
+  return result.strained.cols() > 0 && post::is_zero(result.strained, plate.communicator()) &&
+         !post::is_zero(plate::total_lift(plate), plate.communicator());
 }
 
 void solve_static(const Going& run) {
@@ -158,7 +161,7 @@ void solve_static(const Going& run) {
   if (result.factor_bytes > 0)
     summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate.cloud().plate_points), 0});
   post::describe(summary.analysis, result.method, solution, analysis.tolerance);
-  post::require_finite(solution.state, "in equilibrium");
+  post::require_finite(solution.state, "in equilibrium", plate.communicator());
   const double work = post::slow_work(plate, result);
   const double strain = plate.strain_energy(result.what_strains());
   plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
@@ -173,7 +176,7 @@ void solve_static(const Going& run) {
   summary.multipliers = plate.multipliers(solution.state);
   summary.energy = {{"strain", results.strain_energy()}, {"external_work", results.external_work()}};
   book_attached(plate, solution.state, summary);
-  if (!post::moves(solution.state, work))
+  if (!post::moves(solution.state, work, plate.communicator()))
     post::require_motion(plate, post::forces_of(plate), solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
@@ -204,7 +207,7 @@ std::function<void(const plate::Instant&)> observer(const Going& run, std::size_
                       {"external_work", results.external_work()}};
     book_attached(*ready.plate, now.state, summary);
     if (run.analysis().damping) summary.energy.emplace_back("dissipated", now.dissipated);
-    if (is_last && !post::moves(now.state, now.external_work))
+    if (is_last && !post::moves(now.state, now.external_work, ready.plate->communicator()))
       post::require_motion(*ready.plate, post::forces_of(*ready.plate), now.state, now.external_work, summary.warnings);
   };
 }
@@ -255,7 +258,7 @@ void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
   if (analysis.start == Analysis::Start::equilibrium) options.start = plate::start_of(plate, analysis);
   if (const auto& begin = ready.begin; begin.deflected.size() > 0) options.start = begin.deflected, options.bent = true;
-  options.own = plate.boundary().own;
+  options.own = plate.boundary().map.owned;
   options.velocity = ready.begin.velocity, options.impact = ready.begin.impact, options.given = ready.begin.given;
   if (const auto& damping = analysis.damping)
     options.mass_damping = damping->mass, options.stiffness_damping = damping->stiffness;
@@ -281,7 +284,7 @@ void solve_frequencies(const Going& run) {
   const auto inverse = plate.inverse_of_shifted(shift);
   const plate::FrequencyOptions options{
       analysis.modes, analysis.tolerance, analysis.max_iterations, shift, inverse.get(), [&](std::size_t solution) {
-        plate::stop_if_asked("frequencies");
+        plate::stop_if_asked("frequencies", plate.communicator());
         progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
       }};
   summary.analysis.method = "lanczos";

@@ -34,16 +34,15 @@ std::optional<std::uint32_t> PointKeys::point(const PointKey& key) const {
   return found->second[std::size_t(which) - 1];
 }
 
-std::vector<SeveredFamily> of_all(std::vector<SeveredFamily> own) {
-  const auto* all = plate::ranks();
-  if (!all) return own;
+std::vector<SeveredFamily> of_all(const plate::Communicator& all, std::vector<SeveredFamily> own) {
+  if (!all.distributed()) return own;
   std::ostringstream text;
   {
     plate::OutArchive archive(text);
     archive(own);
   }
   std::vector<SeveredFamily> result;
-  for (const auto& one : all->exchanged(std::vector<std::string>(std::size_t(all->size()), text.str()))) {
+  for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), text.str()))) {
     std::istringstream in(one);
     plate::InArchive archive(in);
     std::vector<SeveredFamily> theirs;
@@ -79,7 +78,7 @@ SeveredMemory SeveredPlate::memory() const {
     }
     result.families.push_back(std::move(one));
   }
-  result.families = of_all(std::move(result.families));
+  result.families = of_all(communicator(), std::move(result.families));
   for (const auto& one : going_) result.going.emplace_back(one.number, one.share);
   result.events = events_, result.severings = severings_, result.easing_left = easing_left_;
   return result;

@@ -62,7 +62,7 @@ struct SeveredMemory {
 };
 
 /// Families that have lost bonds, gathered from all ranks. Collective.
-std::vector<SeveredFamily> of_all(std::vector<SeveredFamily> own);
+std::vector<SeveredFamily> of_all(const plate::Communicator& all, std::vector<SeveredFamily> own);
 
 /// A point with its state and its velocity half a step before.
 struct KeptPoint {

@@ -58,11 +58,12 @@ Stiffest stiffest(const plate::FamilyOperator& plate, const plate::Boundary& bou
       bonds.push_back({vector.x(), vector.y(), own[i].B, own[i].S});
     }
   }
-  if (const auto* all = plate::ranks()) {
-    const auto every = plate::gathered(*all, std::vector{full});
+  if (boundary.map.distributed()) {
+    const plate::Communicator& all = *boundary.map.communicator;
+    const auto every = plate::gathered(all, std::vector{full});
     const auto first = std::ranges::min_element(every, {}, &Full::rank);
     full = *first;
-    bonds = plate::gathered(*all, first - every.begin() == all->rank() ? bonds : std::vector<FullBond>{});
+    bonds = plate::gathered(all, first - every.begin() == all.rank() ? bonds : std::vector<FullBond>{});
   }
   Stiffest result{stiffest_family * full.bending, stiffest_family * full.shear, {}};
   for (const auto& vector : families.vectors()) {

@@ -10,7 +10,7 @@
 #include "plate/bonds/results.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/solve/reduction.hpp"
+#include "plate/model/reduction.hpp"
 #include "post/files/frame.hpp"
 
 namespace fracture {
@@ -180,7 +180,7 @@ std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, 
     waits = number >= 0 && changed_[std::size_t(number)].severed;
     result.points.push_back(k);
   }
-  if (plate::largest_of_all(waits) > 0) return std::nullopt;
+  if (communicator().largest_of(waits) > 0) return std::nullopt;
   ++severings_, ++events_;
   for (const auto& [k, i] : bonds) lose(k, i, 0), change(k).severed = true;
   for (const auto k : result.points) retarget(k);
@@ -203,7 +203,7 @@ double SeveredPlate::carry_on(std::size_t number, double share, const Motion& mo
 
 double SeveredPlate::norm(plate::Forces force, const plate::Forces& diagonal) const {
   boundary_.constraints.fold(force);
-  const auto [sum] = plate::ordered_sum<1>(std::size_t(force.size()), [&](std::size_t i) {
+  const auto [sum] = plate::ordered_sum<1>(communicator(), std::size_t(force.size()), [&](std::size_t i) {
     const double f = force.data()[i], d = diagonal.data()[i];
     return std::array<double, 1>{d > 0 ? f * f / d : 0};
   });
@@ -211,7 +211,7 @@ double SeveredPlate::norm(plate::Forces force, const plate::Forces& diagonal) co
 }
 
 double SeveredPlate::sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const {
-  return plate::ordered_sum<1>(points.size(), [&](std::size_t i) {
+  return plate::ordered_sum<1>(communicator(), points.size(), [&](std::size_t i) {
     return std::array<double, 1>{boundary_.owns(points[i]) ? values[i] : 0};
   })[0];
 }

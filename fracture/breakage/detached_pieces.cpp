@@ -5,8 +5,8 @@
 #include "fracture/breakage/breakage_checkpoint.hpp"
 #include "plate/formulation/pieces.hpp"
 #include "plate/model/communicator.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
-#include "plate/solve/reduction.hpp"
 
 namespace fracture {
 
@@ -26,7 +26,7 @@ void FallenPieces::look(const plate::Step& now) {
     return result;
   };
   fresh_.state = of(now.state), fresh_.velocity = of(now.velocity);
-  falls_ = plate::largest_of_all(!fresh_.points.empty()) > 0;
+  falls_ = plate_.communicator().largest_of(!fresh_.points.empty()) > 0;
 }
 
 /// From the step before on; the energy that central differences count there is of the velocities before and after it.
@@ -36,11 +36,12 @@ void FallenPieces::freeze(const plate::Step& now) {
     all.emplace_back(frozen_.points[i], frozen_.state.col(Eigen::Index(i)));
   for (std::size_t i = 0; i < fresh_.points.size(); ++i)
     all.emplace_back(fresh_.points[i], fresh_.state.col(Eigen::Index(i)));
-  energy_ += plate::ordered_sum<1>(fresh_.points.size(), [&](std::size_t i) {  // copies have no mass
-    const auto k = fresh_.points[i];
-    return std::array<double, 1>{
-        mass_.col(k).cwiseProduct(fresh_.velocity.col(Eigen::Index(i))).dot(now.velocity.col(k)) / 2};
-  })[0];
+  energy_ +=
+      plate::ordered_sum<1>(plate_.communicator(), fresh_.points.size(), [&](std::size_t i) {  // copies have no mass
+        const auto k = fresh_.points[i];
+        return std::array<double, 1>{
+            mass_.col(k).cwiseProduct(fresh_.velocity.col(Eigen::Index(i))).dot(now.velocity.col(k)) / 2};
+      })[0];
   std::ranges::sort(all, {}, [](const auto& one) { return one.first; });
   fresh_ = {}, frozen_ = {}, falls_ = false, fallen_ = true;
   frozen_.state.resize(3, Eigen::Index(all.size()));
@@ -60,7 +61,7 @@ std::vector<KeptPoint> FallenPieces::of_all(const Kept& kept, const PointKeys& k
   for (std::size_t i = 0; i < kept.points.size(); ++i)
     if (const auto k = kept.points[i]; boundary_.owns(k))
       own.push_back({keys.of(k), column(kept.state, i), column(kept.velocity, i)});
-  return plate::ranks() ? plate::gathered(*plate::ranks(), own) : own;
+  return plate::gathered(plate_.communicator(), own);
 }
 
 FallenPieces::Kept FallenPieces::seen(const std::vector<KeptPoint>& kept, const PointKeys& keys) {
@@ -81,7 +82,7 @@ FallenPieces::Kept FallenPieces::seen(const std::vector<KeptPoint>& kept, const 
 
 void FallenPieces::save(plate::OutArchive& archive) const {
   const PointKeys keys(boundary_);
-  const bool looks = plate::largest_of_all(plate_.broken().count() > broken_) > 0;  // when it is time
+  const bool looks = plate_.communicator().largest_of(plate_.broken().count() > broken_) > 0;  // when it is time
   archive(of_all(fresh_, keys), of_all(frozen_, keys), looks, falls_, fallen_, energy_);
 }
 
@@ -101,7 +102,7 @@ void FallenPieces::before_force(const plate::Step& now) {
     now.velocity.col(frozen_.points[i]).setZero();
   }
   if (fallen_) plate_.constraints().fetch(now.state);  // as their owners have them
-  if (now.step % look_every == 0 && plate::largest_of_all(plate_.broken().count() > broken_) > 0) look(now);
+  if (now.step % look_every == 0 && plate_.communicator().largest_of(plate_.broken().count() > broken_) > 0) look(now);
   growth_.before_force(now);
 }
 

@@ -67,7 +67,7 @@ std::vector<std::array<geometry::Point, 2>> parted(const plate::Formulation& pla
           if (const auto& v = boundary.lattice[*j]; geometry::severs(path, u, v))
             own.push_back({u.x(), u.y(), v.x(), v.y()});
   }
-  if (const auto* all = plate::ranks()) own = plate::gathered(*all, own);
+  own = plate::gathered(plate.communicator(), own);
   std::vector<std::array<geometry::Point, 2>> result;
   for (const auto& [x, y, z, t] : own) result.push_back({geometry::Point(x, y), geometry::Point(z, t)});
   return result;
@@ -80,7 +80,7 @@ BondCracks::BondCracks(const plate::Formulation& plate, std::optional<double> fa
       given_(plate.paths()),
       fastest_(fastest),
       numbers_(std::make_shared<const PointNumbers>(plate.boundary())),
-      inside_(plate::ranks() ? by_outline(plate) : by_points(plate)) {
+      inside_(plate.communicator().distributed() ? by_outline(plate) : by_points(plate)) {
   for (const auto& [p, q] : parted(plate)) graph_.part(p, q, 0);
   first_sides_ = graph_.sides();
   find_lines();

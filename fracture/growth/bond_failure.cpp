@@ -7,7 +7,7 @@
 #include "fracture/growth/distributed_growth.hpp"
 #include "plate/bonds/horizon_parameters.hpp"
 #include "plate/model/communicator.hpp"
-#include "plate/solve/reduction.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace fracture {
 namespace {
@@ -123,7 +123,7 @@ BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const Sever
   const auto plate_points = boundary.cloud.plate_points;
   for (std::uint32_t k = 0; k < plate_points; ++k)
     if (boundary.owns(k)) all_.push_back(k);
-  if (plate::ranks()) {
+  if (boundary.map.distributed()) {
     all_ = with_neighbours(all_, families, plate_points);
     around_ = with_neighbours(all_, families, plate_points);
   }
@@ -224,7 +224,7 @@ std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& st
     if (const double now = demand(k, i, state); now >= least)
       result.push_back({{numbers_->of(std::min(k, j)), numbers_->of(std::max(k, j))}, now});
   }
-  if (const auto* all = plate::ranks()) result = plate::gathered(*all, result);
+  result = plate::gathered(plate_.communicator(), result);
   std::ranges::sort(result, [](const auto& p, const auto& q) {
     return p.demand != q.demand ? p.demand > q.demand : p.bond < q.bond;
   });
@@ -243,7 +243,7 @@ double BondCheck::largest(const plate::State& state) {
       if (const auto j = family[i].neighbour; j > k && may_break(k, i, j))
         result = std::max(result, demand(k, i, state));
   }
-  return plate::largest_of_all(result);
+  return plate_.communicator().largest_of(result);
 }
 
 std::vector<std::uint32_t> BondCheck::suspects(const plate::State& state) const {
@@ -290,7 +290,7 @@ std::vector<std::uint32_t> BondCheck::numbers(const std::vector<std::uint32_t>& 
   std::vector<std::uint32_t> result;
   for (const auto k : suspects)
     if (boundary_.owns(k)) result.push_back(numbers_->of(k));
-  if (const auto* all = plate::ranks()) result = plate::gathered(*all, result);
+  result = plate::gathered(plate_.communicator(), result);
   std::ranges::sort(result);
   return result;
 }

@@ -18,7 +18,7 @@ namespace {
 
 /// Gathers the values of all ranks, one rank after the other. Collective.
 template <typename T>
-std::vector<T> gathered_archives(const plate::Ranks& all, const std::vector<T>& own) {
+std::vector<T> gathered_archives(const plate::Communicator& all, const std::vector<T>& own) {
   std::ostringstream text;
   {
     cereal::BinaryOutputArchive archive(text);
@@ -50,7 +50,7 @@ bool before(const post::Peak& a, const post::Peak& b) {
 using geometry::Point;
 
 PointNumbers::PointNumbers(const plate::Boundary& boundary) : boundary_(boundary) {
-  if (!plate::ranks()) return;
+  if (!boundary.map.distributed()) return;
   const auto end = boundary.lattice.begin() + std::ptrdiff_t(boundary.cloud.plate_points);
   index_.emplace(std::vector<Point>(boundary.lattice.begin(), end));
   for (const auto& side : boundary.sides)
@@ -81,18 +81,16 @@ std::shared_ptr<const plate::Surroundings> seen_by_growth(const plate::Formulati
   return seen ? std::make_shared<const plate::Surroundings>(std::move(*seen)) : nullptr;
 }
 
-std::vector<post::Srif> of_all(std::vector<post::Srif> own) {
-  const auto* all = plate::ranks();
-  if (!all) return own;
-  auto result = gathered_archives(*all, own);
+std::vector<post::Srif> of_all(const plate::Communicator& all, std::vector<post::Srif> own) {
+  if (!all.distributed()) return own;
+  auto result = gathered_archives(all, own);
   std::ranges::stable_sort(result, {}, &post::Srif::tip);
   return result;
 }
 
-std::vector<post::Peak> of_all(std::vector<post::Peak> own) {
-  const auto* all = plate::ranks();
-  if (!all) return own;
-  auto found = gathered_archives(*all, own);
+std::vector<post::Peak> of_all(const plate::Communicator& all, std::vector<post::Peak> own) {
+  if (!all.distributed()) return own;
+  auto found = gathered_archives(all, own);
   std::vector<post::Peak> result;
   for (const auto& one : own) {
     std::erase_if(found, [&](const post::Peak& peak) { return peak.quantity == one.quantity && !peak.position; });

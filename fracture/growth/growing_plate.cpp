@@ -65,6 +65,7 @@ GrowingPlate::GrowingPlate(const Growth& growth, const plate::Problem& problem, 
     : QuasiStaticTips(growth, problem.section, problem.outline, problem.discretization.spacing_at_tips(),
                       problem.cracks),
       problem_(problem),
+      communicator_(first.plate->communicator()),
       first_(std::move(first)),
       options_of_factors_(std::move(factors)),
       solver_(std::move(solver)),
@@ -76,7 +77,7 @@ plate::Discretised GrowingPlate::discretised(const std::vector<geometry::Polylin
   if (first_) return *std::exchange(first_, {});
   problem_.cracks = cracks;
   try {
-    auto result = plate::discretise(problem_);
+    auto result = plate::discretise(problem_, communicator_);
     stopwatch_.follow(result.stopwatch);
     return result;
   } catch (const plate::Refused& refused) {
@@ -90,7 +91,7 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
   const plate::Formulation& plate = *found.plate;
   std::vector<std::string> split;
   for (const auto& one : plate::loose(plate)) split.push_back(one.what);
-  if (plate::ranks() && plate.held() && !split.empty()) throw plate::NumericalError(split.front());
+  if (communicator_.distributed() && plate.held() && !split.empty()) throw plate::NumericalError(split.front());
   if (!split.empty()) return {fmt::format("{}", fmt::join(split, "; ")), 0, {}};
   LoadedPlate result;
   for (const auto& tip : plate.tips())
@@ -106,7 +107,7 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
   result.held = 2 * plate::Settled(*solved.plate, load, lift).work(state);
   result.displacement = 2 * post::slow_work(*solved.plate, state);
   post::require_finite({{"work", result.displacement}}, "under the whole load");
-  if (!post::moves(state, result.displacement))
+  if (!post::moves(state, result.displacement, communicator_))
     post::require_motion(*solved.plate, post::forces_of(*solved.plate), state, result.displacement, warnings_);
   for (std::size_t i = 0; i < tips.size(); ++i) {
     if (!post::ringed(problem_, solved.plate->paths(), tips[i])) {
@@ -131,9 +132,10 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", solved.method,
                                             solution.stop_reason, solution.residual, solver_.options.tolerance));
-  post::require_finite(solution.state, "in equilibrium");
+  post::require_finite(solution.state, "in equilibrium", communicator_);
   const auto heat = plate::heat_of(plate, 1);
-  auto factors = of_all(post::srifs(plate, options_of_factors_, methods, solved.what_strains(), true, &heat));
+  auto factors =
+      of_all(communicator_, post::srifs(plate, options_of_factors_, methods, solved.what_strains(), true, &heat));
   post::require_finite(factors, "under the whole load");
   stopwatch_.lap("srif");
   latest_ = Solved{std::move(found), std::move(solution.state), std::move(factors)};

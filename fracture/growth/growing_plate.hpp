@@ -46,6 +46,7 @@ private:
   void solve(plate::Discretised found, const std::vector<post::TipMethods>& methods);
 
   plate::Problem problem_;
+  const plate::Communicator& communicator_;
   std::optional<plate::Discretised> first_;
   post::SrifOptions options_of_factors_;
   StaticSolver solver_;

@@ -53,7 +53,7 @@ std::shared_ptr<const post::TipMethods> MovingCracks::gauge(const geometry::Tip&
 
 /// Evaluates a tip on the rank that has it and sends the result to all ranks.
 MovingCracks::Seen MovingCracks::look(MovingTip& tip, const plate::State& state, const plate::Forces& force) const {
-  const auto* all = plate::ranks();
+  const plate::Communicator& all = plate_.communicator();
   std::vector<Seen> seen;
   if (plate_.here(tip.tip.position)) {
     if (!tip.gauge) tip.gauge = gauge(tip.tip);
@@ -68,7 +68,7 @@ MovingCracks::Seen MovingCracks::look(MovingTip& tip, const plate::State& state,
       seen.emplace_back();
     }
   }
-  return all ? plate::gathered(*all, seen).at(0) : seen.front();
+  return plate::gathered(all, seen).at(0);
 }
 
 std::vector<std::pair<std::size_t, geometry::Tip>> MovingCracks::tips() const {
@@ -187,7 +187,7 @@ void MovingCracks::after_force(const plate::Step& now, const plate::Forces& forc
   for (std::size_t i = 0; i < tips_.size(); ++i) {
     auto& tip = tips_[i];
     if (tip.running || tip.ended || now.step < tip.next_look) continue;
-    if ((plate::ranks() || !attached.parts().empty()) && own.size() == 0) {
+    if ((plate_.communicator().distributed() || !attached.parts().empty()) && own.size() == 0) {
       own = force;
       attached.take_force(now.state, own);
       plate_.constraints().fetch(own);

@@ -9,7 +9,7 @@
 #include "fracture/growth/archive.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "plate/formulation/pieces.hpp"
-#include "plate/solve/reduction.hpp"
+#include "plate/model/reduction.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace fracture {
@@ -106,7 +106,7 @@ void BreakingBonds::after_force(const plate::Step& now, const plate::Forces&) {
   if (ended_) return;
   if (now.step >= next_search_) {
     suspects_ = check_.suspects(now.state);
-    suspected_ = plate::largest_of_all(!suspects_.empty()) > 0;
+    suspected_ = plate_.communicator().largest_of(!suspects_.empty()) > 0;
     next_search_ = now.step + search_every;
   }
   if (!suspected_) return;

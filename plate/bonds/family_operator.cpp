@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include "plate/model/halo_exchange.hpp"
-#include "plate/solve/reduction.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -186,7 +186,7 @@ Eigen::VectorXd FamilyOperator::energies(const State& state) const {
 
 Forces force_of_curvature(const geometry::Families& families, const std::vector<BondShape>& shapes,
                           const std::vector<double>& areas, const HorizonWeights& weights,
-                          const Eigen::VectorXd& curvature, const std::vector<char>& own_points) {
+                          const Eigen::VectorXd& curvature, const PointMap& map) {
   constexpr double rounding = 1e-12;  // of bonds whose couples cancel
   Forces result = Forces::Zero(3, Eigen::Index(areas.size()));
   double largest = 0;
@@ -203,10 +203,10 @@ Forces force_of_curvature(const geometry::Families& families, const std::vector<
       const Eigen::Vector2d theta(couple * bond.mx, couple * bond.my);
       result.col(Eigen::Index(family[i].neighbour)).tail<2>() += theta;
       result.col(k).tail<2>() -= theta;
-      if (own_points.empty() || own_points[std::size_t(k)]) largest = std::max(largest, std::abs(couple));
+      if (map.owns(std::size_t(k))) largest = std::max(largest, std::abs(couple));
     }
   }
-  largest = largest_of_all(largest);
+  largest = map.communicator->largest_of(largest);
   return (result.array().abs() > rounding * largest).select(result, 0);
 }
 

@@ -5,6 +5,7 @@
 #include "plate/bonds/horizon_parameters.hpp"
 #include "plate/formulation/attached_stiffness.hpp"
 #include "plate/formulation/operator.hpp"
+#include "plate/model/communicator.hpp"
 
 namespace plate {
 
@@ -31,6 +32,7 @@ struct Patterns {
 
 /// Where a process holds a part of the plate only: what it computes of it.
 struct OperatedPart {
+  const Communicator* communicator = &single_process();
   std::vector<std::uint32_t> block;          // of every point: runs and columns are of one each
   std::vector<char> wanted;                  // points whose dilatations and forces are asked for here
   std::shared_ptr<const Exchange> exchange;  // of the dilatations of the others; none: one process holds all
@@ -88,10 +90,9 @@ private:
 };
 
 /// Nodal forces [3 x points] of a free thermal curvature kappa_0 given by points of the plate: minus the derivative of
-/// the terms of the bond energies in s xi kappa_0 xi, theory (79). `own`: points that no other rank owns; empty: all.
-/// Collective: every rank that shares the plate must call it.
+/// the terms of the bond energies in s xi kappa_0 xi, theory (79). Collective.
 Forces force_of_curvature(const geometry::Families& families, const std::vector<BondShape>& shapes,
                           const std::vector<double>& areas, const HorizonWeights& weights,
-                          const Eigen::VectorXd& curvature, const std::vector<char>& own);
+                          const Eigen::VectorXd& curvature, const PointMap& map = {});
 
 }  // namespace plate

@@ -25,8 +25,8 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/process.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/factorised_plate.hpp"
-#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -129,12 +129,12 @@ std::vector<PlaceShare> OrdinaryPlate::interpolation(const Point& at) const {
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {
-  const Ranks* all = ranks();
-  if (!all) return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_, true));
+  if (!communicator().distributed())
+    return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_, true));
   // forces of a point, and of its image beyond an edge, are of what is two horizons away
   const auto near =
       surroundings(problem().outline, discretization(), boundary(), 4 * discretization().horizon_ratio + 2);
-  return std::make_unique<SharedFactor>(*all, op_, boundary(), stiffness_matrix(op_, true, near->known),
+  return std::make_unique<SharedFactor>(communicator(), op_, boundary(), stiffness_matrix(op_, true, near->known),
                                         near->exchange.get());
 }
 
@@ -143,7 +143,7 @@ ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const
   using enum Preconditioning;
   const auto usual = [&] {
     const auto here = may_move() ? diagonal : usual_preconditioner_of_bonds(problem(), double(points()));
-    return largest_of_all(here == diagonal) > 0 ? diagonal : here;
+    return communicator().largest_of(here == diagonal) > 0 ? diagonal : here;
   };
   if (wanted == automatic) wanted = usual();
   if (wanted == diagonal) return {nullptr, "diagonal"};
@@ -152,7 +152,8 @@ ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::inverse_of_shifted(double shift) const {
-  if (ranks() || 4 * factor_bytes(double(points())) > free_memory() / 2) return Formulation::inverse_of_shifted(shift);
+  if (communicator().distributed() || 4 * factor_bytes(double(points())) > free_memory() / 2)
+    return Formulation::inverse_of_shifted(shift);
   return std::make_unique<LocalPlate>(op_, boundary(), section(), discretization(), shift * mass());
 }
 
@@ -211,24 +212,24 @@ void check_weights(const std::vector<BondShape>& shapes, double horizon_ratio) {
 /// Where processes share the plate, all have one, also those that do not see what moves.
 State lift_of(const Load& load, std::size_t number, const Boundary& boundary) {
   auto result = boundary.constraints.lift(number, boundary.cloud.size());
-  if (ranks() && load.kind == Load::Kind::settlement && result.cols() == 0)
+  if (boundary.map.distributed() && load.kind == Load::Kind::settlement && result.cols() == 0)
     result = State::Zero(3, Eigen::Index(boundary.cloud.size()));
   return result;
 }
 
-Discretised discretised(const Problem& problem) {
+Discretised discretised(const Problem& problem, const Communicator& all) {
   Discretised result;
   auto& stopwatch = result.stopwatch;
   const auto& d = problem.discretization;
   auto paths = crack_paths(problem);
-  const auto part = part_of_lattice(problem.outline, d);
+  const auto part = part_of_lattice(all, problem.outline, d);
   auto cloud = geometry::lattice(problem.outline, d.spacing, part ? std::optional(part->seen) : std::nullopt);
   const auto outline = geometry::to_lattice(problem.outline, cloud.units);
   check_lattice(problem, cloud, outline);
   Layout layout{problem,
                 {},
                 geometry::tips(paths),
-                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem)),
+                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), all),
                 {},
                 {}};
   auto& boundary = layout.boundary;
@@ -248,18 +249,18 @@ Discretised discretised(const Problem& problem) {
   auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
   Forces load = Forces::Zero(3, Eigen::Index(boundary.cloud.size()));
   for (const auto& one : problem.loads) {
-    layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline, boundary.own, paths), one.history,
+    layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline, boundary.map, paths), one.history,
                             free_curvature(one, problem.section, boundary.cloud.positions, boundary.cloud.plate_points),
                             lift_of(one, layout.loads.size(), boundary)});
     if (auto& last = layout.loads.back(); last.curvature.size() > 0)
-      last.forces = force_of_curvature(families, shapes, boundary.cloud.areas, weights, last.curvature, boundary.own);
+      last.forces = force_of_curvature(families, shapes, boundary.cloud.areas, weights, last.curvature, boundary.map);
     if (one.moves())
-      layout.loads.back().moving = std::make_shared<MovingForces>(moving_forces(one, boundary.cloud, boundary.own));
+      layout.loads.back().moving = std::make_shared<MovingForces>(moving_forces(one, boundary.cloud, boundary.map));
     const double share = 1 + (problem.load_cases.empty() ? 0 : 0.1 * double(layout.loads.size()));
     load += share * layout.loads.back().forces;  // those of load cases do not act together: none takes another away
   }
   layout.mechanisms = mechanisms(boundary, families, layout.pieces, load);
-  if (layout.mechanisms.twisting > 0 && !ranks()) tie_twists(boundary, families);
+  if (layout.mechanisms.twisting > 0 && !all.distributed()) tie_twists(boundary, families);
   LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights),
                                     std::move(operated_part)));
   op.attach(boundary.attached);

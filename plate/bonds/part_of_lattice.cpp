@@ -87,8 +87,8 @@ private:
 };
 
 /// Asks the owners of copies for their numbers.
-std::vector<Copy> numbered(const Ranks& all, const PartOfLattice& part, const Seen& seen, const Boundary& boundary,
-                           const std::vector<std::uint32_t>& copies) {
+std::vector<Copy> numbered(const Communicator& all, const PartOfLattice& part, const Seen& seen,
+                           const Boundary& boundary, const std::vector<std::uint32_t>& copies) {
   const auto size = std::size_t(all.size());
   std::vector<std::vector<std::uint32_t>> of_owner(size);
   std::vector<std::vector<Cell>> asked(size);
@@ -121,12 +121,12 @@ std::vector<Copy> numbered(const Ranks& all, const PartOfLattice& part, const Se
 /// Fictitious points: those that follow a w are of whom that is, the others of whose block is nearest. Whatever is held
 /// alone reacts there, and each reaction must count once.
 void own_fictitious(const PartOfLattice& part, const Seen& seen, Boundary& boundary) {
-  const int self = ranks()->rank();
+  const int self = boundary.map.communicator->rank();
   for (std::uint32_t k = boundary.cloud.plate_points; k < boundary.cloud.size(); ++k)
-    boundary.own[k] = part.partition.nearest_owner(seen.cell(k)) == self;
+    boundary.map.owned[k] = part.partition.nearest_owner(seen.cell(k)) == self;
   for (const auto& tie : boundary.constraints.ties())
     if (const auto k = tie.follower / 3; !boundary.is_plate(k) && tie.follower % 3 == 0)
-      boundary.own[k] = boundary.own[tie.leader / 3];
+      boundary.map.owned[k] = boundary.map.owned[tie.leader / 3];
 }
 
 }  // namespace
@@ -150,33 +150,35 @@ long margin_of_part(const Discretization& discretization) {
   return 2 * long(std::ceil(discretization.horizon_ratio)) + 24 + long(std::ceil(about_tips));
 }
 
-std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, const Discretization& discretization) {
-  const Ranks* all = ranks();
-  if (!all) return std::nullopt;
-  auto partition = partition_of_lattice(outline, discretization, all->size());
-  const auto own = partition.box(all->rank());
+std::optional<PartOfLattice> part_of_lattice(const Communicator& all, const geometry::Outline& outline,
+                                             const Discretization& discretization) {
+  if (!all.distributed()) return std::nullopt;
+  auto partition = partition_of_lattice(outline, discretization, all.size());
+  const auto own = partition.box(all.rank());
   return PartOfLattice{std::move(partition), own, own.grown(margin_of_part(discretization)),
                        reach_about_tips(discretization.horizon_ratio)};
 }
 
 std::optional<Surroundings> surroundings(const geometry::Outline& outline, const Discretization& discretization,
                                          const Boundary& boundary, double reach) {
-  const auto part = part_of_lattice(outline, discretization);
+  const Communicator& all = *boundary.map.communicator;
+  const auto part = part_of_lattice(all, outline, discretization);
   if (!part) return std::nullopt;
   const Seen seen(*part, boundary);
   Surroundings result{seen.near(long(std::ceil(reach))), nullptr};
   std::vector<std::uint32_t> copies;
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k)
     if (result.known[k] && !seen.own(k)) copies.push_back(k);
-  result.exchange = ranks()->exchange(boundary.cloud.size(), numbered(*ranks(), *part, seen, boundary, copies));
+  result.exchange = all.exchange(boundary.cloud.size(), numbered(all, *part, seen, boundary, copies));
   return result;
 }
 
 OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geometry::Families& families,
                       const std::vector<geometry::Tip>& tips) {
-  const Ranks& all = *ranks();
+  const Communicator& all = *boundary.map.communicator;
   const Seen seen(part, boundary);
   OperatedPart result;
+  result.communicator = &all;
   for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k) result.block.push_back(part.partition.number(seen.cell(k)));
   std::vector<geometry::Point> own_tips;
   for (const auto& tip : tips)
@@ -184,17 +186,17 @@ OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geome
         seen.own(std::uint32_t(geometry::nearest_plate_point(boundary.cloud, tip.position))))
       own_tips.push_back(boundary.cloud.units.to_lattice(tip.position));
   result.wanted = seen.wanted();
-  boundary.own.assign(boundary.cloud.size(), 0);
-  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) boundary.own[k] = seen.own(k);
+  boundary.map.owned.assign(boundary.cloud.size(), 0);
+  for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) boundary.map.owned[k] = seen.own(k);
   own_fictitious(part, seen, boundary);
   for (std::uint32_t k = boundary.cloud.plate_points; k < boundary.cloud.size(); ++k)
-    if (boundary.own[k]) result.wanted[k] = 1;
+    if (boundary.map.owned[k]) result.wanted[k] = 1;
   const auto copies = seen.copies(result.wanted, families, own_tips);
   result.exchange = all.exchange(boundary.cloud.size(), numbered(all, part, seen, boundary, copies));
   std::vector<std::uint32_t> others;  // copies, and what nobody here needs
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k)
     if (!seen.own(k)) others.push_back(k);
-  boundary.constraints.copy(std::move(others), result.exchange);
+  boundary.constraints.share(all, std::move(others), result.exchange);
   result.awaited = boundary.constraints.awaited(boundary.cloud.size());
   return result;
 }

@@ -5,7 +5,7 @@
 
 namespace plate {
 
-/// The box of a process of ranks(), and the cells about it that it must see so that all that it computes of its own
+/// The box of a rank, and the cells about it that it must see so that all that it computes of its own
 /// points is right: families of their neighbours' neighbours, images beyond edges.
 struct PartOfLattice {
   geometry::Partition partition;
@@ -22,7 +22,8 @@ long margin_of_part(const Discretization& discretization);
 
 /// Nothing where one process holds the whole plate.
 /// @throws Refused  more processes than blocks of the lattice
-std::optional<PartOfLattice> part_of_lattice(const geometry::Outline& outline, const Discretization& discretization);
+std::optional<PartOfLattice> part_of_lattice(const Communicator& all, const geometry::Outline& outline,
+                                             const Discretization& discretization);
 
 /// How far about a tip its process knows the state and the forces, for intensity factors [spacings].
 constexpr double reach_about_tips(double horizon_ratio) {

@@ -303,7 +303,7 @@ private:
 
 class SharedCoarsePlate : public CoarsePlate {
 public:
-  SharedCoarsePlate(const Ranks& all, const Operator& L, const Transfer& transfer, const Boundary& boundary)
+  SharedCoarsePlate(const Communicator& all, const Operator& L, const Transfer& transfer, const Boundary& boundary)
       : constraints_(boundary.constraints),
         points_(Eigen::Index(boundary.cloud.size())),
         fine_(transfer.fine_points()) {
@@ -335,14 +335,15 @@ private:
   }
 
   /// Global numbers of all coarse points seen on this rank; -1 where their owner is not asked.
-  std::vector<std::int64_t> numbers(const Ranks& all) const {
+  std::vector<std::int64_t> numbers(const Communicator& all) const {
     const auto counts = gathered(all, std::vector<std::int64_t>{std::int64_t(own_.size())});
     const auto before = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
-    State number = State::Constant(3, Eigen::Index(fine_.size()), -1);
-    for (std::size_t n = 0; n < own_.size(); ++n) number(0, Eigen::Index(own_[n])) = double(before + std::int64_t(n));
-    fetch(number);
+    std::vector<std::int64_t> fine(std::size_t(points_), 0);
+    for (const auto k : fine_) fine[k] = -1;
+    for (std::size_t n = 0; n < own_.size(); ++n) fine[fine_[own_[n]]] = before + std::int64_t(n);
+    constraints_.fetch(fine);
     std::vector<std::int64_t> result;
-    for (Eigen::Index i = 0; i < number.cols(); ++i) result.push_back(std::int64_t(number(0, i)));
+    for (const auto k : fine_) result.push_back(fine[k]);
     return result;
   }
 
@@ -400,7 +401,8 @@ private:
 }  // namespace
 
 std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& transfer, const Boundary& boundary) {
-  if (const Ranks* all = ranks()) return std::make_unique<SharedCoarsePlate>(*all, L, transfer, boundary);
+  if (boundary.map.distributed())
+    return std::make_unique<SharedCoarsePlate>(*boundary.map.communicator, L, transfer, boundary);
   return std::make_unique<FactorisedCoarsePlate>(coarse_stiffness(L, transfer, boundary.constraints));
 }
 

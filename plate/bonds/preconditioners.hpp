@@ -111,8 +111,8 @@ public:
   virtual std::size_t bytes() const = 0;
 };
 
-/// By its factor; where processes share the plate, by what they make of it together (Ranks::inverse), right at their
-/// own points and the copies that they have. `transfer` and `boundary` must outlive it.
+/// By its factor; where processes share the plate, by what they make of it together (Communicator::inverse), right at
+/// their own points and the copies that they have. `transfer` and `boundary` must outlive it.
 std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& transfer, const Boundary& boundary);
 
 /// The local plate (LocalPlate) on every second point in both directions, factorised, between Jacobi sweeps on the

@@ -270,8 +270,10 @@ bool has_images(const Side& side) {
 }
 
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
-                  const Discretization& discretization, const std::vector<SupportMotion>& motions) {
+                  const Discretization& discretization, const std::vector<SupportMotion>& motions,
+                  const Communicator& all) {
   Boundary result;
+  result.map.communicator = &all;
   for (const auto& x : cloud.positions) result.lattice.push_back(cloud.units.to_lattice(x));
   result.cloud = std::move(cloud);
   result.sides = sides_of(outline, supports);

@@ -7,7 +7,8 @@ namespace plate {
 
 /// `outline` in lattice units. `motions`: of supports that loads move.
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
-                  const Discretization& discretization, const std::vector<SupportMotion>& motions = {});
+                  const Discretization& discretization, const std::vector<SupportMotion>& motions = {},
+                  const Communicator& all = single_process());
 
 /// Does the plate go on beyond the side, as images?
 bool has_images(const Side& side);

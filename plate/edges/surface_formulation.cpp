@@ -215,7 +215,7 @@ std::string SurfaceNodePlate::of_edges() const {
 }
 
 template <EdgeMethod method>
-Discretised discretised(const Problem& problem) {
+Discretised discretised(const Problem& problem, const Communicator&) {
   Discretised result;
   auto layout = surface_layout(problem, method);
   result.warnings = layout.layout.boundary.warnings;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plate/formulation/foundations.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -102,10 +103,13 @@ void AttachedStiffness::add_energies(const State& state, Eigen::VectorXd& energi
   }
 }
 
-double AttachedStiffness::energy(const State& state) const {
-  double sum = 0;
-  for (const auto& part : parts_) sum += part->energy(state);
-  return sum;
+double AttachedStiffness::energy(const State& state, const PointMap& map) const {
+  Forces force = Forces::Zero(3, state.cols());
+  add_force(state, force);
+  return ordered_sum<1>(*map.communicator, std::size_t(state.cols()), [&](std::size_t n) {
+    const auto k = Eigen::Index(n);
+    return std::array<double, 1>{map.owns(n) ? -state.col(k).dot(force.col(k)) / 2 : 0};
+  })[0];
 }
 
 std::size_t AttachedStiffness::bytes() const {
@@ -128,14 +132,14 @@ Touching AttachedStiffness::touching(const State& state) const {
   return result;
 }
 
-double AttachedStiffness::share_touching(const State& state) const {
-  double pressed = 0, all = 0;
-  for (const auto& part : parts_)
-    if (part->contact) {
-      const auto [some, whole] = part->contact->shares(state);
-      pressed += some, all += whole;
-    }
-  return all > 0 ? pressed / all : 0;
+double AttachedStiffness::share_touching(const State& state, const PointMap& map) const {
+  const auto [touching, all] = exact_sum<2>(*map.communicator, parts_.size(), [&](std::size_t i, const auto& add) {
+    if (!parts_[i]->contact) return;
+    parts_[i]->contact->for_each(state, [&](std::size_t point, double stiffness, bool touches) {
+      if (map.owns(point)) add(0, touches ? stiffness : 0), add(1, stiffness);
+    });
+  });
+  return all > 0 ? touching / all : 0;
 }
 
 void AttachedStiffness::add_change(const State& state, const Touching& touching, Forces& forces) const {

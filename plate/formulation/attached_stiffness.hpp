@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -59,13 +60,13 @@ public:
   void add_absolute_product(const State& state, Forces& forces) const;
   void add_diagonal(Forces& diagonal) const;
   void add_energies(const State& state, Eigen::VectorXd& energies) const;  // of every point
-  double energy(const State& state) const;
+  double energy(const State& state, const PointMap& map = {}) const;
   std::size_t bytes() const;
 
   bool lifts_off() const;
   Touching touching(const State& state) const;
   /// Share of all unilateral foundations that is in contact.
-  double share_touching(const State& state) const;
+  double share_touching(const State& state, const PointMap& map = {}) const;
   /// Adds the forces on a state with the contact `touching` less those with its present contact, over all unilateral
   /// foundations.
   void add_change(const State& state, const Touching& touching, Forces& forces) const;

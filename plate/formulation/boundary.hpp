@@ -8,6 +8,7 @@
 #include "geometry/lattice/families.hpp"
 #include "plate/formulation/attached_stiffness.hpp"
 #include "plate/formulation/constraints.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/numerical_method.hpp"
 #include "plate/model/supports.hpp"
 
@@ -73,15 +74,12 @@ struct Boundary {
   std::vector<Hold> holds;  // of points of the plate; a fictitious point is held by its sides
   std::vector<std::string> warnings;
   AttachedStiffness attached = {};  // of foundations and springs
-  std::vector<char> own = {};       // of all points: not another process's; empty where one process holds the plate
+  PointMap map = {};
 
-  /// Global numbers of all points, where ranks share the plate and points are in no cells of a lattice.
-  std::vector<std::uint32_t> number = {};
-
-  bool owns(std::size_t k) const { return own.empty() || own[k]; }
+  bool owns(std::size_t k) const { return map.owns(k); }
   /// Is the point of the plate nearest to a place owned?
   bool here(const geometry::Point& x) const {
-    return own.empty() || (cloud.seeded(x) && own[geometry::nearest_plate_point(cloud, x)]);
+    return map.owned.empty() || (cloud.seeded(x) && map.owned[geometry::nearest_plate_point(cloud, x)]);
   }
   bool is_plate(std::uint32_t k) const { return k < cloud.plate_points; }
 

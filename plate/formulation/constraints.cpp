@@ -151,8 +151,9 @@ void for_each_sum(const Sums& sums, const Values<Real>& values, const Weight& we
 
 }  // namespace
 
-void Constraints::copy(std::vector<std::uint32_t> points, std::shared_ptr<const Exchange> exchange) {
-  copies_ = std::move(points), exchange_ = std::move(exchange);
+void Constraints::share(const Communicator& communicator, std::vector<std::uint32_t> ghosts,
+                        std::shared_ptr<const Exchange> exchange) {
+  communicator_ = &communicator, copies_ = std::move(ghosts), exchange_ = std::move(exchange);
   const std::unordered_set<std::uint32_t> copied(copies_.begin(), copies_.end());
   std::erase_if(zero_, [&](const Place& place) {
     const bool awaited = copied.contains(place.point);
@@ -182,6 +183,10 @@ void Constraints::fetch(Values<Real>& values) const {
 }
 
 template void Constraints::fetch(Values<double>&) const;
+
+void Constraints::fetch(std::vector<std::int64_t>& numbers) const {
+  if (exchange_) exchange_->fetch(numbers);
+}
 
 template <typename Real, typename Weight>
 void Constraints::impose_own(Values<Real>& state, const Weight& weight) const {

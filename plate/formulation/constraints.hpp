@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 #include <vector>
+#include "plate/model/communicator.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -40,9 +41,12 @@ public:
   /// Ties free degrees of freedom after resolve(). What they follow moves with no support.
   void tie_more(std::vector<std::pair<std::uint32_t, std::vector<Leader>>> ties);
 
-  /// Points that other processes own: impose() fetches their values before anything follows them, fold() leaves no
-  /// forces on them. After resolve().
-  void copy(std::vector<std::uint32_t> points, std::shared_ptr<const Exchange> exchange);
+  /// Sets the ghosts, points that other ranks own: impose() fetches their values before anything follows them, fold()
+  /// leaves no forces on them. After resolve(). `communicator` must outlive this.
+  void share(const Communicator& communicator, std::vector<std::uint32_t> ghosts,
+             std::shared_ptr<const Exchange> exchange);
+  /// The ranks whose sums over degrees of freedom count.
+  const Communicator& communicator() const { return *communicator_; }
 
   /// The same, but copies are fetched by this exchange, of more of them.
   Constraints fetching(std::shared_ptr<const Exchange> exchange) const;
@@ -61,6 +65,7 @@ public:
   /// The values of copies from their owners; does nothing where one process holds the plate.
   template <typename Real>
   void fetch(Values<Real>& values) const;
+  void fetch(std::vector<std::int64_t>& numbers) const;  // of all points
 
   /// impose() in two halves (Awaited). Between them copies have no values, nor has what follows these, or is one of
   /// them; progress() helps what is on its way along.
@@ -114,6 +119,7 @@ private:
   std::vector<Place> awaited_zero_;  // of the zeros those of copies
   Sums awaited_followers_;           // of the followers those that are copies, or follow some
   std::vector<std::uint32_t> copies_;
+  const Communicator* communicator_ = &single_process();
   std::shared_ptr<const Exchange> exchange_;  // none where one process holds the plate
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plate/formulation/formulation.hpp"
+#include "plate/model/communicator.hpp"
 
 namespace plate {
 
@@ -38,7 +39,7 @@ struct Discretised {
 
 /// By the formulation of the problem. Throws Refused where it cannot carry the problem, or the machine has no memory
 /// for so many points. Whether the plate is held is not asked here.
-Discretised discretise(const Problem& problem);
+Discretised discretise(const Problem& problem, const Communicator& communicator = single_process());
 
 /// Throws Refused where the machine has not even the memory for the points, as discretise() does.
 void require_memory(const Problem& problem);

@@ -11,9 +11,9 @@
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/process.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace plate {
 Formulation::Formulation(Layout layout) {
@@ -55,6 +55,10 @@ const Boundary& Formulation::boundary() const {
   return layout_->boundary;
 }
 
+const Communicator& Formulation::communicator() const {
+  return *layout_->boundary.map.communicator;
+}
+
 const geometry::Cloud& Formulation::cloud() const {
   return boundary().cloud;
 }
@@ -92,11 +96,9 @@ bool Formulation::held() const {
 }
 
 double Formulation::strain_energy(const State& state) const {
-  if (!ranks()) return energies(state).sum();
-  Forces force;  // of which every process finds the same bits
-  internal_force(state, force);
-  return exact_sum<1>(*ranks(), points(), [&](std::size_t k, const auto& add) {
-    if (boundary().owns(k)) add(0, -state.col(Eigen::Index(k)).dot(force.col(Eigen::Index(k))) / 2);
+  const Eigen::VectorXd of_points = energies(state);
+  return ordered_sum<1>(communicator(), std::size_t(of_points.size()), [&](std::size_t k) {
+    return std::array<double, 1>{boundary().owns(k) ? of_points[Eigen::Index(k)] : 0};
   })[0];
 }
 
@@ -136,7 +138,8 @@ std::size_t Formulation::fictitious_points() const {
 }
 
 std::unique_ptr<Preconditioner> Formulation::inverse_of_shifted(double) const {
-  return held() && ranks() ? preconditioner(Preconditioning::automatic).inverse : nullptr;  // as at rest
+  return held() && communicator().distributed() ? preconditioner(Preconditioning::automatic).inverse
+                                                : nullptr;  // as at rest
 }
 
 std::unique_ptr<Preconditioner> Formulation::factor() const {

@@ -14,6 +14,7 @@ struct Cloud;
 }  // namespace geometry
 
 namespace plate {
+class Communicator;
 class Constraints;
 class FamilyOperator;
 class Inertia;
@@ -71,6 +72,7 @@ public:
   const std::vector<geometry::CrackPath>& paths() const;
   const std::vector<geometry::Tip>& tips() const;
   const Boundary& boundary() const;
+  const Communicator& communicator() const;
   const geometry::Cloud& cloud() const;
   /// Is the place this process's, where several share the plate: is the point nearest to it?
   bool here(const geometry::Point& x) const;

@@ -101,14 +101,6 @@ double Contact::energy(const State& state) const {
   return sum;
 }
 
-std::pair<double, double> Contact::shares(const State& state) const {
-  const auto pressed = pressures(state, below);
-  std::pair<double, double> result{0, 0};
-  for (std::size_t p = 0; p < pressed.size(); ++p)
-    result.second += stiffness_[p], result.first += pressed[p] < 0 ? stiffness_[p] : 0;
-  return result;
-}
-
 std::size_t Contact::bytes() const {
   return stiffness_.size() * (sizeof(double) + sizeof(std::size_t)) +
          row_.size() * (sizeof(row_[0]) + sizeof(std::size_t)) + (terms_.size() + of_row_.size()) * sizeof(terms_[0]);

@@ -37,8 +37,6 @@ public:
   }
   /// Where a place is, of so many points: the first point of its form.
   std::size_t point(std::size_t place, std::size_t points) const { return terms_[first_[place]].first % points; }
-  /// Stiffness of what touches, and of all.
-  std::pair<double, double> shares(const State& state) const;
   std::size_t bytes() const;
 
 private:

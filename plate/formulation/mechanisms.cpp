@@ -42,7 +42,7 @@ RigidParts::RigidParts(const Boundary& boundary, const geometry::Families& famil
   number();
 }
 
-std::size_t RigidParts::count_of(const Ranks& all) {
+std::size_t RigidParts::count_of(const Communicator& all) {
   const auto numbers = set_numbers(sets_, boundary_);
   std::set<std::int64_t> own;
   for (std::uint32_t k = 0; k < boundary_.cloud.plate_points; ++k)
@@ -273,10 +273,11 @@ Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& famili
   Mechanisms result;
   result.parts = parts.count();
   find_twists(boundary, parts, load, result);
-  if (const Ranks* all = ranks()) {
+  if (boundary.map.distributed()) {
+    const Communicator& all = *boundary.map.communicator;
     std::array<std::int64_t, 1> twisting{std::int64_t(result.twisting)};
-    all->sum(twisting);
-    result.twisting = std::size_t(twisting[0]), result.parts = parts.count_of(*all), result.twisted.reset();
+    all.sum(twisting);
+    result.twisting = std::size_t(twisting[0]), result.parts = parts.count_of(all), result.twisted.reset();
     result.searched = result.parts == pieces.size() && result.twisting == 0;
     return result;
   }
@@ -328,7 +329,7 @@ std::vector<Refusal> loose(const Formulation& plate) {
                                     "; hold an edge, or pin three points that are not on one line"
                               : "cracks cut the plate into pieces, and " + free_motion(piece)});
   if (!result.empty()) return result;
-  if (ranks() && !plate.mechanisms().searched)
+  if (plate.communicator().distributed() && !plate.mechanisms().searched)
     result.push_back(
         {Subject::cracks, 0,
          "cracks and edges leave ligaments one row of points wide, which are hinges, and several processes "
@@ -343,7 +344,7 @@ std::vector<Refusal> loose(const Formulation& plate) {
 
 std::vector<Refusal> swinging(const Formulation& plate) {
   const auto& found = plate.mechanisms();
-  const bool twists = ranks() && found.twisting > 0;  // tied by one process only
+  const bool twists = plate.communicator().distributed() && found.twisting > 0;  // tied by one process only
   if (!plate.held() || (found.motions == 0 && found.searched && !twists)) return {};
   return {
       {Subject::cracks, 0,
@@ -363,7 +364,7 @@ std::vector<std::string> distrust_of_mechanisms(const Formulation& plate) {
     warnings.push_back(fmt::format("parts that hang by bonds along one line can move in {} way{} without resistance{}",
                                    found.motions, found.motions == 1 ? "" : "s",
                                    found.driven ? ": " + hanging(*found.driven) : "; no load does so"));
-  if (!found.searched && !ranks())
+  if (!found.searched && !plate.communicator().distributed())
     warnings.push_back(
         fmt::format("bonds along one line divide the plate into {} parts, too many to look for motions "
                     "without resistance",

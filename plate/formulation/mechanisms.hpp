@@ -10,7 +10,7 @@
 
 namespace plate {
 
-class Ranks;
+class Communicator;
 
 /// The plate as parts that are rigid in themselves, and hinges between them.
 class RigidParts {
@@ -21,7 +21,7 @@ public:
 
   std::size_t count() const { return first_.size(); }
   /// Number of rigid parts over all ranks that share the plate. Collective.
-  std::size_t count_of(const Ranks& all);
+  std::size_t count_of(const Communicator& all);
   std::uint32_t part(std::uint32_t k) const { return part_[k]; }
   bool has(std::uint32_t k) const { return part_[k] != none; }  // not images, nor fictitious points without a bond
   std::uint32_t first(std::uint32_t part) const { return first_[part]; }

@@ -31,21 +31,18 @@ private:
 
 std::vector<std::int64_t> set_numbers(DisjointSets& sets, const Boundary& boundary) {
   std::vector<std::int64_t> result(boundary.cloud.size());
-  const Ranks* all = ranks();
-  const std::int64_t begin = all ? std::int64_t(all->rank()) << 32 : 0;  // exact as a double below 2^21 processes
+  const Communicator& all = *boundary.map.communicator;
+  const std::int64_t begin = std::int64_t(all.rank()) << 32;
   for (std::uint32_t k = 0; k < result.size(); ++k) result[k] = begin + sets.root(k);
-  if (!all) return result;
-  State theirs = State::Zero(3, Eigen::Index(result.size()));
-  for (std::size_t k = 0; k < result.size(); ++k) theirs(0, Eigen::Index(k)) = double(result[k]);
+  auto theirs = result;
   boundary.constraints.fetch(theirs);
   std::set<std::pair<std::int64_t, std::int64_t>> joined;
   for (std::size_t k = 0; k < result.size(); ++k)
-    if (const auto other = std::int64_t(theirs(0, Eigen::Index(k))); other != result[k])
-      joined.emplace(result[k], other);
+    if (theirs[k] != result[k]) joined.emplace(result[k], theirs[k]);
   std::vector<std::int64_t> own;
   for (const auto& [a, b] : joined) own.insert(own.end(), {a, b});
   Same same;
-  const auto pairs = gathered(*all, own);
+  const auto pairs = gathered(all, own);
   for (std::size_t i = 0; i < pairs.size(); i += 2) same.join(pairs[i], pairs[i + 1]);
   for (auto& number : result) number = same.first(number);
   return result;
@@ -76,7 +73,7 @@ DisjointSets connected(const Boundary& boundary, const geometry::Families& famil
 
 using Grams = std::map<std::int64_t, Eigen::Matrix3d>;  // by the numbers of pieces
 
-void share(const Ranks& all, Grams& grams) {
+void share(const Communicator& all, Grams& grams) {
   struct Part {
     std::int64_t number;
     double entries[9];
@@ -110,7 +107,8 @@ Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_o
       result.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one;
       sizes.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one.cwiseAbs();
     });
-  if (const Ranks* all = ranks(); all && !boundary.attached.parts().empty()) share(*all, result), share(*all, sizes);
+  if (!boundary.attached.parts().empty())
+    share(*boundary.map.communicator, result), share(*boundary.map.communicator, sizes);
   for (auto& [number, own] : result) {
     const double largest = own.cwiseAbs().maxCoeff();
     if (largest > rounding * sizes.at(number).maxCoeff())
@@ -129,7 +127,7 @@ struct Found {
 using AllFound = std::map<std::int64_t, Found>;
 
 /// All that processes have found of pieces: the first point of each is the lowest, of these the one to the left.
-void share(const Ranks& all, AllFound& found) {
+void share(const Communicator& all, AllFound& found) {
   struct Part {
     std::int64_t number, points;
     double position[2], origin[2];
@@ -160,7 +158,7 @@ AllFound found_in(const Boundary& boundary, const std::vector<std::int64_t>& pie
     if (piece.points++ == 0)
       piece.position = boundary.cloud.positions[k], piece.first_point = k, origin = boundary.lattice[k];
   }
-  if (const Ranks* all = ranks()) share(*all, found);
+  share(*boundary.map.communicator, found);
   return found;
 }
 
@@ -188,7 +186,7 @@ Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piec
       if (counts(follower)) row -= scaled_factor(ties[i]) * at(ties[i].leader);
     if (counts(follower)) add(follower, row);
   }
-  if (const Ranks* all = ranks()) share(*all, gram);
+  share(*boundary.map.communicator, gram);
   for (auto& [number, own] : elastic(boundary, piece_of, at))
     if (found.contains(number)) gram[number] += own;
   return gram;

@@ -90,9 +90,8 @@ void hold_part(Boundary& boundary, const geometry::Hole& shape, std::uint32_t ho
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
     if (holds(cloud.positions[k])) hold_point(boundary, k, holder, moved), ++count;
-  double any = count > 0;
-  if (const Ranks* all = ranks(); all && cloud.part) all->largest({&any, 1});
-  if (any == 0)
+  const bool any = cloud.part ? boundary.map.communicator->largest_of(count > 0) > 0 : count > 0;
+  if (!any)
     throw Refused({{Subject::support_patch, boundary.holders[holder].support,
                     fmt::format("no point of the plate lies on it at spacing {:g}: refine, or give points",
                                 cloud.units.spacing)}});

@@ -6,10 +6,10 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/sections.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/section.hpp"
 
 namespace plate {
@@ -53,16 +53,12 @@ double stored(const Formulation& plate, const Heat& heat, const State& state) {
   const auto held_flat = [&](Eigen::Index k) {
     return plate.cloud().areas[std::size_t(k)] * heat.curvature[k] * heat.curvature[k];
   };
-  if (const Ranks* all = ranks())
-    return exact_sum<1>(*all, std::size_t(state.cols()), [&](std::size_t n, const auto& add) {
-      const auto k = Eigen::Index(n);
-      if (heat.none() || !plate.boundary().owns(n)) return;
-      add(0, (k < heat.curvature.size() ? each * held_flat(k) : 0) - heat.forces.col(k).dot(state.col(k)));
-    })[0];
-  if (heat.none()) return 0;
-  double energy = 0;
-  for (Eigen::Index k = 0; k < heat.curvature.size(); ++k) energy += held_flat(k);
-  return each * energy - heat.forces.cwiseProduct(state).sum();
+  return ordered_sum<1>(plate.communicator(), std::size_t(state.cols()), [&](std::size_t n) {
+    const auto k = Eigen::Index(n);
+    if (heat.none() || !plate.boundary().owns(n)) return std::array<double, 1>{0};
+    return std::array<double, 1>{(k < heat.curvature.size() ? each * held_flat(k) : 0) -
+                                 heat.forces.col(k).dot(state.col(k))};
+  })[0];
 }
 
 void relieve(Resultants& resultants, const Section& section, const Heat& heat) {

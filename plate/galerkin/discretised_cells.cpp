@@ -19,7 +19,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/solve/reduction.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace plate {
 
@@ -111,8 +111,8 @@ WholeCells whole_cells(const Problem& c, const std::vector<geometry::CrackPath>&
 
 }  // namespace
 
-WholeCells whole_cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
-  return whole_cells(c, paths, factor, ranks() != nullptr);
+WholeCells whole_cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor, bool shared) {
+  return whole_cells(c, paths, factor, shared);
 }
 
 WholeCells required_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, bool shared) {
@@ -150,9 +150,10 @@ struct Acting {
 /// Cells of the plate that this rank sees (all of them on one process) and the part of these that it keeps.
 class Plan {
 public:
-  Plan(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole) : problem_(problem) {
-    if (const Ranks* all = ranks())
-      share(*all, std::move(paths), std::move(whole));
+  Plan(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole, const Communicator& all)
+      : problem_(problem), all_(all) {
+    if (all.distributed())
+      share(std::move(paths), std::move(whole));
     else
       keep_all(std::move(paths), std::move(std::get<Tessellation>(whole)));
   }
@@ -174,7 +175,7 @@ public:
 private:
   Boundary boundary_of(const Tessellation& cells, const std::vector<double>& areas) const {
     auto result = galerkin_boundary(cells, areas, geometry::to_lattice(problem_.outline, cells.units),
-                                    problem_.supports, support_motions(problem_));
+                                    problem_.supports, support_motions(problem_), all_);
     result.attached = attached_stiffness(problem_, cells);
     return result;
   }
@@ -191,26 +192,26 @@ private:
     cells_ = std::move(cells);
   }
 
-  void share(const Ranks& all, std::vector<geometry::CrackPath> paths, WholeCells whole) {
+  void share(std::vector<geometry::CrackPath> paths, WholeCells whole) {
     const auto tips = geometry::tips(paths);
     inside_ = about_first_inside(whole);
-    const auto seen = seen_cells(all, problem_, whole, tips);
+    const auto seen = seen_cells(all_, problem_, whole, tips);
     const auto& cells = seen.cells;
     const auto areas = areas_of(cells);
     auto boundary = boundary_of(cells, areas);
-    part_ = part_of_cells(all, problem_, seen, boundary.attached, tips);
+    part_ = part_of_cells(all_, problem_, seen, boundary.attached, tips);
     boundary = restricted(boundary, *part_, problem_.loads.size());
     const auto& part = part_->part;
     layout_.emplace(
         Layout{problem_, std::move(paths), tips, std::move(boundary), restricted(cut_share(cells, areas), part), {}});
     masses_ = restricted(stiffener_masses(problem_, cells), part);
-    std::vector<char> own;
-    for (const int owner : seen.owners) own.push_back(owner == all.rank());
+    PointMap map{&all_};
+    for (const int owner : seen.owners) map.owned.push_back(owner == all_.rank());
     for (const auto& load : problem_.loads) {
-      auto& acting = acting_.emplace_back(restricted(nodal_forces(load, cells, areas, own), part), nullptr);
+      auto& acting = acting_.emplace_back(restricted(nodal_forces(load, cells, areas, map), part), nullptr);
       if (load.moves())
         acting.moving =
-            std::make_shared<MovingForces>(restricted(moving_forces(load, cells, areas.size(), own), *part_));
+            std::make_shared<MovingForces>(restricted(moving_forces(load, cells, areas.size(), map), *part_));
     }
     cells_ = std::move(part_->part.cells);
   }
@@ -222,7 +223,7 @@ private:
     const auto count = [&](std::size_t k) { return families.families[k].size(); };
     for (std::size_t k = 0; k < families.areas.size(); ++k)
       if (count(k) > count(worst)) worst = k;
-    const double largest = largest_of_all(double(count(worst)));
+    const double largest = all_.largest_of(double(count(worst)));
     if (largest <= most) return;
     const geometry::Point& x = cells_.positions[worst];
     double near = geometry::distance_to_boundary(problem_.outline, x);
@@ -251,7 +252,7 @@ private:
   }
 
   void require_consistent(const GalerkinFamilies& families) const {
-    const auto residuals = consistency_residuals(families, cells_, layout_->boundary.own);
+    const auto residuals = consistency_residuals(families, cells_, layout_->boundary.map.owned);
     if (std::max(residuals.first, residuals.second) > 1e-10)
       throw std::logic_error(fmt::format("families are not variationally consistent: {:.2e}, {:.2e} spacings",
                                          residuals.first, residuals.second));
@@ -263,7 +264,7 @@ private:
     TimedLoad result{std::move(acting.forces), load.history,
                      free_curvature(load, problem_.section, layout.boundary.cloud.positions, points)};
     if (result.curvature.size() > 0)
-      result.forces = force_of_curvature(families, problem_.section, result.curvature, layout.boundary.own);
+      result.forces = force_of_curvature(families, problem_.section, result.curvature, layout.boundary.map);
     result.lift = layout.boundary.constraints.lift(layout.loads.size(), points);
     if (part_ && load.kind == Load::Kind::settlement && result.lift.cols() == 0)
       result.lift = State::Zero(3, Eigen::Index(points));  // all have one, also those that do not see what moves
@@ -275,6 +276,7 @@ private:
   }
 
   const Problem& problem_;
+  const Communicator& all_;
   std::optional<PartOfCells> part_;  // where several processes share the plate
   Tessellation cells_;               // that are kept
   Tessellation inside_;              // those about the first point inside a lattice that is shared
@@ -286,8 +288,8 @@ private:
 }  // namespace
 
 LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole,
-                 Stopwatch& stopwatch) {
-  auto result = Plan(problem, std::move(paths), std::move(whole)).laid_out();
+                 const Communicator& all, Stopwatch& stopwatch) {
+  auto result = Plan(problem, std::move(paths), std::move(whole), all).laid_out();
   stopwatch.lap("families");
   return result;
 }

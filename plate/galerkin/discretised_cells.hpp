@@ -13,7 +13,8 @@ namespace plate {
 geometry::Tessellation cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
 
 /// The same; where processes share them and they are on a lattice, what tells them.
-WholeCells whole_cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
+WholeCells whole_cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor,
+                          bool shared);
 /// Cells of the plate itself (factor 1). `shared`: true where ranks share the cells, or are to.
 /// @throws Refused  cracks and edges are too close to each other, or the points too many to be numbered
 WholeCells required_cells(const Problem& problem, const std::vector<geometry::CrackPath>& paths, bool shared);
@@ -36,7 +37,7 @@ struct LaidOut {
 /// their supports and nodal forces, and keeps its part; with graded points every rank makes those of the whole plate.
 /// @throws Refused
 LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole,
-                 Stopwatch& stopwatch);
+                 const Communicator& all, Stopwatch& stopwatch);
 
 struct Problem;
 

@@ -45,35 +45,6 @@ std::vector<BondShape> shapes_of(const std::vector<Point>& vectors) {
   return result;
 }
 
-/// The same plate on points two, four, ... times as far apart, as far as it has the same pieces there and the one
-/// before still has many points.
-std::vector<GalerkinLevel> coarser_plates(const Formulation& plate) {
-  const Problem& c = plate.problem();
-  constexpr std::size_t few = 4000;  // points; their factor costs some ten products of a hundred thousand points
-  const auto [low, high] = geometry::bounding_box(c.outline);
-  std::vector<GalerkinLevel> result;
-  for (double factor = 2; factor * c.discretization.spacing <= (high - low).minCoeff() / 8; factor *= 2) {
-    if ((result.empty() ? plate.points() : result.back().plate.points()) <= few) break;
-    try {
-      auto cells = cells_of(c, plate.paths(), factor);
-      auto families = galerkin_families(cells);
-      auto boundary =
-          galerkin_boundary(cells, families.areas, geometry::to_lattice(c.outline, cells.units), c.supports);
-      if (pieces(boundary, families.families).size() != plate.pieces().size()) break;
-      auto seen = geometry::seen_positions(cells);
-      auto attached = attached_stiffness(c, cells);
-      PointSections sections(c.section, cells);
-      result.push_back({std::move(cells), std::move(seen), std::move(boundary),
-                        GalerkinOperator(std::move(families), std::move(sections), std::move(attached))});
-    } catch (const std::invalid_argument&) {
-      break;  // cracks and edges are too close to each other for such points
-    } catch (const Refused&) {
-      break;  // a part that is held has none of them
-    }
-  }
-  return result;
-}
-
 class GalerkinPlate : public Formulation {
 public:
   explicit GalerkinPlate(LaidOut laid)
@@ -123,7 +94,8 @@ public:
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
   std::unique_ptr<Preconditioner> factor() const override {
-    if (const Ranks* all = ranks()) return std::make_unique<SharedFactor>(*all, op_, boundary(), stiffness_matrix(op_));
+    if (communicator().distributed())
+      return std::make_unique<SharedFactor>(communicator(), op_, boundary(), stiffness_matrix(op_));
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
   }
   std::vector<MemoryPart> memory(bool single) const override;
@@ -152,8 +124,7 @@ std::vector<double> GalerkinPlate::cut_at(const StartOfCracks& start) const {
 }
 
 std::unique_ptr<Preconditioner> GalerkinPlate::levels() const {
-  const Ranks* all = ranks();
-  auto coarser = all ? coarser_parts(*all, *this, seen_) : coarser_plates(*this);
+  auto coarser = coarser_levels(*this, seen_);
   if (coarser.empty()) return factor();
   return std::make_unique<GalerkinLevels>(op_, constraints(), seen_, std::move(coarser));
 }
@@ -170,7 +141,7 @@ ChosenPreconditioner GalerkinPlate::preconditioner(Preconditioning wanted) const
 std::unique_ptr<Preconditioner> GalerkinPlate::inverse_of_shifted(double shift) const {
   if (held()) return preconditioner(Preconditioning::levels).inverse;
   constexpr std::size_t many = 100000;  // points
-  if (ranks() || points() > many) return nullptr;
+  if (communicator().distributed() || points() > many) return nullptr;
   return std::make_unique<AssembledPlate>(op_, constraints(), plus(stiffness_matrix(op_), shift * mass()));
 }
 
@@ -217,13 +188,13 @@ std::string GalerkinPlate::remedy() const {
                      std::min(section().layer() / 3, discretization().spacing_at_tips() / 2));
 }
 
-Discretised discretised(const Problem& problem) {
+Discretised discretised(const Problem& problem, const Communicator& all) {
   Discretised result;
   auto& stopwatch = result.stopwatch;
   auto paths = crack_paths(problem);
-  auto cells = required_cells(problem, paths, ranks() != nullptr);
+  auto cells = required_cells(problem, paths, all.distributed());
   stopwatch.lap("geometry");
-  result.plate = std::make_unique<GalerkinPlate>(laid_out(problem, std::move(paths), std::move(cells), stopwatch));
+  result.plate = std::make_unique<GalerkinPlate>(laid_out(problem, std::move(paths), std::move(cells), all, stopwatch));
   stopwatch.lap("parameters");
   return result;
 }

@@ -13,13 +13,14 @@
 #include "plate/galerkin/supports.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/reduction.hpp"
 
 namespace plate {
 
-SumByOwners::SumByOwners(const Ranks& all, std::vector<Copy> copies) : all_(all), sent_(std::size_t(all.size())) {
+SumByOwners::SumByOwners(const Communicator& all, std::vector<Copy> copies)
+    : all_(all), sent_(std::size_t(all.size())) {
   std::vector<std::vector<std::uint32_t>> there(sent_.size());
   for (const auto& copy : copies)
     sent_[std::size_t(copy.owner)].push_back(copy.point), there[std::size_t(copy.owner)].push_back(copy.of_owner);
@@ -106,8 +107,8 @@ GalerkinLevels::GalerkinLevels(const GalerkinOperator& plate, const Constraints&
     sweeps_.push_back(std::move(s));
   }
   const auto& [cells, beside, boundary, last, to_finer, sum] = coarser_.back();
-  if (const Ranks* all = ranks())
-    last_ = std::make_unique<SharedFactor>(*all, last, boundary, stiffness_matrix(last));
+  if (boundary.map.distributed())
+    last_ = std::make_unique<SharedFactor>(*boundary.map.communicator, last, boundary, stiffness_matrix(last));
   else
     last_ = std::make_unique<AssembledPlate>(last, boundary.constraints, stiffness_matrix(last));
 }
@@ -183,8 +184,8 @@ namespace {
 /// interpolate from the level.
 class LevelOfParts {
 public:
-  LevelOfParts(const Ranks& all, const Problem& problem, WholeCells whole, const std::vector<geometry::Point>& seen,
-               const std::vector<char>& own)
+  LevelOfParts(const Communicator& all, const Problem& problem, WholeCells whole,
+               const std::vector<geometry::Point>& seen, const std::vector<char>& own)
       : problem_(problem) {
     inside_ = about_first_inside(whole);
     const auto besides = box_of(whole, seen, own);
@@ -193,8 +194,8 @@ public:
     to_finer_ = transfer_to(seen, cells, own);
     std::vector<char> asked(cells.positions.size(), 0);
     for (const auto& share : to_finer_.shares) asked[share.other] = 1;
-    auto boundary =
-        galerkin_boundary(cells, areas_of(cells), geometry::to_lattice(problem.outline, cells.units), problem.supports);
+    auto boundary = galerkin_boundary(cells, areas_of(cells), geometry::to_lattice(problem.outline, cells.units),
+                                      problem.supports, {}, all);
     boundary.attached = attached_stiffness(problem, cells);
     part_ = part_of_cells(all, problem, here, boundary.attached, {}, asked);
     boundary_ = restricted(boundary, part_, 0);
@@ -204,7 +205,7 @@ public:
     sum_ = std::make_shared<SumByOwners>(all, std::move(part_.copies));
   }
 
-  /// Asks no other process; nothing where there is none.
+  /// Asks no other rank; absent where cracks, edges and supports have no room for such points.
   std::optional<GalerkinLevel> level() && try {
     auto& cells = part_.part.cells;
     auto beside = geometry::seen_positions(cells);
@@ -243,37 +244,53 @@ private:
   std::shared_ptr<const SumByOwners> sum_;
 };
 
+std::optional<GalerkinLevel> whole_level(const Problem& c, geometry::Tessellation cells) try {
+  auto families = galerkin_families(cells);
+  auto boundary = galerkin_boundary(cells, families.areas, geometry::to_lattice(c.outline, cells.units), c.supports);
+  auto seen = geometry::seen_positions(cells);
+  auto attached = attached_stiffness(c, cells);
+  PointSections sections(c.section, cells);
+  return GalerkinLevel{std::move(cells), std::move(seen), std::move(boundary),
+                       GalerkinOperator(std::move(families), std::move(sections), std::move(attached))};
+} catch (const std::invalid_argument&) {
+  return std::nullopt;
+} catch (const Refused&) {
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::size_t points_of_all(const Boundary& boundary) {
-  return std::size_t(sum_of_all(double(boundary.own.empty() ? std::ptrdiff_t(boundary.cloud.plate_points)
-                                                            : std::ranges::count(boundary.own, char(1)))));
+  const auto& owned = boundary.map.owned;
+  const auto here = owned.empty() ? std::ptrdiff_t(boundary.cloud.plate_points) : std::ranges::count(owned, char(1));
+  return std::size_t(sum_of_all(*boundary.map.communicator, double(here)));
 }
 
-std::vector<GalerkinLevel> coarser_parts(const Ranks& all, const Formulation& plate,
-                                         const std::vector<geometry::Point>& seen) {
+std::vector<GalerkinLevel> coarser_levels(const Formulation& plate, const std::vector<geometry::Point>& seen) {
+  const Communicator& all = plate.communicator();
   const Problem& c = plate.problem();
-  constexpr std::size_t few = 4000;  // points, as one process has on its last level
+  constexpr std::size_t few = 4000;  // points; their factor costs some ten products of a hundred thousand points
   const auto [low, high] = geometry::bounding_box(c.outline);
   std::vector<GalerkinLevel> result;
   std::size_t points = points_of_all(plate.boundary());
   for (double factor = 2; points > few && factor * c.discretization.spacing <= (high - low).minCoeff() / 8;
        factor *= 2) {
     try {
-      auto whole = whole_cells_of(c, plate.paths(), factor);
-      const auto count = points_of(whole);
+      auto whole = whole_cells_of(c, plate.paths(), factor, all.distributed());
+      points = points_of(whole);
       const bool first = result.empty();
-      auto level = LevelOfParts(all, c, std::move(whole), first ? seen : result.back().seen,
-                                first ? plate.boundary().own : result.back().boundary.own)
-                       .level();
-      if (largest_of_all(level ? 0 : 1) > 0) break;
+      auto level = all.distributed()
+                       ? LevelOfParts(all, c, std::move(whole), first ? seen : result.back().seen,
+                                      first ? plate.boundary().map.owned : result.back().boundary.map.owned)
+                             .level()
+                       : whole_level(c, std::get<geometry::Tessellation>(std::move(whole)));
+      if (all.largest_of(level ? 0 : 1) > 0) break;
       if (pieces(level->boundary, level->plate.families().families).size() != plate.pieces().size()) break;
       result.push_back(std::move(*level));
-      points = count;
-    } catch (const std::invalid_argument&) {  // the same in all processes, as the next
+    } catch (const std::invalid_argument&) {  // on every rank, as the next
       break;                                  // cracks and edges are too close to each other for such points
     } catch (const Refused&) {
-      break;  // a part that is held has none of them, or a process would
+      break;  // a part that is held has none of them, or a rank would
     }
   }
   return result;

@@ -12,13 +12,13 @@ namespace plate {
 class SumByOwners {
 public:
   /// `all` must outlive this.
-  SumByOwners(const Ranks& all, std::vector<Copy> copies);
+  SumByOwners(const Communicator& all, std::vector<Copy> copies);
 
   /// Adds what copies have to the points that they are copies of, and leaves zero on them. All call it at once.
   void add(Forces& forces) const;
 
 private:
-  const Ranks& all_;
+  const Communicator& all_;
   std::vector<std::vector<std::uint32_t>> sent_;      // to every process: these copies
   std::vector<std::vector<std::uint32_t>> received_;  // from every process: of these own points
 };
@@ -83,10 +83,9 @@ private:
 /// Points of all processes that share a plate.
 std::size_t points_of_all(const Boundary& boundary);
 
-/// The same plate on points two, four, ... times as far apart, as long as there are enough of them for all processes:
-/// each level is shared out by itself, and every process has what its points of the finer one take from it. `seen`:
-/// geometry::seen_positions() of the plate's points. All call it at once.
-std::vector<GalerkinLevel> coarser_parts(const Ranks& all, const Formulation& plate,
-                                         const std::vector<geometry::Point>& seen);
+/// The same plate on points two, four, ... times as far apart, as far as it has the same pieces there and the one
+/// before still has many points. Where ranks share the plate, each level is shared out by itself, and every rank has
+/// what its points of the finer one take from it. `seen`: geometry::seen_positions() of the plate's points. Collective.
+std::vector<GalerkinLevel> coarser_levels(const Formulation& plate, const std::vector<geometry::Point>& seen);
 
 }  // namespace plate

@@ -6,7 +6,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/galerkin/stiffness.hpp"
-#include "plate/solve/reduction.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace plate {
 
@@ -210,7 +210,7 @@ PointMatrix GalerkinOperator::own_matrix() const {
 
 /// Sets to zero the rounding that would be left at points about which the families' normals cancel (theory (63)).
 Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature,
-                          const std::vector<char>& own) {
+                          const PointMap& map) {
   constexpr double rounding = 1e-12;
   const Eigen::Vector3d flat = moments_held_flat(section);
   Eigen::Matrix2d each;
@@ -225,10 +225,10 @@ Forces force_of_curvature(const GalerkinFamilies& families, const Section& secti
       const Eigen::Vector2d theta(-psi.y(), psi.x());  // psi = (-theta_y, theta_x)
       result.col(Eigen::Index(family[i].neighbour)).tail<2>() += theta;
       result.col(k).tail<2>() -= theta;
-      if (own.empty() || own[k]) largest = std::max(largest, psi.norm());
+      if (map.owns(k)) largest = std::max(largest, psi.norm());
     }
   }
-  largest = largest_of_all(largest);
+  largest = map.communicator->largest_of(largest);
   return (result.array().abs() > rounding * largest).select(result, 0);
 }
 

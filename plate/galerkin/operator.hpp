@@ -4,6 +4,7 @@
 #include "plate/formulation/attached_stiffness.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/galerkin/force_kernels.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/state.hpp"
 #include "plate/solve/matrices/point_matrix.hpp"
 
@@ -84,6 +85,6 @@ private:
 /// -sum of V D (1 + nu) kappa_0 times the curvatures, theory (79); for sections with material directions, with
 /// moments_held_flat(). `own`: the points whose forces are requested, where ranks share the plate.
 Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature,
-                          const std::vector<char>& own = {});
+                          const PointMap& map = {});
 
 }  // namespace plate

@@ -52,7 +52,7 @@ void extend(CellBox& box, const CellBox& by) {
     box.low[axis] = std::min(box.low[axis], by.low[axis]), box.high[axis] = std::max(box.high[axis], by.high[axis]);
 }
 
-SeenCells all_cells(const Ranks& all, Tessellation whole) {
+SeenCells all_cells(const Communicator& all, Tessellation whole) {
   SeenCells result;
   result.owners = checked_owners(whole, all.size());
   Point low = Point::Constant(INFINITY), high = -low;
@@ -67,7 +67,7 @@ SeenCells all_cells(const Ranks& all, Tessellation whole) {
 /// The cells of own points and those that they see, `inner`, are among those with a place of which all is known; what
 /// presses on points of these may be as far beyond as beams have between two places, with two cells to the nearest
 /// point.
-SeenCells cells_about(const Ranks& all, const Problem& problem, const WholeLattice& whole,
+SeenCells cells_about(const Communicator& all, const Problem& problem, const WholeLattice& whole,
                       const std::vector<geometry::Tip>& tips, const std::optional<CellBox>& besides) {
   constexpr long seen = 8;  // part_of_cells() sees half of that, and what is attached to the last of it
   const auto shares = checked_shares(whole, all.size());
@@ -106,7 +106,7 @@ void require_parts(const WholeCells& whole, int processes) {
     checked_owners(std::get<Tessellation>(whole), processes);
 }
 
-SeenCells seen_cells(const Ranks& all, const Problem& problem, WholeCells& whole,
+SeenCells seen_cells(const Communicator& all, const Problem& problem, WholeCells& whole,
                      const std::vector<geometry::Tip>& tips, const std::optional<CellBox>& besides) {
   if (auto* cells = std::get_if<Tessellation>(&whole)) return all_cells(all, std::move(*cells));
   return cells_about(all, problem, std::get<WholeLattice>(whole), tips, besides);
@@ -149,7 +149,7 @@ void see_attached(const AttachedStiffness& attached, const std::vector<char>& ow
 }
 
 /// The points of others, with their numbers there, for which these are asked.
-std::vector<Copy> numbered(const Ranks& all, const std::vector<int>& owners, const PartOfCells& part) {
+std::vector<Copy> numbered(const Communicator& all, const std::vector<int>& owners, const PartOfCells& part) {
   const auto size = std::size_t(all.size());
   std::vector<std::vector<std::uint32_t>> here(size), asked(size);
   for (std::uint32_t i = 0; i < part.number.size(); ++i)
@@ -195,7 +195,7 @@ double reach_about_tip(const Problem& problem, const geometry::Tip& tip) {
   return result;
 }
 
-PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const SeenCells& seen,
+PartOfCells part_of_cells(const Communicator& all, const Problem& problem, const SeenCells& seen,
                           const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
                           const std::vector<char>& asked) {
   constexpr long near = 2;  // cells about the points: a place of the plate is as near to one of them
@@ -279,11 +279,11 @@ Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t 
     if (place[hold.point] != none) result.holds.push_back({place[hold.point], hold.holder, hold.rotations});
   result.constraints = restricted(whole.constraints, place, motions);
   result.attached = restricted(whole.attached, part.part);
-  result.own = part.own, result.number = part.number;
+  result.map = {whole.map.communicator, part.own, part.number};
   std::vector<std::uint32_t> others;
   for (std::uint32_t i = 0; i < part.own.size(); ++i)
     if (!part.own[i]) others.push_back(i);
-  result.constraints.copy(std::move(others), part.exchange);
+  result.constraints.share(*whole.map.communicator, std::move(others), part.exchange);
   return result;
 }
 

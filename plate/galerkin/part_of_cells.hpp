@@ -35,7 +35,7 @@ void require_parts(const WholeCells& whole, int processes);
 /// Points and cells that this rank sees. `whole`: cells are taken from it. `tips`: crack tips, of which the rank may
 /// own some. `besides`: cells about which it needs points too.
 /// @throws Refused  too few points for so many processes
-SeenCells seen_cells(const Ranks& all, const Problem& problem, WholeCells& whole,
+SeenCells seen_cells(const Communicator& all, const Problem& problem, WholeCells& whole,
                      const std::vector<geometry::Tip>& tips, const std::optional<geometry::CellBox>& besides = {});
 
 /// The first point with squares all about it and its neighbours, with the cells that tell its weights; empty where
@@ -64,7 +64,7 @@ double widest_window(const Problem& problem);
 
 /// Part of the cells that this rank holds, for a plate with some supports, foundations and springs. `asked`: further
 /// points that the rank sees and needs; empty: none. Collective: every rank must call it.
-PartOfCells part_of_cells(const Ranks& all, const Problem& problem, const SeenCells& seen,
+PartOfCells part_of_cells(const Communicator& all, const Problem& problem, const SeenCells& seen,
                           const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
                           const std::vector<char>& asked = {});
 

@@ -130,8 +130,9 @@ void hold_places(Boundary& boundary, const MovedSupports& moved) {
 
 Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vector<double>& areas,
                            const geometry::Outline& outline, const std::vector<Support>& supports,
-                           const std::vector<SupportMotion>& motions) {
+                           const std::vector<SupportMotion>& motions, const Communicator& all) {
   Boundary result;
+  result.map.communicator = &all;
   result.cloud = {cells.units, cells.positions, areas, cells.positions.size()};
   if (cells.window) result.cloud.part = cells.window->about;
   for (const auto& x : cells.positions) result.lattice.push_back(cells.units.to_lattice(x));

@@ -9,6 +9,6 @@ namespace plate {
 /// `outline` in lattice units. `motions`: of supports that loads move.
 Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vector<double>& areas,
                            const geometry::Outline& outline, const std::vector<Support>& supports,
-                           const std::vector<SupportMotion>& motions = {});
+                           const std::vector<SupportMotion>& motions = {}, const Communicator& all = single_process());
 
 }  // namespace plate

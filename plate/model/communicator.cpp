@@ -1,22 +1,36 @@
 #include "plate/model/communicator.hpp"
 
+#include <stdexcept>
+
+#include "plate/model/halo_exchange.hpp"
+
 namespace plate {
 namespace {
 
-thread_local const Ranks* current = nullptr;
+[[noreturn]] void refuse_parts() {
+  throw std::logic_error("a single process has no parts of a matrix");
+}
+
+class SingleProcess : public Communicator {
+public:
+  int rank() const override { return 0; }
+  int size() const override { return 1; }
+  bool distributed() const override { return false; }
+  void sum(std::span<std::int64_t>) const override {}
+  void largest(std::span<double>) const override {}
+  std::vector<std::string> exchanged(std::vector<std::string> texts) const override { return texts; }
+  std::unique_ptr<Exchange> exchange(std::size_t, const std::vector<Copy>&) const override { return nullptr; }
+  std::unique_ptr<SharedInverse> inverse(const SharedRows&) const override { refuse_parts(); }
+  SharedPairs largest_pairs(const SharedProduct&, std::span<const double>, const PairsWanted&) const override {
+    refuse_parts();
+  }
+};
 
 }  // namespace
 
-const Ranks* ranks() {
-  return current;
-}
-
-AmongRanks::AmongRanks(const Ranks& ranks) : before_(current) {
-  current = &ranks;
-}
-
-AmongRanks::~AmongRanks() {
-  current = before_;
+const Communicator& single_process() {
+  static const SingleProcess process;
+  return process;
 }
 
 }  // namespace plate

@@ -1,11 +1,7 @@
 #pragma once
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -59,15 +55,24 @@ struct SharedPairs {
   std::vector<std::vector<double>> vectors;
 };
 
-/// The processes that share a plate. What they do together all of them call, in the same order.
-class Ranks {
+/// The ranks that share a plate; one process is a communicator of size 1 (single_process()). Collective: every rank
+/// must call the member functions that others take part in, in the same order.
+class Communicator {
 public:
-  virtual ~Ranks() = default;
+  virtual ~Communicator() = default;
   virtual int rank() const = 0;
   virtual int size() const = 0;
+  /// Are plates laid out in parts, with ghosts, and sums made independent of how the plate is shared out? Also true of
+  /// the parallel program with one rank, so that one rank gives the bits that several do.
+  virtual bool distributed() const { return true; }
+  /// Sums, and largest values, over all ranks; collective.
   virtual void sum(std::span<std::int64_t> values) const = 0;
   virtual void largest(std::span<double> values) const = 0;
-  /// `texts`: one for every process; returns what every process has sent here.
+  double largest_of(double value) const {
+    largest({&value, 1});
+    return value;
+  }
+  /// `texts`: one for every rank; returns what every rank has sent here.
   virtual std::vector<std::string> exchanged(std::vector<std::string> texts) const = 0;
   virtual std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const = 0;
   virtual std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const = 0;
@@ -79,19 +84,17 @@ public:
                                     const PairsWanted& wanted) const = 0;
 };
 
-/// Communicator of the current thread; null where one process holds the whole plate.
-const Ranks* ranks();
+/// The communicator of a program that is one process: nothing is exchanged, plates are not laid out in parts.
+const Communicator& single_process();
 
-/// While it lives, the thread is one of these.
-class AmongRanks {
-public:
-  explicit AmongRanks(const Ranks& ranks);
-  ~AmongRanks();
-  AmongRanks(const AmongRanks&) = delete;
-  AmongRanks& operator=(const AmongRanks&) = delete;
+/// Which of the points that a rank knows it owns; the others are ghosts. One process owns all: both lists are empty.
+struct PointMap {
+  const Communicator* communicator = &single_process();  // must outlive it
+  std::vector<char> owned = {};                          // of all points
+  std::vector<std::uint32_t> global = {};                // numbers in the whole plate, where points are in no lattice
 
-private:
-  const Ranks* before_;
+  bool distributed() const { return communicator->distributed(); }
+  bool owns(std::size_t k) const { return owned.empty() || owned[k]; }
 };
 
 /// Values of one kind as what processes send each other, and back.
@@ -113,61 +116,11 @@ std::vector<T> values_of(const std::string& text) {
 
 /// Gathers the values of all ranks, one rank after the other.
 template <typename T>
-std::vector<T> gathered(const Ranks& all, const std::vector<T>& own) {
+std::vector<T> gathered(const Communicator& all, const std::vector<T>& own) {
   std::vector<T> result;
   for (const auto& text : all.exchanged(std::vector<std::string>(std::size_t(all.size()), text_of(own)))) {
     const auto theirs = values_of<T>(text);
     result.insert(result.end(), theirs.begin(), theirs.end());
-  }
-  return result;
-}
-
-/// Sums of several quantities over all processes: the same bits however they are shared out, and with any number of
-/// threads. Terms are rounded to multiples of 2^-60 of the largest, kept in two whole numbers, which add up exactly (n
-/// terms err by n 2^-61 of the largest at most; n below 2^33). for_each(block, add) calls add(index of the sum, term)
-/// for every term of a block, twice, from several threads. Not a number where a term is none, or infinite.
-template <std::size_t N, typename ForEach>
-std::array<double, N> exact_sum(const Ranks& ranks, std::size_t blocks, const ForEach& for_each) {
-  constexpr double infinity = std::numeric_limits<double>::infinity(), fine = 1 << 30;
-  std::array<double, N> largest{};
-#pragma omp parallel
-  {
-    std::array<double, N> own{};
-    const auto add = [&own](std::size_t n, double term) {
-      own[n] = std::isfinite(term) ? std::max(own[n], std::abs(term)) : infinity;
-    };
-#pragma omp for schedule(static)
-    for (std::size_t b = 0; b < blocks; ++b) for_each(b, add);
-#pragma omp critical
-    for (std::size_t n = 0; n < N; ++n) largest[n] = std::max(largest[n], own[n]);
-  }
-  ranks.largest(largest);
-  std::array<double, N> scale{};  // 2^30 over a power of two above the largest; 0: nothing to add
-  for (std::size_t n = 0; n < N; ++n) {
-    int exponent = 0;
-    std::frexp(largest[n], &exponent);
-    if (largest[n] > 0 && largest[n] < infinity) scale[n] = std::ldexp(1.0, std::min(30 - exponent, 1000));
-  }
-  std::array<std::int64_t, 2 * N> parts{};
-#pragma omp parallel
-  {
-    std::array<std::int64_t, 2 * N> own{};
-    const auto add = [&own, &scale](std::size_t n, double term) {
-      if (scale[n] == 0) return;
-      const double scaled = term * scale[n], high = std::nearbyint(scaled);
-      own[2 * n] += std::int64_t(high);
-      own[2 * n + 1] += std::int64_t(std::nearbyint((scaled - high) * fine));
-    };
-#pragma omp for schedule(static)
-    for (std::size_t b = 0; b < blocks; ++b) for_each(b, add);
-#pragma omp critical
-    for (std::size_t i = 0; i < parts.size(); ++i) parts[i] += own[i];
-  }
-  ranks.sum(parts);
-  std::array<double, N> result{};
-  for (std::size_t n = 0; n < N; ++n) {
-    if (largest[n] == infinity) result[n] = std::numeric_limits<double>::quiet_NaN();
-    if (scale[n] > 0) result[n] = (double(parts[2 * n]) + double(parts[2 * n + 1]) / fine) / scale[n];
   }
   return result;
 }

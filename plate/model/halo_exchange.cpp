@@ -1,6 +1,7 @@
 #include "plate/model/halo_exchange.hpp"
 
 #include <chrono>
+#include <cstring>
 #include <set>
 
 namespace plate {
@@ -57,6 +58,14 @@ private:
 
 }  // namespace
 
+/// By their bits, in numbers of the same size.
+void Exchange::fetch(std::vector<std::int64_t>& numbers) const {
+  std::vector<double> bits(numbers.size());
+  std::memcpy(bits.data(), numbers.data(), numbers.size() * sizeof(double));
+  fetch(std::span(bits));
+  std::memcpy(numbers.data(), bits.data(), numbers.size() * sizeof(double));
+}
+
 Traffic& Traffic::operator+=(const Traffic& other) {
   messages += other.messages, bytes += other.bytes, sums += other.sums, seconds += other.seconds;
   return *this;
@@ -66,24 +75,24 @@ Traffic Traffic::operator-(const Traffic& before) const {
   return {messages - before.messages, bytes - before.bytes, sums - before.sums, seconds - before.seconds};
 }
 
-void CountedRanks::sum(std::span<std::int64_t> values) const {
+void CountedCommunicator::sum(std::span<std::int64_t> values) const {
   const Timed timed(traffic_);
   ++traffic_.sums;
   ranks_.sum(values);
 }
 
-void CountedRanks::largest(std::span<double> values) const {
+void CountedCommunicator::largest(std::span<double> values) const {
   const Timed timed(traffic_);
   ++traffic_.sums;
   ranks_.largest(values);
 }
 
-std::vector<std::string> CountedRanks::exchanged(std::vector<std::string> texts) const {
+std::vector<std::string> CountedCommunicator::exchanged(std::vector<std::string> texts) const {
   const Timed timed(traffic_);
   return ranks_.exchanged(std::move(texts));
 }
 
-std::unique_ptr<Exchange> CountedRanks::exchange(std::size_t points, const std::vector<Copy>& copies) const {
+std::unique_ptr<Exchange> CountedCommunicator::exchange(std::size_t points, const std::vector<Copy>& copies) const {
   return std::make_unique<CountedExchange>(ranks_.exchange(points, copies), points, copies, traffic_);
 }
 

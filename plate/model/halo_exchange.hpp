@@ -25,6 +25,8 @@ public:
     start(values);
     finish();
   }
+  /// Numbers of points [points].
+  void fetch(std::vector<std::int64_t>& numbers) const;
 };
 
 /// Traffic that a rank receives from others: ghost values of their points, and sums and maxima over all. Exchanges in
@@ -39,12 +41,13 @@ struct Traffic {
 };
 
 /// Processes, and what comes to this one: it calls them, which must outlive it, and counts.
-class CountedRanks : public Ranks {
+class CountedCommunicator : public Communicator {
 public:
-  explicit CountedRanks(const Ranks& ranks) : ranks_(ranks) {}
+  explicit CountedCommunicator(const Communicator& ranks) : ranks_(ranks) {}
 
   int rank() const override { return ranks_.rank(); }
   int size() const override { return ranks_.size(); }
+  bool distributed() const override { return ranks_.distributed(); }
   void sum(std::span<std::int64_t> values) const override;
   void largest(std::span<double> values) const override;
   std::vector<std::string> exchanged(std::vector<std::string> texts) const override;
@@ -57,7 +60,7 @@ public:
   const Traffic* traffic() const override { return &traffic_; }
 
 private:
-  const Ranks& ranks_;
+  const Communicator& ranks_;
   mutable Traffic traffic_;
 };
 

@@ -8,7 +8,7 @@
 
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/shape/patch.hpp"
-#include "plate/model/communicator.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace plate {
 
@@ -146,8 +146,9 @@ void require_value(const Formula& formula, const Point& x, double usual, double 
 /// Resultants of a pressure on pieces of the plate: its force, and the moment of it, int p (x - about) dA.
 class Thrust {
 public:
-  explicit Thrust(const Load& load)
+  Thrust(const Load& load, const Communicator& communicator)
       : load_(load),
+        communicator_(communicator),
         patch_(load.patch ? std::optional<geometry::Patch>(*load.patch) : std::nullopt),
         cubature_([&](const Point& x) {
           const double value = load.pressure(x);
@@ -180,7 +181,7 @@ public:
   void require_tame(std::size_t cells, const RingOf& ring_of) {
     constexpr std::size_t some = 64;
     constexpr double noise = 0.2;
-    if (!load_.formula.given() || ranks()) return;
+    if (!load_.formula.given() || communicator_.distributed()) return;
     const std::size_t stride = std::max<std::size_t>(1, cells / some);
     Integral all;
     for (std::size_t k = stride / 2; k < cells; k += stride) {
@@ -195,8 +196,9 @@ public:
     constexpr double known = 0.01;
     if (!load_.formula.given()) return;
     std::array<double, 2> all{all_.error, all_.size};
-    if (const Ranks* others = ranks())
-      all = exact_sum<2>(*others, 1, [&](std::size_t, const auto& add) { add(0, all_.error), add(1, all_.size); });
+    if (communicator_.distributed())
+      all =
+          exact_sum<2>(communicator_, 1, [&](std::size_t, const auto& add) { add(0, all_.error), add(1, all_.size); });
     const auto [error, size] = all;
     if (error > known * size) throw FormulaError(load_.formula, error / size);
   }
@@ -237,6 +239,7 @@ private:
   }
 
   const Load& load_;
+  const Communicator& communicator_;
   std::optional<geometry::Patch> patch_;
   Point low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};  // of the patch
   Cubature cubature_;
@@ -263,8 +266,8 @@ Eigen::Vector3d moved_force(double force, const Point& lever) {
   return {force, force * lever.y(), -force * lever.x()};
 }
 
-void add_pressure(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own, Forces& forces) {
-  Thrust thrust(load);
+void add_pressure(const Load& load, const geometry::Cloud& cloud, const PointMap& map, Forces& forces) {
+  Thrust thrust(load, *map.communicator);
   const double side = cloud.units.spacing, half = side / 2;
   const auto cell = [&](std::size_t k) -> Ring {
     const Point& x = cloud.positions[k];
@@ -272,18 +275,16 @@ void add_pressure(const Load& load, const geometry::Cloud& cloud, const std::vec
   };
   thrust.require_tame(cloud.plate_points, cell);
   for (std::size_t k = 0; k < cloud.plate_points; ++k) {
-    const auto found = thrust(cell(k), cloud.positions[k], own.empty() || own[k]);
+    const auto found = thrust(cell(k), cloud.positions[k], map.owns(k));
     const double share = cloud.areas[k] / (side * side);
     forces.col(Eigen::Index(k)) += share * Eigen::Vector3d(found.value, found.first.y(), -found.first.x());
   }
   thrust.require_known();
 }
 
-void add_pressure(const Load& load, const geometry::Tessellation& cells, const std::vector<char>& own, Forces& forces) {
-  Thrust thrust(load);
-  const auto add = [&](const auto& cell) {
-    add_cell(thrust, cell, cells.positions, own.empty() || own[cell[0]], forces);
-  };
+void add_pressure(const Load& load, const geometry::Tessellation& cells, const PointMap& map, Forces& forces) {
+  Thrust thrust(load, *map.communicator);
+  const auto add = [&](const auto& cell) { add_cell(thrust, cell, cells.positions, map.owns(cell[0]), forces); };
   thrust.require_tame(cells.squares.size(), [&](std::size_t i) {
     Ring ring;
     for (const auto k : cells.squares[i]) ring.push_back(cells.positions[k]);

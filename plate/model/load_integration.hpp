@@ -6,6 +6,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/outline.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/state.hpp"
 
@@ -78,11 +79,11 @@ Eigen::Vector3d moved_force(double force, const geometry::Point& lever);
 
 /// Adds a pressure that varies, or that acts on a patch: to every point what acts on its cell, exact for linear
 /// pressures and polygons but for cells that the outline cuts, where it is spread as over the whole cell. Throws
-/// FormulaError. `own`: points that no other process has, empty: all.
-void add_pressure(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own, Forces& forces);
+/// FormulaError.
+void add_pressure(const Load& load, const geometry::Cloud& cloud, const PointMap& map, Forces& forces);
 
 /// The same to the corners of cells, by the linear function that corners carry.
-void add_pressure(const Load& load, const geometry::Tessellation& cells, const std::vector<char>& own, Forces& forces);
+void add_pressure(const Load& load, const geometry::Tessellation& cells, const PointMap& map, Forces& forces);
 
 /// A short piece of a line, and the point nearest to its middle.
 struct LinePiece {

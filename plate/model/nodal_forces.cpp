@@ -99,19 +99,19 @@ Forces MovingForces::whole(double time, std::size_t points) const {
   return result;
 }
 
-MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own) {
+MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const PointMap& map) {
   auto result = stations(
       load, cloud.positions, cloud.plate_points, cloud.units.spacing, [&](const Point& x) { return cloud.seeded(x); },
-      [&](const Load& now, Forces& forces) { add_pressure(now, cloud, own, forces); });
-  result.own = own;
+      [&](const Load& now, Forces& forces) { add_pressure(now, cloud, map, forces); });
+  result.own = map.owned;
   return result;
 }
 
 MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points,
-                           const std::vector<char>& own) {
+                           const PointMap& map) {
   return stations(
       load, cells.positions, points, cells.units.spacing, [&](const Point& x) { return cells.sees(x); },
-      [&](const Load& now, Forces& forces) { add_pressure(now, cells, own, forces); });
+      [&](const Load& now, Forces& forces) { add_pressure(now, cells, map, forces); });
 }
 
 namespace {
@@ -158,14 +158,14 @@ void add_edge_load(const Load& load, const geometry::Tessellation& cells, Forces
 }  // namespace
 
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
-                    const std::vector<char>& own) {
+                    const PointMap& map) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
   if (load.moves()) return forces;
   switch (load.kind) {
     case Load::Kind::pressure:
       for (std::size_t k = 0; load.uniform() && k < areas.size(); ++k)
         forces(0, Eigen::Index(k)) = load.value * areas[k];
-      if (!load.uniform()) add_pressure(load, cells, own, forces);
+      if (!load.uniform()) add_pressure(load, cells, map, forces);
       break;
     case Load::Kind::line_load:
       add_line_load(load, cells, forces);
@@ -192,14 +192,14 @@ Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const
 }
 
 Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline,
-                    const std::vector<char>& own, const std::vector<geometry::CrackPath>& cracks) {
+                    const PointMap& map, const std::vector<geometry::CrackPath>& cracks) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(cloud.size()));
   if (load.moves()) return forces;
   switch (load.kind) {
     case Load::Kind::pressure:
       for (std::uint32_t k = 0; load.uniform() && k < cloud.plate_points; ++k)
         forces(0, k) = load.value * cloud.areas[k];
-      if (!load.uniform()) add_pressure(load, cloud, own, forces);
+      if (!load.uniform()) add_pressure(load, cloud, map, forces);
       break;
     case Load::Kind::line_load:
       add_line_load(load, cloud, cracks, forces);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "plate/model/communicator.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/state.hpp"
 
@@ -43,10 +44,10 @@ private:
   std::size_t after(double time) const;  // number of the first station later than that
 };
 
-/// Nodal forces of a load with a path and a speed, from time 0 on. `own`: points that no other rank has, empty: all.
-MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const std::vector<char>& own = {});
+/// Nodal forces of a load with a path and a speed, from time 0 on.
+MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const PointMap& map = {});
 MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points,
-                           const std::vector<char>& own = {});
+                           const PointMap& map = {});
 
 }  // namespace plate
 
@@ -76,12 +77,12 @@ struct TimedLoad {
 /// `outline` is in the cloud's own units; `own`: points that no other process has, empty: all; `cracks`: a line load
 /// stays on its side of them. Throws std::invalid_argument for an edge without points beside it.
 Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline,
-                    const std::vector<char>& own = {}, const std::vector<geometry::CrackPath>& cracks = {});
+                    const PointMap& map = {}, const std::vector<geometry::CrackPath>& cracks = {});
 
 /// The same on points that lie on the edges: half of every piece of an edge at either end, with the couples that make a
 /// shear force do the right work on deflections of the third order. `areas` of the points [length^2].
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
-                    const std::vector<char>& own = {});
+                    const PointMap& map = {});
 
 struct Problem;
 

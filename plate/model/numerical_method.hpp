@@ -8,6 +8,7 @@
 
 namespace plate {
 
+class Communicator;
 struct FormulationKind;
 
 /// omega(xi)
@@ -95,7 +96,7 @@ struct FormulationKind {
   std::string name;                      // as in case files
   std::string words;                     // "the Galerkin plate"
   std::map<Feature, std::string> lacks;  // what it cannot do, and why: the words of refusals
-  Discretised (*discretise)(const Problem& problem);
+  Discretised (*discretise)(const Problem& problem, const Communicator& communicator);
 
   bool offers(Feature feature) const { return !lacks.contains(feature); }
 };

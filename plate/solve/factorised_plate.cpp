@@ -1,7 +1,6 @@
 #include "plate/solve/factorised_plate.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <stdexcept>
 
@@ -66,16 +65,15 @@ std::vector<State> AssembledPlate::solve(const std::vector<Forces>& loads) const
 
 namespace {
 
-using Fetch = std::function<void(State&)>;
-
-/// Points by the numbers that they have among all, process by process, -1 where nobody is asked; as numbers of a state,
-/// which copies can fetch.
-State numbers(const Ranks& all, std::size_t points, const std::vector<std::uint32_t>& own, const Fetch& fetch) {
+/// Global numbers of the points, rank by rank; -1 where their owner is not asked. `halo`: fetches those of ghosts.
+template <typename Halo>
+std::vector<std::int64_t> numbers(const Communicator& all, std::size_t points, const std::vector<std::uint32_t>& own,
+                                  const Halo& halo) {
   const auto counts = gathered(all, std::vector<std::int64_t>{std::int64_t(own.size())});
   auto next = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
-  State result = State::Constant(3, Eigen::Index(points), -1);
-  for (const auto k : own) result(0, k) = double(next++);
-  fetch(result);
+  std::vector<std::int64_t> result(points, -1);
+  for (const auto k : own) result[k] = next++;
+  halo.fetch(result);
   return result;
 }
 
@@ -87,7 +85,7 @@ struct Block {
 
 /// Rows of P^T K P of own points, without what is held. `free`: degrees of freedom with stiffness are above 0.
 SharedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::vector<std::uint32_t>& own,
-                const State& number, const State& free) {
+                const std::vector<std::int64_t>& number, const State& free) {
   std::vector<std::vector<Block>> found(matrix.points());
   const auto add = [&](std::uint32_t row, std::uint32_t column, Eigen::Matrix3d entries) {
     if (!boundary.owns(row)) return;
@@ -95,8 +93,8 @@ SharedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::
       for (Eigen::Index j = 0; j < 3; ++j)
         if (!(free(i, row) > 0) || !(free(j, column) > 0)) entries(i, j) = 0;
     if (row != column && entries.isZero(0)) return;
-    if (number(0, column) < 0) throw std::logic_error("a point is coupled to one whose owner nobody asks");
-    found[row].push_back({std::int64_t(number(0, column)), entries});
+    if (number[column] < 0) throw std::logic_error("a point is coupled to one whose owner nobody asks");
+    found[row].push_back({number[column], entries});
   };
   for (std::uint32_t k = 0; k < matrix.points(); ++k)
     for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) {
@@ -125,20 +123,18 @@ SharedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::
 
 }  // namespace
 
-SharedFactor::SharedFactor(const Ranks& all, const Operator& plate, const Boundary& boundary,
+SharedFactor::SharedFactor(const Communicator& all, const Operator& plate, const Boundary& boundary,
                            const PointMatrix& stiffness, const Exchange* seen)
     : boundary_(boundary) {
   for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k)
     if (boundary.owns(k)) own_.push_back(k);
-  const Fetch fetch = [&](State& state) {
-    if (seen)
-      seen->fetch(std::span(state.data(), std::size_t(state.size())));
-    else
-      boundary.constraints.fetch(state);
-  };
-  const State number = numbers(all, boundary.cloud.size(), own_, fetch);
+  const auto points = boundary.cloud.size();
+  const auto number = seen ? numbers(all, points, own_, *seen) : numbers(all, points, own_, boundary.constraints);
   State free = folded_diagonal(plate, boundary.constraints);
-  fetch(free);
+  if (seen)
+    seen->fetch(std::span(free.data(), std::size_t(free.size())));
+  else
+    boundary.constraints.fetch(free);
   inverse_ = all.inverse(rows(folded(stiffness, boundary.constraints), boundary, own_, number, free));
 }
 

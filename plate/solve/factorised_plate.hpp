@@ -38,13 +38,13 @@ Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces);
 /// The diagonal of P^T K P, zero at held degrees of freedom.
 Forces folded_diagonal(const Operator& plate, const Constraints& constraints);
 
-/// The inverse of a plate that processes share, as the libraries behind Ranks::inverse() find it: exact as far as they
-/// factorise.
+/// The inverse of a plate that processes share, as the libraries behind Communicator::inverse() find it: exact as far
+/// as they factorise.
 class SharedFactor : public Preconditioner {
 public:
   /// `stiffness`: right in the rows and columns of own points. `seen`: of all points that these are coupled to, where
   /// that are more than the copies of `boundary`. `plate`, `boundary` must outlive this.
-  SharedFactor(const Ranks& all, const Operator& plate, const Boundary& boundary, const PointMatrix& stiffness,
+  SharedFactor(const Communicator& all, const Operator& plate, const Boundary& boundary, const PointMatrix& stiffness,
                const Exchange* seen = nullptr);
 
   void apply(const Forces& residual, State& result) const override;

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-#include "plate/solve/reduction.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -60,8 +60,8 @@ bool stop_is_asked() noexcept {
   return asked != 0;
 }
 
-void stop_if_asked(const char* where) {
-  if (largest_of_all(stop_is_asked()) > 0) throw Interrupted(std::string("asked to stop in ") + where);
+void stop_if_asked(const char* where, const Communicator& all) {
+  if (all.largest_of(stop_is_asked()) > 0) throw Interrupted(std::string("asked to stop in ") + where);
 }
 
 }  // namespace plate

@@ -1,6 +1,8 @@
 #pragma once
 #include <stdexcept>
 
+#include "plate/model/communicator.hpp"
+
 namespace plate {
 
 /// The run was asked to end before it was done. The message says where it was.
@@ -21,8 +23,7 @@ public:
 /// Has a signal asked for the end?
 bool stop_is_asked() noexcept;
 
-/// Throws Interrupted where a signal has asked for the end, of any process that shares the plate: all call it at once.
-/// `where` goes into the message.
-void stop_if_asked(const char* where);
+/// Throws Interrupted where a signal has asked any rank for the end; collective. `where` goes into the message.
+void stop_if_asked(const char* where, const Communicator& all = single_process());
 
 }  // namespace plate

@@ -10,7 +10,7 @@
 #include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/solve/reduction.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -23,17 +23,11 @@ bool owns(const Formulation& plate, std::size_t entry) {
 /// Norm of forces where there is stiffness, each weighted by the displacement that it causes; the measure of the
 /// solvers.
 double norm(const Formulation& plate, const Forces& forces, const Forces& diagonal) {
-  if (ranks()) {
-    const auto of_dof = [&](std::size_t i) {
-      const double f = forces.data()[i], d = diagonal.data()[i];
-      return std::array<double, 1>{d > 0 && owns(plate, i) ? f * f / d : 0};
-    };
-    return std::sqrt(ordered_sum<1>(std::size_t(forces.size()), of_dof)[0]);
-  }
-  double sum = 0;
-  for (Eigen::Index i = 0; i < forces.size(); ++i)
-    if (const double d = diagonal.data()[i]; d > 0) sum += forces.data()[i] * forces.data()[i] / d;
-  return std::sqrt(sum);
+  const auto of_dof = [&](std::size_t i) {
+    const double f = forces.data()[i], d = diagonal.data()[i];
+    return std::array<double, 1>{d > 0 && owns(plate, i) ? f * f / d : 0};
+  };
+  return std::sqrt(ordered_sum<1>(plate.communicator(), std::size_t(forces.size()), of_dof)[0]);
 }
 
 }  // namespace
@@ -79,7 +73,7 @@ bool cancel(const Formulation& plate, const std::vector<Forces>& loads) {
   if (loads.size() < 2) return false;
   const auto size = [&](Forces force) {
     plate.constraints().fold(force);
-    return std::sqrt(ordered_sum<1>(std::size_t(force.size()), [&](std::size_t i) {
+    return std::sqrt(ordered_sum<1>(plate.communicator(), std::size_t(force.size()), [&](std::size_t i) {
       return std::array<double, 1>{force.data()[i] * force.data()[i]};
     })[0]);
   };
@@ -127,15 +121,16 @@ private:
 /// The sum of `bodies` next to `lift`, rotations weighted by `size`.
 Eigen::Vector3d nearest_sum(const Formulation& plate, const std::array<State, 3>& bodies, const State& lift,
                             double size) {
-  const auto terms = ordered_sum<9>(std::size_t(lift.cols()), [&](std::size_t i) -> std::array<double, 9> {
-    if (!plate.boundary().owns(i)) return {};
-    const auto k = Eigen::Index(i);
-    const auto at = [&](const State& state) {
-      return Eigen::Vector3d(state(0, k), size * state(1, k), size * state(2, k));
-    };
-    const auto a = at(bodies[0]), b = at(bodies[1]), c = at(bodies[2]), l = at(lift);
-    return {a.dot(a), a.dot(b), a.dot(c), b.dot(b), b.dot(c), c.dot(c), a.dot(l), b.dot(l), c.dot(l)};
-  });
+  const auto terms =
+      ordered_sum<9>(plate.communicator(), std::size_t(lift.cols()), [&](std::size_t i) -> std::array<double, 9> {
+        if (!plate.boundary().owns(i)) return {};
+        const auto k = Eigen::Index(i);
+        const auto at = [&](const State& state) {
+          return Eigen::Vector3d(state(0, k), size * state(1, k), size * state(2, k));
+        };
+        const auto a = at(bodies[0]), b = at(bodies[1]), c = at(bodies[2]), l = at(lift);
+        return {a.dot(a), a.dot(b), a.dot(c), b.dot(b), b.dot(c), c.dot(c), a.dot(l), b.dot(l), c.dot(l)};
+      });
   Eigen::Matrix3d products;
   products << terms[0], terms[1], terms[2], terms[1], terms[3], terms[4], terms[2], terms[4], terms[5];
   return products.completeOrthogonalDecomposition().solve(Eigen::Vector3d(terms[6], terms[7], terms[8]));
@@ -162,7 +157,7 @@ Parted parted(const Formulation& plate, const State& lift) {
     shares += more;
   }
   const auto largest = [&](const State& state) {
-    return largest_of_all(
+    return plate.communicator().largest_of(
         std::max(state.row(0).cwiseAbs().maxCoeff(), motions.size() * state.bottomRows(2).cwiseAbs().maxCoeff()));
   };
   if (largest(result.rest) <= rounding * largest(lift)) result.rest.setZero();
@@ -200,11 +195,10 @@ Settled::Left Settled::left(const State& state) const {
 double Settled::work(const State& state) const {
   if (lift_.cols() == 0) return 0;
   const Forces whole = force(state);
-  if (!ranks()) return -whole.cwiseProduct(lift_).sum() / 2;
   const auto of_dof = [&](std::size_t i) {
     return std::array<double, 1>{owns(plate_, i) ? whole.data()[i] * lift_.data()[i] : 0};
   };
-  return -ordered_sum<1>(std::size_t(whole.size()), of_dof)[0] / 2;
+  return -ordered_sum<1>(plate_.communicator(), std::size_t(whole.size()), of_dof)[0] / 2;
 }
 
 }  // namespace plate

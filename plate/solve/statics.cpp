@@ -10,11 +10,11 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/reduction.hpp"
 #include "plate/solve/settled.hpp"
 #include "plate/solve/touched_plate.hpp"
 
@@ -35,17 +35,23 @@ Forces inverse_fictitious_mass(const Operator& plate, const Constraints& constra
   return inverse(diagonal) * (step * step);
 }
 
-double weighted_norm(const Forces& forces, const Forces& weight) {
-  const auto [sum] = ordered_sum<1>(static_cast<std::size_t>(forces.size()), [&](std::size_t i) {
+double weighted_norm(const Communicator& all, const Forces& forces, const Forces& weight) {
+  const auto [sum] = ordered_sum<1>(all, static_cast<std::size_t>(forces.size()), [&](std::size_t i) {
     return std::array<double, 1>{forces.data()[i] * forces.data()[i] * weight.data()[i]};
   });
   return std::sqrt(sum);
 }
 
+/// Scalar product over all ranks.
+double dot(const Communicator& all, const State& a, const Forces& b) {
+  return ordered_sum<1>(all, std::size_t(a.size()),
+                        [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
+}
+
 /// Before an iteration. Throws where its residual is not finite, or a signal asks for the end.
-void may_go_on(double residual, const char* method, std::size_t iteration) {
+void may_go_on(const Communicator& all, double residual, const char* method, std::size_t iteration) {
   constexpr std::size_t seldom = 20;  // processes that share the plate stop together, and ask each other
-  if (!ranks() || iteration % seldom == 0) stop_if_asked(method);
+  if (!all.distributed() || iteration % seldom == 0) stop_if_asked(method, all);
   if (!std::isfinite(residual))
     throw NumericalError(std::string(method) + ": the residual is not finite at iteration " +
                          std::to_string(iteration));
@@ -70,11 +76,12 @@ template <typename Product>
 StaticSolution iterate(const Product& minus_k, const Constraints& constraints, const Forces& weight,
                        const Preconditioner* preconditioner, const Forces& load, const StaticOptions& options,
                        const State* start = nullptr) {
+  const Communicator& all = constraints.communicator();
   const auto size = static_cast<std::size_t>(load.size());
   Forces residual = load;
   constraints.fold(residual);
   residual = residual.array() * (weight.array() > 0).cast<double>();
-  const double load_norm = weighted_norm(residual, weight);
+  const double load_norm = weighted_norm(all, residual, weight);
 
   StaticSolution result;
   result.state = State::Zero(3, load.cols());
@@ -82,13 +89,13 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
   State correction, direction = State::Zero(3, load.cols());
   Forces product;
   double norm = load_norm, rho = 0;
-  if (start) leave(minus_k, result.state = *start, weight, residual), norm = weighted_norm(residual, weight);
+  if (start) leave(minus_k, result.state = *start, weight, residual), norm = weighted_norm(all, residual, weight);
   double *u = result.state.data(), *r = residual.data(), *p = direction.data();
   const double* d = weight.data();
 
   for (result.iterations = 0;; ++result.iterations) {
     result.residual = norm / load_norm;
-    may_go_on(result.residual, "conjugate gradients", result.iterations);
+    may_go_on(all, result.residual, "conjugate gradients", result.iterations);
     if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == options.max_iterations) break;
@@ -96,8 +103,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
     double rho_next = norm * norm;
     if (preconditioner) {
       preconditioner->apply(residual, correction);
-      const double* z = correction.data();
-      rho_next = ordered_sum<1>(size, [&](std::size_t i) { return std::array<double, 1>{r[i] * z[i]}; })[0];
+      rho_next = dot(all, correction, residual);
     }
     const double beta = rho > 0 ? rho_next / rho : 0;
     rho = rho_next;
@@ -107,7 +113,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
 
     minus_k(direction, product);
     const double* minus_kp = product.data();
-    const auto [curvature] = ordered_sum<1>(size, [&](std::size_t i) {
+    const auto [curvature] = ordered_sum<1>(all, size, [&](std::size_t i) {
       return std::array<double, 1>{-p[i] * minus_kp[i]};  // zero at held degrees of freedom
     });
     if (!(curvature > 0))
@@ -120,7 +126,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
       u[i] += moved * p[i];
       r[i] += moved * minus_kp[i];
     }
-    norm = weighted_norm(residual, weight);
+    norm = weighted_norm(all, residual, weight);
   }
   constraints.impose(result.state);
   result.stop_reason = reason(result.converged, options);
@@ -136,7 +142,7 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
   const Forces inverse_mass = inverse_fictitious_mass(plate, constraints, diagonal, options.start_of_bound);
   Forces external = load;
   constraints.fold(external);
-  const double load_norm = weighted_norm(external, weight);
+  const double load_norm = weighted_norm(constraints.communicator(), external, weight);
 
   StaticSolution result;
   result.state = State::Zero(3, load.cols());
@@ -152,7 +158,7 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
     constraints.fold(force);
     const double* f = force.data();
     // squared residual; u K u and u u of Dai 19 with the fictitious mass, so that w and rotations may be added
-    const auto [residual, stiffness, mass] = ordered_sum<3>(size, [&](std::size_t i) {
+    const auto [residual, stiffness, mass] = ordered_sum<3>(constraints.communicator(), size, [&](std::size_t i) {
       const double total = f[i] + external.data()[i];
       const double inverse = inverse_mass.data()[i];
       if (inverse == 0) return std::array<double, 3>{0, 0, 0};
@@ -161,7 +167,7 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
       return std::array<double, 3>{total * total * weight.data()[i], square * local, square};
     });
     result.residual = std::sqrt(residual) / load_norm;
-    may_go_on(result.residual, "adaptive dynamic relaxation", result.iterations);
+    may_go_on(constraints.communicator(), result.residual, "adaptive dynamic relaxation", result.iterations);
     if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == options.max_iterations) break;
@@ -213,15 +219,15 @@ StaticSolution refined(const Operator& plate, const Constraints& constraints, co
   Forces external = load;
   constraints.fold(external);
   external = external.array() * (weight.array() > 0).cast<double>();
-  const double load_norm = weighted_norm(external, weight);
+  const double load_norm = weighted_norm(constraints.communicator(), external, weight);
   StaticSolution result;
   result.state = State::Zero(3, load.cols());
   if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
   Forces residual = external, internal;
   State correction;
   for (;; ++result.iterations) {
-    result.residual = weighted_norm(residual, weight) / load_norm;
-    may_go_on(result.residual, "the factor of the plate", result.iterations);
+    result.residual = weighted_norm(constraints.communicator(), residual, weight) / load_norm;
+    may_go_on(constraints.communicator(), result.residual, "the factor of the plate", result.iterations);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == std::min(most, options.max_iterations)) break;
     inverse_of_plate.apply(residual, correction);
@@ -248,7 +254,7 @@ StaticResult static_solution(const Formulation& plate, const Analysis& analysis,
 State start_of(const Formulation& plate, const Analysis& analysis) {
   const auto load = plate.first_load();
   const auto lift = first_lift(plate);
-  if (largest_of_all(load.isZero(0) && lift.isZero(0) ? 0 : 1) == 0) return {};
+  if (plate.communicator().largest_of(load.isZero(0) && lift.isZero(0) ? 0 : 1) == 0) return {};
   const auto result = solve_static(plate, load, analysis.static_method(), analysis.preconditioner,
                                    {StaticOptions{}.tolerance, analysis.max_iterations, {}}, lift);
   if (!result.solution.converged)
@@ -262,16 +268,6 @@ std::unique_ptr<Preconditioner> inverse_of(const Formulation& plate) {
   if (plate.points() <= many || !plate.offers(Feature::levels)) return plate.factor();
   return plate.preconditioner(Preconditioning::automatic).inverse;
 }
-
-namespace {
-
-/// Over all processes that share the plate.
-double product(const State& a, const Forces& b) {
-  return ordered_sum<1>(std::size_t(a.size()),
-                        [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
-}
-
-}  // namespace
 
 StaticSolver::StaticSolver(const Formulation& plate, StaticMethod method, Preconditioning wanted)
     : plate_(&plate), method_(method) {
@@ -301,7 +297,7 @@ StaticResult StaticSolver::solved(const Operator& plate, const Forces& load, con
   }
   Forces folded = load;
   constraints.fold(folded);
-  const auto near = start ? std::optional(*start) : nearest(states_, forces_, folded);
+  const auto near = start ? std::optional(*start) : nearest(states_, forces_, folded, constraints.communicator());
   StaticResult result{conjugate_gradients(plate, constraints, load, options, inverse_.get(), near ? &*near : nullptr),
                       "cg", name_, bytes};
   if (again && states_.size() < most) {
@@ -330,13 +326,12 @@ bool same_everywhere(const Formulation& plate, const Touching& one, const Touchi
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t p = 0; p < one[i].size(); ++p)
       if (one[i][p] != other[i][p] && plate.boundary().owns(parts[i]->contact->point(p, plate.points()))) differ = true;
-  return largest_of_all(differ) == 0;
+  return plate.communicator().largest_of(differ) == 0;
 }
 
 /// Potential of a load that is not folded.
 double potential(const Formulation& plate, const Forces& load, const State& state) {
-  if (!ranks()) return -load.cwiseProduct(state).sum();
-  return -ordered_sum<1>(plate.points(), [&](std::size_t k) {
+  return -ordered_sum<1>(plate.communicator(), plate.points(), [&](std::size_t k) {
     const auto i = Eigen::Index(k);
     return std::array<double, 1>{plate.boundary().owns(k) ? load.col(i).dot(state.col(i)) : 0};
   })[0];
@@ -413,15 +408,16 @@ StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& o
   return result;
 }
 
-std::optional<State> nearest(const std::vector<State>& states, const std::vector<Forces>& forces, const Forces& load) {
+std::optional<State> nearest(const std::vector<State>& states, const std::vector<Forces>& forces, const Forces& load,
+                             const Communicator& all) {
   if (states.empty()) return std::nullopt;
   const auto size = Eigen::Index(states.size());
   Eigen::MatrixXd energies(size, size);
   Eigen::VectorXd work(size);
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto& state = states[std::size_t(i)];
-    work[i] = product(state, load);
-    for (Eigen::Index j = 0; j < size; ++j) energies(i, j) = -product(state, forces[std::size_t(j)]);
+    work[i] = dot(all, state, load);
+    for (Eigen::Index j = 0; j < size; ++j) energies(i, j) = -dot(all, state, forces[std::size_t(j)]);
   }
   const Eigen::MatrixXd symmetric = (energies + energies.transpose()) / 2;
   const Eigen::VectorXd share = symmetric.completeOrthogonalDecomposition().solve(work);

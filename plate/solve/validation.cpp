@@ -12,16 +12,16 @@
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/wording.hpp"
 #include "plate/solve/analysis.hpp"
-#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
 
 void check_modes(const Formulation& plate, const Analysis& analysis, Suitability& result) {
   if (analysis.kind != Analysis::Kind::frequencies) return;
-  const auto most = std::size_t(sum_of_all(double((plate.mass().array() > 0).count()))) / 4;
+  const auto most = std::size_t(sum_of_all(plate.communicator(), double((plate.mass().array() > 0).count()))) / 4;
   if (analysis.modes > most)
     result.refusals.push_back({Subject::modes, 0,
                                fmt::format("{} given, must be at most {}, a quarter of the plate's degrees of freedom",
@@ -117,16 +117,15 @@ void require_own(const State& state, const std::string& when) {
 
 }  // namespace
 
-void require_finite(const State& state, const std::string& when) {
-  const auto* all = ranks();
-  if (!all) return require_own(state, when);
+void require_finite(const State& state, const std::string& when, const Communicator& all) {
+  if (!all.distributed()) return require_own(state, when);
   std::string wrong;
   try {
     require_own(state, when);
   } catch (const NumericalError& error) {
-    wrong = "process " + std::to_string(all->rank()) + ": " + error.what();
+    wrong = "process " + std::to_string(all.rank()) + ": " + error.what();
   }
-  for (const auto& one : all->exchanged(std::vector<std::string>(std::size_t(all->size()), wrong)))
+  for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), wrong)))
     if (!one.empty()) throw NumericalError(one);
 }
 

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/state.hpp"
 
@@ -25,8 +26,8 @@ Suitability suitability(const Formulation& plate, const Analysis& analysis);
 /// forces in single precision in which so thin a plate would lose its shear strains.
 std::vector<Refusal> faults_of_lengths(const Problem& problem, const Analysis& analysis);
 
-/// Throws NumericalError of the first point with a displacement or rotation that is not finite; of all processes that
-/// share the plate in all of them.
-void require_finite(const State& state, const std::string& when);
+/// Throws NumericalError of the first point with a displacement or rotation that is not finite, on every rank where one
+/// has such a point; collective.
+void require_finite(const State& state, const std::string& when, const Communicator& all = single_process());
 
 }  // namespace plate

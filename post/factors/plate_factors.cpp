@@ -154,7 +154,7 @@ namespace {
 
 /// Every process tells the others what works at its tips: '+', or '-' where none does, or nothing of a tip that is not
 /// its own, then a line for every method that is left out; tips end with a page break.
-void tell(const plate::Ranks& all, std::vector<TipMethods>& methods) {
+void tell(const plate::Communicator& all, std::vector<TipMethods>& methods) {
   std::string own;
   for (const auto& tip : methods) {
     if (tip.here()) own += tip.works() ? '+' : '-';
@@ -201,7 +201,7 @@ std::vector<TipMethods> tip_methods(const plate::Formulation& plate, const SrifO
     place.narrowest = narrowest, place.known_error = known;
     result.emplace_back(view, place, options);
   }
-  if (const auto* all = plate::ranks()) tell(*all, result);
+  tell(plate.communicator(), result);
   return result;
 }
 
@@ -242,7 +242,7 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
                         const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings,
                         const plate::Heat* heat) {
   plate::Forces force;
-  const bool together = plate::ranks();  // no process can find forces alone
+  const bool together = plate.communicator().distributed();  // no process can find forces alone
   if (together || std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
     plate.internal_force(state, force), plate.boundary().attached.take_force(state, force);
   const bool heated = heat && !heat->none();

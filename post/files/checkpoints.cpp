@@ -227,7 +227,7 @@ std::string first_of(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-SharedCheckpoints::SharedCheckpoints(const plate::Ranks& all, fs::path folder, std::string of)
+SharedCheckpoints::SharedCheckpoints(const plate::Communicator& all, fs::path folder, std::string of)
     : all_(&all), folder_(std::move(folder)), first_(folder_, std::move(of)) {}
 
 /// Gathers the text `own` of every rank.

@@ -63,7 +63,8 @@ std::size_t read_cells(const std::filesystem::path& path, const geometry::CellBo
 class SharedCheckpoints {
 public:
   /// `all` must outlive this.
-  SharedCheckpoints(const plate::Ranks& all, std::filesystem::path folder, std::string of);
+  SharedCheckpoints(const plate::Communicator& all, std::filesystem::path folder, std::string of);
+  const plate::Communicator& communicator() const { return *all_; }
 
   /// Throws std::filesystem::filesystem_error in all processes where one cannot write; the last one stays then.
   void write(const std::string& memory, const CellValues& own);
@@ -89,7 +90,7 @@ private:
   std::string fault_of_parts(const Main& main) const;
   std::vector<std::string> told(const std::string& own) const;
 
-  const plate::Ranks* all_;
+  const plate::Communicator* all_;
   std::filesystem::path folder_;
   Checkpoints first_;
   std::size_t turn_ = 0;  // of the next

@@ -11,7 +11,7 @@ namespace post {
 namespace {
 
 /// Spread of every number of a list over all ranks.
-std::vector<Spread> spreads(const plate::Ranks& all, const std::vector<double>& own) {
+std::vector<Spread> spreads(const plate::Communicator& all, const std::vector<double>& own) {
   const auto found = plate::gathered(all, own);
   std::vector<Spread> result;
   for (std::size_t i = 0; i < own.size(); ++i) {
@@ -30,22 +30,21 @@ std::string range(const Spread& one, const char* unit, double scale = 1) {
 
 }  // namespace
 
-std::shared_ptr<const ProcessesSummary> of_processes(std::size_t points,
+std::shared_ptr<const ProcessesSummary> of_processes(const plate::Communicator& all, std::size_t points,
                                                      const std::vector<std::pair<std::string, double>>& seconds,
                                                      double memory, const plate::Traffic& since,
                                                      std::optional<double> steps) {
-  const auto* all = plate::ranks();
-  if (!all) return nullptr;
+  if (!all.distributed()) return nullptr;
   const double per_step = 1 / std::max(1.0, steps.value_or(1));
   std::vector<double> own{double(points),
                           memory,
-                          traffic_so_far().seconds,
+                          traffic_so_far(all).seconds,
                           double(since.messages) * per_step,
                           double(since.bytes) * per_step,
                           double(since.sums) * per_step};
   for (const auto& stage : seconds) own.push_back(stage.second);
-  const auto found = spreads(*all, own);
-  ProcessesSummary result{std::size_t(all->size()),
+  const auto found = spreads(all, own);
+  ProcessesSummary result{std::size_t(all.size()),
                           std::size_t(omp_get_max_threads()),
                           found[0],
                           found[1],
@@ -59,8 +58,8 @@ std::shared_ptr<const ProcessesSummary> of_processes(std::size_t points,
   return std::make_shared<const ProcessesSummary>(std::move(result));
 }
 
-plate::Traffic traffic_so_far() {
-  const auto* traffic = plate::ranks() ? plate::ranks()->traffic() : nullptr;
+plate::Traffic traffic_so_far(const plate::Communicator& all) {
+  const auto* traffic = all.traffic();
   return traffic ? *traffic : plate::Traffic{};
 }
 

@@ -6,8 +6,9 @@
 #include <vector>
 
 namespace plate {
+class Communicator;
 struct Traffic;
-}
+}  // namespace plate
 
 namespace post {
 
@@ -31,13 +32,13 @@ struct ProcessesSummary {
 /// Summary of all ranks that share the plate, from the values of each; null where one process holds the whole plate.
 /// Collective: every rank must call it. `points`: of the rank; `seconds`: of its stages; `since`: traffic of the run;
 /// `steps`: or iterations.
-std::shared_ptr<const ProcessesSummary> of_processes(std::size_t points,
+std::shared_ptr<const ProcessesSummary> of_processes(const plate::Communicator& all, std::size_t points,
                                                      const std::vector<std::pair<std::string, double>>& seconds,
                                                      double memory, const plate::Traffic& since,
                                                      std::optional<double> steps);
 
 /// The traffic of this process so far; zeros where one process has all.
-plate::Traffic traffic_so_far();
+plate::Traffic traffic_so_far(const plate::Communicator& all);
 
 /// For people: three lines.
 std::string printed(const ProcessesSummary& processes);

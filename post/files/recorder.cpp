@@ -8,8 +8,8 @@
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/halo_exchange.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/section.hpp"
-#include "plate/solve/reduction.hpp"
 #include "post/files/archive.hpp"
 #include "post/files/processes.hpp"
 #include "post/files/result_checks.hpp"
@@ -29,7 +29,8 @@ Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, c
 }
 
 Mesh points_of(const plate::Formulation& plate) {
-  if (plate::ranks() && !plate.breaking()) return plate.mesh();  // with numbers, where points are in no rows
+  if (plate.communicator().distributed() && !plate.breaking())
+    return plate.mesh();  // with numbers, where points are in no rows
   const auto& [units, positions, areas, plate_points, part] = plate.cloud();
   const auto count = std::ptrdiff_t(plate_points);
   return {{positions.begin(), positions.begin() + count},
@@ -41,11 +42,13 @@ Mesh points_of(const plate::Formulation& plate) {
           plate.section().thickness};
 }
 
-Recorder::Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version)
+Recorder::Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version,
+                   const plate::Communicator& communicator)
     : sink_(std::move(sink)),
+      communicator_(&communicator),
       resolved_(std::move(resolved)),
       version_(std::move(version)),
-      before_(std::make_shared<const plate::Traffic>(traffic_so_far())) {
+      before_(std::make_shared<const plate::Traffic>(traffic_so_far(communicator))) {
   history_.columns = {"time",
                       "step",
                       "strain_energy",
@@ -69,7 +72,7 @@ double largest_deflection(const plate::State& state, const plate::Boundary& boun
   double largest = 0;
   for (std::size_t k = 0; k < boundary.cloud.plate_points; ++k)
     if (boundary.owns(k)) largest = std::max(largest, std::abs(state(0, Eigen::Index(k))));
-  return plate::largest_of_all(largest);
+  return boundary.map.communicator->largest_of(largest);
 }
 
 }  // namespace
@@ -93,7 +96,8 @@ void Recorder::row(const Sample& s, const std::vector<Probe>& probes, const plat
   }
   for (const auto& [name, x, shares] : probes) {
     Eigen::Vector3d u = plate::value_at(shares, s.state);
-    for (double& component : u) component = plate::sum_of_all(component);  // one process has the place
+    for (double& component : u)
+      component = plate::sum_of_all(*boundary.map.communicator, component);  // one process has the place
     probes_.rows.push_back({s.time, name, x.x(), x.y(), u[0], u[1], u[2]});
   }
 }
@@ -140,7 +144,8 @@ Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
   summary.peak_memory_bytes = peak_memory_bytes();
   const auto& [steps, iterations] = std::tie(summary.analysis.steps, summary.analysis.iterations);
   summary.processes =
-      of_processes(summary.own_points, summary.seconds, double(summary.peak_memory_bytes), traffic_so_far() - *before_,
+      of_processes(*communicator_, summary.own_points, summary.seconds, double(summary.peak_memory_bytes),
+                   traffic_so_far(*communicator_) - *before_,
                    steps || iterations ? std::optional(double(steps ? *steps : *iterations)) : std::nullopt);
   sink_->summary(to_json(summary));
   return summary;

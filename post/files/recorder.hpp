@@ -92,7 +92,8 @@ struct Probe {
 class Recorder {
 public:
   /// `resolved`: the whole case as text; `version` of the program.
-  Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version);
+  Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version,
+           const plate::Communicator& communicator = plate::single_process());
 
   /// The cells that are drawn, and the points of the states in state.h5, which are those of all frames. Without it
   /// frames are drawn with cells of their own, and state.h5 holds one state, given to final_state().
@@ -131,6 +132,7 @@ public:
 
 private:
   std::unique_ptr<Sink> sink_;
+  const plate::Communicator* communicator_;
   std::string resolved_, version_;
   Table history_, probes_, frequencies_;
   std::shared_ptr<const plate::Traffic> before_;  // of this process, when the run began

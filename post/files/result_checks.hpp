@@ -14,7 +14,8 @@ using Named = std::initializer_list<std::pair<const char*, double>>;
 void require_finite(const Named& numbers, const std::string& when);
 void require_finite(const std::vector<Srif>& factors, const std::string& when);
 /// Displacements of all points.
-void require_finite(const plate::State& state, const std::string& when);
+void require_finite(const plate::State& state, const std::string& when,
+                    const plate::Communicator& all = plate::single_process());
 
 /// Work of loads that grow slowly from zero.
 double slow_work(const plate::Formulation& plate, const plate::State& state);
@@ -29,9 +30,9 @@ double energy_about(const plate::Formulation& plate);  // of all settlements tog
 std::vector<plate::Forces> forces_of(const plate::Formulation& plate);
 
 /// True where the values are zero on all ranks that share the plate.
-bool is_zero(const plate::State& values);
+bool is_zero(const plate::State& values, const plate::Communicator& all);
 /// Is the state not zero, and the work [energy] of the loads not so small that digits of it are lost?
-bool moves(const plate::State& state, double work);
+bool moves(const plate::State& state, double work, const plate::Communicator& all);
 
 /// For a plate that does not: a plate with a load on any degree of freedom that nothing holds should. Else warns
 /// that no load reaches what may move, or that loads cancel. `loads`: nodal forces, those that act together as one.

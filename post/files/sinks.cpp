@@ -61,29 +61,35 @@ void KeptSink::tables(const Tables& tables) {
   for (const auto& [name, table] : tables) kept_.tables.emplace_back(name, *table);
 }
 
-Folder::Folder(FolderOptions options, FolderLock lock) : options_(std::move(options)), lock_(std::move(lock)) {
-  write_whole(options_.folder / "case.resolved.toml", options_.resolved);
+Folder::Folder(FolderOptions options, std::optional<FolderLock> lock)
+    : options_(std::move(options)), lock_(std::move(lock)) {
+  if (lock_) write_whole(options_.folder / "case.resolved.toml", options_.resolved);
 }
 
 void Folder::open(const Mesh& mesh) {
-  if (options_.vtk) vtk_.emplace(options_.folder, mesh);
-  if (options_.hdf5) hdf5_.emplace(state_file(options_.velocities), mesh);
+  if (options_.vtk) vtk_.emplace(options_.folder, mesh, *options_.communicator);
+  if (options_.hdf5) hdf5_.emplace(state_file(options_.velocities), mesh, *options_.communicator);
 }
 
 StateFile::Options Folder::state_file(bool velocities) const {
   return {options_.folder / "state.h5", options_.resolved, options_.version, velocities, options_.goes_on};
 }
 
+/// Ranks write together, each from one thread: only a single process goes on meanwhile.
 void Folder::frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) {
   if (!options_.vtk && !hdf5_) return;
   wait_for_frame();
   times_.push_back(frame.time);
-  if (options_.vtk && !vtk_) vtk_.emplace(options_.folder, Mesh{});
+  if (options_.vtk && !vtk_) vtk_.emplace(options_.folder, Mesh{}, *options_.communicator);
   if (mesh && vtk_) vtk_->remesh(std::move(*mesh));
-  writing_ = std::async(std::launch::async, [this, frame = std::move(frame), velocity = std::move(velocity)] {
+  auto write = [this, frame = std::move(frame), velocity = std::move(velocity)] {
     if (vtk_) vtk_->write(frame);
     if (hdf5_) hdf5_->write(frame, options_.velocities ? &velocity : nullptr);
-  });
+  };
+  if (options_.communicator->distributed())
+    write();
+  else
+    writing_ = std::async(std::launch::async, std::move(write));
 }
 
 void Folder::final_state(const Mesh& mesh, const Frame& frame) {
@@ -91,7 +97,7 @@ void Folder::final_state(const Mesh& mesh, const Frame& frame) {
   if (!options_.hdf5) return;
   auto options = state_file(false);
   options.goes_on = false;
-  hdf5_.emplace(std::move(options), mesh);
+  hdf5_.emplace(std::move(options), mesh, *options_.communicator);
   hdf5_->write(frame, nullptr);
 }
 
@@ -100,15 +106,16 @@ void Folder::wait_for_frame() {
 }
 
 void Folder::cracks(const Cracks& cracks) {
-  write_cracks(options_.folder / "cracks.vtp", cracks);
+  if (lock_) write_cracks(options_.folder / "cracks.vtp", cracks);
 }
 
 void Folder::plot(const std::string& name, const std::string& svg) {
-  write_whole(options_.folder / (name + ".svg"), svg);
+  if (lock_) write_whole(options_.folder / (name + ".svg"), svg);
 }
 
 void Folder::tables(const Tables& tables) {
-  for (const auto& [name, table] : tables) write_csv(options_.folder / (name + ".csv"), *table);
+  if (lock_)
+    for (const auto& [name, table] : tables) write_csv(options_.folder / (name + ".csv"), *table);
   wait_for_frame();
   if (!hdf5_) return;
   for (const auto& [name, table] : tables) hdf5_->write(name, *table);
@@ -123,13 +130,13 @@ std::vector<double> Folder::written() {
 
 void Folder::go_on(const std::vector<double>& times) {
   times_ = times;
-  if (options_.vtk && !vtk_) vtk_.emplace(options_.folder, Mesh{});
+  if (options_.vtk && !vtk_) vtk_.emplace(options_.folder, Mesh{}, *options_.communicator);
   if (vtk_) vtk_->go_on(times);
   if (hdf5_) hdf5_->go_on(times.size());
 }
 
 void Folder::summary(const std::string& json) {
-  write_whole(options_.folder / "summary.json", json);
+  if (lock_) write_whole(options_.folder / "summary.json", json);
 }
 
 }  // namespace post

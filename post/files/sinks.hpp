@@ -38,18 +38,20 @@ struct FolderOptions {
   bool vtk = true, hdf5 = true;
   bool velocities = false;  // in state.h5
   bool goes_on = false;     // where a run was ended
+  const plate::Communicator* communicator = &plate::single_process();
 };
 
-/// The results of a run as files. A frame is written while the solver goes on: what went wrong with it is thrown with
-/// the next one, or with the tables.
+/// The results of a run as files. A single process writes a frame while the solver goes on: what went wrong with it is
+/// thrown with the next one, or with the tables. Where ranks share the plate, all write their points and cells, and the
+/// first rank everything else; collective.
 class Folder : public Sink {
 public:
-  /// Writes the case into the folder, which is there and locked for this.
-  Folder(FolderOptions options, FolderLock lock);
+  /// Writes the case into the folder, which is there and locked for this. `lock`: of the first rank alone.
+  Folder(FolderOptions options, std::optional<FolderLock> lock);
 
   bool draws() const override { return options_.vtk; }
   bool stores() const override { return options_.hdf5; }
-  bool plots() const override { return options_.vtk; }
+  bool plots() const override { return options_.vtk && lock_; }
   void open(const Mesh& mesh) override;
   void frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) override;
   void final_state(const Mesh& mesh, const Frame& frame) override;
@@ -65,7 +67,7 @@ private:
   StateFile::Options state_file(bool velocities) const;
 
   FolderOptions options_;
-  FolderLock lock_;
+  std::optional<FolderLock> lock_;
   std::optional<VtkSeries> vtk_;
   std::optional<StateFile> hdf5_;
   std::vector<double> times_;  // of the frames

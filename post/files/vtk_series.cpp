@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <pugixml.hpp>
 #include <regex>
@@ -18,8 +19,48 @@ std::string fields(std::size_t frame) {
   return fmt::format("fields_{:04}.vtu", frame);
 }
 
+std::string fields_in_pieces(std::size_t frame) {
+  return fmt::format("fields_{:04}.pvtu", frame);
+}
+
+std::string piece_name(std::size_t frame, int rank) {
+  return fmt::format("fields_{:04}_{}.vtu", frame, rank);
+}
+
 std::string cracks(std::size_t frame) {
   return fmt::format("cracks_{:04}.vtp", frame);
+}
+
+void wait_for_all(const plate::Communicator& all) {
+  std::array<std::int64_t, 1> ready{1};
+  all.sum(ready);
+}
+
+/// The pieces, and what each has of its points: as vtu() writes it.
+std::string pvtu(std::size_t frame, int pieces) {
+  constexpr std::array<std::pair<const char*, int>, 11> arrays{{{"w", 1},
+                                                                {"theta", 2},
+                                                                {"damage", 1},
+                                                                {"cut", 1},
+                                                                {"Mxx", 1},
+                                                                {"Myy", 1},
+                                                                {"Mxy", 1},
+                                                                {"Qx", 1},
+                                                                {"Qy", 1},
+                                                                {"von_mises", 1},
+                                                                {"displacement", 3}}};
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" byte_order=\"{}\">\n"
+      "  <PUnstructuredGrid GhostLevel=\"0\">\n    <PPoints>\n"
+      "      <PDataArray type=\"Float64\" NumberOfComponents=\"3\"/>\n    </PPoints>\n    <PPointData>\n",
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+  for (const auto& [name, components] : arrays)
+    text +=
+        fmt::format("      <PDataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n", name, components);
+  text += "    </PPointData>\n";
+  for (int rank = 0; rank < pieces; ++rank)
+    text += fmt::format("    <Piece Source=\"{}\"/>\n", piece_name(frame, rank));
+  return text + "  </PUnstructuredGrid>\n</VTKFile>\n";
 }
 
 }  // namespace
@@ -36,21 +77,39 @@ std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::
   return text + "  </Collection>\n</VTKFile>\n";
 }
 
-VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh) : folder_(std::move(folder)), mesh_(std::move(mesh)) {}
+VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh, const plate::Communicator& communicator)
+    : folder_(std::move(folder)), mesh_(std::move(mesh)), communicator_(&communicator) {}
 
 void VtkSeries::write(const Frame& frame) {
   const auto number = times_.size();
-  write_whole(folder_ / fields(number), vtu(mesh_, frame));
-  if (frame.cracks) write_whole(folder_ / cracks(number), vtp(*frame.cracks));
+  const bool in_pieces = communicator_->distributed();
+  write_whole(folder_ / (in_pieces ? piece_name(number, communicator_->rank()) : fields(number)), vtu(mesh_, frame));
   times_.push_back(frame.time);
-  write_whole(folder_ / "fields.pvd", pvd(times_, fields, gone_));
+  wait_for_all(*communicator_);
+  if (communicator_->rank() > 0) return;
+  if (in_pieces) write_whole(folder_ / fields_in_pieces(number), pvtu(number, communicator_->size()));
+  if (frame.cracks) write_whole(folder_ / cracks(number), vtp(*frame.cracks));
+  write_whole(folder_ / "fields.pvd", pvd(times_, in_pieces ? fields_in_pieces : fields, gone_));
   if (frame.cracks) write_whole(folder_ / "cracks.pvd", pvd(times_, cracks, gone_));
 }
 
+/// Pieces of later frames may be of more ranks than there are now.
 void VtkSeries::go_on(std::vector<double> times) {
   times_ = std::move(times);
-  for (std::size_t i = 0; i < times_.size(); ++i)
+  const bool in_pieces = communicator_->distributed();
+  for (std::size_t i = 0; i < times_.size() && !in_pieces; ++i)
     if (!std::filesystem::exists(folder_ / fields(i))) gone_.insert(i);
+  if (in_pieces && communicator_->rank() == 0) {
+    static const std::regex name(R"(fields_(\d{4,})(_\d+)?\.p?vtu)");
+    std::vector<std::filesystem::path> later;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      const auto text = entry.path().filename().string();
+      if (std::smatch found; std::regex_match(text, found, name) && std::stoul(found[1]) >= times_.size())
+        later.push_back(entry.path());
+    }
+    for (const auto& path : later) std::filesystem::remove(path);
+  }
+  wait_for_all(*communicator_);
 }
 
 std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <set>
 
+#include "plate/model/communicator.hpp"
 #include "post/files/frame.hpp"
 
 namespace post {
@@ -9,19 +10,24 @@ namespace post {
 /// Frames for ParaView: fields_NNNN.vtu (binary, compressed) and fields.pvd, which lists them with their times and is
 /// written anew with each frame. Point data: w, theta (2 components), damage, cut, Mxx, Myy, Mxy, Qx, Qy, von_mises,
 /// displacement (3 components: 0, 0, w); after the points of the plate come the corners of its cells on edges and
-/// cracks. Where cracks change, cracks_NNNN.vtp and cracks.pvd beside them.
+/// cracks. Where cracks change, cracks_NNNN.vtp and cracks.pvd beside them. Where ranks share the plate, each writes
+/// its piece, fields_NNNN_RANK.vtu, and the first fields_NNNN.pvtu, which names the pieces. Collective: every rank must
+/// call each member function.
 class VtkSeries {
 public:
-  VtkSeries(std::filesystem::path folder, Mesh mesh);
+  /// `mesh`: what this rank draws. `communicator` must outlive this.
+  VtkSeries(std::filesystem::path folder, Mesh mesh, const plate::Communicator& communicator = plate::single_process());
   /// Sets the mesh of the frames from now on.
   void remesh(Mesh mesh) { mesh_ = std::move(mesh); }
   void write(const Frame& frame);
-  /// Goes on after frames that a run has written which was ended; those that are gone are listed no more.
+  /// Goes on after frames that a run has written which was ended; those that are gone are listed no more, and pieces
+  /// of later ones go.
   void go_on(std::vector<double> times);
 
 private:
   std::filesystem::path folder_;
   Mesh mesh_;
+  const plate::Communicator* communicator_;
   std::vector<double> times_;
   std::set<std::size_t> gone_;  // of the frames
 };

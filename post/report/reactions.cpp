@@ -10,8 +10,8 @@
 #include "plate/formulation/operator.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/reduction.hpp"
 #include "plate/solve/settled.hpp"
 
 namespace post {
@@ -90,7 +90,8 @@ Supports::Supports(const plate::Boundary& boundary) : boundary_(&boundary) {
   Point low = positions.front(), high = low;
   for (const auto& x : positions) low = low.cwiseMin(x), high = high.cwiseMax(x);
   for (const Eigen::Index axis : {0, 1})
-    low[axis] = -plate::largest_of_all(-low[axis]), high[axis] = plate::largest_of_all(high[axis]);
+    low[axis] = -boundary_->map.communicator->largest_of(-low[axis]),
+    high[axis] = boundary_->map.communicator->largest_of(high[axis]);
   centre_ = (low + high) / 2, arm_ = (high - low).norm() / 2;
 }
 
@@ -108,7 +109,8 @@ Applied Supports::applied(const plate::Forces& forces) const {
     for (std::size_t c = 0; c < 3; ++c) sum += wrench(positions[k], c, force[Eigen::Index(c)]);
     return {sum.force, sum.moment_x, sum.moment_y, std::abs(force[0]) + std::hypot(force[1], force[2]) / arm_};
   };
-  const auto [force, moment_x, moment_y, size] = plate::ordered_sum<4>(positions.size(), of_point);
+  const auto [force, moment_x, moment_y, size] =
+      plate::ordered_sum<4>(*boundary_->map.communicator, positions.size(), of_point);
   result.sum = {force, moment_x, moment_y}, result.size = size;
   return result;
 }
@@ -121,11 +123,12 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
   const auto& held = boundary_->constraints.held();
   for (std::uint32_t h = 0; h < result.supports.size(); ++h) {
     const auto of_holder = std::ranges::equal_range(shares_, h, {}, &Share::holder);
-    const auto [force, moment_x, moment_y] = plate::ordered_sum<3>(of_holder.size(), [&](std::size_t s) {
-      const auto& [holder, i, unit] = of_holder[std::ptrdiff_t(s)];
-      const double size = boundary_->owns(held[i] / 3) ? reaction[i] : 0;
-      return std::array<double, 3>{size * unit.force, size * unit.moment_x, size * unit.moment_y};
-    });
+    const auto [force, moment_x, moment_y] =
+        plate::ordered_sum<3>(*boundary_->map.communicator, of_holder.size(), [&](std::size_t s) {
+          const auto& [holder, i, unit] = of_holder[std::ptrdiff_t(s)];
+          const double size = boundary_->owns(held[i] / 3) ? reaction[i] : 0;
+          return std::array<double, 3>{size * unit.force, size * unit.moment_x, size * unit.moment_y};
+        });
     result.supports[h] = {force, moment_x, moment_y};
   }
   for (const auto& part : boundary_->attached.holding()) result.supports.push_back(applied(part->force(state)).sum);

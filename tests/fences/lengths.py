@@ -6,7 +6,7 @@ import functions
 import tree
 
 FUNCTION = 60  # lines; a TEST_CASE is a function: the longest had 39
-TESTED = 0.82  # of the units, by the header that a unit test begins with; asked for: 0.75; cases/main.cpp is none
+TESTED = 0.82  # of the units, by the header that a unit test begins with; asked for: 0.75
 
 
 def of_file(root, path):
@@ -32,7 +32,7 @@ def headers_under_test(root):
 
 
 def tests(root, paths):
-    units = [path for path in paths if path.suffix == ".cpp" and str(path) != "cases/main.cpp"]
+    units = [path for path in paths if path.suffix == ".cpp" and not str(path).startswith("cases/programs/")]
     headers = headers_under_test(root)
     without = [path for path in units if str(path.with_suffix(".hpp")) not in headers]
     share = 1 - len(without) / len(units)

@@ -49,7 +49,7 @@ class Includes(Tree):
                 ("plate/discretise.cpp", "plate/bonds/c.hpp", True), ("plate/bonds/x.cpp", "plate/discretise.hpp", False),
                 ("cases/driver/x.cpp", "plate/discretise.hpp", True), ("cases/driver/x.cpp", "plate/bonds/c.hpp", False),
                 ("post/files/x.cpp", "cases/input/f.hpp", False), ("cases/input/x.cpp", "post/files/e.hpp", True),
-                ("cases/main.cpp", "cases/input/f.hpp", True), ("elsewhere/x.cpp", "geometry/shape/a.hpp", False)):
+                ("cases/programs/serial.cpp", "cases/input/f.hpp", True), ("elsewhere/x.cpp", "geometry/shape/a.hpp", False)):
             for marks in ('"{}"', "<{}>"):
                 wrong = self.wrong_includes(including, f"#include {marks.format(header)}\n")
                 self.assertEqual(not wrong, right, f"{including} {header}: {wrong}")

@@ -118,7 +118,7 @@ private:
   std::vector<Bond> bonds_;
 };
 
-plate::Discretised bare_bonds(const plate::Problem& problem) {
+plate::Discretised bare_bonds(const plate::Problem& problem, const plate::Communicator&) {
   const auto& d = problem.discretization;
   auto paths = plate::crack_paths(problem);
   auto cloud = geometry::lattice(problem.outline, d.spacing);

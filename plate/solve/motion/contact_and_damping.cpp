@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "plate/formulation/constraints.hpp"
-#include "plate/solve/reduction.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace plate {
 namespace {
 
 /// Deflection at the place of impact, the same on all ranks.
 double deflection(const Impactor& impactor, const State& state) {
-  return ordered_sum<1>(impactor.terms.size(), [&](std::size_t i) {
+  return ordered_sum<1>(*impactor.communicator, impactor.terms.size(), [&](std::size_t i) {
     const auto& [dof, factor] = impactor.terms[i];
     return std::array<double, 1>{impactor.own.empty() || impactor.own[i] ? factor * at_dof(state, dof) : 0};
   })[0];
@@ -61,7 +61,7 @@ double stable_step(double free, const Impactor& impactor, const Constraints& con
   Forces unit = Forces::Zero(3, mass.cols());
   for (const auto& [dof, factor] : impactor.terms) at_dof(unit, dof) += factor;
   constraints.fold(unit);
-  const auto [of_plate] = ordered_sum<1>(std::size_t(unit.size()), [&](std::size_t i) {
+  const auto [of_plate] = ordered_sum<1>(constraints.communicator(), std::size_t(unit.size()), [&](std::size_t i) {
     const double f = unit.data()[i], m = mass.data()[i];
     return std::array<double, 1>{m > 0 ? f * f / m : 0};
   });

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "plate/formulation/constraints.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/settled.hpp"
 
@@ -13,7 +13,7 @@ namespace plate {
 
 DrivenSupports::DrivenSupports(const std::vector<TimedLoad>& loads, const Constraints& constraints, const Forces& mass,
                                const Forces& folded, const std::vector<char>& own)
-    : any_(std::ranges::any_of(loads, &TimedLoad::lifts)) {
+    : communicator_(&constraints.communicator()), any_(std::ranges::any_of(loads, &TimedLoad::lifts)) {
   const auto owns = [&](std::uint32_t dof) { return own.empty() || own[dof / 3]; };
   std::map<std::uint32_t, std::vector<double>> lifts;
   for (std::size_t l = 0; l < loads.size(); ++l) {
@@ -83,7 +83,7 @@ std::array<double, N> DrivenSupports::sum(const Terms& terms) const {
     for (const auto& [leader, factor] : one.leaders)
       if (leaders_[leader].own) terms.of_leader(one, one.mass * factor, leaders_[leader], add);
   };
-  if (const Ranks* all = ranks()) return exact_sum<N>(*all, driven_.size(), each);
+  if (communicator_->distributed()) return exact_sum<N>(*communicator_, driven_.size(), each);
   std::array<double, N> result{};
   for (std::size_t i = 0; i < driven_.size(); ++i) each(i, [&](std::size_t n, double term) { result[n] += term; });
   return result;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "plate/model/communicator.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/state.hpp"
 
@@ -72,6 +73,7 @@ private:
   template <std::size_t N, typename Terms>
   std::array<double, N> sum(const Terms& terms) const;
 
+  const Communicator* communicator_ = &single_process();
   bool any_ = false;
   std::vector<History> histories_;
   std::vector<Leader> leaders_;

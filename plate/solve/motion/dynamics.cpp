@@ -11,11 +11,11 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/dense_algebra.hpp"
 #include "plate/model/numerical_method.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/contact_and_damping.hpp"
 #include "plate/solve/motion/driven_supports.hpp"
 #include "plate/solve/motion/masses_and_loads.hpp"
-#include "plate/solve/reduction.hpp"
 #include "plate/solve/touched_plate.hpp"
 #include "plate/solve/validation.hpp"
 
@@ -88,9 +88,9 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
 }
 
 /// Processes that share the plate stop together, at a row.
-bool stops_at(bool row) {
-  if (!ranks()) return stop_is_asked();
-  return row && largest_of_all(stop_is_asked()) > 0;
+bool stops_at(const Communicator& all, bool row) {
+  if (!all.distributed()) return stop_is_asked();
+  return row && all.largest_of(stop_is_asked()) > 0;
 }
 
 /// As a motion begins, or goes on.
@@ -169,12 +169,13 @@ template <typename Real, typename InternalForce>
 void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, DrivenSupports driven,
            TravellingLoads travelling, Eigen::Index points, const DynamicOptions& options,
            const std::function<void(const Instant&)>& observe) {
+  const Communicator& all = constraints.communicator();
   const double dt = options.time_step;
   auto [state, velocity, begin] = Begin(options, masses, points);
   Beside beside(options, state);
   if (const auto* from = options.from) {
     driven.recall(from->driven), travelling.recall(from->travelling);
-    if (ranks() && driven.any()) constraints.impose(state), driven.place(state, double(begin) * dt);
+    if (all.distributed() && driven.any()) constraints.impose(state), driven.place(state, double(begin) * dt);
   }
   if (!options.from && options.start.size() > 0 && !options.bent) driven.start();
   Values<Real> force;
@@ -182,8 +183,8 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   for (std::size_t step = begin;; ++step) {
     const bool row = step % options.observe_every == 0 || step == options.steps;
     if (rest && (row || options.changes)) rest->complete();
-    const bool stops = stops_at(row);
-    if (options.keep && (stops || ((row || !ranks()) && options.due()))) {
+    const bool stops = stops_at(all, row);
+    if (options.keep && (stops || ((row || !all.distributed()) && options.due()))) {
       MotionMemory memory{step, state, velocity, {}, {}, {}};
       masses.remember(memory), beside.remember(memory);
       memory.driven = driven.memory(), memory.travelling = travelling.memory();
@@ -208,7 +209,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     driven.book(state, velocity, force, step == 0 ? 0 : dt / 2);
     const auto [before, after] = beside.damps() ? losses(now, force, masses, beside) : std::array<double, 2>{0, 0};
     if (observed) {
-      require_finite(state, fmt::format("at step {}, time {:g}", step, time));
+      require_finite(state, fmt::format("at step {}, time {:g}", step, time), all);
       auto instant = seen(now, force, work, masses, constraints, beside);
       instant.dissipated = beside.dissipated() + before;
       driven.complete(instant), travelling.complete(instant);
@@ -239,8 +240,8 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
     const auto internal_force = [&](const State& state, Awaited* rest, Forces& force) {
       rest ? plate.internal_force_meanwhile(state, *rest, force) : plate.internal_force(state, force);
     };
-    return steps<double>(internal_force, constraints, std::move(masses), std::move(driven), TravellingLoads(loads),
-                         points, options, observe);
+    return steps<double>(internal_force, constraints, std::move(masses), std::move(driven),
+                         TravellingLoads(loads, constraints.communicator()), points, options, observe);
   }
   Values<float> rounded(3, points);
   const auto internal_force = [&](const State& state, Awaited* rest, Values<float>& force) {
@@ -249,8 +250,8 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
     for (Eigen::Index i = 0; i < state.size(); ++i) rounded.data()[i] = float(state.data()[i]);
     options.single(rounded, force);
   };
-  steps<float>(internal_force, constraints, std::move(masses), std::move(driven), TravellingLoads(loads), points,
-               options, observe);
+  steps<float>(internal_force, constraints, std::move(masses), std::move(driven),
+               TravellingLoads(loads, constraints.communicator()), points, options, observe);
 }
 
 namespace {
@@ -263,8 +264,8 @@ Forces root_of(const Forces& values) {
   return values.unaryExpr([](double value) { return std::sqrt(value); });
 }
 
-double dot(const Forces& a, const State& b) {
-  return ordered_sum<1>(static_cast<std::size_t>(a.size()),
+double dot(const Communicator& all, const Forces& a, const State& b) {
+  return ordered_sum<1>(all, static_cast<std::size_t>(a.size()),
                         [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
 }
 
@@ -287,8 +288,8 @@ double collatz_bound(const Operator& plate, const Constraints& constraints, cons
         bound = std::max(bound, next.data()[n] / scale.data()[n]);
         largest = std::max(largest, next.data()[n] * std::sqrt(mass.data()[n]));
       }
-    smallest_bound = std::min(smallest_bound, largest_of_all(bound));
-    scale = next / largest_of_all(largest);
+    smallest_bound = std::min(smallest_bound, constraints.communicator().largest_of(bound));
+    scale = next / constraints.communicator().largest_of(largest);
   }
   return smallest_bound;
 }
@@ -299,10 +300,11 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
                                     State now) {
   constexpr double tolerance = 1e-3, margin = 0.01;
   constexpr std::size_t most = 400, check_every = 10;
+  const Communicator& all = constraints.communicator();
   const Forces root = root_of(inverse_of(mass));
   now = (root.array() > 0).select(now, 0.0);
   State before = State::Zero(3, now.cols());
-  now /= std::sqrt(dot(now, now));
+  now /= std::sqrt(dot(all, now, now));
   std::vector<double> alpha, beta;
   Forces forces;
   State scaled;
@@ -313,9 +315,9 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
     constraints.fold(forces);
     State next = -root.cwiseProduct(forces);  // M^(-1/2) K M^(-1/2) now
     if (!beta.empty()) next -= beta.back() * before;
-    alpha.push_back(dot(next, now));
+    alpha.push_back(dot(all, next, now));
     next -= alpha.back() * now;
-    beta.push_back(std::sqrt(dot(next, next)));
+    beta.push_back(std::sqrt(dot(all, next, next)));
     if (alpha.size() % check_every == 0) {
       const auto size = Eigen::Index(alpha.size());
       const Eigenpairs ritz = tridiagonal_eigenpairs(Eigen::Map<Eigen::VectorXd>(alpha.data(), size),
@@ -344,7 +346,7 @@ double stable_time_step(const Operator& plate, const Constraints& constraints, c
 }
 
 std::optional<State> start_by_place(const Formulation& plate) {
-  if (!ranks()) return std::nullopt;
+  if (!plate.communicator().distributed()) return std::nullopt;
   State start(3, Eigen::Index(plate.points()));
   for (Eigen::Index k = 0; k < start.cols(); ++k) {
     const auto [column, row] = geometry::cell_of(plate.boundary().lattice[std::size_t(k)]);

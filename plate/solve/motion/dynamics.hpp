@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plate/formulation/operator.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -32,6 +33,7 @@ struct Impactor {
   double velocity = 0;                                  // along w [length/time]; its sign tells the side
   double stiffness = 0;                                 // of the contact [force/length]
   std::vector<char> own = {};                           // of the terms: no other process has the point; empty: all
+  const Communicator* communicator = &single_process();
 };
 
 /// Where the mass is: along w, and half a step before how fast; how it has pressed so far.

@@ -8,12 +8,12 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/supports.hpp"
 #include "plate/model/wording.hpp"
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/contact_and_damping.hpp"
 #include "plate/solve/motion/time_grid.hpp"
-#include "plate/solve/reduction.hpp"
 
 namespace plate {
 namespace {
@@ -46,8 +46,9 @@ State bent(const Formulation& plate, const Formula& formula) {
 std::string fault_of(const Formulation& plate, const Formula& formula, const State& state) {
   const auto points = Eigen::Index(plate.cloud().plate_points);
   const double spacing = plate.discretization().spacing_at_tips();
-  const double size = largest_of_all(state.row(0).head(points).cwiseAbs().maxCoeff());
-  const double steepest = largest_of_all(state.bottomRows(2).leftCols(points).colwise().norm().maxCoeff());
+  const double size = plate.communicator().largest_of(state.row(0).head(points).cwiseAbs().maxCoeff());
+  const double steepest =
+      plate.communicator().largest_of(state.bottomRows(2).leftCols(points).colwise().norm().maxCoeff());
   for (Eigen::Index k = 0; k < points; ++k) {
     if (!plate.boundary().owns(std::size_t(k))) continue;
     for (const Point& along : {Point(spacing / 2, 0), Point(0, spacing / 2)}) {
@@ -71,8 +72,8 @@ std::string fault_of(const Formulation& plate, const Formula& formula, const Sta
 
 void require_possible(const Formulation& plate, const Formula& formula, const State& state) {
   std::vector<std::string> faults{fault_of(plate, formula, state)};
-  if (const Ranks* all = ranks())
-    faults = all->exchanged(std::vector<std::string>(std::size_t(all->size()), faults.front()));
+  const Communicator& all = plate.communicator();
+  faults = all.exchanged(std::vector<std::string>(std::size_t(all.size()), faults.front()));
   for (const auto& fault : faults)
     if (!fault.empty()) throw Jumps(formula.text(), fault);
 }
@@ -87,16 +88,16 @@ bool touches(const Formulation& plate, const Point& at) {
 }
 
 Impactor impactor_of(const Impact& impact, const Formulation& plate) {
-  Impactor result{{}, impact.mass, impact.velocity, impact.stiffness};
-  const bool here = touches(plate, impact.position), anywhere = largest_of_all(here) > 0;
+  Impactor result{{}, impact.mass, impact.velocity, impact.stiffness, {}, &plate.communicator()};
+  const bool here = touches(plate, impact.position), anywhere = plate.communicator().largest_of(here) > 0;
   if (anywhere && !here) return result;
   result.terms = terms_of(plate.interpolation(impact.position), 0);
   for (const auto& [dof, factor] : result.terms) result.own.push_back(plate.boundary().owns(dof / 3));
   return result;
 }
 
-double kinetic_energy(const Forces& mass, const State& velocity) {
-  return ordered_sum<1>(std::size_t(mass.size()), [&](std::size_t i) {  // copies have no mass
+double kinetic_energy(const Communicator& all, const Forces& mass, const State& velocity) {
+  return ordered_sum<1>(all, std::size_t(mass.size()), [&](std::size_t i) {  // copies have no mass
     const double v = velocity.data()[i];
     return std::array<double, 1>{mass.data()[i] * v * v / 2};
   })[0];
@@ -110,7 +111,8 @@ BeginOfMotion begin_of_motion(const Formulation& plate, double rotary) {
   BeginOfMotion result{bent(plate, initial.deflection), bent(plate, initial.velocity)};
   if (result.deflected.size() > 0) require_possible(plate, initial.deflection, result.deflected);
   if (result.deflected.size() > 0) result.given += plate.strain_energy(result.deflected);
-  if (result.velocity.size() > 0) result.given += kinetic_energy(plate.mass(rotary), result.velocity);
+  if (result.velocity.size() > 0)
+    result.given += kinetic_energy(plate.communicator(), plate.mass(rotary), result.velocity);
   if (const auto& impact = problem.impact) {
     result.impact = impactor_of(*impact, plate);
     result.given += impact->mass * impact->velocity * impact->velocity / 2;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "plate/model/communicator.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 
 namespace plate {
@@ -24,7 +24,8 @@ PointClass class_of(const std::vector<double>& key) {
 
 }  // namespace
 
-Masses::Masses(const Forces& mass, std::vector<TimedLoad> loads, const Constraints& constraints) {
+Masses::Masses(const Forces& mass, std::vector<TimedLoad> loads, const Constraints& constraints)
+    : communicator_(&constraints.communicator()) {
   constexpr std::uint32_t longest = 1024;  // runs are shared out among threads
   for (auto& load : loads) {
     constraints.fold(load.forces);
@@ -92,7 +93,8 @@ double Masses::work(double time, const State& state) {
   return all;
 }
 
-TravellingLoads::TravellingLoads(const std::vector<TimedLoad>& loads) {
+TravellingLoads::TravellingLoads(const std::vector<TimedLoad>& loads, const Communicator& communicator)
+    : communicator_(&communicator) {
   for (const auto& load : loads)
     if (load.moving) loads_.push_back({load.moving, load.history});
 }
@@ -109,7 +111,7 @@ std::array<double, N> TravellingLoads::products(const std::array<double, N>& tim
       });
     }
   };
-  if (const Ranks* all = ranks()) return exact_sum<N>(*all, loads_.size(), each);
+  if (communicator_->distributed()) return exact_sum<N>(*communicator_, loads_.size(), each);
   std::array<double, N> sum{};
   for (std::size_t i = 0; i < loads_.size(); ++i) each(i, [&](std::size_t n, double term) { sum[n] += term; });
   return sum;

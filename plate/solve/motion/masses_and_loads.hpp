@@ -6,8 +6,8 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/reduction.hpp"
 
 namespace plate {
 
@@ -54,8 +54,8 @@ public:
         for (Eigen::Index i = begin; i < begin + runs_[r].length; ++i) add(term(one, c, i));
       }
     };
-    if (const Ranks* all = ranks())
-      return exact_sum<N>(*all, runs_.size(), [&](std::size_t r, const auto& add) {
+    if (communicator_->distributed())
+      return exact_sum<N>(*communicator_, runs_.size(), [&](std::size_t r, const auto& add) {
         visit(r, [&](const std::array<double, N>& value) {
           for (std::size_t n = 0; n < N; ++n) add(n, value[n]);
         });
@@ -96,6 +96,7 @@ public:
   }
 
 private:
+  const Communicator* communicator_;
   std::vector<PointClass> classes_;
   std::vector<Run> runs_;
   std::vector<History> histories_;
@@ -113,7 +114,7 @@ struct TimedLoad;
 class TravellingLoads {
 public:
   TravellingLoads() = default;
-  explicit TravellingLoads(const std::vector<TimedLoad>& loads);
+  TravellingLoads(const std::vector<TimedLoad>& loads, const Communicator& communicator);
 
   bool any() const { return !loads_.empty(); }
 
@@ -138,6 +139,7 @@ private:
   template <std::size_t N>
   std::array<double, N> products(const std::array<double, N>& times, const State& state) const;
 
+  const Communicator* communicator_ = &single_process();
   std::vector<Travelling> loads_;
   double work_ = 0, now_ = 0, next_ = 0;  // next: of the forces of the step after with the state of now
   bool begun_ = false;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "post/files/hdf5/state_file.hpp"
+#include "post/files/point_order.hpp"
 #include "post/files/whole_file.hpp"
 
 namespace post {
@@ -23,65 +24,69 @@ const Files& files() {
   return *all;
 }
 
-namespace {
-
-/// Parts of a contiguous array that holds `width` values of every point.
-InParts parts_of(const double* values, std::size_t width) {
-  return [=](std::size_t first, std::size_t count) { return std::span(values + width * first, width * count); };
-}
-
-StateFile::Points points_of(const Mesh& mesh) {
-  const auto count = mesh.positions.size();
-  if (mesh.areas.size() != count || mesh.cut.size() != count)
+StateFile::StateFile(Options options, const Mesh& mesh, const plate::Communicator& communicator)
+    : order_(std::make_unique<const PointOrder>(order_of(communicator, mesh))),
+      own_(Eigen::Index(mesh.own.value_or(mesh.positions.size()))),
+      others_follow_(mesh.own.has_value()) {
+  if (mesh.areas.size() != mesh.positions.size() || mesh.cut.size() != mesh.positions.size())
     throw std::invalid_argument("state.h5: areas or cut do not fit the positions");
-  return {count, parts_of(count > 0 ? mesh.positions.data()->data() : nullptr, 2), parts_of(mesh.areas.data(), 1),
-          parts_of(mesh.cut.data(), 1)};
+  const auto one = [](const std::vector<double>& values) {
+    return [&values](std::size_t k, double* to) { *to = values[k]; };
+  };
+  const auto place = [&](std::size_t k, double* to) { to[0] = mesh.positions[k].x(), to[1] = mesh.positions[k].y(); };
+  const Points points{order_->points(), parts(2, place), parts(1, one(mesh.areas)), parts(1, one(mesh.cut))};
+  const bool goes_on = options.goes_on;
+  if (communicator.rank() == 0) {
+    open_ = files().open(std::move(options), points);
+  } else if (!goes_on) {  // what the first asks for
+    for (const auto& field : {points.positions, points.areas, points.cut}) for_each_part(points.count, field);
+  }
 }
 
-/// Point by point, as the file has it.
-InParts parts_of(const plate::State& state, Eigen::Matrix3Xd& room) {
-  return [&](std::size_t first, std::size_t count) {
-    room = state.middleCols(Eigen::Index(first), Eigen::Index(count));
-    return std::span<const double>(room.data(), 3 * count);
+InParts StateFile::parts(std::size_t width, Numbers numbers) {
+  return [this, width, numbers = std::move(numbers)](std::size_t first, std::size_t count) {
+    room_ = order_->at_first(first, count, width, numbers);
+    return std::span<const double>(room_);
   };
 }
 
-}  // namespace
-
-StateFile::StateFile(Options options, const Mesh& mesh) : StateFile(std::move(options), points_of(mesh)) {}
-
-StateFile::StateFile(Options options, const Points& points) : open_(files().open(std::move(options), points)) {}
+template <typename Rows>
+InParts StateFile::parts(const Rows& rows) {
+  return parts(std::size_t(rows.rows()), [&rows](std::size_t k, double* to) {
+    for (Eigen::Index c = 0; c < rows.rows(); ++c) to[c] = rows(c, Eigen::Index(k));
+  });
+}
 
 StateFile::~StateFile() = default;
 StateFile::StateFile(StateFile&&) noexcept = default;
 
 void StateFile::go_on(std::size_t frames) {
-  open_->go_on(frames);
+  if (open_) open_->go_on(frames);
 }
 
 void StateFile::part() {
-  open_->part();
+  if (open_) open_->part();
 }
 
 void StateFile::write(const Frame& frame, const plate::State* velocity) {
-  const auto points = std::size_t(frame.state.cols());
-  if (velocity && velocity->cols() != frame.state.cols())
-    throw std::invalid_argument("state.h5: the velocities do not fit the state");
   const auto& [moments, shear, von_mises] = frame.resultants;
+  const auto fits = [&](Eigen::Index columns) { return others_follow_ ? columns >= own_ : columns == own_; };
+  if (!fits(frame.state.cols())) throw std::invalid_argument("state.h5: the state does not fit the points");
+  if (velocity && !fits(velocity->cols())) throw std::invalid_argument("state.h5: the velocities do not fit the state");
   for (const auto columns : {moments.cols(), shear.cols(), von_mises.size()})
     if (columns != frame.state.cols()) throw std::invalid_argument("state.h5: the resultants do not fit the state");
-  Eigen::Matrix3Xd room;
-  open_->write({frame.time, frame.step, points, parts_of(frame.state, room),
-                velocity ? parts_of(*velocity, room) : InParts(), parts_of(moments.data(), 3),
-                parts_of(shear.data(), 2), parts_of(von_mises.data(), 1)});
-}
-
-void StateFile::write(const Motion& frame) {
-  open_->write(frame);
+  const auto of_stress = von_mises.transpose();
+  const Motion motion{
+      frame.time,     frame.step,   order_->points(), parts(frame.state), velocity ? parts(*velocity) : InParts(),
+      parts(moments), parts(shear), parts(of_stress)};
+  if (open_) return open_->write(motion);
+  for (const auto* numbers :
+       {&motion.state, &motion.velocity, &motion.moments, &motion.shear_forces, &motion.von_mises})
+    if (*numbers) for_each_part(motion.points, *numbers);
 }
 
 void StateFile::write(const std::string& name, const Table& table) {
-  open_->write(name, table);
+  if (open_) open_->write(name, table);
 }
 
 void StateFile::close() {

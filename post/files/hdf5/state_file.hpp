@@ -5,10 +5,12 @@
 #include <memory>
 #include <span>
 
+#include "plate/model/communicator.hpp"
 #include "post/files/frame.hpp"
 #include "post/files/table.hpp"
 
 namespace post {
+class PointOrder;
 
 /// Numbers of points as state.h5 takes them: of `count` points from `first` on, point by point, in the order of the
 /// file. It asks from the first to the last, for points_at_once of them but at the end, and each part once; what it has
@@ -28,8 +30,9 @@ void for_each_part(std::size_t points, const Visit& visit) {
 /// state.h5: points (positions, areas, cut), every written frame (time, step, state, moments, shear_forces, von_mises),
 /// tables (history, probes, srif), the text of the resolved case; each dataset with attributes `unit` and
 /// `description`, those of points with checksums. Written beside, as state.h5.0 and so on, and put in its place by
-/// close().
-/// Throws std::runtime_error where HDF5 fails.
+/// close(). Where ranks share the plate the first writes, and the others send it their points, points_at_once of all,
+/// so that none holds more than that of others' points; then constructor and write(frame) are collective. Throws
+/// std::runtime_error where HDF5 fails.
 class StateFile {
 public:
   struct Options {
@@ -50,8 +53,8 @@ public:
     std::size_t step = 0, points = 0;
     InParts state, velocity, moments, shear_forces, von_mises;
   };
-  StateFile(Options options, const Mesh& mesh);
-  StateFile(Options options, const Points& points);
+  /// `mesh`: with the rank's own points first. `communicator` must outlive this.
+  StateFile(Options options, const Mesh& mesh, const plate::Communicator& communicator = plate::single_process());
   ~StateFile();
   StateFile(StateFile&&) noexcept;
 
@@ -59,9 +62,9 @@ public:
   void go_on(std::size_t frames);
   /// The frames so far are what another process can go on after, from now on.
   void part();
-  /// Throws std::invalid_argument where velocities or resultants are not those of the points.
+  /// `velocity`: null where none are stored. Throws std::invalid_argument where velocities or resultants are not those
+  /// of the points.
   void write(const Frame& frame, const plate::State* velocity);
-  void write(const Motion& frame);
   /// No frame comes after a table.
   void write(const std::string& name, const Table& table);
   void close();
@@ -78,7 +81,16 @@ public:
   };
 
 private:
-  std::unique_ptr<Open> open_;
+  using Numbers = std::function<void(std::size_t k, double* to)>;
+  InParts parts(std::size_t width, Numbers numbers);
+  template <typename Rows>
+  InParts parts(const Rows& rows);
+
+  std::unique_ptr<const PointOrder> order_;
+  Eigen::Index own_;            // points of the rank: the first columns of a frame
+  bool others_follow_;          // behind them
+  std::vector<double> room_;    // the part in hand
+  std::unique_ptr<Open> open_;  // of the first rank
 };
 
 /// Data of a finished run that `pdplate srif` needs.

@@ -15,11 +15,12 @@
 /// Whole runs of plates that threads share as processes do.
 namespace shared_run {
 
-/// The tables of a run by the ordinary program.
-inline std::map<std::string, post::Table> whole(const cases::CaseFile& file) {
+/// The tables of a run: by the ordinary program, or as one of several processes.
+inline std::map<std::string, post::Table> whole(const cases::CaseFile& file,
+                                                const plate::Communicator& all = plate::single_process()) {
   post::Kept kept;
   kept.wants_fields = false;
-  cases::run(file, {{}, true, &kept});
+  cases::run(file, {{}, true, &kept, false, &all});
   return {kept.tables.begin(), kept.tables.end()};
 }
 
@@ -35,9 +36,9 @@ inline bool falls(const cases::CaseFile& file) {
 inline std::map<std::string, std::string> texts(const cases::CaseFile& file, int processes) {
   std::map<std::string, std::string> result;
   std::mutex one_by_one;
-  thread_ranks::run(processes, [&](const plate::Ranks&) {
+  thread_ranks::run(processes, [&](const plate::Communicator& all) {
     std::map<std::string, std::string> own;
-    for (const auto& [name, table] : whole(file)) own[name] = post::csv_text(table);
+    for (const auto& [name, table] : whole(file, all)) own[name] = post::csv_text(table);
     const std::lock_guard guard(one_by_one);
     if (result.empty()) result = own;
     CHECK((result == own));

@@ -19,10 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The Galerkin plate, which refuses cracks longer than 0.75.
-plate::Discretised narrow(const plate::Problem& problem) {
+plate::Discretised narrow(const plate::Problem& problem, const plate::Communicator& all) {
   if (geometry::length(problem.cracks.front()) > 0.75)
     throw plate::Refused({{plate::Subject::cracks, 0, "too long; refine"}});
-  return plate::galerkin.discretise(problem);
+  return plate::galerkin.discretise(problem, all);
 }
 
 const plate::FormulationKind fussy{"fussy", "a plate for short cracks", plate::galerkin.lacks, narrow};

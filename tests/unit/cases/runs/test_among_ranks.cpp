@@ -51,18 +51,18 @@ TEST_CASE("what processes cannot run: a factor of a million points and more, vec
 TEST_CASE("the share of the soil that touches is the same for any number of processes") {
   const auto file = read(plain, {"discretization.formulation=ordinary", "discretization.spacing=0.02",
                                  "foundation=[{modulus=1,lifts_off=true},{modulus=2,on={circle=[0.1,0.2,0.4]}}]"});
-  const auto share = [&] {
-    const auto plate = plate::discretise(file.content).plate;
+  const auto share = [&](const plate::Communicator& all) {
+    const auto plate = plate::discretise(file.content, all).plate;
     plate::State state = plate::State::Zero(3, Eigen::Index(plate->points()));
     for (std::size_t k = 0; k < plate->cloud().plate_points; ++k)
       state(0, Eigen::Index(k)) = plate->cloud().positions[k].y() - 0.3;
-    return fracture::share_touching(*plate, state);
+    return plate->boundary().attached.share_touching(state, plate->boundary().map);
   };
-  const double whole = share();
+  const double whole = share(plate::single_process());
   std::vector<double> found;
   for (const int processes : {1, 3})
-    thread_ranks::run(processes, [&](const plate::Ranks&) {
-      const double own = share();
+    thread_ranks::run(processes, [&](const plate::Communicator& all) {
+      const double own = share(all);
       static std::mutex one_by_one;
       const std::lock_guard guard(one_by_one);
       found.push_back(own);

@@ -34,10 +34,9 @@ plate::Problem problem_of(geometry::Outline outline) {
 ForetoldProcesses found(const plate::Problem& problem, int count) {
   ForetoldProcesses result{count, 0, INFINITY, 0, 0, 0, false};
   std::mutex one_by_one;
-  thread_ranks::run(count, [&](const plate::Ranks& all) {
-    const plate::CountedRanks counted(all);
-    const plate::AmongRanks among(counted);
-    const auto plate = plate::discretise(problem).plate;
+  thread_ranks::run(count, [&](const plate::Communicator& all) {
+    const plate::CountedCommunicator counted(all);
+    const auto plate = plate::discretise(problem, counted).plate;
     const auto before = *counted.traffic();
     plate::State state = plate::State::Zero(3, Eigen::Index(plate->points()));
     plate->constraints().fetch(state);

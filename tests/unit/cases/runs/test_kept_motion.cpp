@@ -32,18 +32,19 @@ cases::CaseFile of_motion() {
 }
 
 /// So many steps by one of the processes; `folder`: of its checkpoints.
-Moved moved(cases::CaseFile file, const plate::Ranks& all, std::size_t steps, const std::filesystem::path& folder) {
+Moved moved(cases::CaseFile file, const plate::Communicator& all, std::size_t steps,
+            const std::filesystem::path& folder) {
   if (auto& initial = file.content.initial)  // formulas are evaluated by one thread at a time
     initial->velocity = plate::Formula(initial->velocity.text());
   fracture::Ready ready;
-  ready.plate = plate::discretise(file.content).plate;
+  ready.plate = plate::discretise(file.content, all).plate;
   ready.begin = plate::begin_of_motion(*ready.plate, 1);
   const double limit =
       plate::stable_step(plate::stable_time_step(*ready.plate, 1), *ready.plate, file.content.analysis, ready.begin);
   ready.steps = {limit, {0.9 * limit, steps, 5}};
   Moved result;
-  fracture::Results results(cases::plan_of(file.content, {{}, true, &result.kept}), *ready.plate, ready.tip_methods,
-                            {std::make_unique<post::KeptSink>(result.kept), "", ""});
+  fracture::Results results(cases::plan_of(file.content, {{}, true, &result.kept, false, &all}), *ready.plate,
+                            ready.tip_methods, {std::make_unique<post::KeptSink>(result.kept), "", "", all});
   fracture::Keeper keeper(std::make_shared<post::SharedCheckpoints>(all, folder, "case"), 1e-9);
   std::vector<std::string> refused;
   result.went_on = keeper.find(refused);
@@ -56,7 +57,7 @@ Moved moved(cases::CaseFile file, const plate::Ranks& all, std::size_t steps, co
 Moved moved_by(const cases::CaseFile& file, int processes, std::size_t steps, const std::filesystem::path& folder) {
   Moved first;
   std::mutex one_by_one;
-  thread_ranks::run(processes, [&](const plate::Ranks& all) {
+  thread_ranks::run(processes, [&](const plate::Communicator& all) {
     auto own = moved(file, all, steps, folder);
     const std::lock_guard guard(one_by_one);
     if (all.rank() == 0) first = std::move(own);

@@ -73,8 +73,8 @@ void check(const Problem& problem) {
     Picture all;
     double apart = 0;
     std::mutex one_by_one;
-    thread_ranks::run(processes, [&](const Ranks&) {
-      const auto plate = discretise(problem).plate;
+    thread_ranks::run(processes, [&](const Communicator& communicator) {
+      const auto plate = discretise(problem, communicator).plate;
       const fracture::OwnDrawing drawing(*plate);
       const auto own = picture(drawing.mesh(), drawing.frame(frame_of(*plate)));
       const std::lock_guard guard(one_by_one);

@@ -42,16 +42,16 @@ TEST_CASE("own values: what some processes write of their points others find aga
   const small_run::TemporaryFolder folder;
   std::vector<std::filesystem::path> files;
   for (int rank = 0; rank < 3; ++rank) files.push_back(folder / std::to_string(rank));
-  thread_ranks::run(3, [&](const plate::Ranks& all) {
-    const auto plate = plate::discretise(problem).plate;
+  thread_ranks::run(3, [&](const plate::Communicator& all) {
+    const auto plate = plate::discretise(problem, all).plate;
     const auto one = some(plate->boundary(), 0.1), other = some(plate->boundary(), 7);
     const plate::State none(3, 0);
     const auto own = fracture::own_values(plate->boundary(), {&one, &other, &none});
     post::write_cells(files[std::size_t(all.rank())], own);
   });
   for (const int processes : {1, 2, 5})
-    thread_ranks::run(processes, [&](const plate::Ranks&) {
-      const auto plate = plate::discretise(problem).plate;
+    thread_ranks::run(processes, [&](const plate::Communicator& all) {
+      const auto plate = plate::discretise(problem, all).plate;
       const auto& boundary = plate->boundary();
       plate::State one, other, none;
       fracture::put_values(boundary, files, {&one, &other, &none});
@@ -71,8 +71,8 @@ TEST_CASE("own values: what some processes write of their points others find aga
     });
   files.pop_back();
   CHECK_THROWS_WITH(thread_ranks::run(1,
-                                      [&](const plate::Ranks&) {
-                                        const auto plate = plate::discretise(problem).plate;
+                                      [&](const plate::Communicator& all) {
+                                        const auto plate = plate::discretise(problem, all).plate;
                                         plate::State one, other, none;
                                         fracture::put_values(plate->boundary(), files, {&one, &other, &none});
                                       }),

@@ -37,8 +37,8 @@ plate::Problem problem() {
 TEST_CASE("point keys: every point has one of its own, fictitious ones too, the same in all processes") {
   std::map<PointKey, std::array<double, 2>> all;  // places of own points
   std::mutex one_by_one;
-  const auto take = [&] {
-    const auto plate = plate::discretise(problem()).plate;
+  const auto take = [&](const plate::Communicator& communicator) {
+    const auto plate = plate::discretise(problem(), communicator).plate;
     const auto& boundary = plate->boundary();
     const PointKeys keys(boundary);
     const std::lock_guard guard(one_by_one);
@@ -52,23 +52,23 @@ TEST_CASE("point keys: every point has one of its own, fictitious ones too, the 
     CHECK_FALSE(keys.point({1000, 3, 0}));
     CHECK_FALSE(keys.point({1000, 3, 1}));
   };
-  take();
+  take(plate::single_process());
   const auto points = all.size();
   CHECK(points > 60 * 50 + 2 * 3 * 50);  // with those beyond held edges
-  thread_ranks::run(3, [&](const plate::Ranks&) { take(); });
+  thread_ranks::run(3, take);
   CHECK(all.size() == points);
 }
 
 TEST_CASE("severed families of all processes come to each of them") {
-  thread_ranks::run(3, [](const plate::Ranks& ranks) {
+  thread_ranks::run(3, [](const plate::Communicator& ranks) {
     const auto number = std::uint64_t(ranks.rank());
     SeveredFamily own{{ranks.rank(), 7, 0}, number, 2, 1.5, 3, number, {1, 0}, {1, 2, 3, 4, 5, 6}};
-    const auto all = of_all(std::vector<SeveredFamily>(number, own));
+    const auto all = of_all(ranks, std::vector<SeveredFamily>(number, own));
     if (all.size() != 3) throw std::runtime_error("not all families");
     if (all.back().point != PointKey{2, 7, 0} || all.back().weights.size() != 6 || all.back().severing != 2)
       throw std::runtime_error("not as they were");
   });
-  CHECK(of_all({{}, {}}).size() == 2);
+  CHECK(of_all(plate::single_process(), {{}, {}}).size() == 2);
 }
 
 TEST_CASE("a restored plate breaks its bonds with the same energies to the last bit, whatever broke before") {

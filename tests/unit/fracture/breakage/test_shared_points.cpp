@@ -13,8 +13,8 @@ TEST_CASE("shared points: a number is a place, and ascends as points do") {
   const plate::Problem problem = shared_run::tall_plate().content;
   std::map<std::uint32_t, int> owners;
   std::size_t points = 0;
-  thread_ranks::run(5, [&](const plate::Ranks&) {
-    const auto plate = plate::discretise(problem).plate;
+  thread_ranks::run(5, [&](const plate::Communicator& all) {
+    const auto plate = plate::discretise(problem, all).plate;
     const auto& boundary = plate->boundary();
     const fracture::PointNumbers numbers(boundary);
     const auto seen = fracture::seen_by_growth(*plate, false);

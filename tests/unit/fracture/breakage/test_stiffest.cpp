@@ -18,19 +18,19 @@ TEST_CASE("stiffest: all processes go by the same full family") {
   problem.loads = {plate::Load{}};
   problem.discretization.spacing = 0.02;
   problem.discretization.formulation = &plate::ordinary;
-  const auto found = [&] {
-    const auto plate = plate::discretise(problem).plate;
+  const auto found = [&](const plate::Communicator& all) {
+    const auto plate = plate::discretise(problem, all).plate;
     const auto result = fracture::stiffest(*plate->breaking(), plate->boundary());
     double sum = 0;  // of the bonds of a full family
     for (const auto& bond : result.bonds)
       if (std::isfinite(bond.B)) sum += bond.B;
     return std::array{result.bending, result.shear, sum};
   };
-  const auto whole = found();
+  const auto whole = found(plate::single_process());
   CHECK(whole[0] > 0);
   CHECK(whole[1] > 0);
-  thread_ranks::run(5, [&](const plate::Ranks&) {
-    const auto own = found();
+  thread_ranks::run(5, [&](const plate::Communicator& all) {
+    const auto own = found(all);
     static std::mutex one_by_one;
     const std::lock_guard guard(one_by_one);
     CHECK(own[0] == whole[0]);

@@ -22,17 +22,17 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The Galerkin plate, which refuses cracks longer than 0.75.
-plate::Discretised narrow(const plate::Problem& problem) {
+plate::Discretised narrow(const plate::Problem& problem, const plate::Communicator& all) {
   if (geometry::length(problem.cracks.front()) > 0.75)
     throw plate::Refused({{plate::Subject::cracks, 0, "too long; refine"}});
-  return plate::galerkin.discretise(problem);
+  return plate::galerkin.discretise(problem, all);
 }
 
 /// The Galerkin plate, twice.
 std::size_t discretised_so_far = 0;
-plate::Discretised twice(const plate::Problem& problem) {
+plate::Discretised twice(const plate::Problem& problem, const plate::Communicator& all) {
   if (++discretised_so_far > 2) throw plate::Refused({{plate::Subject::cracks, 0, "enough"}});
-  return plate::galerkin.discretise(problem);
+  return plate::galerkin.discretise(problem, all);
 }
 
 const plate::FormulationKind tired{"tired", "a plate that serves twice", plate::galerkin.lacks, twice};

@@ -54,9 +54,9 @@ struct End {
 };
 
 /// What this process, or the only one, has of the steps.
-End moved(const Problem& given, const How& how) {
+End moved(const Problem& given, const How& how, const Communicator& all) {
   const auto problem = own(given);
-  const auto plate = discretise(problem).plate;
+  const auto plate = discretise(problem, all).plate;
   const auto& cloud = plate->cloud();
   const auto cell = [&](std::uint32_t k) { return geometry::cell_of(plate->boundary().lattice[k]); };
   const auto mass = plate->mass();
@@ -71,11 +71,11 @@ End moved(const Problem& given, const How& how) {
   const double free =
       stable_time_step(TouchedPlate(*plate, attached, everywhere(attached)), plate->constraints(), mass, start);
   end.limit = stable_step(free, *plate, analysis, begin);
-  const auto part = part_of_lattice(problem.outline, problem.discretization);
+  const auto part = part_of_lattice(all, problem.outline, problem.discretization);
   DynamicOptions options{0.9 * end.limit, how.steps, 10};
   if (how.mixed) options.single = plate->single_precision();
   options.start = begin.deflected, options.bent = begin.deflected.size() > 0, options.velocity = begin.velocity;
-  options.given = begin.given, options.impact = begin.impact, options.own = plate->boundary().own;
+  options.given = begin.given, options.impact = begin.impact, options.own = plate->boundary().map.owned;
   options.mass_damping = how.damping.mass, options.stiffness_damping = how.damping.stiffness;
   options.whole_mass = driven_mass(*plate, 1);
   central_differences(*plate, plate->constraints(), mass, plate->loads(), options, [&](const Instant& now) {
@@ -98,7 +98,7 @@ End moved_by(int processes, const Problem& problem, const How& how) {
     CHECK(own.state.empty());  // nobody else has any of these points
   };
   together(
-      processes, [&] { return moved(problem, how); }, put);
+      processes, [&](const Communicator& communicator) { return moved(problem, how, communicator); }, put);
   return all;
 }
 
@@ -110,10 +110,10 @@ struct Rest {
   std::map<std::array<long, 2>, std::array<double, 3>> state;
 };
 
-Rest at_rest(const Problem& given, StaticMethod method, Preconditioning wanted) {
+Rest at_rest(const Problem& given, StaticMethod method, Preconditioning wanted, const Communicator& all) {
   const auto problem = own(given);
-  const auto plate = discretise(problem).plate;
-  const auto part = part_of_lattice(problem.outline, problem.discretization);
+  const auto plate = discretise(problem, all).plate;
+  const auto part = part_of_lattice(all, problem.outline, problem.discretization);
   const auto found = solve_static(*plate, plate->total_load(), method, wanted, {1e-7, 20000, {}}).solution;
   if (!found.converged) throw std::runtime_error("the plate has no equilibrium");  // in any of several threads
   Rest rest{found.iterations, plate->strain_energy(found.state), {}, {}};
@@ -128,7 +128,7 @@ Rest at_rest(const Problem& given, StaticMethod method, Preconditioning wanted) 
 }  // namespace
 
 Blows check(const Problem& problem, const How& how) {
-  const End whole = moved(problem, how), one = moved_by(1, problem, how);
+  const End whole = moved(problem, how, single_process()), one = moved_by(1, problem, how);
   REQUIRE(whole.state.size() == one.state.size());
   CHECK(one.limit == Approx(whole.limit).epsilon(1e-9));
   double largest = 0, apart = 0;
@@ -161,7 +161,7 @@ Blows check(const Problem& problem, const How& how) {
 }
 
 void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound) {
-  const Rest whole = at_rest(problem, method, wanted);
+  const Rest whole = at_rest(problem, method, wanted, single_process());
   Rest one;
   for (const int processes : {1, 3, 7}) {
     INFO(processes << " processes");
@@ -171,7 +171,8 @@ void check_rest(const Problem& problem, StaticMethod method, Preconditioning wan
       if (first) all.iterations = own.iterations, all.strain = own.strain, all.pieces = own.pieces;
     };
     together(
-        processes, [&] { return at_rest(problem, method, wanted); }, put);
+        processes, [&](const Communicator& communicator) { return at_rest(problem, method, wanted, communicator); },
+        put);
     REQUIRE(all.state.size() == whole.state.size());
     CHECK((all.pieces == whole.pieces));
     CHECK(std::abs(double(all.iterations) - double(whole.iterations)) <= 0.01 * double(whole.iterations));

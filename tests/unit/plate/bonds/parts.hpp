@@ -15,14 +15,14 @@ using namespace plate;
 Problem problem_of(geometry::Outline outline, std::vector<Support> supports, std::vector<Load> loads);
 Load pressure(double value);
 
-/// What processes find, each by itself, and put together one after the other.
+/// What processes find, each with its communicator, and put together one after the other.
 template <typename Find, typename Put>
 void together(int processes, const Find& find, const Put& put) {
   std::mutex one_by_one;
-  thread_ranks::run(processes, [&](const Ranks& ranks) {
-    auto part = find();
+  thread_ranks::run(processes, [&](const Communicator& all) {
+    auto part = find(all);
     const std::lock_guard guard(one_by_one);
-    put(part, ranks.rank() == 0);
+    put(part, all.rank() == 0);
   });
 }
 

@@ -10,7 +10,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/bonds/parts.hpp"
-#include "tests/unit/plate/model/watched_ranks.hpp"
+#include "tests/unit/plate/model/watched_communicator.hpp"
 
 using namespace parts;
 
@@ -26,10 +26,10 @@ struct Seen {
 /// One process, and what it does.
 class Process {
 public:
-  Process(const Ranks& all, const Problem& problem)
-      : ranks_(all, [this](std::span<const double> values, bool ends) { watch(values, ends); }), among_(ranks_) {
+  Process(const Communicator& all, const Problem& problem)
+      : ranks_(all, [this](std::span<const double> values, bool ends) { watch(values, ends); }) {
     omp_set_num_threads(1);  // others would go ahead of the one that is watched
-    plate = discretise(problem).plate;
+    plate = discretise(problem, ranks_).plate;
     forces = Forces::Constant(3, Eigen::Index(plate->points()), NAN);
   }
 
@@ -61,8 +61,7 @@ private:
     return share([&](std::size_t k) { return std::isfinite(forces(0, Eigen::Index(k))); });
   }
 
-  thread_ranks::WatchedRanks ranks_;
-  AmongRanks among_;
+  thread_ranks::WatchedCommunicator ranks_;
   std::span<const double> dilatations_;
   std::vector<double> before_;
 };
@@ -75,7 +74,7 @@ Problem strip() {
 template <typename Check>
 void for_each_process(const Problem& problem, const Check& check) {
   std::mutex one_by_one;
-  thread_ranks::run(2, [&](const Ranks& all) {
+  thread_ranks::run(2, [&](const Communicator& all) {
     Process process(all, own(problem));
     const auto& plate = *process.plate;
     State state(3, Eigen::Index(plate.points()));
@@ -127,7 +126,7 @@ TEST_CASE("a plate in parts: cells inside are evaluated while displacements are 
 
 TEST_CASE("a plate in parts: in motion every step but rows goes on while displacements are exchanged") {
   std::mutex one_by_one;
-  thread_ranks::run(2, [&](const Ranks& all) {
+  thread_ranks::run(2, [&](const Communicator& all) {
     Process process(all, own(strip()));
     const auto& plate = *process.plate;
     DynamicOptions options{1e-5, 7, 5};

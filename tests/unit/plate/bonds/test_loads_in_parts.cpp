@@ -45,19 +45,19 @@ TEST_CASE(
   SECTION("held by soil beneath a part, and a piece that it does not reach") {
     problem.supports.clear(), problem.springs.clear();
     problem.cracks = {{{1.131, -0.1}, {1.249, 0.8}}, {{2.831, -0.1}, {2.831, 0.8}}};
-    const auto free = [&] {
+    const auto free = [&](const Communicator& all) {
       std::vector<int> modes;
       const auto local = own(problem);
-      const auto plate = discretise(local).plate;
+      const auto plate = discretise(local, all).plate;
       for (const auto& piece : plate->pieces()) modes.push_back(piece.free_modes);
       return modes;
     };
-    const auto whole = free();
+    const auto whole = free(single_process());
     CHECK(std::ranges::count(whole, 0) == 1);
     CHECK(std::ranges::count(whole, 3) == 2);
     for (const int processes : {1, 2, 4, 7})
-      thread_ranks::run(processes, [&](const Ranks&) {
-        const auto shared = free();
+      thread_ranks::run(processes, [&](const Communicator& all) {
+        const auto shared = free(all);
         static std::mutex one_by_one;
         const std::lock_guard guard(one_by_one);
         CHECK(shared == whole);
@@ -82,9 +82,9 @@ TEST_CASE("a plate in parts: a temperature and a fluid up to a level") {
     check_rest(problem, StaticMethod::cg, Preconditioning::diagonal, 0);
   }
   SECTION("the energy that is stored") {
-    const auto energy = [&] {
+    const auto energy = [&](const Communicator& all) {
       const auto local = own(problem);
-      const auto plate = discretise(local).plate;
+      const auto plate = discretise(local, all).plate;
       State state = State::Zero(3, Eigen::Index(plate->points()));
       for (std::uint32_t k = 0; k < plate->cloud().plate_points; ++k) {
         const auto& x = plate->cloud().positions[k];
@@ -93,11 +93,11 @@ TEST_CASE("a plate in parts: a temperature and a fluid up to a level") {
       plate->constraints().impose(state);
       return stored(*plate, heat_of(*plate, 1), state);
     };
-    const double whole = energy();
+    const double whole = energy(single_process());
     std::vector<double> found;
     for (const int processes : {1, 2, 5})
-      thread_ranks::run(processes, [&](const Ranks&) {
-        const double one = energy();
+      thread_ranks::run(processes, [&](const Communicator& all) {
+        const double one = energy(all);
         static std::mutex one_by_one;
         const std::lock_guard guard(one_by_one);
         found.push_back(one);
@@ -114,10 +114,10 @@ TEST_CASE("a plate in parts: an expression whose sum is not known is refused by 
   for (const int processes : {1, 4}) {
     int refused = 0;
     std::mutex one_by_one;
-    thread_ranks::run(processes, [&](const Ranks&) {
+    thread_ranks::run(processes, [&](const Communicator& all) {
       const auto local = own(problem);
       try {
-        discretise(local);
+        discretise(local, all);
       } catch (const Refused&) {
         const std::lock_guard guard(one_by_one);
         ++refused;
@@ -135,8 +135,8 @@ TEST_CASE("a plate in parts: one load after the other, each from the best sum of
     std::vector<std::size_t> iterations;
     std::map<std::array<long, 2>, std::array<double, 3>> state;
   };
-  const auto solved = [&] {
-    const auto plate = discretise(problem).plate;
+  const auto solved = [&](const Communicator& communicator) {
+    const auto plate = discretise(problem, communicator).plate;
     StaticSolver solver(*plate, StaticMethod::cg, Preconditioning::diagonal);
     const Forces one = plate->loads()[0].forces, other = plate->loads()[1].forces;
     Found found;
@@ -150,15 +150,15 @@ TEST_CASE("a plate in parts: one load after the other, each from the best sum of
     }
     return found;
   };
-  const auto whole = solved();
+  const auto whole = solved(single_process());
   CHECK(whole.iterations[2] < whole.iterations[0] / 10);  // it is a sum of the first two
   Found one;
   for (const int processes : {1, 3, 7}) {
     INFO(processes << " processes");
     Found all;
     std::mutex one_by_one;
-    thread_ranks::run(processes, [&](const Ranks&) {
-      auto own = solved();
+    thread_ranks::run(processes, [&](const Communicator& communicator) {
+      auto own = solved(communicator);
       const std::lock_guard guard(one_by_one);
       all.state.merge(own.state), all.iterations = own.iterations;
     });

@@ -63,9 +63,9 @@ TEST_CASE("a plate in parts: a deflection that jumps, wherever it does, is refus
       problem.initial = Initial{Formula(jumps), {}};
       int refused = 0;
       std::mutex one_by_one;
-      thread_ranks::run(processes, [&](const Ranks&) {
+      thread_ranks::run(processes, [&](const Communicator& all) {
         const auto local = own(problem);
-        const auto plate = discretise(local).plate;
+        const auto plate = discretise(local, all).plate;
         try {
           begin_of_motion(*plate, 1);
         } catch (const Jumps&) {

@@ -63,20 +63,20 @@ TEST_CASE("a plate in parts: pieces that cracks cut off, whoever has them") {
   using enum SupportKind;
   auto problem = problem_of(geometry::rectangle(0, 0, 3, 0.7), {{clamped, {"left", "right"}, {}}}, {pressure(2)});
   problem.cracks = {{{1.131, -0.1}, {1.249, 0.8}}, {{2.831, -0.1}, {2.831, 0.8}}};
-  const auto found = [&] {
+  const auto found = [&](const Communicator& all) {
     std::vector<std::array<double, 3>> result;
-    const auto plate = discretise(problem).plate;
+    const auto plate = discretise(problem, all).plate;
     for (const auto& piece : plate->pieces())
       result.push_back({double(piece.points), double(piece.free_modes), piece.position.x()});
     return result;
   };
-  const auto whole = found();
+  const auto whole = found(single_process());
   REQUIRE(whole.size() == 3);
   CHECK(whole[0][1] == 3);  // the middle is free, the others are held
   CHECK(whole[1][1] + whole[2][1] == 0);
   for (const int processes : {1, 2, 4, 7})
-    thread_ranks::run(processes, [&](const Ranks&) {
-      const auto shared = found();
+    thread_ranks::run(processes, [&](const Communicator& all) {
+      const auto shared = found(all);
       static std::mutex one_by_one;
       const std::lock_guard guard(one_by_one);
       CHECK((shared == whole));
@@ -91,11 +91,11 @@ TEST_CASE("a plate in parts: a ligament one row of points wide is seen by all") 
   for (std::size_t i = 0; i < outline.outer.vertices.size(); ++i)
     outline.outer.edge_names.push_back(fmt::format("edge{}", i));
   const auto problem = problem_of(outline, {{clamped, {"edge11"}, {}}}, {pressure(2)});
-  const auto searched = [&] { return discretise(problem).plate->mechanisms(); };
-  const bool hinge = searched().motions > 0;
+  const auto searched = [&](const Communicator& all) { return discretise(problem, all).plate->mechanisms(); };
+  const bool hinge = searched(single_process()).motions > 0;
   for (const int processes : {2, 4})
-    thread_ranks::run(processes, [&](const Ranks&) {
-      const bool seen = searched().searched;
+    thread_ranks::run(processes, [&](const Communicator& all) {
+      const bool seen = searched(all).searched;
       static std::mutex one_by_one;
       const std::lock_guard guard(one_by_one);
       CHECK(seen == !hinge);

@@ -51,7 +51,7 @@ State solved(const Formulation& plate) {
 /// What it is refused for.
 Subject refused(const Problem& problem, const FormulationKind& kind = bonds_with_surface_nodes) {
   try {
-    kind.discretise(problem);
+    kind.discretise(problem, single_process());
   } catch (const Refused& why) {
     return why.reasons().front().subject;
   }
@@ -63,7 +63,7 @@ Subject refused(const Problem& problem, const FormulationKind& kind = bonds_with
 
 TEST_CASE("surface nodes: a problem has the solution of the plate that it is made of") {
   const auto problem = square({{SupportKind::clamped, all, {}}}, {pressure()});
-  const auto made = bonds_with_surface_nodes.discretise(problem);
+  const auto made = bonds_with_surface_nodes.discretise(problem, single_process());
   const State state = solved(*made.plate);
   const auto plate = surface_plate(problem.section, problem.discretization, {-1, -1}, {1, 1});
   const auto expected = solution(
@@ -76,7 +76,8 @@ TEST_CASE("surface nodes: a problem has the solution of the plate that it is mad
 }
 
 TEST_CASE("surface nodes: reactions of held edges are the load") {
-  const auto made = bonds_with_surface_nodes.discretise(square({{SupportKind::clamped, all, {}}}, {pressure()}));
+  const auto made =
+      bonds_with_surface_nodes.discretise(square({{SupportKind::clamped, all, {}}}, {pressure()}), single_process());
   Forces force;
   made.plate->internal_force(solved(*made.plate), force);
   const Eigen::VectorXd held = made.plate->constraints().on_held(force);
@@ -88,7 +89,8 @@ TEST_CASE("surface nodes: reactions of held edges are the load") {
 
 TEST_CASE("surface nodes: moments on opposite edges bend the plate alike everywhere") {
   const auto made = bonds_with_surface_nodes.discretise(
-      square({{SupportKind::pinned, {}, {{-0.9, -0.9}, {0.9, -0.9}, {0.1, 0.9}}}}, {moment({"left", "right"}, 2)}));
+      square({{SupportKind::pinned, {}, {{-0.9, -0.9}, {0.9, -0.9}, {0.1, 0.9}}}}, {moment({"left", "right"}, 2)}),
+      single_process());
   const State state = solved(*made.plate);
   const auto M = made.plate->resultants(state);
   const auto points = Eigen::Index(made.plate->cloud().plate_points);
@@ -106,7 +108,7 @@ TEST_CASE("surface nodes: moments on opposite edges bend the plate alike everywh
 TEST_CASE("surface nodes: values beside a crack are read off its own side, and a piece that cracks cut out is loose") {
   auto problem = square({{SupportKind::clamped, all, {}}}, {pressure()}, 0.125);
   problem.cracks = {{{-0.5, 0}, {0.5, 0}}};
-  const auto made = bonds_with_surface_nodes.discretise(problem);
+  const auto made = bonds_with_surface_nodes.discretise(problem, single_process());
   const auto& at = made.plate->cloud().positions;
   for (const double y : {-0.01, 0.01})
     for (const auto& share : made.plate->interpolation({0.02, y})) CHECK(at[share.point].y() * y > 0);
@@ -115,17 +117,17 @@ TEST_CASE("surface nodes: values beside a crack are read off its own side, and a
   CHECK(made.plate->held());
   problem.cracks = {
       {{-0.5, -0.5}, {0.5, -0.5}}, {{0.5, -0.5}, {0.5, 0.5}}, {{0.5, 0.5}, {-0.5, 0.5}}, {{-0.5, 0.5}, {-0.5, -0.5}}};
-  CHECK(!bonds_with_surface_nodes.discretise(problem).plate->held());
+  CHECK(!bonds_with_surface_nodes.discretise(problem, single_process()).plate->held());
 }
 
 TEST_CASE("surface nodes: a load on a part of a side that is not whole cells is warned of") {
   auto problem = square({{SupportKind::clamped, {"right"}, {}}}, {moment({"low"}, 1)});
   problem.outline.outer = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, 0.1}}, {"bottom", "right", "top", "high", "low"}};
-  const auto made = bonds_with_surface_nodes.discretise(problem);
+  const auto made = bonds_with_surface_nodes.discretise(problem, single_process());
   REQUIRE(made.warnings.size() == 1);  // 4 cells of 0.25 for 1.1
   CHECK(made.warnings[0].find("low acts on 4 cells of the lattice, 9.1 % less") != std::string::npos);
   problem.outline.outer.vertices.back().y() = 0;
-  CHECK(bonds_with_surface_nodes.discretise(problem).warnings.empty());
+  CHECK(bonds_with_surface_nodes.discretise(problem, single_process()).warnings.empty());
 }
 
 TEST_CASE("surface nodes: what they cannot carry is refused with the reason") {
@@ -136,7 +138,7 @@ TEST_CASE("surface nodes: what they cannot carry is refused with the reason") {
   cracked.cracks = {{{-1, 0}, {0, 0}}};
   CHECK(refused(cracked) == Subject::cracks);
   cracked.cracks = {{{-0.2, 0}, {0.2, 0}}};
-  CHECK(bonds_with_surface_nodes.discretise(cracked).plate->tips().size() == 2);
+  CHECK(bonds_with_surface_nodes.discretise(cracked, single_process()).plate->tips().size() == 2);
   auto round = square(clamp, {pressure()});
   round.outline.holes.push_back(geometry::Circle{{0, 0}, 0.3, "hole"});
   CHECK(refused(round) == Subject::geometry);
@@ -147,14 +149,14 @@ TEST_CASE("surface nodes: what they cannot carry is refused with the reason") {
   holed.outline.holes = {hole(0.3)};
   CHECK(refused(holed) == Subject::geometry);  // 0.6 wide, two horizons being 0.754
   holed.outline.holes = {hole(0.4)};
-  CHECK(bonds_with_surface_nodes.discretise(holed).plate->held());
+  CHECK(bonds_with_surface_nodes.discretise(holed, single_process()).plate->held());
   holed.outline.holes = {hole(0.7)};
   CHECK(refused(holed) == Subject::spacing);  // 0.3 of plate about it, a horizon being 0.377
   CHECK(refused(square({{SupportKind::clamped_layer, all, {}}}, {pressure()})) == Subject::support);
   CHECK(refused(square(clamp, {moment({"left"}, 1)})) == Subject::load_edges);
   CHECK(refused(square(clamp, {pressure()}, 2 / 8.51)) == Subject::spacing);
-  CHECK(!bonds_with_surface_nodes.discretise(square({}, {pressure()})).plate->held());
-  CHECK(bonds_with_surface_nodes.discretise(square(clamp, {pressure()})).plate->held());
+  CHECK(!bonds_with_surface_nodes.discretise(square({}, {pressure()}), single_process()).plate->held());
+  CHECK(bonds_with_surface_nodes.discretise(square(clamp, {pressure()}), single_process()).plate->held());
 }
 
 TEST_CASE("surface nodes: on oblique edges and round holes reactions are the load, whatever holds them") {
@@ -164,7 +166,7 @@ TEST_CASE("surface nodes: on oblique edges and round holes reactions are the loa
   problem.outline.holes.push_back(geometry::Circle{{0, 0}, 0.35, "hole"});
   for (const auto kind : {clamped, simply_supported_hard, simply_supported}) {
     problem.supports = {{kind, {"left", "top"}, {}}};
-    const auto made = bonds_with_surface_nodes.discretise(problem);
+    const auto made = bonds_with_surface_nodes.discretise(problem, single_process());
     CHECK(made.plate->held());
     Forces force;
     made.plate->internal_force(solved(*made.plate), force);
@@ -182,8 +184,10 @@ TEST_CASE("surface nodes: on oblique edges and round holes reactions are the loa
 
 TEST_CASE("surface nodes: a small plate tells that no motion grows with these edges, and how asymmetric they are") {
   const auto free = bonds_with_surface_nodes.discretise(
-      square({{SupportKind::pinned, {}, {{-0.9, -0.9}, {0.9, -0.9}, {0.1, 0.9}}}}, {moment({"left", "right"}, 2)}));
-  const auto clamped = bonds_with_surface_nodes.discretise(square({{SupportKind::clamped, all, {}}}, {pressure()}));
+      square({{SupportKind::pinned, {}, {{-0.9, -0.9}, {0.9, -0.9}, {0.1, 0.9}}}}, {moment({"left", "right"}, 2)}),
+      single_process());
+  const auto clamped =
+      bonds_with_surface_nodes.discretise(square({{SupportKind::clamped, all, {}}}, {pressure()}), single_process());
   const auto of_clamped = clamped.plate->of_edges();
   CHECK(free.plate->of_edges() != of_clamped);
   for (const auto& text : {free.plate->of_edges(), of_clamped}) {
@@ -196,7 +200,7 @@ TEST_CASE(
     "fictitious nodes: a problem has the solution of the plate that it is made of, and its reactions are the load") {
   auto problem = square({{SupportKind::simply_supported_hard, all, {}}}, {pressure()}, 0.1);
   problem.discretization.formulation = &bonds_with_fictitious_nodes;
-  const auto made = bonds_with_fictitious_nodes.discretise(problem);
+  const auto made = bonds_with_fictitious_nodes.discretise(problem, single_process());
   const State state = solved(*made.plate);
   const auto plate = surface_plate(problem.section, problem.discretization, {-1, -1}, {1, 1});
   const auto hard = [](const Point&, const Point&) { return edge_condition(SupportKind::simply_supported_hard); };
@@ -222,7 +226,7 @@ TEST_CASE(
 TEST_CASE("fictitious nodes: the value at an edge that is free to turn is that of the points behind it") {
   auto problem = square({{SupportKind::simply_supported_hard, all, {}}}, {pressure()}, 0.1);
   problem.discretization.formulation = &bonds_with_fictitious_nodes;
-  const auto made = bonds_with_fictitious_nodes.discretise(problem);
+  const auto made = bonds_with_fictitious_nodes.discretise(problem, single_process());
   const State state = solved(*made.plate);
   const auto plate = surface_plate(problem.section, problem.discretization, {-1, -1}, {1, 1});
   const auto& face = plate.body.surface[0];  // in the corner
@@ -247,5 +251,5 @@ TEST_CASE("fictitious nodes: horizons that are wide for soft and free edges, or 
   CHECK(refused(with(simply_supported, all, 1, 2.0 / 26), kind) == Subject::spacing);    // 0.116 of the side
   CHECK(refused(with(clamped, {"left", "right"}, 1, 0.05), kind) == Subject::spacing);   // 0.075
   CHECK(refused(with(clamped, {"left"}, 0.2, 2.0 / 10.51), kind) == Subject::spacing);
-  CHECK(kind.discretise(with(clamped, all, 0.1, 0.1)).plate->held());
+  CHECK(kind.discretise(with(clamped, all, 0.1, 0.1), single_process()).plate->held());
 }

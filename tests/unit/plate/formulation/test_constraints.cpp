@@ -152,7 +152,7 @@ TEST_CASE("what follows own points is there at once, what is of others or follow
   c.tie(4, {{3 * 3, 0.5}, {0, 1}});  // own follows a copy too
   c.tie(3 * 3 + 1, {{0, 3}});        // a copy follows own
   c.resolve();
-  c.copy({2, 3}, others);
+  c.share(plate::single_process(), {2, 3}, others);
   CHECK(c.awaited(points) == std::vector<char>{0, 1, 1, 1});
 
   State whole = given, halves = given;

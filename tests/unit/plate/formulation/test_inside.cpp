@@ -79,18 +79,18 @@ TEST_CASE("a part of the plate that only some processes see is held by these, an
     auto problem = parts::problem_of(geometry::rectangle(0, 0, 2.5, 1), {}, {parts::pressure(1)});
     problem.discretization.formulation = kind;
     problem.supports = {{SupportKind::clamped, {}, {}, {}, geometry::Circle{{1.2, 0.1}, 0.05, ""}}};
-    const auto held = [&] {
-      const auto plate = discretise(problem).plate;
+    const auto held = [&](const Communicator& communicator) {
+      const auto plate = discretise(problem, communicator).plate;
       const auto& boundary = plate->boundary();
       return std::ranges::count_if(boundary.holds,
                                    [&](const auto& hold) { return !hold.rotations && boundary.owns(hold.point); });
     };
-    const auto whole = held();
+    const auto whole = held(single_process());
     CHECK(whole > 70);  // of 79 spacings square
     std::ptrdiff_t all = 0, least = whole;
     std::mutex one_by_one;
-    thread_ranks::run(4, [&](const Ranks&) {
-      const auto own = held();
+    thread_ranks::run(4, [&](const Communicator& communicator) {
+      const auto own = held(communicator);
       const std::lock_guard guard(one_by_one);
       all += own, least = std::min(least, own);
     });

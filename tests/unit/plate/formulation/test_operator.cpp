@@ -32,7 +32,7 @@ public:
 TEST_CASE("an operator that knows nothing of what a state waits for waits first") {
   Constraints constraints;
   constraints.resolve();
-  constraints.copy({1}, std::make_shared<Late>());
+  constraints.share(single_process(), {1}, std::make_shared<Late>());
   State state = State::Ones(3, 2);
   Forces forces;
   Awaited rest(constraints, state);

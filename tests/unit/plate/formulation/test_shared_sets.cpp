@@ -12,14 +12,14 @@ using namespace plate;
 namespace {
 
 /// Own points 0 and 1, and copies 2 and 3 of those of the process before.
-Boundary shared(const Ranks& all) {
+Boundary shared(const Communicator& all) {
   Boundary result;
   result.cloud.positions.assign(4, {0, 0});
   result.cloud.plate_points = 4;
-  result.own = {1, 1, 0, 0};
+  result.map = {&all, {1, 1, 0, 0}};
   result.constraints.resolve();
   const int before = (all.rank() + all.size() - 1) % all.size();
-  result.constraints.copy({2, 3}, all.exchange(4, {{2, before, 0}, {3, before, 1}}));
+  result.constraints.share(all, {2, 3}, all.exchange(4, {{2, before, 0}, {3, before, 1}}));
   return result;
 }
 
@@ -37,7 +37,7 @@ TEST_CASE("set numbers: a chain through all processes is one set, what hangs on 
   for (const int processes : {1, 2, 5}) {
     std::mutex one_by_one;
     std::set<std::int64_t> chain, others;
-    thread_ranks::run(processes, [&](const Ranks& all) {
+    thread_ranks::run(processes, [&](const Communicator& all) {
       const Boundary boundary = shared(all);
       DisjointSets sets(4);
       if (all.size() > 1) sets.join(0, 2);  // every first point to that of the process before

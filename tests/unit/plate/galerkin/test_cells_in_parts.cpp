@@ -36,9 +36,9 @@ Problem own(const Problem& given) {
   return problem;
 }
 
-Rest at_rest(const Problem& given, Preconditioning wanted) {
+Rest at_rest(const Problem& given, Preconditioning wanted, const Communicator& communicator) {
   const auto problem = own(given);
-  const auto plate = discretise(problem).plate;
+  const auto plate = discretise(problem, communicator).plate;
   const auto& boundary = plate->boundary();
   const Forces load = plate->total_load();
   const auto found =
@@ -93,13 +93,13 @@ Rest at_rest_by(int processes, const Problem& problem, Preconditioning wanted) {
     CHECK(part.factors.empty());  // nor these tips
   };
   parts::together(
-      processes, [&] { return at_rest(problem, wanted); }, put);
+      processes, [&](const Communicator& communicator) { return at_rest(problem, wanted, communicator); }, put);
   return all;
 }
 
 /// 1, 2, 3, 4, 7 processes against the ordinary program; by the diagonal against 1, bit for bit.
 void check(const Problem& problem, Preconditioning wanted = Preconditioning::automatic) {
-  const Rest whole = at_rest(problem, Preconditioning::automatic);
+  const Rest whole = at_rest(problem, Preconditioning::automatic, single_process());
   Rest one;
   for (const int processes : {1, 2, 3, 4, 7}) {
     INFO(processes << " processes");
@@ -219,9 +219,9 @@ struct End {
   std::map<std::uint32_t, std::array<double, 6>> state;  // by the numbers of points, with the velocity
 };
 
-End moved(const Problem& problem, double time_step) {
+End moved(const Problem& problem, double time_step, const Communicator& communicator) {
   constexpr std::size_t steps = 40;
-  const auto plate = discretise(problem).plate;
+  const auto plate = discretise(problem, communicator).plate;
   End end;
   end.limit = stable_time_step(*plate, 1);
   central_differences(
@@ -231,7 +231,7 @@ End moved(const Problem& problem, double time_step) {
         const State velocity = now.velocity();
         for (std::uint32_t k = 0; k < plate->points(); ++k)
           if (const auto& boundary = plate->boundary(); boundary.owns(k))
-            end.state[boundary.number.empty() ? k : boundary.number[k]] = {
+            end.state[boundary.map.global.empty() ? k : boundary.map.global[k]] = {
                 now.state(0, k), now.state(1, k), now.state(2, k), velocity(0, k), velocity(1, k), velocity(2, k)};
       });
   return end;
@@ -244,7 +244,7 @@ End moved_by(int processes, const Problem& problem, double time_step) {
     if (first) all.limit = part.limit, all.books = part.books;
   };
   parts::together(
-      processes, [&] { return moved(problem, time_step); }, put);
+      processes, [&](const Communicator& communicator) { return moved(problem, time_step, communicator); }, put);
   return all;
 }
 
@@ -283,7 +283,7 @@ TEST_CASE("a plate in parts: cells in motion, the same bits by any number of pro
     problem.loads.push_back(settles);
   }
   const double step = 0.9 * stable_time_step(*discretise(problem).plate, 1);
-  const End whole = moved(problem, step), one = moved_by(1, problem, step);
+  const End whole = moved(problem, step, single_process()), one = moved_by(1, problem, step);
   // Lanczos vectors from other beginnings, to 1e-4; measured: 2e-5 on soil, below 1e-6 without
   CHECK(one.limit == Approx(whole.limit).epsilon(problem.foundations.empty() ? 1e-6 : 1e-4));
   CHECK(apart(whole.state, one.state) < 1e-10);

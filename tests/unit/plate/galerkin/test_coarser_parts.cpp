@@ -22,27 +22,28 @@ struct Found {
   std::map<std::uint32_t, Eigen::Vector3d> state;  // by the numbers of points
 };
 
-Found found(const Problem& problem) {
-  const auto plate = discretise(problem).plate;
+Found found(const Problem& problem, const Communicator& communicator) {
+  const auto plate = discretise(problem, communicator).plate;
   const auto result =
       solve_static(*plate, plate->total_load(), StaticMethod::cg, Preconditioning::levels, {1e-11, 100, {}});
   if (!result.solution.converged) throw std::runtime_error(result.solution.stop_reason);
   Found own{result.solution.iterations, points_of_all(plate->boundary()), *result.preconditioner, {}};
   const auto& boundary = plate->boundary();
   for (std::uint32_t k = 0; k < plate->points(); ++k)
-    if (boundary.owns(k)) own.state[boundary.number.empty() ? k : boundary.number[k]] = result.solution.state.col(k);
+    if (boundary.owns(k))
+      own.state[boundary.map.global.empty() ? k : boundary.map.global[k]] = result.solution.state.col(k);
   return own;
 }
 
 void check(const Problem& problem) {
-  const Found whole = found(problem);
+  const Found whole = found(problem, single_process());
   REQUIRE(whole.points > 4000);  // there is a coarser plate
   for (const int processes : {1, 3, 7}) {
     INFO(processes << " processes");
     Found all;
     std::mutex one_by_one;
-    thread_ranks::run(processes, [&](const Ranks&) {
-      auto own = found(problem);
+    thread_ranks::run(processes, [&](const Communicator& communicator) {
+      auto own = found(problem, communicator);
       const std::lock_guard guard(one_by_one);
       all.iterations = own.iterations, all.points = own.points, all.preconditioner = own.preconditioner;
       all.state.merge(own.state);
@@ -95,8 +96,8 @@ TEST_CASE("points of all: those that processes own, and of one process all") {
   const auto whole = discretise(problem).plate;
   CHECK(points_of_all(whole->boundary()) == 13 * 9);
   for (const int processes : {2, 3})
-    thread_ranks::run(processes, [&](const Ranks&) {
-      const auto plate = discretise(problem).plate;
+    thread_ranks::run(processes, [&](const Communicator& all) {
+      const auto plate = discretise(problem, all).plate;
       if (points_of_all(plate->boundary()) != 13 * 9) throw std::runtime_error("not all points, or some twice");
     });
 }

@@ -38,10 +38,10 @@ TEST_CASE("laid out by one process: all points are there, and none has a number 
   problem.discretization.spacing = 0.1, problem.discretization.formulation = &galerkin;
   problem.loads.resize(1), problem.loads[0].value = 3;
   Stopwatch stopwatch;
-  const auto found = laid_out(problem, {}, cells_of(problem, {}, 1), stopwatch);
+  const auto found = laid_out(problem, {}, cells_of(problem, {}, 1), single_process(), stopwatch);
   CHECK(found.cells.positions.size() == 121);
   CHECK(found.number.empty());
-  CHECK(found.layout.boundary.own.empty());
+  CHECK(found.layout.boundary.map.owned.empty());
   CHECK(found.layout.loads[0].forces.row(0).sum() == Approx(3));
   CHECK(found.layout.pieces.front().free_modes == 3);
 }

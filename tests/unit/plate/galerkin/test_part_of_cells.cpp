@@ -29,17 +29,17 @@ TEST_CASE("a plate in parts: pieces that cracks cut off from a Galerkin plate, h
   auto problem = problem_of(geometry::rectangle(0, 0, 1.2, 0.8), 0.05);
   problem.supports = {{SupportKind::clamped, {"left"}, {}}};
   problem.cracks = {{{0.52, 0}, {0.63, 0.8}}, {{0.9, 0}, {0.9, 0.8}}};
-  const auto found = [&] {
+  const auto found = [&](const Communicator& all) {
     std::vector<std::pair<std::size_t, int>> result;
-    const auto plate = discretise(problem).plate;
+    const auto plate = discretise(problem, all).plate;
     for (const auto& piece : plate->pieces()) result.emplace_back(piece.points, piece.free_modes);
     return result;
   };
-  const auto whole = found();
+  const auto whole = found(single_process());
   REQUIRE(whole.size() == 3);
   for (const int processes : {1, 2, 3, 4, 7})
-    thread_ranks::run(processes, [&](const Ranks&) {
-      if (found() != whole) throw std::runtime_error("other pieces");
+    thread_ranks::run(processes, [&](const Communicator& all) {
+      if (found(all) != whole) throw std::runtime_error("other pieces");
     });
 }
 
@@ -53,8 +53,8 @@ TEST_CASE("a plate in parts: a place is of one process, be it on an edge, beside
   for (const int processes : {1, 2, 3, 4, 7}) {
     std::vector<int> owners(at.size(), 0);
     std::mutex one_by_one;
-    thread_ranks::run(processes, [&](const Ranks&) {
-      const auto plate = discretise(problem).plate;
+    thread_ranks::run(processes, [&](const Communicator& all) {
+      const auto plate = discretise(problem, all).plate;
       const std::lock_guard guard(one_by_one);
       for (std::size_t i = 0; i < at.size(); ++i) owners[i] += plate->here(at[i]);
     });
@@ -66,9 +66,9 @@ TEST_CASE("a plate in parts: too few points for so many processes are refused by
   const auto problem = problem_of(geometry::rectangle(0, 0, 1, 1), 0.25);  // 25 points
   int refused = 0;
   std::mutex one_by_one;
-  thread_ranks::run(4, [&](const Ranks&) {
+  thread_ranks::run(4, [&](const Communicator& all) {
     try {
-      discretise(problem);
+      discretise(problem, all);
     } catch (const Refused& refusal) {
       const std::lock_guard guard(one_by_one);
       refused +=

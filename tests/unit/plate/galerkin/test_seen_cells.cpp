@@ -77,14 +77,15 @@ void add_boundary(const Boundary& boundary, std::size_t motions, Told& told) {
   }
 }
 
-Told told_of(const Ranks& all, const Problem& problem, const std::vector<geometry::CrackPath>& paths, bool of_whole) {
+Told told_of(const Communicator& all, const Problem& problem, const std::vector<geometry::CrackPath>& paths,
+             bool of_whole) {
   const auto tips = geometry::tips(paths);
-  auto whole = of_whole ? WholeCells(cells_of(problem, paths, 1)) : whole_cells_of(problem, paths, 1);
+  auto whole = of_whole ? WholeCells(cells_of(problem, paths, 1)) : whole_cells_of(problem, paths, 1, true);
   const auto seen = seen_cells(all, problem, whole, tips);
   const auto& cells = seen.cells;
   const auto areas = areas_of(cells);
   auto boundary = galerkin_boundary(cells, areas, geometry::to_lattice(problem.outline, cells.units), problem.supports,
-                                    support_motions(problem));
+                                    support_motions(problem), all);
   boundary.attached = attached_stiffness(problem, cells);
   const auto part = part_of_cells(all, problem, seen, boundary.attached, tips);
   Told told;
@@ -92,12 +93,12 @@ Told told_of(const Ranks& all, const Problem& problem, const std::vector<geometr
   add_boundary(restricted(boundary, part, problem.loads.size()), problem.loads.size(), told);
   told.add("cut", restricted(cut_share(cells, areas), part.part));
   told.add("masses", restricted(stiffener_masses(problem, cells), part.part));
-  std::vector<char> own;
-  for (const int owner : seen.owners) own.push_back(owner == all.rank());
+  PointMap map{&all};
+  for (const int owner : seen.owners) map.owned.push_back(owner == all.rank());
   for (const auto& load : problem.loads) {
-    told.add_matrix("forces", restricted(nodal_forces(load, cells, areas, own), part.part));
+    told.add_matrix("forces", restricted(nodal_forces(load, cells, areas, map), part.part));
     if (!load.moves()) continue;
-    for (const auto& [time, forces] : restricted(moving_forces(load, cells, areas.size(), own), part).stations)
+    for (const auto& [time, forces] : restricted(moving_forces(load, cells, areas.size(), map), part).stations)
       for (const auto& [dof, force] : forces) told.add("station", std::array{time, double(dof), force});
   }
   return told;
@@ -109,10 +110,10 @@ std::pair<std::string, std::size_t> difference(int processes, const Problem& pro
   std::mutex one_by_one;
   std::string found;
   std::size_t left_out = 0;
-  thread_ranks::run(processes, [&](const Ranks& all) {
+  thread_ranks::run(processes, [&](const Communicator& all) {
     const auto mine = parts::own(problem);
     const auto one = told_of(all, mine, paths, true), other = told_of(all, mine, paths, false);
-    auto lattice = whole_cells_of(mine, paths, 1);
+    auto lattice = whole_cells_of(mine, paths, 1, true);
     const auto window = seen_cells(all, mine, lattice, geometry::tips(paths));
     const std::lock_guard guard(one_by_one);
     left_out += points_of(lattice) - window.cells.positions.size();
@@ -239,7 +240,7 @@ TEST_CASE(
   problem.supports[0].patch = geometry::Circle{{5, 5}, 0.1, ""};
   int refused = 0;
   std::mutex one_by_one;
-  thread_ranks::run(4, [&](const Ranks& all) {
+  thread_ranks::run(4, [&](const Communicator& all) {
     try {
       told_of(all, problem, {}, false);
     } catch (const Refused&) {

@@ -7,7 +7,7 @@ using namespace plate;
 
 TEST_CASE("sums by owners: what all have of a point comes to its owner, and copies are left without") {
   for (const int processes : {1, 2, 5})
-    thread_ranks::run(processes, [&](const Ranks& all) {
+    thread_ranks::run(processes, [&](const Communicator& all) {
       const int next = (all.rank() + 1) % all.size();
       // point 0 is a copy of point 1 of the next process, point 2 of point 1 of the first
       std::vector<Copy> copies;

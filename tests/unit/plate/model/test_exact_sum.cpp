@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "plate/solve/reduction.hpp"
+#include "plate/model/reduction.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/model/thread_ranks.hpp"
 
@@ -13,12 +13,12 @@ namespace {
 /// The sum of the values as shared out by turns among so many processes.
 double shared(const std::vector<double>& values, int processes) {
   std::vector<double> sums(std::size_t(processes), 0);
-  thread_ranks::run(processes, [&](const Ranks& all) {
+  thread_ranks::run(processes, [&](const Communicator& all) {
     std::vector<double> own;
     for (std::size_t i = std::size_t(all.rank()); i < values.size(); i += std::size_t(processes))
       own.push_back(values[i]);
     sums[std::size_t(all.rank())] =
-        ordered_sum<1>(own.size(), [&](std::size_t i) { return std::array<double, 1>{own[i]}; })[0];
+        ordered_sum<1>(all, own.size(), [&](std::size_t i) { return std::array<double, 1>{own[i]}; })[0];
   });
   for (const double sum : sums) CHECK(((sum == sums.front()) || (std::isnan(sum) && std::isnan(sums.front()))));
   return sums.front();
@@ -49,14 +49,17 @@ TEST_CASE("exact sums: single terms keep all their bits, nothing, tiny, huge and
   CHECK(std::isnan(shared({1, INFINITY}, 2)));
 }
 
-TEST_CASE("the largest of all processes, outside of processes, a number itself") {
-  CHECK(largest_of_all(-3) == -3);
-  CHECK(sum_of_all(0.3) == 0.3);
-  CHECK(ranks() == nullptr);
+TEST_CASE("the largest and the sum of all processes, of a single process the number itself") {
+  const Communicator& one = single_process();
+  CHECK_FALSE(one.distributed());
+  CHECK(one.rank() == 0);
+  CHECK(one.size() == 1);
+  CHECK(one.largest_of(-3) == -3);
+  CHECK(sum_of_all(one, 0.3) == 0.3);
   std::array<bool, 3> right{};
-  thread_ranks::run(3, [&](const Ranks& all) {
-    const double largest = largest_of_all(-double(all.rank())), sum = sum_of_all(all.rank() == 1 ? 0.3 : 0);
-    right[std::size_t(all.rank())] = largest == 0 && sum == 0.3 && ranks() == &all;
+  thread_ranks::run(3, [&](const Communicator& all) {
+    const double largest = all.largest_of(-double(all.rank())), sum = sum_of_all(all, all.rank() == 1 ? 0.3 : 0);
+    right[std::size_t(all.rank())] = largest == 0 && sum == 0.3 && all.distributed() && all.size() == 3;
   });
   CHECK(right == std::array{true, true, true});
 }

@@ -8,8 +8,8 @@
 using namespace plate;
 
 TEST_CASE("traffic: messages, bytes and sums are counted, and the values stay what they are") {
-  thread_ranks::run(3, [](const Ranks& all) {
-    const CountedRanks counted(all);
+  thread_ranks::run(3, [](const Communicator& all) {
+    const CountedCommunicator counted(all);
     const int left = (all.rank() + 2) % 3, right = (all.rank() + 1) % 3;
     // of three points two are copies of the others' first
     const auto exchange = counted.exchange(3, {{1, left, 0}, {2, right, 0}});
@@ -44,8 +44,8 @@ TEST_CASE("traffic: messages, bytes and sums are counted, and the values stay wh
 }
 
 TEST_CASE("traffic: an exchange in two halves sends what there was when it began, and is counted once") {
-  thread_ranks::run(2, [](const Ranks& all) {
-    const CountedRanks counted(all);
+  thread_ranks::run(2, [](const Communicator& all) {
+    const CountedCommunicator counted(all);
     const auto exchange = counted.exchange(2, {{1, 1 - all.rank(), 0}});
     std::vector<double> values{double(all.rank()), -1};
     exchange->start(std::span(values));

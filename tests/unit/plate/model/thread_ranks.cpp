@@ -75,7 +75,7 @@ private:
 /// Every thread has the factor of the whole matrix.
 class ThreadInverse : public plate::SharedInverse {
 public:
-  ThreadInverse(const plate::Ranks& all, const plate::SharedRows& rows) : all_(all) {
+  ThreadInverse(const plate::Communicator& all, const plate::SharedRows& rows) : all_(all) {
     const auto own = std::int64_t(rows.first.size()) - 1;
     const auto counts = plate::gathered(all, std::vector<std::int64_t>{own});
     begin_ = 3 * std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
@@ -110,7 +110,7 @@ public:
   }
 
 private:
-  const plate::Ranks& all_;
+  const plate::Communicator& all_;
   std::int64_t begin_ = 0;
   Eigen::Array<bool, Eigen::Dynamic, 1> without_stiffness_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
@@ -119,7 +119,7 @@ private:
 /// Every thread goes through the same Krylov space, whole, orthogonal and without a restart.
 class ThreadPairs {
 public:
-  ThreadPairs(const plate::Ranks& all, const plate::SharedProduct& product, std::size_t own)
+  ThreadPairs(const plate::Communicator& all, const plate::SharedProduct& product, std::size_t own)
       : all_(all), product_(product), own_(own) {
     const auto counts = plate::gathered(all, std::vector<std::int64_t>{std::int64_t(own)});
     begin_ = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
@@ -171,15 +171,15 @@ private:
     return result;
   }
 
-  const plate::Ranks& all_;
+  const plate::Communicator& all_;
   const plate::SharedProduct& product_;
   std::size_t own_;
   std::int64_t begin_ = 0;
 };
 
-class ThreadRanks : public plate::Ranks {
+class ThreadCommunicator : public plate::Communicator {
 public:
-  ThreadRanks(Common& common, int rank) : common_(common), rank_(rank) {}
+  ThreadCommunicator(Common& common, int rank) : common_(common), rank_(rank) {}
 
   int rank() const override { return rank_; }
   int size() const override { return int(common_.texts.size()); }
@@ -230,14 +230,13 @@ private:
 
 }  // namespace
 
-void run(int count, const std::function<void(const plate::Ranks&)>& each) {
+void run(int count, const std::function<void(const plate::Communicator&)>& each) {
   Common common(count);
   std::vector<std::exception_ptr> thrown(std::size_t(count), nullptr);
   std::vector<std::thread> threads;
   for (int rank = 0; rank < count; ++rank)
     threads.emplace_back([&, rank] {
-      const ThreadRanks own(common, rank);
-      const plate::AmongRanks among(own);
+      const ThreadCommunicator own(common, rank);
       try {
         each(own);
       } catch (...) {

@@ -6,8 +6,8 @@
 /// Processes that share a plate, as threads of one.
 namespace thread_ranks {
 
-/// Calls `each` in so many threads, each of which is one of plate::ranks(), and waits for all. What the first of them
+/// Calls `each` in so many threads, each with a communicator of its own, and waits for all. What the first of them
 /// throws is thrown.
-void run(int count, const std::function<void(const plate::Ranks&)>& each);
+void run(int count, const std::function<void(const plate::Communicator&)>& each);
 
 }  // namespace thread_ranks

@@ -15,8 +15,8 @@ namespace {
 /// Of the plate by 1, 2 and 5 processes: K of what the factor makes of the load is the load.
 void require_inverse(const Problem& problem, bool tied) {
   for (const int processes : {1, 2, 5})
-    thread_ranks::run(processes, [&](const Ranks&) {
-      const auto plate = discretise(problem).plate;
+    thread_ranks::run(processes, [&](const Communicator& all) {
+      const auto plate = discretise(problem, all).plate;
       if (tied && plate->constraints().ties().empty() && processes == 1) throw std::runtime_error("nothing is tied");
       const auto factor = plate->factor();
       Forces residual = plate->total_load(), product;

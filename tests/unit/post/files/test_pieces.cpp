@@ -1,9 +1,8 @@
-#include "post/files/distributed_output.hpp"
+#include "post/files/vtk_series.hpp"
 
 #include <regex>
 #include <set>
 
-#include "post/files/vtk_series.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/model/thread_ranks.hpp"
 #include "tests/unit/post/small_run.hpp"
@@ -31,8 +30,8 @@ std::set<std::pair<std::string, std::string>> arrays(const std::string& text, co
 
 TEST_CASE("pieces: every process writes one, and one file names them and what they hold") {
   const TemporaryFolder folder;
-  thread_ranks::run(2, [&](const plate::Ranks& all) {
-    post::VtkPieces pieces(all, folder.path(), small_run::mesh());
+  thread_ranks::run(2, [&](const plate::Communicator& all) {
+    post::VtkSeries pieces(folder.path(), small_run::mesh(), all);
     pieces.write(small_run::frame(0, 0));
     pieces.write(small_run::frame(0.5, 1));
   });

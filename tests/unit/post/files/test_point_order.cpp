@@ -1,4 +1,4 @@
-#include "post/files/distributed_output.hpp"
+#include "post/files/point_order.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/unit/plate/model/thread_ranks.hpp"
@@ -9,7 +9,7 @@ TEST_CASE("the order of points: any part of it, of any number of processes, is t
   const auto points = whole.positions.size();
   const std::pair<std::size_t, std::size_t> parts[] = {{0, points}, {0, 1}, {points - 1, 1}, {777, 0}, {12345, 40000}};
   for (const int processes : {1, 2, 4, 6}) {
-    thread_ranks::run(processes, [&](const plate::Ranks& all) {
+    thread_ranks::run(processes, [&](const plate::Communicator& all) {
       const auto own = lattice_in_boxes::own_mesh(all.rank(), processes);
       const post::PointOrder order(all, own.positions);
       if (order.points() != points) throw std::runtime_error("points are missing");
@@ -26,7 +26,7 @@ TEST_CASE("the order of points: any part of it, of any number of processes, is t
 }
 
 TEST_CASE("the order of points: a process may have none") {
-  thread_ranks::run(3, [&](const plate::Ranks& all) {
+  thread_ranks::run(3, [&](const plate::Communicator& all) {
     const auto own = all.rank() == 1 ? lattice_in_boxes::own_mesh(0, 1) : post::Mesh{};
     const post::PointOrder order(all, own.positions);
     const auto found = order.at_first(7, 3, 1, [&](std::size_t k, double* to) { *to = own.areas[k]; });
@@ -37,7 +37,7 @@ TEST_CASE("the order of points: a process may have none") {
 TEST_CASE("the order of points: by their numbers, where they are in no rows") {
   constexpr std::uint32_t points = 1000;
   for (const int processes : {1, 3, 4})
-    thread_ranks::run(processes, [&](const plate::Ranks& all) {
+    thread_ranks::run(processes, [&](const plate::Communicator& all) {
       std::vector<std::uint32_t> own;  // stretches of 1 to 7 points, dealt out
       for (std::uint32_t k = 0, length = 1; k < points; k += length, length = 1 + length % 7)
         if (int((k / 5) % std::uint32_t(processes)) == all.rank())

@@ -9,10 +9,10 @@
 using namespace post;
 
 TEST_CASE("processes: least, mean and largest of what each has, nothing where one has all") {
-  CHECK_FALSE(of_processes(10, {}, 1, {}, 1));
-  thread_ranks::run(4, [](const plate::Ranks& all) {
+  CHECK_FALSE(of_processes(plate::single_process(), 10, {}, 1, {}, 1));
+  thread_ranks::run(4, [](const plate::Communicator& all) {
     const double rank = all.rank();
-    const auto found = of_processes(std::size_t(100 * (all.rank() + 1)), {{"solve", 1 + rank}, {"total", 10}},
+    const auto found = of_processes(all, std::size_t(100 * (all.rank() + 1)), {{"solve", 1 + rank}, {"total", 10}},
                                     1e9 * (5 - rank), {6, 600 + 60 * all.rank(), 30, 0.5}, 3);
     static std::mutex one_by_one;
     const std::lock_guard guard(one_by_one);

@@ -15,7 +15,7 @@ namespace {
 
 /// By so many processes, each with one point of its own.
 void write(const fs::path& folder, int processes, const std::vector<std::string>& memories) {
-  thread_ranks::run(processes, [&](const plate::Ranks& all) {
+  thread_ranks::run(processes, [&](const plate::Communicator& all) {
     SharedCheckpoints checkpoints(all, folder, "case 1");
     for (const auto& memory : memories) checkpoints.write(memory, {1, {{all.rank(), 0}}, {double(memory.size())}});
   });
@@ -31,7 +31,7 @@ struct ReadBack {
 ReadBack read(const fs::path& folder, int processes, const std::string& of = "case 1") {
   std::vector<ReadBack> found;
   std::mutex one_by_one;
-  thread_ranks::run(processes, [&](const plate::Ranks& all) {
+  thread_ranks::run(processes, [&](const plate::Communicator& all) {
     ReadBack own;
     if (auto one = SharedCheckpoints(all, folder, of).read(own.refused))
       own.memory = one->memory, own.parts = one->parts.size();
@@ -60,7 +60,8 @@ TEST_CASE("shared checkpoints: the newest comes back to any number of processes"
     CHECK(found.parts == 3);
     CHECK(found.refused.empty());
   }
-  thread_ranks::run(2, [&](const plate::Ranks& all) { SharedCheckpoints(all, folder.path(), "case 1").remove(); });
+  thread_ranks::run(2,
+                    [&](const plate::Communicator& all) { SharedCheckpoints(all, folder.path(), "case 1").remove(); });
   CHECK(folder.entries() == 0);
 }
 

@@ -1,4 +1,4 @@
-#include "post/files/distributed_output.hpp"
+#include "post/files/hdf5/state_file.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/unit/plate/model/thread_ranks.hpp"
@@ -56,12 +56,15 @@ TEST_CASE("state.h5 of several processes is that of one") {
     file.close();
   }
   for (const int processes : {1, 2, 5}) {
-    thread_ranks::run(processes, [&](const plate::Ranks& all) {
+    thread_ranks::run(processes, [&](const plate::Communicator& all) {
       auto mesh = own_mesh(all.rank(), processes);
       mesh.own = mesh.positions.size();
       mesh.positions.emplace_back(9, 9), mesh.areas.push_back(9), mesh.cut.push_back(9);  // of another process
-      post::SharedStateFile file(all, options(folder / "state.h5"), mesh);
-      for (const std::size_t step : {0, 1}) file.write(frame(mesh, step), 3 * state(mesh, double(step)));
+      post::StateFile file(options(folder / "state.h5"), mesh, all);
+      for (const std::size_t step : {0, 1}) {
+        const plate::State rates = 3 * state(mesh, double(step));
+        file.write(frame(mesh, step), &rates);
+      }
       file.write("table", table);
       file.close();
     });
@@ -73,11 +76,12 @@ TEST_CASE("state.h5 of several processes is that of one") {
 TEST_CASE("state.h5 of several processes goes on after frames of another number of them") {
   const TemporaryFolder folder;
   const auto write = [&](const char* name, int processes, bool goes_on, std::vector<std::size_t> steps) {
-    thread_ranks::run(processes, [&](const plate::Ranks& all) {
+    thread_ranks::run(processes, [&](const plate::Communicator& all) {
       const auto mesh = own_mesh(all.rank(), processes);
-      post::SharedStateFile file(all, options(folder / name, goes_on), mesh);
+      post::StateFile file(options(folder / name, goes_on), mesh, all);
       if (goes_on) file.go_on(steps.front());
-      for (const auto step : steps) file.write(frame(mesh, step), state(mesh, 1)), file.part();
+      const plate::State rates = state(mesh, 1);
+      for (const auto step : steps) file.write(frame(mesh, step), &rates), file.part();
       file.write("table", table);
       file.close();
     });

@@ -27,8 +27,8 @@ Problem problem_of(const geometry::Outline& outline, std::vector<Support> suppor
   return problem;
 }
 
-FrequencySolution solved(const Problem& problem, std::size_t modes) {
-  const auto plate = discretise(problem).plate;
+FrequencySolution solved(const Problem& problem, std::size_t modes, const Communicator& all) {
+  const auto plate = discretise(problem, all).plate;
   FrequencyOptions options;
   options.modes = modes, options.tolerance = 1e-7;
   options.shift = shift_of(problem.section, 1);
@@ -39,11 +39,11 @@ FrequencySolution solved(const Problem& problem, std::size_t modes) {
 
 /// Of several processes as of one; `rigid` motions without resistance, of which rounding is left.
 void check(const Problem& problem, std::size_t modes, std::size_t rigid, const std::vector<int>& counts) {
-  const auto whole = solved(problem, modes);
+  const auto whole = solved(problem, modes, single_process());
   const double first = whole.modes[rigid].frequency;
   for (const int processes : counts)
-    thread_ranks::run(processes, [&](const Ranks&) {
-      const auto found = solved(problem, modes);
+    thread_ranks::run(processes, [&](const Communicator& all) {
+      const auto found = solved(problem, modes, all);
       static std::mutex one_by_one;
       const std::lock_guard guard(one_by_one);
       REQUIRE(found.modes.size() == modes);
@@ -72,7 +72,7 @@ TEST_CASE("a plate in parts: frequencies of a cracked plate") {
 TEST_CASE("a plate in parts: frequencies of a free square, three of rigid motions and its double ones") {
   const auto problem = problem_of(geometry::rectangle(0, 0, 1.28, 1.28), {});
   check(problem, 8, 3, {2});
-  const auto modes = solved(problem, 8).modes;
+  const auto modes = solved(problem, 8, single_process()).modes;
   CHECK(modes[6].frequency == Approx(modes[7].frequency).epsilon(1e-9));
 }
 

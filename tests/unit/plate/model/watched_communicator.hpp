@@ -30,11 +30,12 @@ private:
 };
 
 /// Processes of whose exchanges one is told.
-class WatchedRanks : public plate::CountedRanks {
+class WatchedCommunicator : public plate::CountedCommunicator {
 public:
-  WatchedRanks(const plate::Ranks& ranks, Watch watch) : CountedRanks(ranks), watch_(std::move(watch)) {}
+  WatchedCommunicator(const plate::Communicator& ranks, Watch watch)
+      : CountedCommunicator(ranks), watch_(std::move(watch)) {}
   std::unique_ptr<plate::Exchange> exchange(std::size_t points, const std::vector<plate::Copy>& copies) const override {
-    return std::make_unique<WatchedExchange>(CountedRanks::exchange(points, copies), watch_);
+    return std::make_unique<WatchedExchange>(CountedCommunicator::exchange(points, copies), watch_);
   }
 
 private:

@@ -1,3 +1,5 @@
+#include "cases/programs/command_line.hpp"
+
 #include <fmt/format.h>
 #include <omp.h>
 #include <CLI/CLI.hpp>
@@ -7,7 +9,6 @@
 #include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
 #include "cases/input/manual.hpp"
-#include "cases/runs/distributed_run.hpp"
 #include "cases/studies/comparison.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
@@ -41,6 +42,7 @@ struct Arguments {
   post::ParisLaw law;
   double load = 1, ratio = 0;
   int threads = 0, processes = 0;
+  const plate::Communicator* communicator = &plate::single_process();
   bool quiet = false, energy = false, schema = false, again = false, merge = false, resume = false;
 };
 
@@ -134,9 +136,9 @@ std::string own_pages(const CLI::App& app, const Arguments& a) {
 int execute(const CLI::App& app, Arguments& a) {
   omp_set_num_threads(plate::sensible_threads(a.threads > 0 ? a.threads : omp_get_max_threads()));
   if (app.got_subcommand("run")) {
-    const auto file = cases::read_case(a.file, overrides(a));
+    const auto file = cases::read_case(a.file, overrides(a), a.communicator->distributed());
     const auto folder = folder_of(a);
-    const auto summary = cases::run(file, {folder, a.quiet, nullptr, a.resume});
+    const auto summary = cases::run(file, {folder, a.quiet, nullptr, a.resume, a.communicator});
     if (!a.quiet)
       fmt::print("{}", post::printed(summary, file.content.units == "SI", file.content.section.thickness, folder));
   } else if (app.got_subcommand("check")) {
@@ -263,17 +265,15 @@ int ended(const CLI::App& app, Arguments& a) {
 
 }  // namespace
 
-#ifdef PDPLATE_LIBRARY
-extern "C" [[gnu::visibility("default")]] int pdplate_main(int argc, char** argv) {
-#else
-int main(int argc, char** argv) {
-#endif
-  plate::settle_process(argv);
+namespace cases {
+
+int command_line(int argc, char** argv, const plate::Communicator& communicator) {
   CLI::App app(about);
   app.require_subcommand(1);
   app.set_version_flag("--version", "pdplate " PDPLATE_VERSION ", kernels " PDPLATE_KERNELS,
                        "print the version and exit");
   Arguments a;
+  a.communicator = &communicator;
   auto* run = app.add_subcommand("run", "run a case");
   add_case(*run, a);
   run->add_option("--out", a.folder, "folder of the results (default: results/CASE)");
@@ -299,6 +299,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? done : wrong_case;
   }
-  a.quiet = a.quiet || !fracture::speaks();
+  a.quiet = a.quiet || communicator.rank() > 0;
   return ended(app, a);
 }
+
+}  // namespace cases

@@ -1,4 +1,4 @@
-#include "plate/distributed/mpi_ranks.hpp"
+#include "plate/distributed/mpi_communicator.hpp"
 
 #include <map>
 #include <numeric>
@@ -138,20 +138,20 @@ private:
 
 }  // namespace
 
-MpiRanks::MpiRanks(MPI_Comm all) : all_(all) {
+MpiCommunicator::MpiCommunicator(MPI_Comm all) : all_(all) {
   MPI_Comm_rank(all, &rank_);
   MPI_Comm_size(all, &size_);
 }
 
-void MpiRanks::sum(std::span<std::int64_t> values) const {
+void MpiCommunicator::sum(std::span<std::int64_t> values) const {
   MPI_Allreduce(MPI_IN_PLACE, values.data(), int(values.size()), MPI_INT64_T, MPI_SUM, all_);
 }
 
-void MpiRanks::largest(std::span<double> values) const {
+void MpiCommunicator::largest(std::span<double> values) const {
   MPI_Allreduce(MPI_IN_PLACE, values.data(), int(values.size()), MPI_DOUBLE, MPI_MAX, all_);
 }
 
-std::vector<std::string> MpiRanks::exchanged(std::vector<std::string> texts) const {
+std::vector<std::string> MpiCommunicator::exchanged(std::vector<std::string> texts) const {
   const auto out = sizes_of(texts);
   std::vector<int> in(texts.size());
   MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, all_);
@@ -167,7 +167,7 @@ std::vector<std::string> MpiRanks::exchanged(std::vector<std::string> texts) con
   return result;
 }
 
-std::unique_ptr<Exchange> MpiRanks::exchange(std::size_t points, const std::vector<Copy>& copies) const {
+std::unique_ptr<Exchange> MpiCommunicator::exchange(std::size_t points, const std::vector<Copy>& copies) const {
   const auto processes = std::size_t(size_);
   std::vector<std::vector<std::uint32_t>> here(processes), there(processes);
   for (const auto& copy : copies) {
@@ -185,12 +185,12 @@ std::unique_ptr<Exchange> MpiRanks::exchange(std::size_t points, const std::vect
   return std::make_unique<MpiExchange>(all_, points, std::move(out), std::move(in));
 }
 
-std::unique_ptr<SharedInverse> MpiRanks::inverse(const SharedRows& rows) const {
+std::unique_ptr<SharedInverse> MpiCommunicator::inverse(const SharedRows& rows) const {
   return petsc_inverse(all_, rows);
 }
 
-SharedPairs MpiRanks::largest_pairs(const SharedProduct& product, std::span<const double> start,
-                                    const PairsWanted& wanted) const {
+SharedPairs MpiCommunicator::largest_pairs(const SharedProduct& product, std::span<const double> start,
+                                           const PairsWanted& wanted) const {
   return slepc_pairs(all_, product, start, wanted);
 }
 

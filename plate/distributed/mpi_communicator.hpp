@@ -7,9 +7,9 @@ namespace plate {
 
 /// The processes of MPI. MPI must have been initialised for calls from one thread at a time (MPI_THREAD_FUNNELED), and
 /// PETSc (Petsc).
-class MpiRanks : public Ranks {
+class MpiCommunicator : public Communicator {
 public:
-  explicit MpiRanks(MPI_Comm all);
+  explicit MpiCommunicator(MPI_Comm all);
 
   int rank() const override { return rank_; }
   int size() const override { return size_; }

@@ -4,12 +4,11 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "plate/distributed/mpi_ranks.hpp"
+#include "cases/programs/command_line.hpp"
+#include "plate/distributed/mpi_communicator.hpp"
 #include "plate/distributed/petsc_inverse.hpp"
 #include "plate/model/halo_exchange.hpp"
 #include "plate/model/process.hpp"
-
-extern "C" int pdplate_main(int argc, char** argv);
 
 namespace {
 
@@ -47,11 +46,10 @@ int main(int argc, char** argv) {
   }
   {
     const plate::Petsc petsc;
-    const plate::MpiRanks processes(MPI_COMM_WORLD);
-    const plate::CountedRanks all(processes);
-    const plate::AmongRanks among(all);
+    const plate::MpiCommunicator processes(MPI_COMM_WORLD);
+    const plate::CountedCommunicator all(processes);
     const Listener listener(all.rank() > 0);
-    const int code = pdplate_main(argc, argv);
+    const int code = cases::command_line(argc, argv, all);
     if (code != 0) {
       listener.speak();
       std::fflush(nullptr);

@@ -1,0 +1,8 @@
+#include "cases/programs/command_line.hpp"
+#include "plate/model/process.hpp"
+
+/// The program pdplate: one process.
+int main(int argc, char** argv) {
+  plate::settle_process(argv);
+  return cases::command_line(argc, argv, plate::single_process());
+}

@@ -1,0 +1,43 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "geometry/shape/outline.hpp"
+#include "plate/model/communicator.hpp"
+#include "post/files/frame.hpp"
+
+namespace post {
+
+/// The points of a plate that processes share, in the order in which one process has them: row by row from the lower
+/// left, or by their numbers. Each process knows where its own stand, by stretches of a row.
+class PointOrder {
+public:
+  /// `own`: the points of the process in that order [length]; of a row of the lattice all processes have the same y.
+  /// All call it at once. `all` must outlive this.
+  PointOrder(const plate::Communicator& all, const std::vector<geometry::Point>& own);
+  /// `numbers`: of the points of the process among all, ascending.
+  PointOrder(const plate::Communicator& all, const std::vector<std::uint32_t>& numbers);
+
+  /// Number of points of all ranks.
+  std::size_t points() const { return points_; }
+
+  /// Gathers the values of `count` points from `first` on, `width` of each, point by point: on the first rank; empty on
+  /// the others. `numbers(k, to)` gives those of the rank's own point k. Collective: every rank must call it.
+  std::vector<double> at_first(std::size_t first, std::size_t count, std::size_t width,
+                               const std::function<void(std::size_t k, double* to)>& numbers) const;
+
+private:
+  /// Own points that follow each other among all.
+  struct Stretch {
+    std::size_t first, begin, points;  // first: among all; begin: among the own
+  };
+
+  const plate::Communicator& all_;
+  std::size_t points_ = 0;
+  std::vector<Stretch> own_;
+};
+
+/// The order of the points of a mesh whose own points come first.
+PointOrder order_of(const plate::Communicator& all, const Mesh& mesh);
+
+}  // namespace post
