@@ -18,6 +18,7 @@
 #include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
+#include "post/report/reactions.hpp"
 #include "post/report/response.hpp"
 #include "post/report/terminal.hpp"
 
@@ -32,7 +33,8 @@ public:
         plan_(plan),
         plate_(*ready.plate),
         recorder_(std::move(recorder)),
-        probes_(probes_of(plan.probes, plate_)) {
+        probes_(probes_of(plan.probes, plate_)),
+        reactions_(plate_, *plan.analysis.damping) {
     if (!recorder_.draws() && !recorder_.stores()) return;
     const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
     if (plan_.report) pictures_.open(mesh);
@@ -54,10 +56,12 @@ private:
   post::Recorder recorder_;
   post::Pictures pictures_;
   std::vector<post::Probe> probes_;
+  post::HarmonicReactions reactions_;
   std::vector<post::Response> found_;
-  std::vector<std::vector<double>> unknown_;  // of every tip and of every probe, what the vectors leave, relative
-  double largest_ = -1;                       // deflection of all frequencies
-  double where_ = 0;                          // its frequency
+  std::vector<std::vector<double>>
+      unknown_;          // of every tip, of every probe and of reactions, what the vectors leave, relative
+  double largest_ = -1;  // deflection of all frequencies
+  double where_ = 0;     // its frequency
 };
 
 plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
@@ -66,10 +70,11 @@ plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
   for (const auto& one : plate_.loads()) load += one.forces;
   plate::HarmonicOptions options;
   options.sweep = *analysis.sweep, options.tolerance = analysis.tolerance, options.damping = *analysis.damping;
-  options.watched.resize(2);  // factors, probes
+  options.watched.resize(3);  // factors, probes, reactions
   for (const auto& tip : ready_.tip_methods) options.watched[0].push_back(tip.functionals());
   for (const auto& probe : probes_)
     options.watched[1].push_back(post::functionals(probe, plate_.points(), plate_.section().thickness));
+  options.watched[2].push_back(reactions_.functionals());
   options.progress = [&](std::size_t vectors, double change) {
     progress.update(std::min(0.5, double(vectors) / 200), fmt::format("{} vectors, change {:.1e}", vectors, change));
   };
@@ -101,6 +106,7 @@ void ResponseRun::look(double frequency, const std::pair<plate::State, plate::St
   for (auto* all : {&first, &second})
     for (auto& srif : *all) post::widen(srif, unknown_[0][srif.tip] * post::largest_factor(srif, h), h);
   std::ranges::move(post::responses_of(frequency, first, second), std::back_inserter(found_));
+  std::ranges::move(reactions_.at(frequency, in_phase, quadrature), std::back_inserter(found_));
 }
 
 void ResponseRun::draw_period(double frequency, const std::pair<plate::State, plate::State>& parts) {
@@ -126,6 +132,7 @@ void ResponseRun::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
   summary.analysis.iterations = response.vectors();
   summary.analysis.residual = response.change();
   unknown_ = response.watched_change();
+  reactions_.known_to(unknown_[2].front());
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
     plate::stop_if_asked("a response");
     const auto parts = response.at(i);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <map>
+#include <numbers>
 
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/inertia.hpp"
@@ -13,6 +15,7 @@
 #include "plate/model/reduction.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/settled.hpp"
+#include "post/report/response.hpp"
 
 namespace post {
 namespace {
@@ -284,6 +287,52 @@ std::optional<ReactionSummary> ReactionRows::summary() const {
   for (const auto& [time, balance] : balances_)
     result.largest_residual = std::max(result.largest_residual, balance.residual);
   result.truncation = truncation_;
+  return result;
+}
+
+struct HarmonicReactions::Moving {
+  Supports supports;
+  Applied loads;
+  plate::Inertia inertia;
+};
+
+HarmonicReactions::HarmonicReactions(const plate::Formulation& plate, const plate::Damping& damping)
+    : plate_(plate), damping_(damping), supports_(supports_of(plate)) {
+  if (supports_.empty()) return;
+  const Supports supports(plate.boundary());
+  auto loads = supports.nothing();
+  for (const auto& load : plate.loads()) loads.add(1, supports.applied(load.forces));
+  functionals_ = supports.elastic_forces(plate);
+  moving_ = std::make_unique<const Moving>(Moving{supports, std::move(loads), plate.inertia(1)});
+}
+
+HarmonicReactions::~HarmonicReactions() = default;
+
+/// Of u = A cos - B sin: velocity and acceleration are i omega and -omega^2 times (A + i B).
+std::vector<Response> HarmonicReactions::at(double frequency, const plate::State& in_phase,
+                                            const plate::State& quadrature) const {
+  if (!moving_) return {};
+  const auto& [supports, loads, inertia] = *moving_;
+  const double omega = 2 * std::numbers::pi * frequency;
+  const auto balance = [&](const plate::State& state, const plate::State& velocity, const Applied& load) {
+    const plate::State strained = state + damping_.stiffness * velocity;
+    const auto inertial = supports.applied(inertia.whole(damping_.mass * velocity - omega * omega * state));
+    return supports.balance(on_held(plate_, plate_, strained), load, &inertial, strained);
+  };
+  const auto real = balance(in_phase, -omega * quadrature, loads);
+  const auto imaginary = balance(quadrature, omega * in_phase, supports.nothing());
+  double largest = 0;
+  for (std::size_t s = 0; s < supports_.size(); ++s)
+    largest = std::max(largest, std::hypot(real.supports[s].force, imaginary.supports[s].force));
+  std::vector<Response> result;
+  for (std::size_t s = 0; s < supports_.size(); ++s) {
+    const auto &a = real.supports[s], &b = imaginary.supports[s];
+    const std::complex force(a.force, b.force);
+    const double error = change_ * largest;
+    result.push_back({frequency, "support " + supports_[s].name, "force", force, {}, error < std::abs(force)});
+    result.push_back({frequency, "support " + supports_[s].name, "moment_x", {a.moment_x, b.moment_x}, {}, true});
+    result.push_back({frequency, "support " + supports_[s].name, "moment_y", {a.moment_y, b.moment_y}, {}, true});
+  }
   return result;
 }
 

@@ -67,6 +67,32 @@ struct Instant;
 }  // namespace plate
 
 namespace post {
+struct Response;
+
+/// Reactions of a damped plate that vibrates at one frequency after another.
+class HarmonicReactions {
+public:
+  /// `plate` must outlive this.
+  HarmonicReactions(const plate::Formulation& plate, const plate::Damping& damping);
+  ~HarmonicReactions();
+
+  /// Force and moments of every support, (A + i B) with the load as its real part, for the state (A + i B).
+  std::vector<Response> at(double frequency, const plate::State& in_phase, const plate::State& quadrature) const;
+  /// Functionals of the state that the forces along w are (Supports::elastic_forces()); no rows without supports.
+  const Eigen::MatrixXd& functionals() const { return functionals_; }
+  /// `change`: what the vectors leave of the functionals, relative to the largest.
+  void known_to(double change) { change_ = change; }
+
+private:
+  struct Moving;
+
+  const plate::Formulation& plate_;
+  plate::Damping damping_;
+  std::vector<ReactionSummary::Support> supports_;
+  std::unique_ptr<const Moving> moving_;
+  Eigen::MatrixXd functionals_;
+  double change_ = 0;
+};
 
 /// The reactions of a run, row by row: what edges, pins, foundations and springs do to the plate. No
 /// rows of a plate that nothing holds.

@@ -23,8 +23,9 @@ std::vector<const Srif*> recommended(const std::vector<Srif>& all) {
   return result;
 }
 
-bool is_factor(const std::string& quantity) {
-  return quantity.starts_with('K');
+/// Quantities of one kind are compared with each other.
+std::string kind_of(const std::string& quantity) {
+  return quantity.starts_with('K') ? "K" : quantity.substr(0, quantity.find('_'));
 }
 
 /// In the units of K1, for comparison of the three.
@@ -112,8 +113,7 @@ std::vector<ResponsePeak> largest_responses(const std::vector<Response>& all, do
   const auto most = [&](const ResponsePeak& peak) {
     double largest = 0;
     for (const auto& other : result)
-      if (is_factor(other.quantity) == is_factor(peak.quantity) &&
-          (is_factor(peak.quantity) || (other.quantity == "w") == (peak.quantity == "w")))
+      if (kind_of(other.quantity) == kind_of(peak.quantity))
         largest = std::max(largest, size_of(other.quantity, other.amplitude, thickness));
     return largest;
   };
@@ -128,6 +128,8 @@ std::string printed_responses(const std::vector<ResponsePeak>& peaks, bool si) {
   if (!peaks.empty()) text += "largest amplitudes:\n";
   const auto unit = [&](const std::string& quantity) {
     if (!si || quantity.starts_with("theta")) return "";
+    if (quantity == "force") return " N";
+    if (quantity.starts_with("moment")) return " N m";
     return quantity == "w" ? " m" : quantity == "K3" ? " N m^-1/2" : " N m^1/2";
   };
   for (const auto& one : peaks)

@@ -17,8 +17,8 @@ struct Table;
 /// amplitude.
 struct Response {
   double frequency;            // [1/time]
-  std::string place;           // "tip 0", or the name of a probe
-  std::string quantity;        // K1, K2, K3, w, theta_x, theta_y
+  std::string place;           // "tip 0", the name of a probe, "support left"
+  std::string quantity;        // K1, K2, K3; w, theta_x, theta_y; force, moment_x, moment_y
   std::complex<double> value;  // in the quantity's own units
   std::optional<double> error;
   bool resolved = true;

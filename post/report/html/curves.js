@@ -48,14 +48,15 @@ function response_plots() {
   if (!response?.amplitude) return [];
   const rows = response.frequency.map((_, i) => i), h = data.plate.section.thickness;
   const most = name => largest(rows.filter(i => response.quantity[i] === name).map(i => response.amplitude[i]));
-  const least = { K1: 1e-3 * Math.max(most("K1"), most("K2"), h * most("K3")), w: 0 };
+  const least = { K1: 1e-3 * Math.max(most("K1"), most("K2"), h * most("K3")), w: 0, force: 0 };
   least.K2 = least.K1, least.K3 = least.K1 / h;
-  return ["w", "K1", "K2", "K3"].map(name => {
+  const titles = { w: "Deflection of the probes", force: "Forces of the supports" };
+  return ["w", "force", "K1", "K2", "K3"].map(name => {
     const own = rows.filter(i => response.quantity[i] === name && Number.isFinite(response.amplitude[i]));
     const lines = [...grouped(own.map(i => response.place[i]), place => place)].map(([place, which]) => ({
       label: String(place), x: which.map(n => response.frequency[own[n]]), y: which.map(n => response.amplitude[own[n]]),
     })).filter(line => line.x.length > 1 && largest(line.y) > least[name]);
-    return lines.length === 0 ? null : plot({ title: `${name === "w" ? "Deflection of the probes" : name}: amplitude`, x: { label: "frequency", quantity: "frequency" }, y: { label: name, quantity: name, log: true }, lines });
+    return lines.length === 0 ? null : plot({ title: `${titles[name] ?? name}: amplitude`, x: { label: "frequency", quantity: "frequency" }, y: { label: name, quantity: name, log: true }, lines });
   });
 }
 

@@ -70,6 +70,15 @@ TEST_CASE("a response at a low frequency is the equilibrium, and its factors are
   CHECK(std::abs(K1.imag()) < 1e-6 * std::abs(tip.K1));
   const auto& probes = at_rest.table("probes").rows;
   CHECK(response(slow, "a", "w", 1e-6).real() == Approx(number(probes.at(0)[4])).epsilon(1e-7));
+  for (const auto& row : at_rest.table("reactions").rows) {
+    const auto name = std::get<std::string>(row[1]);
+    if (name == "loads") continue;
+    const auto force = response(slow, "support " + name, "force", 1e-6);
+    CHECK(force.real() == Approx(number(row[4])).epsilon(1e-6));
+    CHECK(std::abs(force.imag()) < 1e-6 * std::abs(force));
+    CHECK(response(slow, "support " + name, "moment_x", 1e-6).real() ==
+          Approx(number(row[5])).epsilon(1e-5).margin(1e-6));
+  }
   CHECK(slow.summary.outcome == "done");
   CHECK(slow.summary.resonances.empty());
   CHECK(slow.kept.frames.size() == 8);
@@ -100,6 +109,17 @@ TEST_CASE("a response is what a motion under a sine does after long") {
     const auto w = response(swings, "a", "w", frequency);
     CHECK(at(0) == Approx(w.imag()).margin(1e-3 * std::abs(w)));
     CHECK(at(10) == Approx(-w.real()).margin(1e-3 * std::abs(w)));
+    const auto reaction = [&](const std::string& support, double time) {
+      for (const auto& row : motion.table("reactions").rows)
+        if (std::abs(number(row[0]) - time) < 1e-6 * period && std::get<std::string>(row[1]) == support)
+          return number(row[4]);
+      throw std::out_of_range(support);
+    };
+    for (const auto& support : motion.summary.reactions->supports) {
+      const auto force = response(swings, "support " + support.name, "force", frequency);
+      CHECK(reaction(support.name, duration) == Approx(force.imag()).margin(5e-3 * std::abs(force)));
+      CHECK(reaction(support.name, duration - period / 4) == Approx(-force.real()).margin(5e-3 * std::abs(force)));
+    }
   }
 }
 
