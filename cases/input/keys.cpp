@@ -3,6 +3,7 @@
 #include <set>
 
 #include "cases/input/case_file.hpp"
+#include "cases/input/compatibility.hpp"
 #include "cases/input/formulations.hpp"
 #include "cases/input/validation.hpp"
 #include "geometry/shape/crack_cleanup.hpp"
@@ -137,9 +138,7 @@ void check_tips(const Case& content, Reading& reading) {
 
 void check_load_cases(const Case& content, Reading& reading) {
   auto faults = plate::faults_of_load_cases(content);
-  for (auto& fault :
-       fracture::faults_beside_load_cases(content, content.analysis, content.growth.has_value(), content.srif))
-    faults.push_back(std::move(fault));
+  for (auto& fault : fracture::faults_of_load_cases(content)) faults.push_back(std::move(fault));
   for (const auto& [key, what] : faults)
     if (key == "combination" || reading.sound(key)) reading.complain(key, what);
 }
@@ -156,14 +155,13 @@ void check_beside_analysis(const Case& content, Reading& reading) {
   const auto& [analysis, growth, srif] = std::tie(content.analysis, content.growth, content.srif);
   if (growth && reading.sound("geometry"))
     complain(fracture::faults_of_growth(content, analysis, *growth, srif, given));
-  complain(fracture::faults_of_accuracy(content, analysis, growth.has_value(), srif, content.formulation_reason));
+  complain(fracture::faults_of_accuracy(content, analysis, srif, content.formulation_reason));
   complain(plate::faults_of_heat(content));
-  if (reading.sound("section") && reading.sound("geometry"))
-    complain(fracture::faults_of_section(content, growth.has_value(), srif));
+  if (srif && reading.sound("section") && reading.sound("geometry")) complain(fracture::faults_of_section(content));
   complain(fracture::faults_of_motion(content, analysis, growth.has_value(), given));
   complain(fracture::faults_of_response(content, analysis));
-  complain(fracture::faults_beside_settlements(content, analysis));
-  complain(fracture::faults_beside_contact(content, analysis, growth.has_value()));
+  complain(fracture::faults_of_beginning(content, analysis));
+  complain(excluded(content));
 }
 
 }  // namespace

@@ -23,12 +23,9 @@ namespace {
 
 using Refuse = std::function<void(const std::string& key, const std::string& what)>;
 
-void check_impact(const plate::Problem& problem, const Analysis& analysis, const Refuse& refuse) {
+void check_impact(const plate::Problem& problem, const Refuse& refuse) {
   const auto& impact = problem.impact;
   if (!impact) return;
-  if (analysis.method == Analysis::Method::lanczos)
-    refuse("analysis.method",
-           "\"lanczos\" moves linear plates, and a mass that lifts off is none; choose \"central_difference\"");
   if (impact->velocity == 0) refuse("impact.velocity", "0 given: the mass would stay where it is");
   const auto given = plate::text_of(impact->position) + " given, ";
   if (!geometry::contains(problem.outline, impact->position))
@@ -41,29 +38,6 @@ void check_impact(const plate::Problem& problem, const Analysis& analysis, const
                                             given, i));
 }
 
-/// Checks what begins or damps a motion beside its loads.
-void check_beside(const plate::Problem& problem, const Analysis& analysis, bool grows, const Refuse& refuse) {
-  const bool mixed = analysis.precision == Analysis::Precision::mixed;
-  const bool settles =
-      std::ranges::any_of(problem.loads, [](const auto& load) { return load.kind == plate::Load::Kind::settlement; });
-  const auto alone = [&](bool given, const std::string& key) {
-    if (given && mixed) refuse("analysis.precision", "\"mixed\" given: " + key + " needs \"double\"");
-    if (given && settles) refuse(key, "is not available beside supports that settle: remove it or the settlement");
-  };
-  alone(analysis.damping.has_value(), "analysis.damping");
-  alone(problem.initial.has_value(), "initial");
-  alone(problem.impact.has_value(), "impact");
-  if (problem.lifts_off() && analysis.damping && analysis.damping->stiffness > 0)
-    refuse("analysis.damping",
-           "the stiffness of a plate on soil that lifts off changes, and cannot damp: give mass alone");
-  if (grows && analysis.damping && analysis.damping->stiffness > 0)
-    refuse("analysis.damping", "the stiffness of a plate whose cracks grow changes, and cannot damp: give mass alone");
-  if (analysis.start != Analysis::Start::equilibrium) return;
-  if (problem.initial && problem.initial->deflection.given())
-    refuse("initial.deflection", "is given beside start = \"equilibrium\", which is another deflection: remove one");
-  if (problem.loads.empty()) refuse("analysis.start", "\"equilibrium\" given, but nothing loads the plate: remove it");
-}
-
 }  // namespace
 
 std::vector<KeyFault> faults_of_response(const plate::Problem& problem, const Analysis& analysis) {
@@ -73,12 +47,6 @@ std::vector<KeyFault> faults_of_response(const plate::Problem& problem, const An
   if (const auto& kind = plate::formulation_of(problem.discretization); !kind.offers(plate::Feature::lanczos))
     refuse("analysis.kind", "\"harmonic\" given, which takes Lanczos vectors: " +
                                 kind.lacks.at(plate::Feature::lanczos) + "; choose formulation = \"galerkin\"");
-  if (problem.lifts_off())
-    refuse("foundation", "soil that lifts off has no harmonic response, as it is not linear: remove lifts_off");
-  for (std::size_t i = 0; i < problem.loads.size(); ++i)
-    if (problem.loads[i].kind == plate::Load::Kind::settlement)
-      refuse(plate::key_of_load(problem, i) + ".kind",
-             "\"settlement\" given: supports that swing are of analysis.kind = \"dynamic\"");
   return result;
 }
 
@@ -87,8 +55,9 @@ std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const Anal
   std::vector<KeyFault> result;
   const auto refuse = [&](const std::string& key, const std::string& what) { result.push_back({key, what}); };
   if (analysis.kind != Analysis::Kind::dynamic) return result;
-  check_beside(problem, analysis, grows, refuse);
-  check_impact(problem, analysis, refuse);
+  check_impact(problem, refuse);
+  if (analysis.start == Analysis::Start::equilibrium && problem.loads.empty())
+    refuse("analysis.start", "\"equilibrium\" given, but nothing loads the plate: remove it");
   if (analysis.method != Analysis::Method::lanczos) {
     if (given("analysis.tolerance"))
       refuse("analysis.tolerance", "is of method = \"lanczos\"; steps have analysis.time_step: remove it");
@@ -99,93 +68,38 @@ std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const Anal
   };
   if (analysis.time_step) complain("analysis.time_step");
   if (given("analysis.safety")) complain("analysis.safety");
-  if (analysis.precision == Analysis::Precision::mixed)
-    refuse("analysis.precision", "\"mixed\" is of method = \"central_difference\"; choose \"double\"");
   if (const auto& kind = *problem.discretization.formulation; !kind.offers(plate::Feature::lanczos) && !grows)
     refuse("analysis.method", kind.lacks.at(plate::Feature::lanczos) + "; choose \"central_difference\"");
-  if (grows)
-    refuse("analysis.method", "\"lanczos\" given: growth in motion takes steps; choose \"central_difference\"");
   return result;
 }
 
-std::vector<KeyFault> faults_beside_settlements(const plate::Problem& problem, const Analysis& analysis) {
+std::vector<KeyFault> faults_of_beginning(const plate::Problem& problem, const Analysis& analysis) {
   std::vector<KeyFault> result;
-  const bool moves = analysis.kind == Analysis::Kind::dynamic;
-  for (std::size_t i = 0; i < problem.loads.size(); ++i) {
-    const auto& load = problem.loads[i];
-    if (load.kind != plate::Load::Kind::settlement) continue;
-    const auto key = plate::key_of_load(problem, i);
-    if (moves && analysis.method == Analysis::Method::lanczos)
-      result.push_back({key + ".kind",
-                        "\"settlement\" given: supports move by steps alone; choose analysis.method = "
-                        "\"central_difference\""});
-    if (moves && analysis.start != Analysis::Start::equilibrium && plate::factor(load.history, 0) != 0)
-      result.push_back({key + ".history",
+  const bool moves = analysis.kind == Analysis::Kind::dynamic, rests = analysis.start == Analysis::Start::equilibrium;
+  for (std::size_t i = 0; i < problem.loads.size() && moves && !rests; ++i)
+    if (const auto& load = problem.loads[i];
+        load.kind == plate::Load::Kind::settlement && plate::factor(load.history, 0) != 0)
+      result.push_back({plate::key_of_load(problem, i) + ".history",
                         "moves a support at once, which takes an energy without limit: let the history begin at 0, or "
                         "start in equilibrium"});
-  }
-  return result;
-}
-
-std::vector<KeyFault> faults_beside_contact(const plate::Problem& problem, const Analysis& analysis, bool grows) {
-  std::vector<KeyFault> result;
-  const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
-    if (asked) result.push_back({key, why});
-  };
-  const bool lanczos = analysis.kind == Analysis::Kind::dynamic && analysis.method == Analysis::Method::lanczos;
-  const bool lifts = problem.lifts_off();
-  bool settles = false, moves = false;
-  for (const auto& load : problem.loads) {
-    settles = settles || load.kind == plate::Load::Kind::settlement;
-    moves = moves || load.moves();
-  }
-  refuse(lanczos && (moves || lifts), "analysis.method",
-         std::string("\"lanczos\" given: ") + (moves ? "loads that move" : "soil that lifts off") +
-             " need steps; choose \"central_difference\"");
   const bool pushes = std::ranges::any_of(
       problem.loads, [](const auto& load) { return load.moves() && plate::factor(load.history, 0) != 0; });
-  refuse(
-      pushes && analysis.start == Analysis::Start::equilibrium, "analysis.start",
-      "\"equilibrium\" given, which a load that moves is no part of: let its history begin at 0, or begin undeformed");
-  refuse(moves && settles, "load",
-         "loads that move cannot be run yet beside settlements: give them to cases of their own");
-  const std::string whole = ": remove lifts_off";
-  refuse(lifts && analysis.kind == Analysis::Kind::frequencies, "foundation",
-         "a plate that may lift off has no frequencies" + whole);
-  refuse(lifts && grows, "foundation", "cracks do not grow yet on soil that lifts off" + whole);
-  refuse(lifts && settles, "foundation", "settlements cannot be run yet beside soil that lifts off" + whole);
-  refuse(lifts && !problem.combinations.empty(), "combination",
-         "what soil touches differs from load case to load case, so that they do not add up: give their sum a [[case]] "
-         "of its own");
+  if (pushes && rests)
+    result.push_back({"analysis.start",
+                      "\"equilibrium\" given, which a load that moves is no part of: let its history begin at 0, or "
+                      "begin undeformed"});
   return result;
 }
 
-std::vector<KeyFault> faults_beside_load_cases(const plate::Problem& problem, const plate::Analysis& analysis,
-                                               bool grows, const std::optional<post::SrifOptions>& srif) {
-  std::vector<KeyFault> result;
-  if (problem.load_cases.empty() && problem.combinations.empty()) return result;
-  const auto refuse = [&](bool asked, const std::string& key, const std::string& why) {
-    if (asked) result.push_back({key, why});
-  };
-  const std::string several = "is of one load on the plate, and [[case]] gives several: ";
-  refuse(analysis.kind != plate::Analysis::Kind::static_, "case",
-         "load cases are equilibria, which add up: they need analysis.kind = \"static\"; loads in time are [[load]] "
-         "with a history");
-  refuse(grows, "growth",
-         "cracks that grow make another plate of it under every load, so that load cases neither share it nor add up: "
-         "remove it, or run each load case by itself");
-  refuse(srif && srif->accuracy, "srif.accuracy", several + "run each load case by itself, or state the spacing");
-  refuse(srif && srif->richardson, "srif.richardson", several + "run each load case by itself");
-  refuse(srif && srif->second_formulation, "srif.second_formulation", several + "run each load case by itself");
+std::vector<KeyFault> faults_of_load_cases(const plate::Problem& problem) {
   const auto& kind = plate::formulation_of(problem.discretization);
-  refuse(!kind.offers(plate::Feature::symmetry), "discretization.boundary",
-         "load cases need a symmetric stiffness (" +
-             (kind.offers(plate::Feature::symmetry) ? std::string() : kind.lacks.at(plate::Feature::symmetry)) +
-             "): choose \"images\", or run each load case by itself");
-  return result;
+  if ((problem.load_cases.empty() && problem.combinations.empty()) || kind.offers(plate::Feature::symmetry)) return {};
+  return {{"discretization.boundary", "load cases need a symmetric stiffness (" +
+                                          kind.lacks.at(plate::Feature::symmetry) +
+                                          "): choose \"images\", or run each load case by itself"}};
 }
 
-std::vector<KeyFault> faults_of_accuracy(const plate::Problem& problem, const Analysis& analysis, bool grows,
+std::vector<KeyFault> faults_of_accuracy(const plate::Problem& problem, const Analysis& analysis,
                                          const std::optional<post::SrifOptions>& srif,
                                          const std::string& formulation_reason) {
   std::vector<KeyFault> result;
@@ -196,9 +110,6 @@ std::vector<KeyFault> faults_of_accuracy(const plate::Problem& problem, const An
              "): remove it or that");
   else if (analysis.kind == Analysis::Kind::dynamic && analysis.method != Analysis::Method::lanczos)
     complain("moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety)");
-  if (grows) complain("is not available with [growth]");
-  if (srif->richardson || srif->second_formulation)
-    complain("has estimates of its own: remove srif.richardson and srif.second_formulation");
   for (const char* method : {"virtual_crack_extension", "domain_integral", "series_fit"})
     if (std::ranges::find(srif->methods, method) == srif->methods.end())
       complain(fmt::format("compares methods: add \"{}\" to srif.methods, or remove these", method));
@@ -239,20 +150,11 @@ void check_switch(const Growth& growth, const Asked& given, const Complain& comp
   if (!given("growth.duration")) complain("growth.duration", "is missing, must be a number > 0");
   if (!given("section.density"))
     complain("section.density", "is missing, must be a number > 0: the plate may begin to move");
-  if (growth.by_bonds())
-    complain("growth.unstable",
-             "\"move\" given: cracks of broken bonds cannot be handed over to a motion; choose \"stop\" or \"jump\"");
-  if (growth.control != Growth::Control::load)
-    complain("growth.control", "must be \"load\" with unstable = \"move\": the loads stay while the plate moves");
 }
 
 /// How the states between which bonds break one by one, or tips run, may be found.
 void check_analysis(const Analysis& analysis, const Growth& growth, const Complain& complain) {
-  const bool moves = analysis.kind == Analysis::Kind::dynamic;
-  if (!moves && !growth.by_bonds()) return;
-  if (analysis.precision == Analysis::Precision::mixed)
-    complain("analysis.precision", "growth is in double precision only; choose \"double\"");
-  if (moves) return;
+  if (analysis.kind == Analysis::Kind::dynamic || !growth.by_bonds()) return;
   if (analysis.method != Analysis::Method::cg)
     complain("analysis.method",
              "breaking bonds takes a solution for each, by conjugate gradients with one factor; choose \"cg\"");
@@ -280,40 +182,6 @@ void check_factors(const Growth& growth, const std::optional<post::SrifOptions>&
   if (srif && !growth.by_bonds() && !has("virtual_crack_extension") && !has("domain_integral"))
     complain("srif.methods",
              "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");
-  if (srif && srif->second_formulation)
-    complain("srif.second_formulation", "is not available with [growth]: run both cases and compare their growth.csv");
-  if (srif && srif->richardson)
-    complain("srif.richardson", "is not available with [growth]: run the case with twice the spacing");
-}
-
-/// Bonds over a horizon are judged by the energy of their curvature, in which heat has no part.
-void check_heat(const plate::Problem& problem, const Analysis& analysis, const Growth& growth,
-                const Complain& complain) {
-  if (!plate::heated(problem)) return;
-  if (growth.by_bonds())
-    complain("growth.criterion", "bonds that break one by one know no temperature: choose \"energy_release\"");
-  else if (analysis.kind == Analysis::Kind::dynamic || growth.unstable == Growth::Unstable::move)
-    complain("growth",
-             "cracks that grow in motion know no temperature: let them grow at rest, with unstable = \"stop\" "
-             "or \"jump\"");
-}
-
-/// Checks growth beside settlements and impact: the motion of supports is given, so that neither a load nor what it
-/// moves can follow the crack; a struck piece flies off.
-void check_beside(const plate::Problem& problem, const Analysis& analysis, const Growth& growth,
-                  const Complain& complain) {
-  const bool settles =
-      std::ranges::any_of(problem.loads, [](const auto& load) { return load.kind == plate::Load::Kind::settlement; });
-  if (settles && growth.by_bonds() && analysis.kind == Analysis::Kind::static_)
-    complain("growth.criterion",
-             "bonds that break one by one at rest know no supports that move: choose \"energy_release\"");
-  if (settles && growth.control != Growth::Control::load)
-    complain("growth.control", "must be \"load\" beside settlements, which say how far supports move");
-  if (settles && growth.unstable == Growth::Unstable::move)
-    complain("growth.unstable", "\"move\" is not available beside settlements: choose \"stop\" or \"jump\"");
-  if (problem.impact && growth.fallen == Growth::Fallen::freeze)
-    complain("growth.fallen",
-             "\"freeze\" would hold a piece that the mass of [impact] has struck out: choose \"move\"");
 }
 
 }  // namespace
@@ -328,8 +196,6 @@ std::vector<KeyFault> faults_of_growth(const plate::Problem& problem, const plat
   if (analysis.kind == Analysis::Kind::static_) check_switch(growth, given, complain);
   check_cracks(problem, growth, complain);
   check_factors(growth, srif, complain);
-  check_heat(problem, analysis, growth, complain);
-  check_beside(problem, analysis, growth, complain);
   return result;
 }
 
@@ -362,21 +228,10 @@ void check_tips(const plate::Problem& problem, std::vector<KeyFault>& found) {
 
 }  // namespace
 
-std::vector<KeyFault> faults_of_section(const plate::Problem& problem, bool grows,
-                                        const std::optional<post::SrifOptions>& srif) {
+std::vector<KeyFault> faults_of_section(const plate::Problem& problem) {
   std::vector<KeyFault> found;
   const auto& section = problem.section;
-  if (section.simple()) return found;
-  if (grows)
-    found.push_back({"growth",
-                     "cracks grow in one isotropic section: fracture energies and directions of others are "
-                     "not known here; remove it"});
-  if (!srif) return found;
-  if (srif->accuracy)
-    found.push_back({"srif.accuracy", "is of one isotropic section: the estimates that it goes by are measured there"});
-  if (srif->toughness && !section.isotropic())
-    found.push_back({"srif.toughness", "is one number of isotropic materials: remove it"});
-  if (!section.uniform()) check_tips(problem, found);
+  if (!section.simple() && !section.uniform()) check_tips(problem, found);
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include "cases/driver/fatigue.hpp"
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
+#include "cases/input/compatibility.hpp"
 #include "cases/input/keys.hpp"
 #include "cases/input/manual.hpp"
 #include "cases/studies/comparison.hpp"
@@ -43,7 +44,7 @@ struct Arguments {
   double load = 1, ratio = 0;
   int threads = 0, processes = 0;
   const plate::Communicator* communicator = &plate::single_process();
-  bool quiet = false, energy = false, schema = false, again = false, merge = false, resume = false;
+  bool quiet = false, energy = false, schema = false, pairs = false, again = false, merge = false, resume = false;
 };
 
 void add_threads(CLI::App& command, Arguments& a) {
@@ -147,6 +148,8 @@ int execute(const CLI::App& app, Arguments& a) {
     fmt::print("{}", a.key.empty() ? cases::template_menu() : cases::new_case(a.key, a.file));
   } else if (app.got_subcommand("manual") || app.got_subcommand("completion")) {
     fmt::print("{}", own_pages(app, a));
+  } else if (app.got_subcommand("keys") && a.pairs) {
+    fmt::print("{}", cases::exclusion_list());
   } else if (app.got_subcommand("keys") && a.schema) {
     fmt::print("{}", post::schema("A case of PDPlate", cases::keys()));
   } else if (app.got_subcommand("keys")) {
@@ -208,6 +211,7 @@ void add_pages(CLI::App& app, Arguments& a) {
   auto* keys = app.add_subcommand("keys", "the keys of a case file");
   keys->add_option("key", a.key, "only keys that contain this");
   keys->add_flag("--schema", a.schema, "all keys as a JSON schema, for editors");
+  keys->add_flag("--pairs", a.pairs, "the pairs of features that do not go together, and why");
   app.add_subcommand("manual", "this program's page for man, in roff");
   app.add_subcommand("completion", "completion of commands, options and keys in a shell")
       ->add_option("shell", a.key, "bash or fish")

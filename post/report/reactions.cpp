@@ -308,7 +308,7 @@ HarmonicReactions::HarmonicReactions(const plate::Formulation& plate, const plat
 
 HarmonicReactions::~HarmonicReactions() = default;
 
-/// Of u = A cos - B sin: velocity and acceleration are i omega and -omega^2 times (A + i B).
+/// The motion is u = A cos - B sin: its velocity and acceleration are i omega and -omega^2 times (A + i B).
 std::vector<Response> HarmonicReactions::at(double frequency, const plate::State& in_phase,
                                             const plate::State& quadrature) const {
   if (!moving_) return {};

@@ -32,20 +32,19 @@ TEST_CASE("analysis faults: steps and Lanczos vectors have keys of their own") {
   analysis.method = plate::Analysis::Method::lanczos;
   analysis.time_step = 0.1, analysis.precision = plate::Analysis::Precision::mixed;
   CHECK(keys_of(fracture::faults_of_motion(problem, analysis, false, all)) ==
-        Keys{"analysis.time_step", "analysis.safety", "analysis.precision", "analysis.method"});
+        Keys{"analysis.time_step", "analysis.safety", "analysis.method"});
 }
 
 TEST_CASE("analysis faults: what stands in the way of a stated accuracy") {
   plate::Problem problem;
   problem.discretization.formulation = plate::formulations().front();
   post::SrifOptions srif;
-  CHECK(fracture::faults_of_accuracy(problem, {}, true, srif, "").empty());
+  CHECK(fracture::faults_of_accuracy(problem, {}, srif, "").empty());
   srif.accuracy = 0.01;
-  CHECK(fracture::faults_of_accuracy(problem, {}, false, srif, "").empty());
-  CHECK(fracture::faults_of_accuracy(problem, {}, true, srif, "").size() == 1);
-  srif.richardson = true, srif.methods = {"series_fit"};
-  CHECK(fracture::faults_of_accuracy(problem, {}, false, srif, "").size() == 3);
+  CHECK(fracture::faults_of_accuracy(problem, {}, srif, "").empty());
+  srif.methods = {"series_fit"};
+  CHECK(fracture::faults_of_accuracy(problem, {}, srif, "").size() == 2);
   problem.discretization.formulation = plate::formulations().back();
-  CHECK_THAT(fracture::faults_of_accuracy(problem, {}, false, srif, "as it is").at(0).what,
+  CHECK_THAT(fracture::faults_of_accuracy(problem, {}, srif, "as it is").at(0).what,
              Catch::Contains("formulation as it is"));
 }

@@ -186,19 +186,3 @@ TEST_CASE("load cases: a load case that fails is named, and those before it are 
   CHECK_THROWS_WITH(cases::run(file, {{}, true, &kept}), Catch::Contains("dead, cg: not converged"));
   CHECK_THAT(kept.summary, Catch::Contains("\"outcome\": \"failed: dead"));
 }
-
-TEST_CASE("load cases: what they cannot go with says why") {
-  plate::Problem problem;
-  plate::Analysis moving;
-  moving.kind = plate::Analysis::Kind::dynamic;
-  CHECK(fracture::faults_beside_load_cases(problem, moving, true, {}).empty());
-  const auto c = read(cases_of_three, {"section.density=3"}).content;
-  CHECK(fracture::faults_beside_load_cases(c, c.analysis, false, c.srif).empty());
-  post::SrifOptions srif;
-  srif.accuracy = 0.01, srif.richardson = srif.second_formulation = true;
-  const auto faults = fracture::faults_beside_load_cases(c, moving, true, srif);
-  REQUIRE(faults.size() == 5);
-  CHECK(faults[0].key == "case");
-  CHECK(faults[1].key == "growth");
-  CHECK_THAT(faults[1].what, Catch::Contains("another plate"));
-}

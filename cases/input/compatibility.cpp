@@ -1,0 +1,220 @@
+#include "cases/input/compatibility.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+
+#include "cases/input/case_file.hpp"
+#include "plate/model/nodal_forces.hpp"
+
+namespace cases {
+namespace {
+
+using enum Part;
+
+constexpr std::array<std::pair<Part, std::string_view>, 30> words{{
+    {motion, "`analysis.kind = \"dynamic\"`"},
+    {frequencies, "`analysis.kind = \"frequencies\"`"},
+    {harmonic, "`analysis.kind = \"harmonic\"`"},
+    {lanczos, "motion by `analysis.method = \"lanczos\"`"},
+    {single_precision, "`analysis.precision = \"mixed\"`"},
+    {equilibrium_start, "`analysis.start = \"equilibrium\"`"},
+    {initial_deflection, "`initial.deflection`"},
+    {initial, "`[initial]`"},
+    {impact, "`[impact]`"},
+    {damping, "`analysis.damping` of a motion"},
+    {stiffness_damping, "`analysis.damping.stiffness` of a motion"},
+    {settlement, "a load of kind `\"settlement\"`"},
+    {moving_load, "a load that moves (`path`, `speed`)"},
+    {lifting_soil, "soil that lifts off (`lifts_off`)"},
+    {temperature, "a load of kind `\"temperature\"`"},
+    {load_cases, "`[[case]]`"},
+    {combinations, "`[[combination]]`"},
+    {varied_section, "plies, directions, regions or factors of the section"},
+    {directed_section, "a section with directions"},
+    {factors_to_accuracy, "`srif.accuracy`"},
+    {richardson, "`srif.richardson`"},
+    {second_formulation, "`srif.second_formulation`"},
+    {toughness, "`srif.toughness`"},
+    {growth, "`[growth]`"},
+    {growth_of_bonds, "`[growth]` by single bonds"},
+    {growth_of_bonds_at_rest, "`[growth]` by single bonds, at rest"},
+    {growth_of_heated_cracks_in_motion, "`[growth]` of tips in motion"},
+    {growth_by_displacement, "`growth.control` other than `\"load\"`"},
+    {growth_from_rest_to_motion, "`growth.unstable = \"move\"`"},
+    {frozen_pieces, "`growth.fallen = \"freeze\"`"},
+}};
+
+std::string needs_double(const char* key) {
+  return fmt::format("\"mixed\" given: {} needs \"double\"", key);
+}
+
+constexpr const char* beside_settlements = "is not available beside supports that settle: remove it or the settlement";
+constexpr const char* one_load =
+    "is of one load on the plate, and [[case]] gives several: run each load case by itself";
+constexpr const char* own_estimates = "has estimates of its own: remove srif.richardson and srif.second_formulation";
+constexpr const char* equilibria =
+    "load cases are equilibria, which add up: they need analysis.kind = \"static\"; loads in time are [[load]] with a "
+    "history";
+constexpr const char* settlements = "load[].kind";
+
+const std::vector<Exclusion> excluded_pairs{
+    {lanczos, impact, "analysis.method",
+     "\"lanczos\" moves linear plates, and a mass that lifts off is none; choose \"central_difference\""},
+    {lanczos, single_precision, "analysis.precision",
+     "\"mixed\" is of method = \"central_difference\"; choose \"double\""},
+    {lanczos, growth, "analysis.method",
+     "\"lanczos\" given: growth in motion takes steps; choose \"central_difference\""},
+    {lanczos, settlement, settlements,
+     "\"settlement\" given: supports move by steps alone; choose analysis.method = \"central_difference\""},
+    {lanczos, moving_load, "analysis.method",
+     "\"lanczos\" given: loads that move need steps; choose \"central_difference\""},
+    {lanczos, lifting_soil, "analysis.method",
+     "\"lanczos\" given: soil that lifts off needs steps; choose \"central_difference\""},
+    {single_precision, damping, "analysis.precision", needs_double("analysis.damping")},
+    {single_precision, initial, "analysis.precision", needs_double("initial")},
+    {single_precision, impact, "analysis.precision", needs_double("impact")},
+    {single_precision, growth, "analysis.precision", "growth is in double precision only; choose \"double\""},
+    {settlement, damping, "analysis.damping", beside_settlements},
+    {settlement, initial, "initial", beside_settlements},
+    {settlement, impact, "impact", beside_settlements},
+    {settlement, harmonic, settlements, "\"settlement\" given: supports that swing are of analysis.kind = \"dynamic\""},
+    {settlement, moving_load, "load",
+     "loads that move cannot be run yet beside settlements: give them to cases of their own"},
+    {settlement, growth_of_bonds_at_rest, "growth.criterion",
+     "bonds that break one by one at rest know no supports that move: choose \"energy_release\""},
+    {settlement, growth_by_displacement, "growth.control",
+     "must be \"load\" beside settlements, which say how far supports move"},
+    {settlement, growth_from_rest_to_motion, "growth.unstable",
+     "\"move\" is not available beside settlements: choose \"stop\" or \"jump\""},
+    {lifting_soil, stiffness_damping, "analysis.damping",
+     "the stiffness of a plate on soil that lifts off changes, and cannot damp: give mass alone"},
+    {lifting_soil, frequencies, "foundation", "a plate that may lift off has no frequencies: remove lifts_off"},
+    {lifting_soil, harmonic, "foundation",
+     "soil that lifts off has no harmonic response, as it is not linear: remove lifts_off"},
+    {lifting_soil, growth, "foundation", "cracks do not grow yet on soil that lifts off: remove lifts_off"},
+    {lifting_soil, settlement, "foundation",
+     "settlements cannot be run yet beside soil that lifts off: remove lifts_off"},
+    {lifting_soil, combinations, "combination",
+     "what soil touches differs from load case to load case, so that they do not add up: give their sum a [[case]] "
+     "of its own"},
+    {equilibrium_start, initial_deflection, "initial.deflection",
+     "is given beside start = \"equilibrium\", which is another deflection: remove one"},
+    {growth, stiffness_damping, "analysis.damping",
+     "the stiffness of a plate whose cracks grow changes, and cannot damp: give mass alone"},
+    {growth, second_formulation, "srif.second_formulation",
+     "is not available with [growth]: run both cases and compare their growth.csv"},
+    {growth, richardson, "srif.richardson", "is not available with [growth]: run the case with twice the spacing"},
+    {growth, factors_to_accuracy, "srif.accuracy", "is not available with [growth]"},
+    {growth, load_cases, "growth",
+     "cracks that grow make another plate of it under every load, so that load cases neither share it nor add up: "
+     "remove it, or run each load case by itself"},
+    {growth, varied_section, "growth",
+     "cracks grow in one isotropic section: fracture energies and directions of others are not known here; remove "
+     "it"},
+    {growth_of_bonds, temperature, "growth.criterion",
+     "bonds that break one by one know no temperature: choose \"energy_release\""},
+    {growth_of_heated_cracks_in_motion, temperature, "growth",
+     "cracks that grow in motion know no temperature: let them grow at rest, with unstable = \"stop\" or \"jump\""},
+    {growth_of_bonds, growth_from_rest_to_motion, "growth.unstable",
+     "\"move\" given: cracks of broken bonds cannot be handed over to a motion; choose \"stop\" or \"jump\""},
+    {growth_by_displacement, growth_from_rest_to_motion, "growth.control",
+     "must be \"load\" with unstable = \"move\": the loads stay while the plate moves"},
+    {impact, frozen_pieces, "growth.fallen",
+     "\"freeze\" would hold a piece that the mass of [impact] has struck out: choose \"move\""},
+    {load_cases, motion, "case", equilibria},
+    {load_cases, frequencies, "case", equilibria},
+    {load_cases, harmonic, "case", equilibria},
+    {load_cases, factors_to_accuracy, "srif.accuracy", std::string(one_load) + ", or state the spacing"},
+    {load_cases, richardson, "srif.richardson", one_load},
+    {load_cases, second_formulation, "srif.second_formulation", one_load},
+    {factors_to_accuracy, richardson, "srif.accuracy", own_estimates},
+    {factors_to_accuracy, second_formulation, "srif.accuracy", own_estimates},
+    {factors_to_accuracy, varied_section, "srif.accuracy",
+     "is of one isotropic section: the estimates that it goes by are measured there"},
+    {toughness, directed_section, "srif.toughness", "is one number of isotropic materials: remove it"},
+};
+
+}  // namespace
+
+const std::vector<Exclusion>& exclusions() {
+  return excluded_pairs;
+}
+
+std::string_view words_of(Part part) {
+  return std::ranges::find(words, part, &std::pair<Part, std::string_view>::first)->second;
+}
+
+std::vector<Part> parts_of(const Case& content) {
+  std::vector<Part> result;
+  const auto add = [&](bool asked, Part part) {
+    if (asked) result.push_back(part);
+  };
+  using Kind = Analysis::Kind;
+  const auto& [a, g] = std::tie(content.analysis, content.growth);
+  const auto any_load = [&](const auto& test) { return std::ranges::any_of(content.loads, test); };
+  const bool moves = a.kind == Kind::dynamic, bonds = g && g->by_bonds();
+  const bool to_motion = g && a.kind == Kind::static_ && g->unstable == fracture::Growth::Unstable::move;
+  add(moves, motion);
+  add(a.kind == Kind::frequencies, frequencies);
+  add(a.kind == Kind::harmonic, harmonic);
+  add(moves && a.method == Analysis::Method::lanczos, lanczos);
+  add((moves || bonds) && a.precision == Analysis::Precision::mixed, single_precision);
+  add(moves && a.start == Analysis::Start::equilibrium, equilibrium_start);
+  add(moves && content.initial && content.initial->deflection.given(), initial_deflection);
+  add(moves && content.initial, initial);
+  add(moves && content.impact, impact);
+  add(moves && a.damping, damping);
+  add(moves && a.damping && a.damping->stiffness > 0, stiffness_damping);
+  add(any_load([](const auto& load) { return load.kind == plate::Load::Kind::settlement; }), settlement);
+  add(any_load([](const auto& load) { return load.moves(); }), moving_load);
+  add(content.lifts_off(), lifting_soil);
+  add(plate::heated(content), temperature);
+  add(!content.load_cases.empty() || !content.combinations.empty(), load_cases);
+  add(!content.combinations.empty(), combinations);
+  add(!content.section.simple(), varied_section);
+  add(!content.section.isotropic(), directed_section);
+  if (const auto& srif = content.srif) {
+    add(srif->accuracy.has_value(), factors_to_accuracy);
+    add(srif->richardson, richardson);
+    add(srif->second_formulation, second_formulation);
+    add(srif->toughness.has_value(), toughness);
+  }
+  if (!g) return result;
+  add(true, growth);
+  add(bonds, growth_of_bonds);
+  add(bonds && a.kind == Kind::static_, growth_of_bonds_at_rest);
+  add(!bonds && (moves || to_motion), growth_of_heated_cracks_in_motion);
+  add(g->control != fracture::Growth::Control::load, growth_by_displacement);
+  add(to_motion, growth_from_rest_to_motion);
+  add(g->fallen == fracture::Growth::Fallen::freeze, frozen_pieces);
+  return result;
+}
+
+std::vector<plate::KeyFault> excluded(const Case& content) {
+  const auto parts = parts_of(content);
+  const auto has = [&](Part part) { return std::ranges::find(parts, part) != parts.end(); };
+  std::vector<plate::KeyFault> result;
+  for (const auto& [one, other, key, reason] : exclusions()) {
+    if (!has(one) || !has(other)) continue;
+    if (key != settlements) {
+      const plate::KeyFault fault{key, reason};
+      if (std::ranges::none_of(result, [&](const auto& old) { return old.key == key && old.what == reason; }))
+        result.push_back(fault);
+      continue;
+    }
+    for (std::size_t i = 0; i < content.loads.size(); ++i)
+      if (content.loads[i].kind == plate::Load::Kind::settlement)
+        result.push_back({plate::key_of_load(content, i) + ".kind", reason});
+  }
+  return result;
+}
+
+std::string exclusion_list() {
+  std::string text;
+  for (const auto& [one, other, key, reason] : exclusions())
+    text += fmt::format("- {} and {}.\n  `{}` {}\n", words_of(one), words_of(other), key, reason);
+  return text;
+}
+
+}  // namespace cases

@@ -1,0 +1,68 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plate/model/problem.hpp"
+
+namespace cases {
+
+struct Case;
+
+/// Something that a case may ask for, beside its plate and its supports.
+enum class Part {
+  motion,
+  frequencies,
+  harmonic,
+  lanczos,
+  single_precision,
+  equilibrium_start,
+  initial_deflection,
+  initial,
+  impact,
+  damping,
+  stiffness_damping,
+  settlement,
+  moving_load,
+  lifting_soil,
+  temperature,
+  load_cases,
+  combinations,
+  varied_section,
+  directed_section,
+  factors_to_accuracy,
+  richardson,
+  second_formulation,
+  toughness,
+  growth,
+  growth_of_bonds,
+  growth_of_bonds_at_rest,
+  growth_of_heated_cracks_in_motion,
+  growth_by_displacement,
+  growth_from_rest_to_motion,
+  frozen_pieces
+};
+
+/// Two parts that do not go together, the key that is to change, and the reason, as a message says it.
+struct Exclusion {
+  Part one, other;
+  std::string key;  // of settlements "load[].kind"
+  std::string reason;
+};
+
+/// All pairs of parts that are refused.
+const std::vector<Exclusion>& exclusions();
+
+/// A part in the words of case files.
+std::string_view words_of(Part part);
+
+/// The parts that a case asks for.
+std::vector<Part> parts_of(const Case& content);
+
+/// The exclusions that a case meets, by its keys.
+std::vector<plate::KeyFault> excluded(const Case& content);
+
+/// The exclusions as a list in Markdown.
+std::string exclusion_list();
+
+}  // namespace cases
