@@ -22,11 +22,13 @@ endforeach()
 
 # Cases and documents stand to each other as in the tree, so that their links hold.
 install(FILES README.md DESTINATION ${share})
-foreach(page plate/theory.md tests/README.md tests/verification/README.md tests/benchmarks/README.md .github/CHANGELOG.md
+foreach(page plate/theory.md tests/README.md tests/verification/README.md tests/verification/measured_edges_galerkin.md
+        tests/verification/measured_factors_growth.md tests/verification/measured_solvers_bonds.md tests/benchmarks/README.md .github/CHANGELOG.md
         .github/CONTRIBUTING.md .github/CITATION.cff .devcontainer/Containerfile)
   cmake_path(GET page PARENT_PATH page_folder)
   install(FILES ${page} DESTINATION ${share}/${page_folder})
 endforeach()
+install(DIRECTORY plate/theory DESTINATION ${share}/plate FILES_MATCHING PATTERN "*.md")
 install(DIRECTORY cases/ DESTINATION ${share}/cases FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv" PATTERN "*.md" PATTERN "*.png"
         PATTERN "*.svg" PATTERN driver EXCLUDE PATTERN runs EXCLUDE PATTERN input EXCLUDE PATTERN studies EXCLUDE PATTERN report EXCLUDE
         PATTERN package EXCLUDE PATTERN python EXCLUDE)
