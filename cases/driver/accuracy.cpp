@@ -51,7 +51,7 @@ FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector
 }
 
 post::AccuracyTrial trial(Ready& ready, const plate::Analysis& analysis, const post::SrifOptions& options) {
-  plate::stop_if_asked("the search for srif.accuracy");
+  plate::stop_if_asked("the search for srif.accuracy", ready.plate->communicator());
   post::AccuracyTrial result{ready.plate.get(), {}, {}, 0, 0};
   if (analysis.kind == plate::Analysis::Kind::dynamic) {
     result = in_motion(ready, analysis, options);

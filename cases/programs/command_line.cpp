@@ -134,7 +134,9 @@ std::string own_pages(const CLI::App& app, const Arguments& a) {
   }
 }
 
+/// Ranks share the plate of a run; all other commands are of the first rank alone.
 int execute(const CLI::App& app, Arguments& a) {
+  if (a.communicator->rank() > 0 && !app.got_subcommand("run")) return done;
   omp_set_num_threads(plate::sensible_threads(a.threads > 0 ? a.threads : omp_get_max_threads()));
   if (app.got_subcommand("run")) {
     const auto file = cases::read_case(a.file, overrides(a), a.communicator->distributed());
@@ -143,7 +145,7 @@ int execute(const CLI::App& app, Arguments& a) {
     if (!a.quiet)
       fmt::print("{}", post::printed(summary, file.content.units == "SI", file.content.section.thickness, folder));
   } else if (app.got_subcommand("check")) {
-    fmt::print("{}", cases::cost(cases::read_case(a.file, overrides(a)), a.processes));
+    fmt::print("{}", cases::cost(cases::read_case(a.file, overrides(a), a.processes > 0), a.processes));
   } else if (app.got_subcommand("new")) {
     fmt::print("{}", a.key.empty() ? cases::template_menu() : cases::new_case(a.key, a.file));
   } else if (app.got_subcommand("manual") || app.got_subcommand("completion")) {

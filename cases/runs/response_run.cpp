@@ -95,7 +95,8 @@ double largest_deflection(const std::pair<plate::State, plate::State>& parts, st
 void ResponseRun::look(double frequency, const std::pair<plate::State, plate::State>& parts) {
   const auto when = fmt::format("at the frequency {:g}", frequency);
   const auto& [in_phase, quadrature] = parts;
-  post::require_finite(in_phase, when), post::require_finite(quadrature, when);
+  post::require_finite(in_phase, when, plate_.communicator());
+  post::require_finite(quadrature, when, plate_.communicator());
   for (std::size_t i = 0; i < probes_.size(); ++i)
     std::ranges::move(
         post::responses_of(frequency, probes_[i], in_phase, quadrature, unknown_[1][i], plate_.section().thickness),
@@ -134,7 +135,7 @@ void ResponseRun::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
   unknown_ = response.watched_change();
   reactions_.known_to(unknown_[2].front());
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
-    plate::stop_if_asked("a response");
+    plate::stop_if_asked("a response", plate_.communicator());
     const auto parts = response.at(i);
     look(frequencies[i], parts);
     if (const double w = largest_deflection(parts, plate_.cloud().plate_points); w > largest_)

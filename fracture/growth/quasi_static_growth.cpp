@@ -1,5 +1,6 @@
 #include "fracture/growth/quasi_static_growth.hpp"
 
+#include "plate/formulation/formulation.hpp"
 #include "plate/solve/interruption.hpp"
 
 namespace fracture {
@@ -17,6 +18,10 @@ std::optional<End> end_of(const Growth& growth, const QuasiStaticModel& model, c
 }
 
 }  // namespace
+
+const plate::Communicator& QuasiStaticModel::communicator() const {
+  return plate().communicator();
+}
 
 Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
                             const std::function<void(const Equilibrium&)>& observe, const Continuation& continuation) {
@@ -54,7 +59,7 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
       return result;
     }
     if (continuation.hold) continuation.hold(load);
-    plate::stop_if_asked("a quasi-static growth");
+    plate::stop_if_asked("a quasi-static growth", model.communicator());
     if (!goes_on()) return result;
   }
 }

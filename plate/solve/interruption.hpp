@@ -24,6 +24,6 @@ public:
 bool stop_is_asked() noexcept;
 
 /// Throws Interrupted where a signal has asked any rank for the end; collective. `where` goes into the message.
-void stop_if_asked(const char* where, const Communicator& all = single_process());
+void stop_if_asked(const char* where, const Communicator& all);
 
 }  // namespace plate

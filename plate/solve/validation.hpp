@@ -28,6 +28,6 @@ std::vector<Refusal> faults_of_lengths(const Problem& problem, const Analysis& a
 
 /// Throws NumericalError of the first point with a displacement or rotation that is not finite, on every rank where one
 /// has such a point; collective.
-void require_finite(const State& state, const std::string& when, const Communicator& all = single_process());
+void require_finite(const State& state, const std::string& when, const Communicator& all);
 
 }  // namespace plate

@@ -14,8 +14,7 @@ using Named = std::initializer_list<std::pair<const char*, double>>;
 void require_finite(const Named& numbers, const std::string& when);
 void require_finite(const std::vector<Srif>& factors, const std::string& when);
 /// Displacements of all points.
-void require_finite(const plate::State& state, const std::string& when,
-                    const plate::Communicator& all = plate::single_process());
+void require_finite(const plate::State& state, const std::string& when, const plate::Communicator& all);
 
 /// Work of loads that grow slowly from zero.
 double slow_work(const plate::Formulation& plate, const plate::State& state);

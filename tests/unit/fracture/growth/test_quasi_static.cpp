@@ -22,6 +22,7 @@ public:
   bool longest() const override { return advances_ >= longest_; }
 
   const plate::Formulation& plate() const override { throw std::logic_error("a script has no points"); }
+  const plate::Communicator& communicator() const override { return plate::single_process(); }
   const plate::State& state() const override { throw std::logic_error("a script has no state"); }
   const plate::StaticSolution& solution() const override { throw std::logic_error("a script is not solved"); }
   std::optional<std::vector<post::Srif>> factors(double) override { return std::nullopt; }

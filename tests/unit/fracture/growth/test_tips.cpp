@@ -40,6 +40,7 @@ public:
       : QuasiStaticTips(growth, section, outline, spacing, std::move(cracks)), solve_(std::move(solve)) {}
 
   const plate::Formulation& plate() const override { throw std::logic_error("a formula has no points"); }
+  const plate::Communicator& communicator() const override { return plate::single_process(); }
   const plate::State& state() const override { throw std::logic_error("a formula has no state"); }
   const plate::StaticSolution& solution() const override { throw std::logic_error("a formula is not solved"); }
   std::optional<std::vector<post::Srif>> factors(double) override { return std::nullopt; }

@@ -23,12 +23,12 @@ TEST_CASE("numbers that are not finite do not pass, and are named") {
   CHECK_THROWS_AS(post::require_finite(std::vector{one}, ""), plate::NumericalError);
 
   plate::State state = plate::State::Ones(3, 7);
-  CHECK_NOTHROW(post::require_finite(state, ""));
+  CHECK_NOTHROW(post::require_finite(state, "", plate::single_process()));
   state(2, 4) = std::nan("");
-  CHECK_THROWS_WITH(post::require_finite(state, "in equilibrium"),
+  CHECK_THROWS_WITH(post::require_finite(state, "in equilibrium", plate::single_process()),
                     Catch::Contains("point 4 is not finite in equilibrium"));
   state(2, 4) = -INFINITY;
-  CHECK_THROWS_AS(post::require_finite(state, ""), plate::NumericalError);
+  CHECK_THROWS_AS(post::require_finite(state, "", plate::single_process()), plate::NumericalError);
 }
 
 TEST_CASE("the energy of a plate is the work of its loads") {
