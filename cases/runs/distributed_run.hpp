@@ -6,8 +6,7 @@
 #include "post/factors/srif.hpp"
 #include "post/files/summary.hpp"
 
-/// Runs that several processes share (plate/model/communicator.hpp): each holds a part of the plate and what it has
-/// found there. Where one process holds the whole plate, all of this leaves things as they are.
+/// Runs of a distributed plate: each rank holds a part of the plate and its results.
 namespace plate {
 class Formulation;
 }
@@ -16,15 +15,16 @@ namespace fracture {
 
 struct RunPlan;
 
-/// Feature of a run that processes cannot share yet: key of the case and why. None in one process.
+/// A feature that ranks cannot share yet: the key of the case, and why.
 struct Unshared {
   std::string key, why;
 };
+/// Features of a run that its ranks cannot share; empty for a single process.
 std::vector<Unshared> unshared(const RunPlan& plan);
-/// The same whatever this process is.
+/// Features of a run that ranks could not share, whether or not there are several now.
 std::vector<Unshared> not_for_processes(const RunPlan& plan);
 
-/// Points and bonds of all processes, each counted by its owner.
+/// Counts points and bonds of all ranks, each by its owner; collective.
 void count_all(post::Summary& summary, const plate::Formulation& plate);
 
 }  // namespace fracture

@@ -33,7 +33,7 @@ struct Problem;
 /// All foundations and springs of a problem on points in the middles of cells.
 AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Cloud& cloud);
 
-/// The same on points on the edges and between them.
+/// Foundations and springs of a problem on points that are corners of cells.
 AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Tessellation& cells);
 
 }  // namespace plate

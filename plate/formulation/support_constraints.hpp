@@ -48,7 +48,7 @@ void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const
 /// Fixes w, and of a clamp the rotations, of a point for a holder.
 void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const MovedSupports& moved);
 
-/// The same for a place next to a point: w + (x - x_k) . psi is held there, or of a clamp the point itself.
+/// Holds a place next to a point: w + (x - x_k) . psi is held there, or of a clamp the point itself.
 void hold_place(Boundary& boundary, std::uint32_t point, const geometry::Point& at, std::uint32_t holder,
                 const MovedSupports& moved);
 

@@ -83,9 +83,10 @@ private:
 /// Points of all processes that share a plate.
 std::size_t points_of_all(const Boundary& boundary);
 
-/// The same plate on points two, four, ... times as far apart, as far as it has the same pieces there and the one
-/// before still has many points. Where ranks share the plate, each level is shared out by itself, and every rank has
-/// what its points of the finer one take from it. `seen`: geometry::seen_positions() of the plate's points. Collective.
+/// Coarser levels of a plate, on points two, four, ... times as far apart, as long as a level has the same pieces as
+/// the plate and the level before has more than 4,000 points. Where ranks share the plate, each level is shared out by
+/// itself, and every rank has what its points of the finer one take from it. `seen`: geometry::seen_positions() of the
+/// plate's points. Collective.
 std::vector<GalerkinLevel> coarser_levels(const Formulation& plate, const std::vector<geometry::Point>& seen);
 
 }  // namespace plate

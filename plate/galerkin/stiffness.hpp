@@ -46,7 +46,7 @@ private:
   std::size_t members_ = 0;
   // of every bond: x_i - x_k, 1 / length, share; by members, the owner's unused
   Numbers x_, y_, inverse_, share_;
-  // Of every member, per degree of freedom: mean strains, and half of the forces that belong to them. H_ab = sum psi_a
+  // mean strains of every member per degree of freedom, and half of the forces that belong to them. H_ab = sum psi_a
   // G_b.
   std::array<Numbers, 2> G_;
   std::array<Numbers, 4> residual_;                       // share / length^2 of t_b B xx, xy, yy and of t_s e n S n
