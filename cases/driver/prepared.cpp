@@ -1,7 +1,6 @@
 #include "cases/driver/prepared.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 
 #include "cases/driver/case_plan.hpp"
@@ -70,9 +69,9 @@ void check_growing_tips(const CaseFile& file, const plate::Formulation& plate, s
   std::vector<Problem> problems;
   for (const auto& why : fracture::tips_without_rings(plate))
     if (c.analysis.kind == Analysis::Kind::dynamic)
-      warnings.push_back(why + ": it stays where it is");
+      warnings.push_back(why + " (it stays where it is)");
     else
-      problems.push_back({file.place("growth"), "growth", why + "; refine"});
+      problems.push_back({file.place("growth"), "growth", why});
   if (!problems.empty()) throw CaseError(problems);
 }
 
@@ -84,7 +83,7 @@ std::vector<post::TipMethods> tip_methods(const CaseFile& file, const plate::For
     const auto& x = plate.tips()[i].position;
     if (!result[i].works())
       problems.push_back({file.place("srif"), "srif",
-                          fmt::format("tip at ({:g}, {:g}): {}", x.x(), x.y(), fmt::join(result[i].left_out(), "; "))});
+                          fmt::format("tip at ({:g}, {:g}): {}", x.x(), x.y(), result[i].left_out().front())});
   }
   if (!problems.empty() && problems.size() == result.size()) throw CaseError(problems);
   return result;
@@ -140,11 +139,10 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
       const double limit = plate::stable_step(free, *plate, c.analysis, begin);
       steps = {limit, time_grid(file, limit)};
       if (limit < 0.2 * free && steps->grid.steps > many_steps)
-        warnings.push_back(
-            fmt::format("{} steps: damping, an impact or given motion shortens the stable step from {:.2g} to {:.2g}; "
-                        "damping by mass alone does not, and with formulation = \"galerkin\" linear plates take no "
-                        "steps (method = \"lanczos\")",
-                        steps->grid.steps, free, limit));
+        warnings.push_back(fmt::format(
+            "{} steps: damping, an impact or a given motion shortens the stable step from {:.2g} to {:.2g}; "
+            "set formulation = \"galerkin\"",
+            steps->grid.steps, free, limit));
     }
     stopwatch.lap("solve");
   }

@@ -46,8 +46,10 @@ std::vector<post::Srif> coarser_srifs(const CaseFile& file, const plate::Communi
   post::require_finite(factors, "with twice the spacing");
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
     if (!methods[tip].works())
-      warnings.push_back(fmt::format(
-          "tip {}: srif.richardson knows nothing of its errors: no method has room with twice the spacing", tip));
+      warnings.push_back(
+          fmt::format("tip {}: srif.richardson gives no error, because no method has room at twice the spacing; set "
+                      "discretization.spacing = {:.2g}",
+                      tip, c.discretization.spacing / 4));
   return factors;
 }
 
@@ -240,7 +242,7 @@ void say_doubts_of_growth(const std::filesystem::path& folder) {
   const auto summary = post::read_summary(folder / "summary.json");
   if (!summary || !summary->growth) return;
   if (summary->growth->outcome.find("not resolved") != std::string::npos)
-    post::say(fmt::format("warning: the growth ended before its cracks did: {}\n", summary->growth->outcome));
+    post::say("warning: the growth stopped unresolved, and the cycles end there; see growth.outcome in summary.json\n");
   for (const auto& warning : summary->warnings)
     if (warning.starts_with("load factors are uncertain") || warning.starts_with("directions of tips"))
       post::say(fmt::format("warning: {}\n", warning));

@@ -54,7 +54,7 @@ void replace_foretold(const plate::Formulation& bonds, std::vector<std::string>&
 
 std::string because(const plate::Problem& problem, double share) {
   if (share > 0 || !is_thin(problem)) return "";
-  return fmt::format(" (shear locking: thickness is {:.2g} spacings)",
+  return fmt::format(" (shear locking, thickness {:.2g} spacings)",
                      problem.section.thickness / problem.discretization.spacing);
 }
 
@@ -153,13 +153,13 @@ void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& 
   const auto error = deflection_error(bonds, state, *witness);
   if (error && std::abs(error->share) > told_deflection)
     warnings.push_back(
-        fmt::format("largest deflection of bonds is {} that of the Galerkin plate, which is at ({:.4g}, {:.4g}){}: {}",
+        fmt::format("largest deflection of bonds is {} that of the Galerkin plate, at ({:.4g}, {:.4g}){}; {}",
                     side_of(error->share), error->at.x(), error->at.y(), because(problem, error->share), advice));
   const double right = largest_stress(*witness->plate, witness->state);
   const double share = right > 0 ? largest_stress(bonds, state) / right - 1 : 0;
   if (std::abs(share) > told_stress)
     warnings.push_back(
-        fmt::format("largest von Mises stress of bonds is {} that of the Galerkin plate: {}", side_of(share), advice));
+        fmt::format("largest von Mises stress of bonds is {} that of the Galerkin plate; {}", side_of(share), advice));
 }
 
 void compare_under_pressure(const plate::Formulation& bonds, const plate::Problem& problem,
@@ -186,7 +186,7 @@ void compare_under_pressure(const plate::Formulation& bonds, const plate::Proble
     if (foretold.starts_with("thickness")) std::erase(warnings, foretold);
   if (std::abs(error->share) > told_deflection)
     warnings.push_back(
-        fmt::format("under a pressure at rest the largest deflection of bonds is {} that of the Galerkin plate{}: {}",
+        fmt::format("under static pressure the largest deflection of bonds is {} that of the Galerkin plate{}; {}",
                     side_of(error->share), because(problem, error->share), advice));
 }
 

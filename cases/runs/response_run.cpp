@@ -162,8 +162,8 @@ post::Summary ResponseRun::finish(post::Summary summary, plate::Stopwatch& stopw
   if (const auto cracks = post::given_cracks(plate_.paths()); !cracks.lines.empty()) recorder_.cracks(cracks, {});
   if (std::ranges::any_of(summary.response, [](const auto& one) { return one.quantity == "K1"; }))
     summary.warnings.push_back(
-        "K1 changes its sign in every period, and nothing keeps the faces of cracks from each other: as it stands the "
-        "response is that of a plate whose cracks something else holds open");
+        "K1 changes its sign in every period, and contact of crack faces is not modelled: the response is valid for "
+        "cracks held open");
   for (auto& one : post::left_out(plate_.tips(), ready_.tip_methods)) summary.warnings.push_back(std::move(one));
   summary = recorder_.finish(std::move(summary), stopwatch);
   write_report(plan_, pictures_);

@@ -247,6 +247,12 @@ void Results::mode(std::size_t number, const plate::Mode& mode) {
   frame({number, double(number), mode.shape, {}, 0, 0, 0, 0});
 }
 
+/// What to set where the points do not resolve something. Growth in motion has bonds only.
+std::string Results::remedy() const {
+  return growth_ ? fmt::format("set discretization.spacing = {:.2g}", plate_.discretization().spacing / 2)
+                 : plate_.remedy();
+}
+
 /// Tables and numbers of the growth; the cracks as they have grown.
 post::Cracks Results::finish_growth(post::Summary& summary) {
   const auto& record = growth_->record();
@@ -256,8 +262,8 @@ post::Cracks Results::finish_growth(post::Summary& summary) {
   const auto moved = growth_->moved();
   summary.growth = post::GrowthSummary{in_words(moved), moved.advances,      {},           {},
                                        moved.spent,     moved.largest_speed, moved.broken, moved.lengths};
-  for (const auto& some : {distrust_of_spent(*plan_.growth, moved, plan_.problem.section),
-                           distrust_of_directions(moved, plate_.remedy()), record.cut_places(plan_.problem)})
+  for (const auto& some : {distrust_of_spent(*plan_.growth, moved, plan_.problem.section, remedy()),
+                           distrust_of_directions(moved, remedy()), record.cut_places(plan_.problem)})
     summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
   summary.energy.emplace_back("fracture", growth_->fracture_energy());
   if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
@@ -290,8 +296,8 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   const auto crack = [&](std::size_t tip) { return std::size_t(plate_.tips()[tip].crack); };
   for (const auto& some :
        {post::left_out(plate_.tips(), tip_methods_),
-        post::distrust_of_factors(summary.srif, factors_.largest(), section.thickness, plate_.remedy()),
-        factors_.distrust(), post::tips_that_grow(summary),
+        post::distrust_of_factors(summary.srif, factors_.largest(), section.thickness, remedy()),
+        factors_.distrust(plan_.analysis.tolerance), post::tips_that_grow(summary),
         post::sinking_supports(summary.reactions, plan_.problem,
                                section.thickness * summary.deflection_over_thickness.value_or(0)),
         post::distrust_of_faces(overlaps, section, growth_ ? std::function<std::size_t(std::size_t)>() : crack,

@@ -123,6 +123,7 @@ private:
   template <typename Archive>
   void memory(Archive& archive);
   post::Cracks finish_growth(post::Summary& summary);
+  std::string remedy() const;
 
   RunPlan plan_;
   const plate::Formulation& plate_;

@@ -103,10 +103,10 @@ void look_for_coarseness(double strain, double work, const plate::Formulation& p
                          std::vector<std::string>& warnings) {
   constexpr double told = 0.01, most = 0.3;
   const double apart = std::abs(strain / work - 1);
-  const auto text = fmt::format(
-      "the strain energy is {:.1f} % off the work of the loads, which tells how coarse the points are for this plate",
-      100 * apart);
-  if (apart > most) throw plate::NumericalError(fmt::format("{}: {}", text, plate.remedy()));
+  const auto text =
+      fmt::format("the strain energy is {:.1f} % off the work of the loads: the points are coarse for this plate; {}",
+                  100 * apart, plate.remedy());
+  if (apart > most) throw plate::NumericalError(text);
   if (apart > told) warnings.push_back(text);
 }
 
@@ -116,12 +116,11 @@ void look_for_coarseness(double strain, double work, const plate::Formulation& p
 void look_at_multipliers(double share, const plate::Formulation& plate, std::vector<std::string>& warnings) {
   constexpr double told = 1, most = 2.5;
   if (share <= told) return;
-  const auto text = fmt::format(
-      "multipliers add forces of {:.2g} of the loads beside the edges: what is asked for there and equilibrium are far "
-      "apart, and the result may be off by some percent",
-      share);
-  if (share > most) throw plate::NumericalError(fmt::format("{}: {}", text, plate.remedy()));
-  warnings.push_back(fmt::format("{}; {}", text, plate.remedy()));
+  const auto text =
+      fmt::format("multipliers add forces of {:.2g} of the loads beside the edges: results may be some percent off; {}",
+                  share, plate.remedy());
+  if (share > most) throw plate::NumericalError(text);
+  warnings.push_back(text);
 }
 
 /// A run on its way.
@@ -235,8 +234,8 @@ void solve_by_lanczos(const Going& run) {
   progress.done();
   if (motion.change() > analysis.tolerance)
     summary.warnings.push_back(
-        fmt::format("{} Lanczos vectors, the most that are taken, still change the motion by {:.1e}, more than "
-                    "analysis.tolerance = {:g}: forces at a point that begin at once need many",
+        fmt::format("{} Lanczos vectors, the maximum, still change the motion by {:.1e}, above analysis.tolerance = "
+                    "{:g}; set load.rise_time of point forces",
                     motion.vectors(), motion.change(), analysis.tolerance));
   summary.analysis.iterations = motion.vectors();
   summary.analysis.residual = motion.change();

@@ -117,7 +117,8 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
     const auto srif = std::ranges::find_if(srifs, [i](const auto& one) { return one.tip == i && one.G; });
     if (srif == srifs.end())
       throw plate::NumericalError(
-          fmt::format("no energy release rate at {}: {}", name_of(tips[i]), fmt::join(methods[i].left_out(), "; ")));
+          fmt::format("no energy release rate at {}: {}", name_of(tips[i]),
+                      methods[i].left_out().empty() ? "not positive" : methods[i].left_out().front()));
     result.tips.push_back(loaded(tips[i], *srif, srifs, problem_.section));
   }
   return result;

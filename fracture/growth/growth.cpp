@@ -64,8 +64,8 @@ std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Fo
       curvature ? h >= 1.2 && h <= 15 && m >= 3 && m <= 3.1 : h >= 0.4 && h <= 50 && m >= 2.9 && m <= 5.1;
   if (!growth.apparent_toughness && growth.fracture_energy > 0 && (!measured || plate.section().poisson < 0))
     warnings.push_back(fmt::format(
-        "apparent toughness of bonds: not measured, or beyond a tenth, at a thickness of {:.3g} spacings, a horizon "
-        "of {:.3g} spacings and a Poisson's ratio of {:g} (plate/theory.md, \"Apparent toughness\")",
+        "apparent toughness of bonds was not measured at a thickness of {:.3g} spacings, a horizon of {:.3g} spacings "
+        "and Poisson's ratio {:g}; set growth.apparent_toughness",
         h, m, plate.section().poisson));
   if (std::ranges::any_of(plate.boundary().sides,
                           [](const auto& side) { return side.kind == plate::SupportKind::symmetry; }))
@@ -80,25 +80,26 @@ std::vector<std::string> tips_without_rings(const plate::Formulation& plate) {
     if (post::ringed(problem, plate.paths(), tip)) continue;
     const double clear = post::clear_distance(problem, plate.paths(), tip);
     result.push_back(
-        fmt::format("tip at ({:g}, {:g}): an edge, a load, a pin, another crack or an end of its own leaves {:.3g} "
-                    "about it, {:.3g} spacings, too little for the energy release rate that growth needs",
-                    tip.position.x(), tip.position.y(), clear, clear / problem.discretization.spacing_at_tips()));
+        fmt::format("tip at ({:g}, {:g}): {:.3g} spacings of room are too little for an energy release rate; set "
+                    "discretization.{} = {:.2g}",
+                    tip.position.x(), tip.position.y(), clear / problem.discretization.spacing_at_tips(),
+                    plate.offers(plate::Feature::graded_points) ? "tip_spacing" : "spacing", clear / 5));
   }
   return result;
 }
 
-std::vector<std::string> distrust_of_spent(const Growth& growth, const Moved& moved, const plate::Section& section) {
+std::vector<std::string> distrust_of_spent(const Growth& growth, const Moved& moved, const plate::Section& section,
+                                           const std::string& remedy) {
   constexpr double band = 0.05, fast = 0.83;  // nine tenths of the largest speed
   if (growth.by_bonds() || !moved.spent || std::abs(*moved.spent - 1) <= band) return {};
   const double speed = moved.largest_speed / section.shear_wave_speed();
   return {*moved.spent > 1 && speed > fast
-              ? fmt::format("tips took {:.2f} times the fracture energy and ran at up to {:.2f} of the speed of shear "
-                            "waves: the loads give more than one crack takes, which would branch (growth.criterion = "
-                            "\"bond_energy\")",
+              ? fmt::format("tips took {:.2f} times the fracture energy at up to {:.2f} of the speed of shear waves: a "
+                            "crack would branch; set growth.criterion = \"bond_energy\"",
                             *moved.spent, speed)
-              : fmt::format("tips took {:.2f} times the fracture energy over {} pieces of crack: their speed had not "
-                            "settled, or they ran too far; take a smaller discretization.spacing",
-                            *moved.spent, moved.advances)};
+              : fmt::format("tips took {:.2f} times the fracture energy over {} pieces of crack: their speed is not "
+                            "resolved; {}",
+                            *moved.spent, moved.advances, remedy)};
 }
 
 std::vector<std::string> distrust_of_directions(const Moved& moved, const std::string& remedy) {
@@ -106,12 +107,9 @@ std::vector<std::string> distrust_of_directions(const Moved& moved, const std::s
   if (moved.unseen)
     result.push_back("directions of tips are not known within 30 degrees: they went straight on; " + remedy);
   for (const auto& stopped : moved.stopped)
-    result.push_back(fmt::format("{}: it stopped there; {}, or growth.direction = \"straight\"", stopped, remedy));
+    result.push_back(fmt::format("{}: it stopped there; set growth.direction = \"straight\"", stopped));
   for (const auto& unsteady : moved.unsteady)
-    result.push_back(
-        fmt::format("{}: it stopped there; take a smaller discretization.spacing, or loads that set in "
-                    "more slowly",
-                    unsteady));
+    result.push_back(fmt::format("{}: it stopped there; {}", unsteady, remedy));
   return result;
 }
 

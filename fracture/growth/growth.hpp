@@ -131,10 +131,11 @@ std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Fo
 std::vector<std::string> tips_without_rings(const plate::Formulation& plate);
 
 /// Warns where the energy spent per crack area is more than 5 % from the fracture energy: the speed of the tips is then
-/// not that of a crack.
-std::vector<std::string> distrust_of_spent(const Growth& growth, const Moved& moved, const plate::Section& section);
+/// not that of a crack. `remedy`: what to set.
+std::vector<std::string> distrust_of_spent(const Growth& growth, const Moved& moved, const plate::Section& section,
+                                           const std::string& remedy);
 
-/// Tips in motion whose directions or energies are not resolved. `remedy`: Formulation::remedy().
+/// Tips in motion whose directions or energies are not resolved. `remedy`: what to set.
 std::vector<std::string> distrust_of_directions(const Moved& moved, const std::string& remedy);
 
 }  // namespace fracture

@@ -217,7 +217,7 @@ Moved MovingTips::moved() const {
       result.unsteady.push_back(
           fmt::format("{} took {:.2g} times the fracture energy over five spacings", where, spent));
     else
-      result.stopped.push_back(fmt::format("{} would turn by {:.0f} degrees, which is not known within {:.0f}", where,
+      result.stopped.push_back(fmt::format("{} would turn by {:.0f} degrees, known to {:.0f} only", where,
                                            asked * 180 / std::numbers::pi, error * 180 / std::numbers::pi));
   }
   result.unseen = cracks_.unseen();

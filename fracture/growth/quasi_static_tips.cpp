@@ -75,10 +75,9 @@ Loaded QuasiStaticTips::solve() {
 
 /// Says once that a tip has no room for a ring, and nothing ahead of it to break through to.
 std::string QuasiStaticTips::stays(const geometry::Tip& tip) {
-  const auto why =
-      fmt::format("{} has no room for an energy release rate, and nothing is near ahead of it", name_of(tip));
+  const auto why = fmt::format("{} has no room for an energy release rate", name_of(tip));
   if (std::ranges::none_of(warnings_, [&](const auto& one) { return one.starts_with(why); }))
-    warnings_.push_back(fmt::format("{}: it stays where it is; {}", why, remedy()));
+    warnings_.push_back(fmt::format("{}: it stays there; {}", why, remedy()));
   return why;
 }
 
@@ -114,12 +113,11 @@ std::string QuasiStaticTips::unresolved() {
       return fmt::format("the energy release rate at {} is not known within its own size; {}", name_of(tip), remedy());
     if (!found[i].resolved())
       return fmt::format(
-          "{} would turn by {:.0f} degrees, which is not known within {:.0f}; {}, or growth.direction = "
-          "\"straight\"",
-          name_of(tip), in_degrees(found[i].asked), in_degrees(found[i].error), remedy());
+          "{} would turn by {:.0f} degrees, known to {:.0f} only; {}, or growth.direction = \"straight\"", name_of(tip),
+          in_degrees(found[i].asked), in_degrees(found[i].error), remedy());
     if (!found[i].known() &&
         std::ranges::none_of(warnings_, [&](const auto& one) { return one.starts_with(straight); }))
-      warnings_.push_back(fmt::format("{}: they go straight on, first {}; {}", straight, name_of(tip), remedy()));
+      warnings_.push_back(fmt::format("{}: {} goes straight on; {}", straight, name_of(tip), remedy()));
   }
   return {};
 }

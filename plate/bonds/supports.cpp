@@ -248,18 +248,19 @@ void Builder::pins() {
       hold_place(b_, static_cast<std::uint32_t>(geometry::nearest_plate_point(b_.cloud, *at)), *at, pin, moved_);
 }
 
-/// One warning for all sides, of many the first ten by name.
+/// One warning for all sides, of many the first three by name.
 void warn_of_general_images(Boundary& boundary) {
+  constexpr int most = 3;  // names
   std::string names;
   int sides = 0;
   for (const auto& side : boundary.sides)
-    if (has_images(side) && !side.along_lattice() && ++sides <= 10)
+    if (has_images(side) && !side.along_lattice() && ++sides <= most)
       names += (names.empty() ? "'" : ", '") + side.name + "'";
   if (sides == 0) return;
-  if (sides > 10) names += " and " + std::to_string(sides - 10) + " more";
-  boundary.warnings.push_back((sides == 1 ? "edge " + names + " does" : "edges " + names + " do") +
-                              " not lie on a boundary between lattice cells: held by points outside that follow their "
-                              "nearest image, which is less accurate than mirror images");
+  if (sides > most) names += " and " + std::to_string(sides - most) + " more";
+  boundary.warnings.push_back((sides == 1 ? "edge " + names + " lies" : "edges " + names + " lie") +
+                              " off the lattice's cell boundaries: images are less accurate there; set formulation = "
+                              "\"galerkin\"");
 }
 
 }  // namespace

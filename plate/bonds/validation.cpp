@@ -125,8 +125,7 @@ void check_parts(const Problem& problem, const geometry::Cloud& cloud, const geo
       {Subject::spacing, 0,
        fmt::format(
            "{:g} leaves out a part of the plate: ({:.6g}, {:.6g}) on its outline is {} spacings from the nearest "
-           "point, and the cells of the points hold {:.4g} of its area of {:.4g}; parts no wider than a spacing "
-           "have no points: refine, or choose formulation = \"galerkin\"",
+           "point, and points cover {:.4g} of its area {:.4g}; refine, or choose formulation = \"galerkin\"",
            cloud.units.spacing, x.x(), x.y(),
            furthest < window ? fmt::format("{:.2g}", furthest) : fmt::format("over {:g}", window), held, all)});
 }
@@ -261,8 +260,8 @@ void check_thickness(const Formulation& plate, std::vector<std::string>& warning
   constexpr double trusted = 2.5;  // 1 % by theory (66)
   if (number <= trusted) return;
   warnings.push_back(fmt::format(
-      "thickness is 1/{:.3g} of the spacing: shear locking makes deflections some {:.2g} % too small, beside "
-      "clamped edges several times as much; set formulation = \"galerkin\"",
+      "thickness is 1/{:.3g} of the spacing: shear locking makes deflections some {:.2g} % too small, more beside "
+      "clamped edges; set formulation = \"galerkin\"",
       spacing / h, 100 * locking / (1 + locking)));
 }
 
@@ -286,8 +285,8 @@ void check_edge_layer(const Formulation& plate, bool factors, std::vector<std::s
                                         [](const auto& side) { return side.kind == SupportKind::simply_supported; });
   if (horizon <= layer || (!soft && !factors)) return;
   warnings.push_back(
-      fmt::format("horizon is {:.3g} times the layer in which twist and shear change: {} not resolved; set "
-                  "discretization.spacing = {:.2g}, or formulation = \"galerkin\"",
+      fmt::format("horizon is {:.3g} times the edge layer: {} not resolved; set discretization.spacing = {:.2g} or "
+                  "formulation = \"galerkin\"",
                   horizon / layer,
                   !soft     ? "K3 is"
                   : factors ? "K3 and soft supports are"
@@ -318,7 +317,7 @@ void check_isotropy(const Formulation& plate, std::vector<std::string>& warnings
   if (std::abs(off) <= trusted) return;
   warnings.push_back(
       fmt::format("the lattice is not isotropic at horizon_ratio {:g}: bending stiffness D11 is {:+.2g} % "
-                  "off; volume_correction = \"lattice_fitted\" removes this",
+                  "off; set volume_correction = \"lattice_fitted\"",
                   d.horizon_ratio, 100 * off));
 }
 

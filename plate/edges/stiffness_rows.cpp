@@ -287,9 +287,9 @@ void check_own_weights(const ObliqueEdges& edges, const std::vector<HeldOfNode>&
     const Point at = edges.units.from_lattice(edges.nodes[s].at);
     if (own(edges.rotation[s]) < least_of_rotation || (!held[s][0] && own(edges.deflection[s]) < least_of_deflection))
       throw Refused({{Subject::geometry, 0,
-                      fmt::format("surface nodes on an edge that is not clamped need points of the plate behind them, "
-                                  "and the corner about ({:.4g}, {:.4g}) is too sharp or too near to a point for "
-                                  "that: choose boundary = \"images\", or another spacing",
+                      fmt::format("the corner about ({:.4g}, {:.4g}) is too sharp, or too near to a point, for surface "
+                                  "nodes on edges that are not clamped: choose boundary = \"images\", or another "
+                                  "spacing",
                                   at.x(), at.y())}});
   }
 }

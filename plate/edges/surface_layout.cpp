@@ -60,7 +60,7 @@ void check_outline(const Problem& problem, EdgeMethod method) {
     refuse_plate(
         Subject::geometry,
         fmt::format("a hole or notch is {:.3g} wide at {}: {} need two horizons, {:.3g}, between edges that face "
-                    "each other, or points see what lies behind both",
+                    "each other",
                     c.gap.value, place_text(c.gap.at), words(method), 2 * horizon) +
             images + ", or a smaller spacing");
   if (c.step.value < least)
@@ -76,9 +76,8 @@ void check_outline(const Problem& problem, EdgeMethod method) {
 void check_oblique(const Problem& problem) {
   if (is_rectilinear(problem.outline)) return;
   const std::string instead =
-      " is refused with surface nodes where the plate has edges oblique to the lattice, as its error does not fall "
-      "with "
-      "the spacing: choose boundary = \"images\" or formulation = \"galerkin\"";
+      " does not converge with surface nodes where edges are oblique to the lattice: choose boundary = \"images\" or "
+      "formulation = \"galerkin\"";
   for (std::size_t k = 0; k < problem.supports.size(); ++k)
     if (problem.supports[k].kind == SupportKind::symmetry) throw Refused({{Subject::support, k, "symmetry" + instead}});
   for (std::size_t k = 0; k < problem.loads.size(); ++k)
@@ -139,9 +138,8 @@ void check_horizon(const Problem& problem, EdgeMethod method) {
   refuse_plate(
       Subject::spacing,
       fmt::format(
-          "the horizon is {:.3g} times the thickness and {:.2g} of the shorter side, or of the narrowest part "
-          "of the plate: with {} on edges like these {:g} and {:g} at most (more where all edges are clamped or "
-          "hard supported), spacing {:.3g}; or choose boundary = \"images\"",
+          "the horizon is {:.3g} times the thickness and {:.2g} of the narrowest part of the plate; {} here allow {:g} "
+          "and {:g}: choose spacing = {:.3g}, or boundary = \"images\"",
           horizon / thickness, horizon / side, words(method), of_thickness, of_side,
           problem.discretization.spacing * most / horizon));
 }
@@ -328,9 +326,10 @@ void warn_of_lengths(const Problem& problem, const SurfacePlate& plate, const st
       const double more = double(faces) * plate.bonds.spacing / length - 1;
       if (std::abs(more) > close)
         b.warnings.push_back(
-            fmt::format("the load on edge {} acts on {} cells of the lattice, {:.2g} % {} than its length, and its sum "
-                        "is off by that: take a spacing that divides it",
-                        name, faces, 100 * std::abs(more), more > 0 ? "more" : "less"));
+            fmt::format("the load on edge {} acts on {} cells of the lattice, {:.2g} % {} than its length; set "
+                        "discretization.spacing = {:.6g}",
+                        name, faces, 100 * std::abs(more), more > 0 ? "more" : "less",
+                        length / std::max(1.0, std::round(length / plate.bonds.spacing))));
     }
 }
 

@@ -187,10 +187,10 @@ std::vector<std::string> distrust_of_rotary_inertia(const Formulation& plate, do
   if (factor == 1) return {};
   const double kh = lowest_wave(plate) * plate.section().thickness, share = kh * kh / 12;
   const double lower = 1 - std::sqrt((1 + share) / (1 + factor * share));
-  return {
-      fmt::format("rotary inertia is {:g} times that of the plate: its lowest frequency is about {:.2g} % lower, those "
-                  "of shorter waves more",
-                  factor, 100 * lower)};
+  return {fmt::format(
+      "rotary inertia is {:g} times that of the plate: its lowest frequency is about {:.2g} % lower, higher "
+      "ones more; set analysis.rotary_inertia = 1",
+      factor, 100 * lower)};
 }
 
 }  // namespace plate

@@ -310,11 +310,14 @@ std::string free_motion(const Piece& piece) {
 }
 
 std::string hanging(const LoosePart& part) {
-  return fmt::format(
-      "the part of {} point{} about ({:g}, {:g}) hangs by bonds along one line through ({:g}, {:g}) and "
-      "can turn about it",
-      part.points, part.points == 1 ? "" : "s", part.position.x(), part.position.y(), part.ligament.x(),
-      part.ligament.y());
+  return fmt::format("the part of {} point{} about ({:g}, {:g}) hangs by bonds along one line through ({:g}, {:g})",
+                     part.points, part.points == 1 ? "" : "s", part.position.x(), part.position.y(), part.ligament.x(),
+                     part.ligament.y());
+}
+
+/// What gives a ligament two rows of points.
+std::string two_rows(const Formulation& plate) {
+  return fmt::format("set discretization.spacing = {:.2g}", plate.discretization().spacing / 2);
 }
 
 }  // namespace
@@ -326,8 +329,8 @@ std::vector<Refusal> loose(const Formulation& plate) {
     if (piece.free_modes > 0)
       result.push_back({whole ? Subject::support : Subject::cracks, 0,
                         whole ? "the plate is not held: " + free_motion(piece) +
-                                    "; hold an edge, or pin three points that are not on one line"
-                              : "cracks cut the plate into pieces, and " + free_motion(piece)});
+                                    "; hold an edge, or pin three points not on one line"
+                              : "cracks cut the plate: " + free_motion(piece)});
   if (!result.empty()) return result;
   if (plate.communicator().distributed() && !plate.mechanisms().searched)
     result.push_back(
@@ -337,8 +340,8 @@ std::vector<Refusal> loose(const Formulation& plate) {
   for (const auto& part : {plate.mechanisms().driven, plate.mechanisms().twisted})
     if (part && result.empty())
       result.push_back({Subject::cracks, 0,
-                        "cracks and edges leave a ligament one row of points wide, which is a hinge: " +
-                            hanging(*part) + " under the load; a finer spacing gives it two rows"});
+                        fmt::format("a ligament one row of points wide is a hinge under the load: {}; {}",
+                                    hanging(*part), two_rows(plate))});
   return result;
 }
 
@@ -357,13 +360,16 @@ std::vector<std::string> distrust_of_mechanisms(const Formulation& plate) {
   std::vector<std::string> warnings;
   if (found.twisting > 0)
     warnings.push_back(
-        fmt::format("{} point{} bonds along one line only, in ligaments one row of points wide: the "
-                    "rotation about that line has no stiffness and follows the next point",
-                    found.twisting, found.twisting == 1 ? " has" : "s have"));
+        fmt::format("{} point{} bonds along one line only: the rotation about it has no stiffness and follows the next "
+                    "point; {}",
+                    found.twisting, found.twisting == 1 ? " has" : "s have", two_rows(plate)));
   if (found.motions > 0)
-    warnings.push_back(fmt::format("parts that hang by bonds along one line can move in {} way{} without resistance{}",
-                                   found.motions, found.motions == 1 ? "" : "s",
-                                   found.driven ? ": " + hanging(*found.driven) : "; no load does so"));
+    warnings.push_back(
+        found.driven ? fmt::format("{} motion{} without resistance: {}; {}", found.motions,
+                                   found.motions == 1 ? "" : "s", hanging(*found.driven), two_rows(plate))
+                     : fmt::format("parts that hang by bonds along one line can move in {} way{} without resistance; "
+                                   "no load does so",
+                                   found.motions, found.motions == 1 ? "" : "s"));
   if (!found.searched && !plate.communicator().distributed())
     warnings.push_back(
         fmt::format("bonds along one line divide the plate into {} parts, too many to look for motions "

@@ -165,8 +165,8 @@ std::vector<std::string> distrust_of_small_holes(const Problem& problem) {
     };
     if (circle && circle->radius < least * spacing && std::ranges::any_of(problem.supports, holds))
       result.push_back(
-          fmt::format("{} is held and has a radius of {:.2g} spacings: what it holds is known to some "
-                      "percent; take discretization.hole_spacing = {:.2g}",
+          fmt::format("{} is held and has a radius of {:.2g} spacings: deflections may be some percent off; set "
+                      "discretization.hole_spacing = {:.2g}",
                       circle->name, circle->radius / spacing, circle->radius / 4));
   }
   return result;
@@ -177,14 +177,14 @@ std::vector<std::string> GalerkinPlate::distrust(bool factors) const {
   auto result = distrust_of_small_holes(problem());
   if (factors && spacing > layer / 6)
     result.push_back(
-        fmt::format("spacing at the tips is {:.2g} times the layer in which twist and shear change: K3 needs a sixth; "
-                    "set discretization.tip_spacing = {:.2g}",
+        fmt::format("spacing at the tips is {:.2g} times the edge layer, K3 needs a sixth; set "
+                    "discretization.tip_spacing = {:.2g}",
                     spacing / layer, layer / 6));
   return result;
 }
 
 std::string GalerkinPlate::remedy() const {
-  return fmt::format("take discretization.spacing or tip_spacing = {:.2g}",
+  return fmt::format("set discretization.spacing or tip_spacing = {:.2g}",
                      std::min(section().layer() / 3, discretization().spacing_at_tips() / 2));
 }
 

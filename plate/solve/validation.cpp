@@ -33,14 +33,12 @@ void check_pins(const Formulation& plate, const Analysis& analysis, Suitability&
   constexpr double least = 1, few = 5;  // spacings
   const auto wide = plate.width_of_pins();
   if (!wide || analysis.kind != Analysis::Kind::static_) return;
-  const auto said = fmt::format(
-      "the pins are within {:.2g} spacings of one line, and each acts at the nearest point of the lattice, up "
-      "to 0.7 spacings from its place",
-      *wide);
+  const auto said =
+      fmt::format("the pins are within {:.2g} spacings of one line, each acting at the nearest lattice point", *wide);
   if (*wide < least)
     result.refusals.push_back({Subject::support, 0, said + ": refine, or choose formulation = \"galerkin\""});
   else if (*wide < few)
-    result.warnings.push_back(said + ": deflections may be far off");
+    result.warnings.push_back(said + ": deflections may be far off; set formulation = \"galerkin\"");
 }
 
 /// In motion a plate may move as it is; that pieces do is worth a word.

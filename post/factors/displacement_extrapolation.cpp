@@ -151,9 +151,8 @@ DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& p
   }
   const std::size_t least = std::size_t(how.degree) + 1;
   if (samples_.size() < least)
-    throw std::invalid_argument("the window holds " + std::to_string(samples_.size()) + " samples; " +
-                                (how.degree == 1 ? "a straight line needs two" : "a parabola needs three") +
-                                ": refine, widen the window or skip fewer");
+    throw std::invalid_argument("the window holds " + std::to_string(samples_.size()) + " of " + std::to_string(least) +
+                                " samples needed: refine, widen it or skip fewer");
 }
 
 Srif DisplacementExtrapolation::operator()(const plate::State& state) const {

@@ -1,7 +1,6 @@
 #include "post/factors/plate_factors.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -271,8 +270,8 @@ std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const 
   for (std::size_t tip = 0; tip < methods.size(); ++tip) {
     const auto& x = tips[tip].position;
     if (!methods[tip].works()) {
-      result.push_back(fmt::format("tip at ({:g}, {:g}): no intensity factors: {}", x.x(), x.y(),
-                                   fmt::join(methods[tip].left_out(), "; ")));
+      result.push_back(
+          fmt::format("tip at ({:g}, {:g}): no intensity factors: {}", x.x(), x.y(), methods[tip].left_out().front()));
       continue;
     }
     for (const auto& reason : methods[tip].left_out())
@@ -289,10 +288,10 @@ std::vector<std::string> distrust_of_ligaments(const plate::Formulation& plate) 
     const double clear = clear_distance(plate.problem().outline, plate.paths(), tip, spacing);
     if (clear >= resolved * spacing) continue;
     warnings.push_back(fmt::format(
-        "tip at ({:g}, {:g}): the next edge, crack or bend is {:.2g} spacings away: what lies between is not "
-        "resolved, and deflections and the factors of all tips may be off by more than is estimated; take "
-        "discretization.spacing or tip_spacing = {:.2g}",
-        tip.position.x(), tip.position.y(), clear / spacing, clear / 4));
+        "tip at ({:g}, {:g}): the next edge, crack or bend is {:.2g} spacings away: errors may exceed their estimates; "
+        "set discretization.{} = {:.2g}",
+        tip.position.x(), tip.position.y(), clear / spacing,
+        plate.offers(plate::Feature::graded_points) ? "tip_spacing" : "spacing", clear / 4));
   }
   return warnings;
 }
@@ -304,21 +303,17 @@ std::vector<std::string> distrust_of_factors(const std::vector<Srif>& srifs, con
   for (std::size_t i = 0; i < srifs.size(); ++i) {
     const auto& srif = srifs[i];
     if (i > 0 && srifs[i - 1].tip == srif.tip) continue;
-    const auto place = fmt::format("tip {} at ({:.4g}, {:.4g})", srif.tip, srif.position.x(), srif.position.y());
+    const auto place = fmt::format("tip {} ({:.4g}, {:.4g})", srif.tip, srif.position.x(), srif.position.y());
     if (srif.G && *srif.G <= 0 && !srif.resolved[0]) {
-      warnings.push_back(
-          fmt::format("{}: no intensity factors, because the energy release rate comes out as {:.3g}, which is not "
-                      "positive; {}",
-                      place, *srif.G, remedy));
+      warnings.push_back(fmt::format("{}: no intensity factors: energy release rate {:.3g} is not positive; {}", place,
+                                     *srif.G, remedy));
       continue;
     }
     const double scale = std::max(largest_factor(srif, h), srif.tip < largest.size() ? largest[srif.tip] : 0);
     if (scale == 0) continue;
     if (of_opening(srif.method) && !srif.resolved[0]) {
       warnings.push_back(
-          fmt::format("{}: no intensity factors: too few points about it for any method but the opening of the crack, "
-                      "for which nothing vouches there; refine",
-                      place));
+          fmt::format("{}: no intensity factors: only the crack opening has enough points; {}", place, remedy));
       continue;
     }
     const auto lost = named(srif, h, scale, [&](std::size_t k, double) { return !srif.resolved[k]; });
@@ -326,12 +321,8 @@ std::vector<std::string> distrust_of_factors(const std::vector<Srif>& srifs, con
       // what was asked for counts against the largest of all tips and times
       return srif.resolved[k] && share > std::max(uncertain, srif.accuracy_reached.value_or(0) * (1 + 1e-9));
     });
-    if (!lost.empty())
-      warnings.push_back(
-          fmt::format("{}: not resolved are {} (estimated error of the largest factor); {}", place, lost, remedy));
-    if (!doubtful.empty())
-      warnings.push_back(
-          fmt::format("{}: uncertain are {} (estimated error of the largest factor); {}", place, doubtful, remedy));
+    if (!lost.empty()) warnings.push_back(fmt::format("{}: {} unresolved; {}", place, lost, remedy));
+    if (!doubtful.empty()) warnings.push_back(fmt::format("{}: {} uncertain; {}", place, doubtful, remedy));
   }
   return warnings;
 }

@@ -48,13 +48,13 @@ Table FactorRows::table(const std::vector<double>& times) {
   return result;
 }
 
-std::vector<std::string> FactorRows::distrust() const {
+std::vector<std::string> FactorRows::distrust(double tolerance) const {
   std::vector<std::string> result;
   for (std::size_t tip = 0; tip < truncated_.size(); ++tip)
     if (truncated_[tip] > 0.03)
       result.push_back(fmt::format(
-          "tip {}: Lanczos vectors leave out some {:.2g} % of the largest factor: take a smaller analysis.tolerance",
-          tip, 100 * truncated_[tip]));
+          "tip {}: Lanczos vectors leave out some {:.2g} % of the largest factor; set analysis.tolerance = {:.2g}", tip,
+          100 * truncated_[tip], tolerance / 10));
   return result;
 }
 

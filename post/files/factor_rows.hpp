@@ -35,8 +35,8 @@ public:
   std::vector<Srif> last() const { return rows_.empty() ? std::vector<Srif>{} : rows_.back(); }
   /// Largest of |K1|, |K2|, |K3| h of every tip so far, by any method.
   const std::vector<double>& largest() const { return largest_; }
-  /// Warnings of tips where truncation leaves out more than 3 % of the largest factor.
-  std::vector<std::string> distrust() const;
+  /// Warnings of tips where truncation leaves out more than 3 % of the largest factor. `tolerance`: of the analysis.
+  std::vector<std::string> distrust(double tolerance) const;
 
   /// The rows so far.
   template <typename Archive>

@@ -157,14 +157,13 @@ std::optional<double> largest_deflection(const Table& history) {
   return largest;
 }
 
-void warn_of(const ReactionSummary& reactions, std::vector<std::string>& warnings) {
+void warn_of(const ReactionSummary& reactions, double tolerance, std::vector<std::string>& warnings) {
   constexpr double close = 0.01;
   if (reactions.truncation.value_or(0) > close)
     warnings.push_back(
-        fmt::format("reactions are off by about {:.2g} % of the largest, or twice that: a motion needs more Lanczos "
-                    "vectors for them than for "
-                    "factors and deflections; take a smaller analysis.tolerance, or loads that do not set in at once",
-                    100 * *reactions.truncation));
+        fmt::format("reactions are off by about {:.2g} % of the largest, or twice that: too few Lanczos vectors; set "
+                    "analysis.tolerance = {:.2g}",
+                    100 * *reactions.truncation, tolerance / 10));
   else if (reactions.largest_residual > close)
     warnings.push_back(
         fmt::format("the reactions balance the loads to {:.2g} % only: do not rely on them more than that",
@@ -187,13 +186,13 @@ void conclude(Summary& summary, Found found) {
   if (found.options) summary.toughness = found.options->toughness;
   for (const auto& srif : summary.srif) summary.faces.push_back(at_faces(srif, found.section, summary.toughness));
   summary.reactions = found.reactions.summary();
-  if (summary.reactions) warn_of(*summary.reactions, summary.warnings);
+  if (summary.reactions) warn_of(*summary.reactions, summary.analysis.tolerance.value_or(0), summary.warnings);
   if (const auto w = largest_deflection(found.history)) {
     summary.deflection_over_thickness = *w / found.section.thickness;
     if (found.si && *summary.deflection_over_thickness > small_deflection)
       summary.warnings.push_back(fmt::format(
           "largest deflection is {:.2g} x thickness, {:.3g} m; linear plate theory is reliable up to about {:g} x "
-          "thickness; look at units and loads if this is a surprise",
+          "thickness; check units and loads",
           *summary.deflection_over_thickness, *w, small_deflection));
   }
 }
@@ -217,8 +216,8 @@ std::vector<std::string> sinking_supports(const std::optional<ReactionSummary>& 
   }
   if (worst.empty()) return {};
   return {
-      fmt::format("{} is a single point: deflections grow by {:.1g} % with every halving of the spacing; "
-                  "support a part (on) instead",
+      fmt::format("{} is a single point: deflections grow by {:.1g} % with every halving of the spacing; set "
+                  "support.on instead",
                   worst, 100 * most)};
 }
 

@@ -1,8 +1,6 @@
 #include "post/report/overlaps.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -36,19 +34,19 @@ std::map<std::size_t, std::vector<FaceRow>> rows_by_tip(const Table& srifs, std:
   return result;
 }
 
-std::string of_tip(const FaceOverlaps& tip, const plate::Section& section,
+/// Says of the tip of a crack whose K1 is least that its faces overlap; `tips`: of this crack, with K1 < 0.
+std::string of_tip(const FaceOverlaps& tip, std::size_t tips, const plate::Section& section,
                    const std::function<std::string(double time)>& row) {
+  if (row)
+    return fmt::format("K1 is negative in {} of {} rows at tip {}, first at {}: faces overlap at z > 0", tip.above,
+                       tip.rows, tip.tip, row(*tip.first_above));
   Srif least;
-  least.K1 = *tip.least;
-  const auto place = fmt::format("tip {} at ({:.4g}, {:.4g})", tip.tip, tip.position.x(), tip.position.y());
-  least.position = tip.position;
+  least.K1 = *tip.least, least.position = tip.position;
   const auto overlap = at_faces(least, section, {}).overlap;
-  const auto depth = overlap ? fmt::format("by {:.2g} thicknesses one thickness behind it",
-                                           *overlap / section.at(tip.position).thickness)
-                             : std::string("how far is not known for such a section");
-  if (!row) return fmt::format("K1 = {:.4g} at {}, {}", *tip.least, place, depth);
-  return fmt::format("at {} in {} of {} rows, first at {}, where K1 is least ({:.4g}) {}", place, tip.above, tip.rows,
-                     row(*tip.first_above), *tip.least, depth);
+  return fmt::format(
+      "K1 is negative at {} tip{}, K1 = {:.4g} at tip {} ({:.4g}, {:.4g}): faces overlap at z > 0{}", tips,
+      tips == 1 ? "" : "s", *tip.least, tip.tip, tip.position.x(), tip.position.y(),
+      overlap ? fmt::format(" by {:.2g} thicknesses", *overlap / section.at(tip.position).thickness) : "");
 }
 
 }  // namespace
@@ -80,18 +78,14 @@ std::vector<FaceOverlaps> face_overlaps(const Table& srifs) {
 std::vector<std::string> distrust_of_faces(const std::vector<FaceOverlaps>& found, const plate::Section& section,
                                            const std::function<std::size_t(std::size_t tip)>& crack,
                                            const std::function<std::string(double time)>& row) {
-  constexpr std::size_t most = 4;  // tips of a crack that are named
-  std::map<std::size_t, std::vector<std::string>> by_crack;
+  std::map<std::size_t, std::vector<const FaceOverlaps*>> by_crack;
   for (const auto& tip : found)
-    if (tip.above > 0) by_crack[crack ? crack(tip.tip) : 0].push_back(of_tip(tip, section, row));
+    if (tip.above > 0) by_crack[crack ? crack(tip.tip) : 0].push_back(&tip);
   std::vector<std::string> result;
-  for (auto& [number, tips] : by_crack) {
-    const auto all = tips.size();
-    if (all > most) tips.resize(most), tips.push_back(fmt::format("... ({} tips in all)", all));
-    result.push_back(fmt::format(
-        "{}: K1 is negative: the crack opens at z < 0, and its faces overlap at z > 0, which K1 takes for the open "
-        "side: {}; faces that touch would make the factors smaller",
-        crack ? fmt::format("crack {}", number) : "cracks", fmt::join(tips, "; ")));
+  for (const auto& [number, tips] : by_crack) {
+    const auto& worst = **std::ranges::min_element(tips, {}, [](const auto* tip) { return *tip->least; });
+    result.push_back(fmt::format("{}: {}", crack ? fmt::format("crack {}", number) : "cracks",
+                                 of_tip(worst, tips.size(), section, row)));
   }
   return result;
 }

@@ -34,7 +34,7 @@ TEST_CASE("factors: a tip without room has none and a warning, the others have t
         }) == 1);
 
   const auto of_ligament = [](const auto& text) {
-    return text.find("what lies between is not resolved") != std::string::npos;
+    return text.find("errors may exceed their estimates") != std::string::npos;
   };
   CHECK(std::ranges::count_if(summary.warnings, of_ligament) == 1);
   const auto wider = cases::run(
