@@ -186,7 +186,7 @@ void compare_under_pressure(const plate::Formulation& bonds, const plate::Proble
     if (foretold.starts_with("thickness")) std::erase(warnings, foretold);
   if (std::abs(error->share) > told_deflection)
     warnings.push_back(
-        fmt::format("under static pressure the largest deflection of bonds is {} that of the Galerkin plate{}; {}",
+        fmt::format("under static pressure largest deflection of bonds is {} that of the Galerkin plate{}; {}",
                     side_of(error->share), because(problem, error->share), advice));
 }
 

@@ -205,9 +205,9 @@ post::Summary QuasiStaticRun::finish() {
   if (grown_.ended.how == End::not_resolved && !first_factor_ && factor_ > 0) first_factor_ = factor_;
   const bool solved = state_.cols() > 0;  // else there may be no plate
   if (solved && doubt_ > much)
-    warnings_.push_back(fmt::format(
-        "load factors are uncertain: by {} % at advance {} (critical_load_factor_error); {}",
-        doubt_ >= 1 ? "100 or more" : fmt::format("{:.0f}", 100 * doubt_), doubtful_, model_->plate().remedy()));
+    warnings_.push_back(fmt::format("load factors are uncertain: by {} at advance {} (critical_load_factor_error); {}",
+                                    doubt_ >= 1 ? "100 % or more" : fmt::format("{:.0f} %", 100 * doubt_), doubtful_,
+                                    model_->plate().remedy()));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   for (auto& one : model_->record().cut_places(plan_.problem)) warnings_.push_back(std::move(one));
   const auto overlaps = post::face_overlaps(srifs_);

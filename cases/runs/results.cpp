@@ -247,7 +247,7 @@ void Results::mode(std::size_t number, const plate::Mode& mode) {
   frame({number, double(number), mode.shape, {}, 0, 0, 0, 0});
 }
 
-/// What to set where the points do not resolve something. Growth in motion has bonds only.
+/// Advice where the points do not resolve something. Growth in motion has bonds only.
 std::string Results::remedy() const {
   return growth_ ? fmt::format("set discretization.spacing = {:.2g}", plate_.discretization().spacing / 2)
                  : plate_.remedy();

@@ -103,9 +103,8 @@ void look_for_coarseness(double strain, double work, const plate::Formulation& p
                          std::vector<std::string>& warnings) {
   constexpr double told = 0.01, most = 0.3;
   const double apart = std::abs(strain / work - 1);
-  const auto text =
-      fmt::format("the strain energy is {:.1f} % off the work of the loads: the points are coarse for this plate; {}",
-                  100 * apart, plate.remedy());
+  const auto text = fmt::format("the strain energy is {:.1f} % off the work of the loads: the points are coarse; {}",
+                                100 * apart, plate.remedy());
   if (apart > most) throw plate::NumericalError(text);
   if (apart > told) warnings.push_back(text);
 }

@@ -315,7 +315,7 @@ std::string hanging(const LoosePart& part) {
                      part.ligament.y());
 }
 
-/// What gives a ligament two rows of points.
+/// Advice that gives a ligament two rows of points.
 std::string two_rows(const Formulation& plate) {
   return fmt::format("set discretization.spacing = {:.2g}", plate.discretization().spacing / 2);
 }

@@ -171,7 +171,7 @@ void TipMethods::AtTip::fit(const geometry::Tip& tip, const TipPlace& place, boo
   const auto range = fit_range(at_.section, clear, plate.spacing, plate.graded);
   if (!range) {
     no_fit_ = fmt::format(
-        "series_fit: no range of 4 spacings fits into {:.1f} spacings of room and 2 thicknesses; set discretization.{} "
+        "series_fit: no range of 4 spacings fits into {:.1f} spacings and 2 thicknesses; set discretization.{} "
         "= {:.2g}",
         clear / plate.spacing, plate.points_on_faces ? "tip_spacing" : "spacing",
         std::min(0.22 * clear, 1.7 * at_.section.layer()));

@@ -3,17 +3,59 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "post/files/frame.hpp"
+#include "tests/catch.hpp"
 
 /// What the tests of the writers share: a folder of their own, a full disk, a plate of six points.
 namespace small_run {
 
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The warnings in the text of a summary.json.
+inline std::vector<std::string> warnings_in(const std::string& json) {
+  std::vector<std::string> result;
+  const auto list = json.find("\"warnings\": [");
+  if (list == std::string::npos) return result;
+  for (auto at = json.find('[', list) + 1; at < json.size() && json[at] != ']'; ++at) {
+    if (json[at] != '"') continue;
+    auto& text = result.emplace_back();
+    while (++at < json.size() && json[at] != '"') {
+      if (json[at] == '\\') ++at;
+      text += json[at];
+    }
+  }
+  return result;
+}
+
+/// Checks that warnings in every summary.json below a folder have at most 25 words, 3 of them for "load case NAME: ".
+inline void check_length_of_warnings(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, none), end;
+       !none && entry != end; entry.increment(none)) {
+    if (entry->path().filename() != "summary.json" || !entry->is_regular_file(none)) continue;
+    for (const auto& warning : warnings_in(text_of(entry->path()))) {
+      const bool named = warning.starts_with("load case ");
+      std::istringstream words(named ? warning.substr(warning.find(": ") + 1) : warning);
+      INFO(warning);
+      CHECK(std::distance(std::istream_iterator<std::string>(words), {}) <= (named ? 22 : 25));
+    }
+  }
+}
+
+/// A folder that is removed at the end, after a look at the warnings of the runs in it.
 class TemporaryFolder {
 public:
   TemporaryFolder() {
@@ -21,7 +63,10 @@ public:
     if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder: " + name);
     path_ = name;
   }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  ~TemporaryFolder() {
+    if (std::uncaught_exceptions() == 0) check_length_of_warnings(path_);
+    std::filesystem::remove_all(path_);
+  }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
@@ -54,11 +99,6 @@ private:
   rlimit before_{};
   void (*handler_)(int);
 };
-
-inline std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// A square of four points, a triangle beside it, and a point that no cell uses.
 inline post::Mesh mesh() {
