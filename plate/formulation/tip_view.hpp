@@ -78,7 +78,7 @@ struct TipTrust {
   double doubt;          // beyond this the difference between those energies counts in full, and as a turn of K1 and K2
   double lost;           // K3 is not resolved where its error is above this share of the largest factor
   bool domain_integral;  // is always the better of the two integrals
-  double own_shear = 0;  // of K3 itself
+  double own_shear = 0;  // of K3 itself; with points on faces times 1 + their distance over the layer
   double stairs = 0;  // of the angle between a crack and the lattice, as a turn of K1 and K2 where a fit sees no step
 };
 

@@ -60,8 +60,8 @@ public:
     // what K3 takes wrongly of G is missing in K1 and K2, in proportion
     const Eigen::Vector3d unit = at_.unit_release();
     const double square =
-        2 * ((2 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2]) / unit[0];  // error of K1^2 + K2^2
-    result[2] += shares_.own_shear * std::abs(K[2]);  // which the calibration of K1 and K2 has in it
+        2 * ((1.6 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2]) / unit[0];  // error of K1^2 + K2^2
+    result[2] += own_shear() * std::abs(K[2]);  // which the calibration of K1 and K2 has in it
     if (bending > 0) result.head<2>() += (std::sqrt(bending * bending + square) / bending - 1) * K.head<2>().cwiseAbs();
     result.head<2>() += tied();
     if (bending < 0.1 * largest)
@@ -76,7 +76,7 @@ public:
     return unresolved() * largest + shares_.fits * spread(largest) +
            (G ? 1.5 * disagreement(*G) : 0.02) * K.cwiseAbs() +
            Eigen::Vector3d(shares_.turn * std::abs(K[1]) + tied()[0], shares_.turn * std::abs(K[0]) + tied()[1],
-                           shares_.own_shear * std::abs(K[2]));
+                           own_shear() * std::abs(K[2]));
   }
 
 private:
@@ -86,14 +86,18 @@ private:
     return Eigen::Vector2d::Constant(shares_.tied * at_.section.thickness * std::abs(fits_.front().K3));
   }
 
+  /// Spacing on the faces away from the tip [layers], as far as it counts.
+  double faces() const { return std::min(shares_.faces, 4.0); }
+
+  /// Error of K3 in parts of itself: the layer beside the faces is resolved by as many points as there are.
+  double own_shear() const { return shares_.own_shear * (1 + faces()); }
+
   /// Resolution errors, relative to the largest factor: those of the points between the tip and what is next to it, and
   /// of the points in the layer beside the faces, at the tip and away from it.
   Eigen::Vector3d unresolved() const {
-    constexpr double in_bending = 0.0008, in_shear = 0.0015, served = 0.5, widest = 4;  // served, widest: layers
-    const double faces = std::min(shares_.faces, widest);
-    Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least + in_bending * std::max(0.0, faces - served));
+    constexpr double in_bending = 0.0008, served = 0.5;  // layers
+    Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least + in_bending * std::max(0.0, faces() - served));
     result[2] += shares_.layer * std::pow(std::min(shares_.width, 1.5), 3);
-    if (faces > 0) result[2] += in_shear * (1 + faces);
     return result.cwiseQuotient(scale_);
   }
 

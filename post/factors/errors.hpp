@@ -19,7 +19,7 @@ struct ErrorShares {
   double faces = 0;      // spacing on the faces away from the tip [layers]
   double lost = 0.1;     // of the largest factor: an error of K3 above this leaves nothing of it
   double mixing = 0;     // of the largest factor, in K3, where the mix comes from interaction integrals
-  double own_shear = 0;  // of K3 itself
+  double own_shear = 0;  // of K3 itself, times one more than the spacing on the faces [layers]
   double tied = 0;       // 1 where K3 is zero, because a shear layer holds both faces together
   double turn = 0;       // of K1 and K2 [rad]
 };
