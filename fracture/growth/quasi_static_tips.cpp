@@ -16,7 +16,9 @@ constexpr double largest_calibration = 1.15;  // what is further off is wrong in
 constexpr double least_correction = 0.009;    // of a turn: half a degree
 constexpr double together = 0.01;  // of the largest energy release rate: twice what integrals scatter with the lattice
 constexpr double equal_release = 1e-6;  // of an energy release rate or a turn: what solvers leave between mirror images
-constexpr double contradiction = std::numbers::pi / 4;  // a turn that the end of a piece asks for after its own turn
+constexpr double longest_leg = 10, leg_step = 2.5;  // spacings: of a piece whose end does not tell how it goes on
+constexpr double contradiction =
+    std::numbers::pi / 4;  // a turn that the end of a shortest piece asks for after its own
 
 double in_degrees(double angle) {
   return angle * 180 / std::numbers::pi;
@@ -242,35 +244,63 @@ bool QuasiStaticTips::break_through() {
   return true;
 }
 
-/// A piece that turns is laid twice: the path is curved, and its end tells by how much (theory.md, "Growth").
+/// Pieces that turn are laid longer until their ends tell how they go on; where no length serves, as short as they may
+/// be.
 void QuasiStaticTips::advance(double) {
-  const auto before = cracks_;
-  const double spent = fracture_;
   std::vector<double> angles;
   for (const auto& turn : turns_of(moves_)) angles.push_back(turn.angle);
-  lay(before, angles);
-  if (std::ranges::any_of(angles, turns)) {
-    auto trial = whole_load(cracks_);
-    if (auto why = contradicted(trial, angles); !why.empty()) return stay(before, spent, std::move(why));
-    if (correct(trial, angles)) {
-      cracks_ = before, fracture_ = spent;
-      moved_.clear();
-      lay(before, angles);
-    } else {
-      solved_ = std::move(trial);
-    }
+  const Start start{cracks_, fracture_};
+  if (std::ranges::none_of(angles, turns)) {
+    lay(start, angles, shortest_leg);
+  } else {
+    bool known = false;
+    for (double leg = shortest_leg; leg <= longest_leg && !known && stuck_.empty(); leg += leg_step)
+      known = lay_twice(start, angles, leg);
+    if (!known && stuck_.empty()) lay_twice(start, angles, shortest_leg, true);
+    if (!stuck_.empty()) return;
   }
   last_given_ = plate_.given();
   ++advances_;
 }
 
-void QuasiStaticTips::lay(const std::vector<geometry::Polyline>& before, const std::vector<double>& angles) {
+/// Lays pieces that turn twice: the path is curved, and its end tells by how much (theory.md, "Growth"). Returns false
+/// where the ends do not tell how they go on, which counts unless `anyhow`.
+bool QuasiStaticTips::lay_twice(const Start& start, std::vector<double> angles, double leg, bool anyhow) {
+  lay(start, angles, leg);
+  auto trial = whole_load(cracks_);
+  if (!anyhow && !shows_directions(trial)) return false;
+  if (auto why = contradicted(trial, angles, leg); !why.empty()) {
+    stay(start, std::move(why));
+    return true;
+  }
+  if (correct(trial, angles)) {
+    lay(start, angles, leg);
+    trial = whole_load(cracks_);
+  }
+  if (!anyhow && !shows_directions(trial)) return false;
+  solved_ = std::move(trial);
+  return true;
+}
+
+/// Are the directions of the tips that have moved known within 30 degrees? A fit of the mode mix needs more room beside
+/// the bend than a ring, the more the fewer spacings the plate is thick.
+bool QuasiStaticTips::shows_directions(const LoadedPlate& trial) const {
+  for (std::size_t i = 0; i < moves_.size(); ++i)
+    if (const auto* end = moves_[i] ? end_of(trial, i) : nullptr)
+      if (!turn_of(end->factors, end->errors, growth_.direction, section_).known()) return false;
+  return true;
+}
+
+void QuasiStaticTips::lay(const Start& start, const std::vector<double>& angles, double leg) {
+  cracks_ = start.cracks, fracture_ = start.fracture;
+  moved_.clear();
   const bool long_leg = std::ranges::any_of(angles, turns);  // tips that move together go as far
   std::vector<geometry::Tip> tips;
   std::vector<std::optional<TipAdvance>> ways(plate_.tips.size());
   for (std::size_t i = 0; i < ways.size(); ++i) {
     tips.push_back(plate_.tips[i].tip);
-    if (moves_[i]) ways[i] = fracture::advance(growth_, outline_, before, spacing_, tips[i], angles[i], long_leg);
+    if (moves_[i])
+      ways[i] = fracture::advance(growth_, outline_, start.cracks, spacing_, tips[i], angles[i], long_leg, leg);
   }
   meet_halfway(tips, ways);
   for (std::size_t i = 0; i < ways.size(); ++i) {
@@ -281,8 +311,8 @@ void QuasiStaticTips::lay(const std::vector<geometry::Polyline>& before, const s
 }
 
 /// Nothing has moved.
-void QuasiStaticTips::stay(const std::vector<geometry::Polyline>& before, double spent, std::string why) {
-  cracks_ = before, fracture_ = spent, stuck_ = std::move(why);
+void QuasiStaticTips::stay(const Start& start, std::string why) {
+  cracks_ = start.cracks, fracture_ = start.fracture, stuck_ = std::move(why);
   moved_.clear();
   auto& [columns, rows] = record_.tips;
   const auto moves = record_.tips.column("moves");
@@ -298,14 +328,15 @@ const LoadedTip* QuasiStaticTips::end_of(const LoadedPlate& trial, std::size_t m
 
 /// After a turn a crack goes on smoothly: an end of a piece that asks for another large turn says that the first one
 /// was wrong.
-std::string QuasiStaticTips::contradicted(const LoadedPlate& trial, const std::vector<double>& angles) const {
+std::string QuasiStaticTips::contradicted(const LoadedPlate& trial, const std::vector<double>& angles,
+                                          double leg) const {
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const auto* end = moves_[i] ? end_of(trial, i) : nullptr;
     if (!end || !turns(angles[i])) continue;
     const double further = kink_angle(end->factors, growth_.direction, section_);
-    if (std::abs(further) > contradiction)
-      return fmt::format("{} would turn by {:.0f} degrees, and five spacings on by {:.0f} more; {}",
-                         name_of(plate_.tips[i].tip), in_degrees(angles[i]), in_degrees(further), remedy());
+    if (std::abs(further) > contradiction * shortest_leg / leg)
+      return fmt::format("{} would turn by {:.0f} degrees, and {:g} spacings on by {:.0f} more; {}",
+                         name_of(plate_.tips[i].tip), in_degrees(angles[i]), leg, in_degrees(further), remedy());
   }
   return {};
 }

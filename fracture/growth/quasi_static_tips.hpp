@@ -67,6 +67,12 @@ protected:
   std::size_t number_of(const geometry::Tip& tip) const;
 
 private:
+  /// What an advance starts from.
+  struct Start {
+    std::vector<geometry::Polyline> cracks;
+    double fracture;
+  };
+
   template <typename Archive, typename Self>
   static void memory(Archive& archive, Self& self);
   bool may_grow(const LoadedTip& tip) const;
@@ -75,13 +81,15 @@ private:
   std::string unresolved();
   std::string stays(const geometry::Tip& tip);
   const LoadedTip* end_of(const LoadedPlate& trial, std::size_t mover) const;
-  std::string contradicted(const LoadedPlate& trial, const std::vector<double>& angles) const;
+  std::string contradicted(const LoadedPlate& trial, const std::vector<double>& angles, double leg) const;
   std::vector<Turn> turns_of(const std::vector<char>& moves) const;
   void calibrate();
   double calibration() const;
   bool break_through();
-  void lay(const std::vector<geometry::Polyline>& before, const std::vector<double>& angles);
-  void stay(const std::vector<geometry::Polyline>& before, double spent, std::string why);
+  bool lay_twice(const Start& start, std::vector<double> angles, double leg, bool anyhow = false);
+  void lay(const Start& start, const std::vector<double>& angles, double leg);
+  bool shows_directions(const LoadedPlate& trial) const;
+  void stay(const Start& start, std::string why);
   bool correct(const LoadedPlate& trial, std::vector<double>& angles) const;
   void extend(const geometry::Tip& tip, const TipAdvance& step);
   void draw_cracks(double advance);

@@ -110,7 +110,6 @@ Turn turn_of(const Factors& factors, const Factors& errors, Growth::Direction di
 
 namespace {
 
-constexpr double least_leg = 5;    // spacings
 constexpr double widest_gap = 7;   // spacings: more than the smallest ring needs
 constexpr double small_turns = 5;  // times smaller, beside the long leg of another tip
 
@@ -118,13 +117,17 @@ constexpr double small_turns = 5;  // times smaller, beside the long leg of anot
 
 TipAdvance advance(const Growth& growth, const geometry::Outline& outline,
                    const std::vector<geometry::Polyline>& cracks, double spacing, const geometry::Tip& tip,
-                   double angle, bool long_leg) {
+                   double angle, bool long_leg, double leg) {
   const geometry::Point direction = turns(long_leg ? small_turns * angle : angle)
                                         ? geometry::Point(Eigen::Rotation2Dd(angle) * tip.direction)
                                         : tip.direction;
-  const double step = (long_leg ? std::max(growth.increment, least_leg) : growth.increment) * spacing;
-  if (const auto ahead = geometry::obstacle_ahead(outline, cracks, tip, direction, step + least_leg * spacing))
-    return {ahead->position, ahead->distance, ahead};
+  const double least = (long_leg ? std::max(growth.increment, shortest_leg) : growth.increment) * spacing;
+  double step = long_leg ? std::max(least, leg * spacing) : least;
+  const double room = shortest_leg * spacing;
+  if (const auto ahead = geometry::obstacle_ahead(outline, cracks, tip, direction, step + room)) {
+    if (ahead->distance <= least + room) return {ahead->position, ahead->distance, ahead};
+    step = ahead->distance - room;
+  }
   return {tip.position + step * direction, step, {}};
 }
 

@@ -52,13 +52,17 @@ struct TipAdvance {
   std::optional<geometry::Obstacle> reached;  // an edge, a hole or a crack: the tip is no more
 };
 
+/// Length of a piece after a turn, so that a ring about its tip fits beside the bend [spacings].
+inline constexpr double shortest_leg = 5;
+
 /// Straight on by the increment, or with a turn by `angle` [rad]. Turns below a degree are not made; a piece after a
 /// turn is at least five spacings long, so that a ring about its tip fits beside the bend. So is one that goes with
 /// such a piece of another tip (`long_leg`), and then turns from a fifth of a degree on are made: alike tips stay
-/// alike. A tip that would come closer than that to something ahead breaks through to it.
+/// alike. A tip that would come closer than that to something ahead breaks through to it. `leg`: asked for in the
+/// place of the five spacings, as far as what is ahead leaves room.
 TipAdvance advance(const Growth& growth, const geometry::Outline& outline,
                    const std::vector<geometry::Polyline>& cracks, double spacing, const geometry::Tip& tip,
-                   double angle, bool long_leg);
+                   double angle, bool long_leg, double leg = shortest_leg);
 
 /// Breaks through to what is nearest ahead or beside: of tips so near to an edge or a crack that no ring fits between.
 /// None where what leaves no room for a ring is neither.
