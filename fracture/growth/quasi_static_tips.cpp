@@ -24,6 +24,19 @@ double in_degrees(double angle) {
   return angle * 180 / std::numbers::pi;
 }
 
+/// Says where K3, on which the largest moment across the crack does not depend, is known and more than twice the
+/// others: their direction turns with every small change of them.
+std::string governed_by_shear(const Growth& growth, const plate::Section& section, const Factors& K,
+                              const Factors& errors) {
+  const double others = std::hypot(K.K1, K.K2), shear = std::abs(K.K3) * section.thickness;
+  if (growth.direction != Growth::Direction::tangential_moment || !(errors.K3 < std::abs(K.K3) / 2) ||
+      shear <= 2 * others)
+    return "";
+  return fmt::format(
+      "; K3 times the thickness is {:.2g} times K1 and K2 there: growth.direction = \"energy_release\" counts it",
+      shear / others);
+}
+
 }  // namespace
 
 std::string name_of(const geometry::Tip& tip) {
@@ -115,8 +128,9 @@ std::string QuasiStaticTips::unresolved() {
       return fmt::format("the energy release rate at {} is not known within its own size; {}", name_of(tip), remedy());
     if (!found[i].resolved())
       return fmt::format(
-          "{} would turn by {:.0f} degrees, known to {:.0f} only; {}, or growth.direction = \"straight\"", name_of(tip),
-          in_degrees(found[i].asked), in_degrees(found[i].error), remedy());
+          "{} would turn by {:.0f} degrees, known to {:.0f} only; {}, or growth.direction = \"straight\"{}",
+          name_of(tip), in_degrees(found[i].asked), in_degrees(found[i].error), remedy(),
+          governed_by_shear(growth_, section_, K, errors));
     if (!found[i].known() &&
         std::ranges::none_of(warnings_, [&](const auto& one) { return one.starts_with(straight); }))
       warnings_.push_back(fmt::format("{}: {} goes straight on; {}", straight, name_of(tip), remedy()));
@@ -335,8 +349,9 @@ std::string QuasiStaticTips::contradicted(const LoadedPlate& trial, const std::v
     if (!end || !turns(angles[i])) continue;
     const double further = kink_angle(end->factors, growth_.direction, section_);
     if (std::abs(further) > contradiction * shortest_leg / leg)
-      return fmt::format("{} would turn by {:.0f} degrees, and {:g} spacings on by {:.0f} more; {}",
-                         name_of(plate_.tips[i].tip), in_degrees(angles[i]), leg, in_degrees(further), remedy());
+      return fmt::format("{} would turn by {:.0f} degrees, and {:g} spacings on by {:.0f} more; {}{}",
+                         name_of(plate_.tips[i].tip), in_degrees(angles[i]), leg, in_degrees(further), remedy(),
+                         governed_by_shear(growth_, section_, end->factors, end->errors));
   }
   return {};
 }

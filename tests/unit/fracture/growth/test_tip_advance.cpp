@@ -40,6 +40,12 @@ TEST_CASE("tip advance: a piece after a turn is five spacings long, and an incre
       CHECK(way.length == Approx(length));
       CHECK((way.to - Point(4 + length * std::cos(angle), 3 + length * std::sin(angle))).norm() < 1e-14);
     }
+  // longer where it is asked for, as far as five spacings are left before what is ahead
+  const auto longer = [](double from) {
+    return advance({}, outline, cracks, spacing, {{from, 3}, {1, 0}, 0, true}, 0, true, 10).length;
+  };
+  CHECK(longer(4) == Approx(10 * spacing));
+  CHECK(longer(4.8) == Approx(7 * spacing));  // crack 1 is 12 spacings ahead
   // with the long piece of another tip, small turns are made
   CHECK(gone(1, 0.5 * degree, true).to.y() > 3.004);
   CHECK(gone(1, 0.1 * degree, true).to.y() == 3);

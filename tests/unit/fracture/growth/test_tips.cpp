@@ -275,10 +275,53 @@ TEST_CASE("quasi-static growth: an end of a piece that asks for another large tu
   // K2 stays half of K1 whatever the crack does: each piece would turn by 40 degrees more
   const auto found = grown_by_two([](std::size_t, LoadedTip& tip) { tip.factors.K2 = 0.9; }, 9);
   CHECK_THAT(found.outcome, Contains("the next advance is not resolved: the tip at (1.5, 0) would turn by"));
-  CHECK_THAT(found.outcome, Contains("five spacings on by"));
+  CHECK_THAT(found.outcome, Contains("5 spacings on by"));
   CHECK(found.advances == 0);
   CHECK(found.ledger.fracture == 0);
   CHECK(geometry::length(found.cracks[0]) == Approx(1));
+}
+
+TEST_CASE("quasi-static growth: a piece is laid longer until its end tells its direction, alike for mirror images") {
+  const auto first_piece = [](double known_from, double side) {
+    const auto found = grown_by_two(
+        [&](std::size_t i, LoadedTip& tip) {
+          const bool first = tip.tip.direction.y() == 0;  // before the first turn
+          const double piece = (tip.tip.position - geometry::Point(i == 0 ? 1.5 : 2.5, 0)).norm();
+          tip.factors.K2 = first ? (i == 0 ? 1 : -1) * side * 0.3 : 0;
+          if (!first && piece < known_from * spacing * (1 - 1e-9)) tip.errors = {1, 1, 1};
+        },
+        1);
+    CHECK(found.ledger.fracture == Approx(geometry::length(found.cracks[0]) - 1));  // toughness 1
+    const auto& crack = found.cracks[0];
+    const geometry::Point front = crack.front() - geometry::Point(1.5, 0),
+                          back = crack.back() - geometry::Point(2.5, 0);
+    // measured 1.2e-9: angles are sought to 1e-10
+    CHECK((front + geometry::Point(back.x(), -back.y())).norm() < 1e-8);  // mirror images about x = 2
+    return back;
+  };
+  for (const double side : {-1.0, 1.0}) {
+    CHECK(first_piece(0, side).norm() == Approx(5 * spacing));
+    CHECK(first_piece(6, side).norm() == Approx(7.5 * spacing));
+    CHECK(first_piece(10, side).norm() == Approx(10 * spacing));
+    CHECK(first_piece(11, side).norm() == Approx(5 * spacing));  // no length serves
+    CHECK(side * first_piece(6, side).y() > 0);
+  }
+}
+
+TEST_CASE("quasi-static growth: what a longer piece asks for after its turn contradicts it earlier") {
+  const auto outcome = [](double known_from) {
+    return grown_by_two(
+               [&](std::size_t i, LoadedTip& tip) {
+                 const bool first = tip.tip.direction.y() == 0;
+                 const double piece = (tip.tip.position - geometry::Point(i == 0 ? 1.5 : 2.5, 0)).norm();
+                 tip.factors.K2 = 0.45;  // 36 degrees
+                 if (!first && piece < known_from * spacing * (1 - 1e-9)) tip.errors = {1, 1, 1};
+               },
+               1)
+        .outcome;
+  };
+  CHECK_THAT(outcome(0), !Contains("spacings on by"));
+  CHECK_THAT(outcome(6), Contains("7.5 spacings on by"));
 }
 
 TEST_CASE("quasi-static growth: the load factor has the error of whichever tip may be the first") {
