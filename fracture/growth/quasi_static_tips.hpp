@@ -67,7 +67,7 @@ protected:
   std::size_t number_of(const geometry::Tip& tip) const;
 
 private:
-  /// What an advance starts from.
+  /// Cracks and fracture energy before an advance.
   struct Start {
     std::vector<geometry::Polyline> cracks;
     double fracture;
