@@ -36,7 +36,7 @@ Discretised discretise(const Problem& problem, const Communicator& communicator)
     return settled.discretization.formulation->discretise(settled, communicator);
   } catch (const FormulaError& error) {
     std::size_t number = 0;
-    while (problem.loads[number].formula.text() != error.formula()) ++number;
+    while (problem.loads[number].formula().text() != error.formula()) ++number;
     throw Refused({{Subject::load_expression, number, error.what()}});
   }
 }

@@ -28,7 +28,7 @@ CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const
   c.analysis = fracture::sampled(c.analysis, solver, less, c.growth.has_value());
   for (auto& load : c.loads) {
     load.history = {};  // some start from nothing, and nothing would move
-    if (load.kind == plate::Load::Kind::settlement && c.analysis.kind == Analysis::Kind::dynamic)
+    if (load.as<plate::Settlement>() && c.analysis.kind == Analysis::Kind::dynamic)
       load.history.kind = plate::History::Kind::ramp, load.history.rise_time = c.analysis.duration;  // none jumps
   }
   for (auto& soil : c.foundations) soil.lifts_off = false;  // few and wide points may tip where the plate does not

@@ -166,7 +166,7 @@ std::vector<Part> parts_of(const Case& content) {
   add(moves && content.impact, impact);
   add(moves && a.damping, damping);
   add(moves && a.damping && a.damping->stiffness > 0, stiffness_damping);
-  add(any_load([](const auto& load) { return load.kind == plate::Load::Kind::settlement; }), settlement);
+  add(any_load([](const auto& load) { return load.template as<plate::Settlement>() != nullptr; }), settlement);
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
   add(content.lifts_off(), lifting_soil);
   add(plate::heated(content), temperature);
@@ -204,7 +204,7 @@ std::vector<plate::KeyFault> excluded(const Case& content) {
       continue;
     }
     for (std::size_t i = 0; i < content.loads.size(); ++i)
-      if (content.loads[i].kind == plate::Load::Kind::settlement)
+      if (content.loads[i].as<plate::Settlement>())
         result.push_back({plate::key_of_load(content, i) + ".kind", reason});
   }
   return result;

@@ -142,7 +142,7 @@ void settle_method(Case& content, const Reading& reading) {
   const bool graded = d.tip_spacing || d.hole_spacing || reading.finds_spacing;
   const bool needs_steps =
       content.impact || content.lifts_off() || std::ranges::any_of(content.loads, [](const auto& load) {
-        return load.kind == plate::Load::Kind::settlement || load.moves();
+        return load.template as<plate::Settlement>() || load.moves();
       });
   const bool steps_asked = analysis.time_step || reading.given("analysis.safety") || needs_steps;
   // stiffness damping shortens the stable step a hundred times and more; vectors take none

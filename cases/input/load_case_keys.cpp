@@ -1,4 +1,5 @@
 #include "cases/input/keys.hpp"
+#include "cases/input/load_keys.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
 #include "post/files/whole_file.hpp"
@@ -70,6 +71,12 @@ plate::PressureTable read_table(const std::filesystem::path& path) {
 
 }  // namespace
 
+namespace {
+
+const auto table_of = OfAction(plate::PressureTable{}, [](auto& one) -> decltype((one.table)) { return one.table; });
+
+}  // namespace
+
 /// A file of pressures beside the case, and what it said when the case was resolved.
 Field<Load> table_field() {
   return value<Load>(
@@ -78,12 +85,15 @@ Field<Load> table_field() {
       [](const Value& given, Load& load) {
         const auto text = given.text();
         if (text) try {
-            load.table = read_table(given.reading().folder / *text);
+            table_of(load) = read_table(given.reading().folder / *text);
           } catch (const std::invalid_argument& error) {
             given.complain(fmt::format("\"{}\": {}", *text, error.what()));
           }
       },
-      [](const Load& load) { return load.table.given() ? quoted(load.table.file().string()) : ""; });
+      [](const Load& load) {
+        const auto& table = table_of(load);
+        return table.given() ? quoted(table.file().string()) : "";
+      });
 }
 
 Field<Load> table_digest_field() {
@@ -91,10 +101,14 @@ Field<Load> table_digest_field() {
       {"table_digest", "-", "16 digits", "", "of what the table says; where given, another table is refused"},
       [](const Value& given, Load& load) {
         const auto text = given.text();
-        if (text && load.table.given() && *text != load.table.digest())
-          given.complain(fmt::format("{} given, but the table has {}: it is another one", *text, load.table.digest()));
+        const auto& table = table_of(load);
+        if (text && table.given() && *text != table.digest())
+          given.complain(fmt::format("{} given, but the table has {}: it is another one", *text, table.digest()));
       },
-      [](const Load& load) { return load.table.given() ? quoted(load.table.digest()) : ""; });
+      [](const Load& load) {
+        const auto& table = table_of(load);
+        return table.given() ? quoted(table.digest()) : "";
+      });
 }
 
 }  // namespace cases

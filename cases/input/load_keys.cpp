@@ -31,7 +31,7 @@ Fields<plate::Spring> spring_fields() {
       [](const S& s) { return s.position ? text_of(*s.position) : ""; });
   return {
       edges<S>("the edges that springs hold: these, along or position"),
-      points("along", &S::along, 2, "a line in the plate that springs hold"),
+      points<S>("along", &S::along, 2, "a line in the plate that springs hold"),
       position,
       number<S>("deflection", "force/length^2, at a position force/length", &S::deflection, {0}, "against w"),
       number<S>("rotation_normal", "force", &S::rotation_normal, {0},
@@ -46,7 +46,7 @@ Fields<plate::Stiffener> stiffener_fields() {
   using S = plate::Stiffener;
   return {
       edges<S>("the edges that the beam runs along: these or along"),
-      points("along", &S::along, 2, "the line in the plate that the beam runs along"),
+      points<S>("along", &S::along, 2, "the line in the plate that the beam runs along"),
       number<S>("bending", "force length^2", &S::bending, {0}, "EI, against the curvature along the beam"),
       number<S>("torsion", "force length^2", &S::torsion, {0}, "GJ, against the twist along the beam"),
       number<S>("shear", "force", &S::shear, positive, "k G A; without it the beam does not shear"),
@@ -56,10 +56,17 @@ Fields<plate::Stiffener> stiffener_fields() {
 
 namespace {
 
+using plate::EdgeMoment;
+using plate::EdgeShear;
 using plate::History;
+using plate::LineLoad;
 using plate::Load;
+using plate::PointForce;
+using plate::Pressure;
+using plate::Settlement;
 using plate::Support;
 using plate::SupportKind;
+using plate::Temperature;
 
 const Words<SupportKind> support_kinds{{{"clamped", SupportKind::clamped},
                                         {"simply_supported", SupportKind::simply_supported},
@@ -71,23 +78,25 @@ const Words<SupportKind> support_kinds{{{"clamped", SupportKind::clamped},
                                         {"simply_supported_hard_layer", SupportKind::simply_supported_hard_layer},
                                         {"pinned", SupportKind::pinned}}};
 
-const Words<Load::Kind> load_kinds{{{"pressure", Load::Kind::pressure},
-                                    {"edge_moment", Load::Kind::edge_moment},
-                                    {"edge_shear", Load::Kind::edge_shear},
-                                    {"point_force", Load::Kind::point_force},
-                                    {"line_load", Load::Kind::line_load},
-                                    {"temperature", Load::Kind::temperature},
-                                    {"settlement", Load::Kind::settlement}}};
+Words<std::size_t> load_kinds() {
+  Words<std::size_t> result;
+  for (const auto& name : Load::names) result.allowed.emplace_back(name, result.allowed.size());
+  return result;
+}
 
 const Words<History::Kind> history_words{
     {{"step", History::Kind::step}, {"ramp", History::Kind::ramp}, {"sine", History::Kind::sine}}};
 
+template <class... Actions>
+bool is(const Load& load) {
+  return (std::holds_alternative<Actions>(load.action) || ...);
+}
+
 /// Keys of loads of certain kinds.
-Condition<Load> kind_is(std::vector<Load::Kind> kinds) {
-  std::vector<std::string> names;
-  for (const auto kind : kinds) names.push_back(load_kinds.name(kind));
-  return {"kind", fmt::format("kind = {}", fmt::join(names, " or ")),
-          [kinds](const Load& load) { return std::find(kinds.begin(), kinds.end(), load.kind) != kinds.end(); }};
+template <class... Actions>
+Condition<Load> kind_is() {
+  const std::vector<std::string> names{Load{Actions{}}.name()...};
+  return {"kind", fmt::format("kind = {}", fmt::join(names, " or ")), is<Actions...>};
 }
 
 Condition<Load> history_is(History::Kind kind) {
@@ -120,26 +129,53 @@ std::string history_text(const Load& load) {
   return text_of(rows);
 }
 
+// members that loads of several kinds have
+const auto value_of = OfAction(double{}, [](auto& one) -> decltype((one.value)) { return one.value; });
+const auto twist_of = OfAction(double{}, [](auto& one) -> decltype((one.twist)) { return one.twist; });
+const auto tensor_of =
+    OfAction(std::optional<std::array<double, 3>>{}, [](auto& one) -> decltype((one.tensor)) { return one.tensor; });
+const auto gravity_of =
+    OfAction(std::optional<double>{}, [](auto& one) -> decltype((one.gravity)) { return one.gravity; });
+const auto level_of = OfAction(std::optional<double>{}, [](auto& one) -> decltype((one.level)) { return one.level; });
+const auto gradient_of =
+    OfAction(geometry::Point(0, 0), [](auto& one) -> decltype((one.gradient)) { return one.gradient; });
+const auto from_of = OfAction(geometry::Point(0, 0), [](auto& one) -> decltype((one.from)) { return one.from; });
+const auto position_of =
+    OfAction(geometry::Point(0, 0), [](auto& one) -> decltype((one.position)) { return one.position; });
+const auto slope_of = OfAction(geometry::Point(0, 0), [](auto& one) -> decltype((one.slope)) { return one.slope; });
+const auto patch_of =
+    OfAction(std::optional<geometry::Hole>{}, [](auto& one) -> decltype((one.patch)) { return one.patch; });
+const auto along_of = OfAction(geometry::Polyline{}, [](auto& one) -> decltype((one.along)) { return one.along; });
+const auto path_of = OfAction(geometry::Polyline{}, [](auto& one) -> decltype((one.path)) { return one.path; });
+const auto speed_of = OfAction(double{}, [](auto& one) -> decltype((one.speed)) { return one.speed; });
+const auto edges_of =
+    OfAction(std::vector<std::string>{}, [](auto& one) -> decltype((one.edges)) { return one.edges; });
+const auto formula_in = OfAction(plate::Formula{}, [](auto& one) -> decltype((one.formula)) { return one.formula; });
+const auto support_of = OfAction(std::size_t{}, [](auto& one) -> decltype((one.support)) { return one.support; });
+const auto rotation_of = OfAction(double{}, [](auto& one) -> decltype((one.rotation)) { return one.rotation; });
+
 Field<Load> tensor() {
   return value<Load>(
       {"tensor", "force", "[Mxx, Myy, Mxy]", "", "moments of a uniform field on the edges, instead of value and twist"},
       [](const Value& given, Load& load) {
         const auto moments = given.numbers(3, "[Mxx, Myy, Mxy]");
-        if (!moments) return;
-        load.tensor = {(*moments)[0], (*moments)[1], (*moments)[2]};
-        load.has_tensor = true;
+        if (moments) tensor_of(load) = {(*moments)[0], (*moments)[1], (*moments)[2]};
       },
       [](const Load& load) {
-        if (!load.has_tensor) return std::string();
-        return fmt::format("[{}, {}, {}]", number_text(load.tensor[0]), number_text(load.tensor[1]),
-                           number_text(load.tensor[2]));
+        const auto& tensor = tensor_of(load);
+        if (!tensor) return std::string();
+        return fmt::format("[{}, {}, {}]", number_text((*tensor)[0]), number_text((*tensor)[1]),
+                           number_text((*tensor)[2]));
       });
 }
 
-Field<Load> point(const std::string& name, const std::string& unit, geometry::Point Load::*member,
-                  const std::string& allowed, const std::string& help) {
-  const auto read = [member](const Value& given, Load& load) { load.*member = given.point().value_or(load.*member); };
-  return value<Load>({name, unit, allowed, "", help}, read, [=](const Load& load) { return text_of(load.*member); });
+template <class Project>
+Field<Load> point(const std::string& name, const std::string& unit, Project project, const std::string& allowed,
+                  const std::string& help) {
+  const auto read = [=](const Value& given, Load& load) {
+    if (const auto found = given.point()) project(load) = *found;
+  };
+  return value<Load>({name, unit, allowed, "", help}, read, [=](const Load& load) { return text_of(project(load)); });
 }
 
 }  // namespace
@@ -160,16 +196,29 @@ Field<Load> expression() {
       {"expression", "force/length^2, temperature", "an expression in x, y and pi", "",
        "the pressure or temperature, as \"100 * sin(pi * x / 2)\""},
       [](const Value& given, Load& load) {
-        if (const auto formula = formula_of(given)) load.formula = *formula;
+        if (const auto formula = formula_of(given)) formula_in(load) = *formula;
       },
-      [](const Load& load) { return load.formula.given() ? quoted(load.formula.text()) : ""; });
+      [](const Load& load) { return load.formula().given() ? quoted(load.formula().text()) : ""; });
+}
+
+Field<Load> load_kind() {
+  const auto words = load_kinds();
+  return value<Load>(
+             {"kind", "-", "one of " + words.text(), "", "what acts; see \"Loads\" and \"Signs\""},
+             [words](const Value& given, Load& load) {
+               const auto text = given.text();
+               if (const auto found = text ? words.find(given, *text) : std::nullopt) load.action = Load::made(*found);
+             },
+             [](const Load& load) { return quoted(load.name()); })
+      .required();
 }
 
 /// A value or twist: absent from what is written where a tensor replaces it.
-Field<Load> amount(const std::string& name, const std::string& unit, double Load::*member, const std::string& help) {
-  auto field = number<Load>(name, unit, member, finite, help);
+template <class Project>
+Field<Load> amount(const std::string& name, const std::string& unit, Project project, const std::string& help) {
+  auto field = number<Load>(name, unit, project, finite, help);
   field.write = [write = field.write](const Load& load, Analysis::Kind kind) {
-    return load.has_tensor ? std::string() : write(load, kind);
+    return tensor_of(load) ? std::string() : write(load, kind);
   };
   return field;
 }
@@ -186,8 +235,9 @@ Fields<Support> support_fields() {
       choice<Support, SupportKind>("kind", &Support::kind, support_kinds, "how the edge is held; see \"Supports\"")
           .required(),
       edges<Support>("the edges that are held, each by one support").with(of_edges),
-      points("points", &Support::points, 1, "points in the plate or on its boundary that are held").with(inside),
-      points("along", &Support::along, 2, "a line in the plate that is held").with(inside),
+      points<Support>("points", &Support::points, 1, "points in the plate or on its boundary that are held")
+          .with(inside),
+      points<Support>("along", &Support::along, 2, "a line in the plate that is held").with(inside),
       table<Support, geometry::Hole>(
           "on", Layout::inline_, &Support::patch,
           hole_fields("the disc of the plate that is held", "the polygon of the plate that is held"), check_hole)
@@ -199,82 +249,82 @@ namespace {
 
 /// Fields for the kind and the amount of a load.
 Fields<Load> amount_fields() {
-  using enum Load::Kind;
-  const auto valued = [](const Load& load) { return !load.evaluated() && !load.gravity; };
+  const auto valued = [](const Load& load) {
+    const auto* pressure = load.as<Pressure>();
+    return !load.formula().given() && !(pressure && (pressure->table.given() || pressure->gravity));
+  };
   const Condition<Load> with_value{"kind", "kind = pressure with a value",
-                                   [valued](const Load& load) { return load.kind == pressure && valued(load); }};
+                                   [valued](const Load& load) { return is<Pressure>(load) && valued(load); }};
   const Condition<Load> by_value{"kind", "kind = pressure with a value, without level", [valued](const Load& load) {
-                                   return load.kind == pressure && valued(load) && !load.level;
+                                   return is<Pressure>(load) && valued(load) && !load.as<Pressure>()->level;
                                  }};
   const Condition<Load> from_somewhere{
       "kind", "kind = pressure with a value, without level, or settlement",
-      [by_value](const Load& load) { return by_value.holds(load) || load.kind == settlement; }};
+      [by_value](const Load& load) { return by_value.holds(load) || is<Settlement>(load); }};
   return {
-      choice<Load, Load::Kind>("kind", &Load::kind, load_kinds, "what acts; see \"Loads\" and \"Signs\"").required(),
-      expression().with(kind_is({pressure, temperature})),
+      load_kind(),
+      expression().with(kind_is<Pressure, Temperature>()),
       table_field().with({"kind", "kind = pressure without expression",
-                          [](const Load& load) { return load.kind == pressure && !load.formula.given(); }}),
-      table_digest_field().with({"table", "table", [](const Load& load) { return load.table.given(); }}),
-      number<Load>("gravity", "length/time^2", &Load::gravity, finite,
+                          [](const Load& load) { return is<Pressure>(load) && !load.formula().given(); }}),
+      table_digest_field().with(
+          {"table", "table",
+           [](const Load& load) { return is<Pressure>(load) && load.as<Pressure>()->table.given(); }}),
+      number<Load>("gravity", "length/time^2", gravity_of, finite,
                    "own weight: the pressure is density thickness gravity, along w")
           .with({"kind", "kind = pressure without expression and table",
-                 [](const Load& load) { return load.kind == pressure && !load.evaluated(); }}),
-      amount("value", "force/length^2, force, force/length, force, force/length, temperature, length", &Load::value,
+                 [](const Load& load) { return is<Pressure>(load) && !load.as<Pressure>()->evaluated(); }}),
+      amount("value", "force/length^2, force, force/length, force, force/length, temperature, length", value_of,
              "pressure, edge moment per length, edge shear per length, point force, force per length of a line, "
              "temperature of the face z > 0 less that of the other, deflection of a support")
           .with({"kind", "neither expression, table nor gravity", valued})
           .standard("required without tensor, expression, table and gravity"),
-      number<Load>("level", "length", &Load::level, finite,
+      number<Load>("level", "length", level_of, finite,
                    "the y up to which a fluid stands: the pressure is value, its unit weight, times level - y below")
           .with(with_value),
-      point("gradient", "force/length^3", &Load::gradient, "[x, y]", "what the pressure grows by along x and y")
+      point("gradient", "force/length^3", gradient_of, "[x, y]", "what the pressure grows by along x and y")
           .with(by_value),
-      point("from", "length", &Load::from, "[x, y]",
-            "where the pressure or the deflection of the support has its value")
+      point("from", "length", from_of, "[x, y]", "where the pressure or the deflection of the support has its value")
           .with(from_somewhere),
   };
 }
 
 /// Where it acts.
 Fields<Load> place_fields() {
-  using enum Load::Kind;
   return {
-      table<Load, geometry::Hole>("on", Layout::inline_, &Load::patch,
+      table<Load, geometry::Hole>("on", Layout::inline_, patch_of,
                                   hole_fields("the disc that the pressure acts on, without it the plate",
                                               "the polygon that the pressure acts on, without it the plate"),
                                   check_hole)
-          .with(kind_is({pressure})),
-      points("along", &Load::along, 2, "the line that the load acts along").required().with(kind_is({line_load})),
-      edges<Load>("the edges that are loaded").required().with(kind_is({edge_moment, edge_shear})),
-      amount("twist", "force", &Load::twist, "twisting moment M_ns beside value, s = normal turned by +90 degrees")
-          .with(kind_is({edge_moment})),
-      tensor().with(kind_is({edge_moment})),
-      points("path", &Load::path, 2, "where the force, or with \"on\" the pressure from its place on, moves along")
+          .with(kind_is<Pressure>()),
+      points<Load>("along", along_of, 2, "the line that the load acts along").required().with(kind_is<LineLoad>()),
+      edges<Load>("the edges that are loaded", edges_of).required().with(kind_is<EdgeMoment, EdgeShear>()),
+      amount("twist", "force", twist_of, "twisting moment M_ns beside value, s = normal turned by +90 degrees")
+          .with(kind_is<EdgeMoment>()),
+      tensor().with(kind_is<EdgeMoment>()),
+      points<Load>("path", path_of, 2, "where the force, or with \"on\" the pressure from its place on, moves along")
           .in_dynamics()
-          .with(kind_is({point_force, pressure})),
-      number<Load>("speed", "length/time", &Load::speed, positive,
-                   "with which it moves; at its end it leaves the plate")
+          .with(kind_is<PointForce, Pressure>()),
+      number<Load>("speed", "length/time", speed_of, positive, "with which it moves; at its end it leaves the plate")
           .required({Analysis::Kind::dynamic})
           .in_dynamics()
           .with({"path", "path", [](const Load& load) { return load.moves(); }}),
-      point("position", "length", &Load::position, "[x, y] inside the plate", "where the force acts")
+      point("position", "length", position_of, "[x, y] inside the plate", "where the force acts")
           .required()
           .with({"kind", "kind = point_force without path",
-                 [](const Load& load) { return load.kind == point_force && !load.moves(); }}),
+                 [](const Load& load) { return is<PointForce>(load) && !load.moves(); }}),
   };
 }
 
 Fields<Load> settlement_fields() {
-  using enum Load::Kind;
   return {
-      number<Load>("support", "-", &Load::support, {0, 1e6}, "the number of the support that moves, the first is 0")
+      number<Load>("support", "-", support_of, {0, 1e6}, "the number of the support that moves, the first is 0")
           .required()
-          .with(kind_is({settlement})),
-      point("slope", "-", &Load::slope, "[x, y]", "what its deflection grows by along x and y, as of a rigid body")
-          .with(kind_is({settlement})),
-      number<Load>("rotation", "-", &Load::rotation, finite,
+          .with(kind_is<Settlement>()),
+      point("slope", "-", slope_of, "[x, y]", "what its deflection grows by along x and y, as of a rigid body")
+          .with(kind_is<Settlement>()),
+      number<Load>("rotation", "-", rotation_of, finite,
                    "psi_n, by which its edges turn about themselves, n the outer normal")
-          .with(kind_is({settlement})),
+          .with(kind_is<Settlement>()),
   };
 }
 
@@ -316,7 +366,7 @@ void check_load(const Value& given, Load& load) {
   if (!has("value") && !has("tensor") && !has("expression") && !has("gravity") && !has("table"))
     reading.complain(given.below("value"), "is missing, must be a finite number");
   for (const char* name : {"value", "twist"})
-    if (load.has_tensor && reading.given(given.below(name)))
+    if (tensor_of(load) && reading.given(given.below(name)))
       reading.complain(given.below(name),
                        fmt::format("'{}' is given beside 'tensor', which replaces it: remove one of them", name));
 }

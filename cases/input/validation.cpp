@@ -77,8 +77,7 @@ std::vector<KeyFault> faults_of_beginning(const plate::Problem& problem, const A
   std::vector<KeyFault> result;
   const bool moves = analysis.kind == Analysis::Kind::dynamic, rests = analysis.start == Analysis::Start::equilibrium;
   for (std::size_t i = 0; i < problem.loads.size() && moves && !rests; ++i)
-    if (const auto& load = problem.loads[i];
-        load.kind == plate::Load::Kind::settlement && plate::factor(load.history, 0) != 0)
+    if (const auto& load = problem.loads[i]; load.as<plate::Settlement>() && plate::factor(load.history, 0) != 0)
       result.push_back({plate::key_of_load(problem, i) + ".history",
                         "moves a support at once, which takes an energy without limit: let the history begin at 0, or "
                         "start in equilibrium"});

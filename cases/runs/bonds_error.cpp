@@ -87,7 +87,8 @@ plate::Problem of_galerkin(const plate::Problem& bonds) {
 
 bool near_force(const plate::Problem& problem, const geometry::Point& x, double reach) {
   return std::ranges::any_of(problem.loads, [&](const plate::Load& load) {
-    return load.kind == plate::Load::Kind::point_force && !load.moves() && (load.position - x).norm() < reach;
+    const auto place = load.point();
+    return place && (*place - x).norm() < reach;
   });
 }
 
@@ -166,8 +167,7 @@ void compare_under_pressure(const plate::Formulation& bonds, const plate::Proble
                             std::vector<std::string>& warnings) {
   if (!of_bonds(bonds, problem) || !is_thin(problem) || !bonds.held() || bonds.may_move()) return;
   plate::Problem pressed = problem;
-  plate::Load pressure;
-  pressure.kind = plate::Load::Kind::pressure, pressure.value = 1;
+  const plate::Load pressure{plate::Pressure{.value = 1}};
   pressed.loads = {pressure}, pressed.load_cases.clear(), pressed.combinations.clear();
   pressed.initial.reset(), pressed.impact.reset();
   const auto witness = galerkin_witness(pressed);

@@ -90,8 +90,7 @@ std::vector<std::string> Record::cut_places(const plate::Problem& problem) const
   std::vector<std::pair<std::string, geometry::Point>> places;
   if (problem.impact) places.emplace_back("a mass hits", problem.impact->position);
   for (const auto& load : problem.loads)
-    if (load.kind == plate::Load::Kind::point_force && !load.moves())
-      places.emplace_back("a force acts", load.position);
+    if (const auto x = load.point()) places.emplace_back("a force acts", *x);
   for (const auto& spring : problem.springs)
     if (spring.position) places.emplace_back("a spring acts", *spring.position);
   for (const auto& support : problem.supports)

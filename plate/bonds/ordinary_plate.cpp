@@ -212,7 +212,7 @@ void check_weights(const std::vector<BondShape>& shapes, double horizon_ratio) {
 /// Where processes share the plate, all have one, also those that do not see what moves.
 State lift_of(const Load& load, std::size_t number, const Boundary& boundary) {
   auto result = boundary.constraints.lift(number, boundary.cloud.size());
-  if (boundary.map.distributed() && load.kind == Load::Kind::settlement && result.cols() == 0)
+  if (boundary.map.distributed() && load.as<Settlement>() && result.cols() == 0)
     result = State::Zero(3, Eigen::Index(boundary.cloud.size()));
   return result;
 }

@@ -132,20 +132,21 @@ void check_parts(const Problem& problem, const geometry::Cloud& cloud, const geo
 
 void check_loaded_edges(const Problem& problem, const geometry::Cloud& cloud, const geometry::Outline& cells,
                         const Seeded& seeded, std::vector<Refusal>& refusals) {
-  const auto check = [&](Subject subject, const char* what, const auto& all) {
-    for (std::size_t i = 0; i < all.size(); ++i)
-      for (const auto& name : all[i].edges) {
-        const auto edge = places(cells, name, cloud);
-        if (cloud.part && edge.empty()) continue;
-        if (std::ranges::any_of(edge, [&](const auto& u) { return seeded.distance(u) < largest_gap - 0.5; })) continue;
-        refusals.push_back(
-            {subject, i,
-             fmt::format("edge \"{}\" has no point of the lattice beside it that the {} could act on: refine", name,
-                         what)});
-      }
+  const auto check = [&](Subject subject, std::size_t number, const char* what, const auto& edges) {
+    for (const auto& name : edges) {
+      const auto edge = places(cells, name, cloud);
+      if (cloud.part && edge.empty()) continue;
+      if (std::ranges::any_of(edge, [&](const auto& u) { return seeded.distance(u) < largest_gap - 0.5; })) continue;
+      refusals.push_back(
+          {subject, number,
+           fmt::format("edge \"{}\" has no point of the lattice beside it that the {} could act on: refine", name,
+                       what)});
+    }
   };
-  check(Subject::load_edges, "load", problem.loads);
-  check(Subject::spring_edges, "spring", problem.springs);
+  for (std::size_t i = 0; i < problem.loads.size(); ++i)
+    check(Subject::load_edges, i, "load", problem.loads[i].edges());
+  for (std::size_t i = 0; i < problem.springs.size(); ++i)
+    check(Subject::spring_edges, i, "spring", problem.springs[i].edges);
 }
 
 /// Single places that would act somewhere else.
@@ -181,8 +182,7 @@ void check_places(const Problem& problem, const geometry::Cloud& cloud, const Se
                          other->second.x(), other->second.y(), x.x(), x.y())});
     }
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
-    if (problem.loads[i].kind == Load::Kind::point_force && !problem.loads[i].moves())
-      check(Subject::load_position, i, "force", problem.loads[i].position);
+    if (const auto position = problem.loads[i].point()) check(Subject::load_position, i, "force", *position);
   for (std::size_t i = 0; i < problem.springs.size(); ++i)
     if (const auto& at = problem.springs[i].position) check(Subject::spring_position, i, "spring", *at);
 }

@@ -81,7 +81,7 @@ void check_oblique(const Problem& problem) {
   for (std::size_t k = 0; k < problem.supports.size(); ++k)
     if (problem.supports[k].kind == SupportKind::symmetry) throw Refused({{Subject::support, k, "symmetry" + instead}});
   for (std::size_t k = 0; k < problem.loads.size(); ++k)
-    if (!problem.loads[k].edges.empty()) throw Refused({{Subject::load_edges, k, "a load on an edge" + instead}});
+    if (!problem.loads[k].edges().empty()) throw Refused({{Subject::load_edges, k, "a load on an edge" + instead}});
 }
 
 /// Throws Refused for cracks within a horizon of an edge: values beyond an edge are expanded from points that must see
@@ -264,12 +264,12 @@ SparseStiffness stiffness_of(const SurfacePlate& plate, EdgeMethod method, Bound
 EdgeAction action_of(const Load& load, const Point& n) {
   EdgeAction action;
   const auto given = [](double value) { return value == 0 ? std::nullopt : std::optional(value); };
-  if (load.kind == Load::Kind::edge_shear) action.shear = given(load.value);
-  if (load.kind != Load::Kind::edge_moment) return action;
-  action.moment = given(load.value), action.twisting_moment = given(load.twist);
-  if (!load.has_tensor) return action;
-  const auto [xx, yy, xy] = load.tensor;
-  const Point moment(xx * n.x() + xy * n.y(), xy * n.x() + yy * n.y());
+  if (const auto* shear = load.as<EdgeShear>()) action.shear = given(shear->value);
+  const auto* edge = load.as<EdgeMoment>();
+  if (!edge) return action;
+  action.moment = given(edge->value), action.twisting_moment = given(edge->twist);
+  if (!edge->tensor) return action;
+  const Point moment = edge->on(n);
   action.moment = given(moment.dot(n)), action.twisting_moment = given(moment.dot(Point(-n.y(), n.x())));
   return action;
 }
@@ -294,13 +294,13 @@ void add_rest(double pressure, const SurfacePlate& plate, const Boundary& b, con
 
 Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate, const Boundary& b,
                  const geometry::Outline& outline) {
-  using enum Load::Kind;
-  if (load.kind == point_force || load.kind == line_load || load.moves() || (load.kind == pressure && !load.uniform()))
+  const auto* pressure = load.as<Pressure>();
+  if (load.as<PointForce>() || load.as<LineLoad>() || load.moves() || (pressure && !pressure->uniform()))
     return nodal_forces(load, plate.oblique ? whole_cells(b.cloud) : b.cloud, outline);
-  const double everywhere = load.kind == pressure ? load.value : 0;
+  const double everywhere = pressure ? pressure->value : 0;
   const auto on_edges = [&](const Point& at, const Point& n) {
     const auto& side = b.sides[side_at(b, at, n)];
-    const bool loaded = std::ranges::find(load.edges, side.name) != load.edges.end();
+    const bool loaded = std::ranges::find(load.edges(), side.name) != load.edges().end();
     auto condition = edge_condition(side.kind, loaded ? action_of(load, n) : EdgeAction{}, number);
     if (plate.oblique) return condition;
     condition.held = {false, false, false};  // forces on what is held are booked to the supports
@@ -320,7 +320,7 @@ void warn_of_lengths(const Problem& problem, const SurfacePlate& plate, const st
   constexpr double close = 0.01;
   if (plate.oblique) return;  // parts of edges are as long as these together
   for (const auto& load : problem.loads)
-    for (const auto& name : load.edges) {
+    for (const auto& name : load.edges()) {
       const double length = geometry::edge_length(problem.outline, name);
       const auto faces = std::ranges::count_if(side_of, [&](std::size_t side) { return b.sides[side].name == name; });
       const double more = double(faces) * plate.bonds.spacing / length - 1;

@@ -192,9 +192,9 @@ struct EdgeLoads {
 EdgeLoads loads_on(const std::string& edge, const Problem& problem) {
   EdgeLoads result{false, !problem.loads.empty()};
   for (const auto& load : problem.loads) {
-    const bool here = std::ranges::find(load.edges, edge) != load.edges.end();
-    result.shear |= here && load.kind == Load::Kind::edge_shear;
-    result.moments_alone &= here && load.kind == Load::Kind::edge_moment;
+    const bool here = std::ranges::find(load.edges(), edge) != load.edges().end();
+    result.shear |= here && load.as<EdgeShear>();
+    result.moments_alone &= here && load.as<EdgeMoment>();
   }
   return result;
 }

@@ -175,7 +175,7 @@ std::vector<Point> own_places(const Problem& c, const std::vector<geometry::Crac
   std::vector<Point> points;
   for (const auto& support : c.supports) points.insert(points.end(), support.points.begin(), support.points.end());
   for (const auto& load : c.loads)
-    if (load.kind == Load::Kind::point_force && !load.moves()) points.push_back(load.position);
+    if (const auto x = load.point()) points.push_back(*x);
   for (const auto& spring : c.springs)
     if (spring.position) points.push_back(*spring.position);
   if (c.impact) points.push_back(c.impact->position);

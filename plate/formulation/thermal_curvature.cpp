@@ -47,8 +47,7 @@ Eigen::Vector3d moments_held_flat(const Section& section) {
 }
 
 double stored(const Formulation& plate, const Heat& heat, const State& state) {
-  const auto heats = [](const Load& load) { return load.kind == Load::Kind::temperature; };
-  if (std::ranges::none_of(plate.problem().loads, heats)) return 0;
+  if (!heated(plate.problem())) return 0;
   const double each = moments_held_flat(plate.section()).head<2>().sum() / 2;
   const auto held_flat = [&](Eigen::Index k) {
     return plate.cloud().areas[std::size_t(k)] * heat.curvature[k] * heat.curvature[k];

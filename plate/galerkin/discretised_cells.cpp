@@ -31,7 +31,7 @@ namespace {
 std::vector<geometry::Point> places_of_forces(const Problem& c) {
   std::vector<geometry::Point> result;
   for (const auto& load : c.loads)
-    if (load.kind == Load::Kind::point_force && !load.moves()) result.push_back(load.position);
+    if (const auto x = load.point()) result.push_back(*x);
   for (const auto& spring : c.springs)
     if (spring.position) result.push_back(*spring.position);
   for (const auto& support : c.supports) result.insert(result.end(), support.points.begin(), support.points.end());
@@ -266,10 +266,12 @@ private:
     if (result.curvature.size() > 0)
       result.forces = force_of_curvature(families, problem_.section, result.curvature, layout.boundary.map);
     result.lift = layout.boundary.constraints.lift(layout.loads.size(), points);
-    if (part_ && load.kind == Load::Kind::settlement && result.lift.cols() == 0)
+    if (part_ && load.as<Settlement>() && result.lift.cols() == 0)
       result.lift = State::Zero(3, Eigen::Index(points));  // all have one, also those that do not see what moves
     result.moving = std::move(acting.moving);
-    if (load.gravity && !layout.sections->uniform())  // the load has its value where the section has its own mass
+    if (const auto* pressure = load.as<Pressure>();
+        pressure && pressure->gravity &&
+        !layout.sections->uniform())  // the load has its value where the section has its own mass
       for (Eigen::Index k = 0; k < result.forces.cols(); ++k)
         result.forces.col(k) *= (*layout.sections)[std::size_t(k)].mass / problem_.section.mass();
     layout.loads.push_back(std::move(result));

@@ -146,12 +146,12 @@ void require_value(const Formula& formula, const Point& x, double usual, double 
 /// Resultants of a pressure on pieces of the plate: its force, and the moment of it, int p (x - about) dA.
 class Thrust {
 public:
-  Thrust(const Load& load, const Communicator& communicator)
+  Thrust(const Pressure& load, const Communicator& communicator)
       : load_(load),
         communicator_(communicator),
         patch_(load.patch ? std::optional<geometry::Patch>(*load.patch) : std::nullopt),
         cubature_([&](const Point& x) {
-          const double value = load.pressure(x);
+          const double value = load.at(x);
           if (!std::isfinite(value)) throw FormulaError(load.formula, x);
           return value;
         }) {
@@ -172,7 +172,7 @@ public:
     }
     const auto [area, first, second] = geometry::moments(piece, about);
     const Point gradient = load_.level ? Point(0, -load_.value) : load_.gradient;
-    const double p = load_.level ? load_.value * (*load_.level - about.y()) : load_.pressure(about);
+    const double p = load_.level ? load_.value * (*load_.level - about.y()) : load_.at(about);
     return {p * area + gradient.dot(first), p * first + second * gradient};
   }
 
@@ -238,7 +238,7 @@ private:
     return cubature_(piece, about);
   }
 
-  const Load& load_;
+  const Pressure& load_;
   const Communicator& communicator_;
   std::optional<geometry::Patch> patch_;
   Point low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};  // of the patch
@@ -266,7 +266,7 @@ Eigen::Vector3d moved_force(double force, const Point& lever) {
   return {force, force * lever.y(), -force * lever.x()};
 }
 
-void add_pressure(const Load& load, const geometry::Cloud& cloud, const PointMap& map, Forces& forces) {
+void add_pressure(const Pressure& load, const geometry::Cloud& cloud, const PointMap& map, Forces& forces) {
   Thrust thrust(load, *map.communicator);
   const double side = cloud.units.spacing, half = side / 2;
   const auto cell = [&](std::size_t k) -> Ring {
@@ -282,7 +282,7 @@ void add_pressure(const Load& load, const geometry::Cloud& cloud, const PointMap
   thrust.require_known();
 }
 
-void add_pressure(const Load& load, const geometry::Tessellation& cells, const PointMap& map, Forces& forces) {
+void add_pressure(const Pressure& load, const geometry::Tessellation& cells, const PointMap& map, Forces& forces) {
   Thrust thrust(load, *map.communicator);
   const auto add = [&](const auto& cell) { add_cell(thrust, cell, cells.positions, map.owns(cell[0]), forces); };
   thrust.require_tame(cells.squares.size(), [&](std::size_t i) {
@@ -353,7 +353,7 @@ std::vector<LinePiece> pieces_of(const geometry::Polyline& line, const std::vect
   return result;
 }
 
-void add_pieces(const Load& load, const std::vector<LinePiece>& pieces, const Ring& positions, Forces& forces) {
+void add_pieces(const LineLoad& load, const std::vector<LinePiece>& pieces, const Ring& positions, Forces& forces) {
   for (const auto& [k, middle, way] : pieces)
     forces.col(Eigen::Index(k)) += moved_force(load.value * way.norm(), middle - positions[k]);
 }
@@ -386,12 +386,12 @@ std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometr
       [&](const Point& x) { return cells.sees(x); }, [](const Point&, std::size_t) { return false; });
 }
 
-void add_line_load(const Load& load, const geometry::Cloud& cloud, const std::vector<geometry::CrackPath>& cracks,
+void add_line_load(const LineLoad& load, const geometry::Cloud& cloud, const std::vector<geometry::CrackPath>& cracks,
                    Forces& forces) {
   add_pieces(load, line_pieces(load.along, cloud, cracks), cloud.positions, forces);
 }
 
-void add_line_load(const Load& load, const geometry::Tessellation& cells, Forces& forces) {
+void add_line_load(const LineLoad& load, const geometry::Tessellation& cells, Forces& forces) {
   add_pieces(load, line_pieces(load.along, cells), cells.positions, forces);
 }
 

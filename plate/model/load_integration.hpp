@@ -80,10 +80,10 @@ Eigen::Vector3d moved_force(double force, const geometry::Point& lever);
 /// Adds a pressure that varies, or that acts on a patch: to every point what acts on its cell, exact for linear
 /// pressures and polygons but for cells that the outline cuts, where it is spread as over the whole cell. Throws
 /// FormulaError.
-void add_pressure(const Load& load, const geometry::Cloud& cloud, const PointMap& map, Forces& forces);
+void add_pressure(const Pressure& load, const geometry::Cloud& cloud, const PointMap& map, Forces& forces);
 
 /// The same to the corners of cells, by the linear function that corners carry.
-void add_pressure(const Load& load, const geometry::Tessellation& cells, const PointMap& map, Forces& forces);
+void add_pressure(const Pressure& load, const geometry::Tessellation& cells, const PointMap& map, Forces& forces);
 
 /// A short piece of a line, and the point nearest to its middle.
 struct LinePiece {
@@ -100,8 +100,8 @@ std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometr
 std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Tessellation& cells);
 
 /// Adds a line load by the pieces of its line.
-void add_line_load(const Load& load, const geometry::Cloud& cloud, const std::vector<geometry::CrackPath>& cracks,
+void add_line_load(const LineLoad& load, const geometry::Cloud& cloud, const std::vector<geometry::CrackPath>& cracks,
                    Forces& forces);
-void add_line_load(const Load& load, const geometry::Tessellation& cells, Forces& forces);
+void add_line_load(const LineLoad& load, const geometry::Tessellation& cells, Forces& forces);
 
 }  // namespace plate

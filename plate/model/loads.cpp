@@ -280,4 +280,102 @@ double PressureTable::operator()(const Point& x) const {
                     s * t * at(i + 1, j + 1));
 }
 
+const std::array<std::string, std::variant_size_v<Load::Action>> Load::names{
+    "pressure", "edge_moment", "edge_shear", "point_force", "line_load", "temperature", "settlement"};
+
+const std::string& Load::name() const {
+  return names[action.index()];
+}
+
+namespace {
+
+template <std::size_t... kinds>
+Load::Action made_of(std::size_t number, std::index_sequence<kinds...>) {
+  Load::Action result;
+  ((number == kinds ? void(result.emplace<kinds>()) : void()), ...);
+  return result;
+}
+
+/// A member of what acts, as `member` reads it, or else `nothing`.
+template <class T, class Member>
+const T& member_or(const Load::Action& action, const Member& member, const T& nothing) {
+  return std::visit(
+      [&](const auto& one) -> const T& {
+        if constexpr (std::is_invocable_v<Member, decltype(one)>)
+          return member(one);
+        else
+          return nothing;
+      },
+      action);
+}
+
+}  // namespace
+
+Load::Action Load::made(std::size_t number) {
+  return made_of(number, std::make_index_sequence<std::variant_size_v<Action>>());
+}
+
+const std::vector<std::string>& Load::edges() const {
+  static const std::vector<std::string> none;
+  return member_or(
+      action, [](const auto& one) -> decltype((one.edges)) { return one.edges; }, none);
+}
+
+const geometry::Polyline& Load::line() const {
+  static const geometry::Polyline none;
+  return member_or(
+      action, [](const auto& one) -> decltype((one.along)) { return one.along; }, none);
+}
+
+const geometry::Polyline& Load::path() const {
+  static const geometry::Polyline none;
+  return member_or(
+      action, [](const auto& one) -> decltype((one.path)) { return one.path; }, none);
+}
+
+double Load::speed() const {
+  static const double none = 0;
+  return member_or(
+      action, [](const auto& one) -> decltype((one.speed)) { return one.speed; }, none);
+}
+
+const Formula& Load::formula() const {
+  static const Formula none;
+  return member_or(
+      action, [](const auto& one) -> decltype((one.formula)) { return one.formula; }, none);
+}
+
+std::optional<Point> Load::point() const {
+  const auto* force = as<PointForce>();
+  return force && !moves() ? std::optional(force->position) : std::nullopt;
+}
+
+Point EdgeMoment::on(const Point& n) const {
+  if (!tensor) return value * n + twist * Point(-n.y(), n.x());
+  const auto [xx, yy, xy] = *tensor;
+  return {xx * n.x() + xy * n.y(), xy * n.x() + yy * n.y()};
+}
+
+void scale(Load& load, double factor) {
+  const auto multiply = [factor](auto& x) { x *= factor; };
+  const auto scale_formula = [factor](Formula& formula) {
+    if (formula.given()) formula = Formula(fmt::format("{:.17g} * ({})", factor, formula.text()));
+  };
+  std::visit(
+      [&](auto& one) {
+        multiply(one.value);
+        if constexpr (requires { one.formula; }) scale_formula(one.formula);
+        if constexpr (requires { one.gradient; }) multiply(one.gradient);
+        if constexpr (requires { one.twist; }) multiply(one.twist);
+        if constexpr (requires { one.slope; }) multiply(one.slope), multiply(one.rotation);
+      },
+      load.action);
+  if (auto* pressure = load.as<Pressure>()) {
+    if (pressure->table.given()) pressure->table = pressure->table.times(factor);
+    if (pressure->gravity) multiply(*pressure->gravity);
+  }
+  if (auto* moment = load.as<EdgeMoment>(); moment && moment->tensor)
+    for (auto& component : *moment->tensor) multiply(component);
+}
+
 }  // namespace plate

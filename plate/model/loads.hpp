@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "geometry/shape/crack_path.hpp"
@@ -55,44 +56,112 @@ private:
   double factor_ = 1;
 };
 
-/// One load. Pressure and shear forces act along +w; a positive moment is tension on the z > 0 face, which a positive
-/// temperature makes the warmer one. A settlement moves a support as a rigid body.
-struct Load {
-  enum class Kind { pressure, edge_moment, edge_shear, point_force, line_load, temperature, settlement };
-  Kind kind = Kind::pressure;
-  double value = 0;                     // pressure [force/length^2], moment, shear and line load per length, force,
-                                        // temperature of the face z > 0 less that of the other, w [length]
-  geometry::Point gradient{0, 0};       // of the pressure [force/length^3], which has its value at `from`
-  geometry::Point from{0, 0};           // [length]
-  Formula formula;                      // the pressure or temperature, instead of the three
-  PressureTable table;                  // the pressure, instead [force/length^2]
-  std::optional<double> level;          // of a fluid up to this y, of the unit weight `value` [force/length^3]
-  std::optional<double> gravity;        // along w: the value is density thickness gravity [length/time^2]
-  std::optional<geometry::Hole> patch;  // the pressure acts on this part of the plate alone
-  geometry::Polyline along;             // line_load
-  geometry::Polyline path;              // of a point force, or of the middle of a patch, that moves along it
-  double speed = 0;                     // [length/time]
-  double twist = 0;                     // edge_moment: M_ns beside the normal moment, s = normal turned by +90 degrees
-  std::array<double, 3> tensor{0, 0, 0};  // edge_moment: Mxx, Myy, Mxy instead of value and twist
-  bool has_tensor = false;
-  std::vector<std::string> edges;  // edge loads
-  geometry::Point position{0, 0};  // point_force
-  std::size_t support = 0;         // settlement: the number of the support
-  geometry::Point slope{0, 0};     // settlement: of the support's w, which is `value` at `from`
-  double rotation = 0;             // settlement: psi_n of every edge about itself, n its outward normal
-  History history;
+/// Force along +w per area: a value at `from` that grows by a gradient, a formula, a table, a fluid up to a level, or
+/// own weight; on the whole plate, a part of it, or a part that moves along a path.
+struct Pressure {
+  double value = 0;                          // [force/length^2]; of a fluid its unit weight [force/length^3]
+  geometry::Point gradient{0, 0};            // [force/length^3]
+  geometry::Point from{0, 0};                // [length]
+  Formula formula = {};                      // [force/length^2], instead of the three
+  PressureTable table = {};                  // instead
+  std::optional<double> level = {};          // y up to which the fluid stands [length]
+  std::optional<double> gravity = {};        // along w: the value is density thickness gravity [length/time^2]
+  std::optional<geometry::Hole> patch = {};  // acts here alone
+  geometry::Polyline path = {};              // of the middle of the patch
+  double speed = 0;                          // [length/time]
 
-  /// The same pressure everywhere?
+  /// The same everywhere?
   bool uniform() const { return !patch && gradient.isZero(0) && !formula.given() && !table.given() && !level; }
-  /// Is the pressure no linear function of the place, but one that has to be evaluated?
+  /// Is it no linear function of the place, but one that has to be evaluated?
   bool evaluated() const { return formula.given() || table.given(); }
-  bool moves() const { return !path.empty(); }
-  double pressure(const geometry::Point& x) const {
+  double at(const geometry::Point& x) const {
     if (table.given()) return table(x);
     if (level) return x.y() < *level ? value * (*level - x.y()) : 0;
     return formula.given() ? formula(x) : value + gradient.dot(x - from);
   }
 };
+
+/// Moments on edges; positive is tension on the z > 0 face.
+struct EdgeMoment {
+  std::vector<std::string> edges = {};
+  double value = 0;                                  // normal moment M_n per length [force]
+  double twist = 0;                                  // M_ns, s = normal turned by +90 degrees [force]
+  std::optional<std::array<double, 3>> tensor = {};  // Mxx, Myy, Mxy instead of both [force]
+
+  /// (M_nx, M_ny) = M n on an edge with the normal n of any length.
+  geometry::Point on(const geometry::Point& n) const;
+};
+
+/// Shear force along +w on edges [force/length].
+struct EdgeShear {
+  std::vector<std::string> edges = {};
+  double value = 0;
+};
+
+/// Force along +w at a point, or at one that moves along a path.
+struct PointForce {
+  geometry::Point position{0, 0};  // [length]
+  double value = 0;                // [force]
+  geometry::Polyline path = {};
+  double speed = 0;  // [length/time]
+};
+
+/// Force along +w per length of a line [force/length].
+struct LineLoad {
+  geometry::Polyline along = {};
+  double value = 0;
+};
+
+/// Temperature of the face z > 0 less that of the other: a value or a formula.
+struct Temperature {
+  double value = 0;
+  Formula formula = {};
+};
+
+/// Motion of a support as a rigid body, and of every edge about itself.
+struct Settlement {
+  std::size_t support = 0;                  // its number
+  double value = 0;                         // w at `from` [length]
+  geometry::Point slope{0, 0}, from{0, 0};  // of the support's w
+  double rotation = 0;                      // psi_n of every edge, n its outward normal
+};
+
+/// One load: what acts, and how it varies in time.
+struct Load {
+  using Action = std::variant<Pressure, EdgeMoment, EdgeShear, PointForce, LineLoad, Temperature, Settlement>;
+  Action action;
+  History history = {};
+
+  template <class T>
+  const T* as() const {
+    return std::get_if<T>(&action);
+  }
+  template <class T>
+  T* as() {
+    return std::get_if<T>(&action);
+  }
+
+  /// Name of what acts, as in `names`.
+  const std::string& name() const;
+  /// "pressure", "edge_moment", ..., in the order of the variant.
+  static const std::array<std::string, std::variant_size_v<Action>> names;
+  /// What acts by the number of its name, with nothing given.
+  static Action made(std::size_t number);
+
+  // What loads of several kinds have; empty, or nothing, where this one does not.
+  const std::vector<std::string>& edges() const;
+  const geometry::Polyline& line() const;
+  const geometry::Polyline& path() const;
+  double speed() const;
+  const Formula& formula() const;
+  /// Point where a force acts that does not move.
+  std::optional<geometry::Point> point() const;
+
+  bool moves() const { return !path().empty(); }
+};
+
+/// Makes a load some times as large.
+void scale(Load& load, double factor);
 
 /// How a motion begins: deflection [length] and velocity along w [length/time] at time 0, with the rotations of a thin
 /// plate, psi = grad w. Not given: zero.

@@ -23,15 +23,15 @@ struct PathPlace {
 };
 
 /// Corners of the path and places between them, at most a quarter of a spacing apart.
-std::vector<PathPlace> places_on(const Load& load, double spacing) {
-  std::vector<PathPlace> result{{0, load.path.front()}};
+std::vector<PathPlace> places_on(const geometry::Polyline& path, double speed, double spacing) {
+  std::vector<PathPlace> result{{0, path.front()}};
   double time = 0;
-  for (std::size_t i = 0; i + 1 < load.path.size(); ++i) {
-    const Point way = load.path[i + 1] - load.path[i];
-    const double duration = way.norm() / load.speed;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Point way = path[i + 1] - path[i];
+    const double duration = way.norm() / speed;
     if (duration == 0) continue;
     const int parts = std::max(1, int(std::ceil(per_spacing * way.norm() / spacing - 1e-6)));
-    for (int n = 1; n <= parts; ++n) result.push_back({time + duration * n / parts, load.path[i] + way * n / parts});
+    for (int n = 1; n <= parts; ++n) result.push_back({time + duration * n / parts, path[i] + way * n / parts});
     time += duration;
   }
   return result;
@@ -53,31 +53,31 @@ void add_force(double value, const Point& at, const std::vector<Point>& position
     }
 }
 
-/// The load with its part of the plate moved from the begin of the path to a place.
-Load moved(Load load, const Point& to) {
-  const Point by = to - load.path.front();
-  load.path.clear();
-  if (auto* circle = std::get_if<geometry::Circle>(&*load.patch)) circle->centre += by;
-  if (auto* polygon = std::get_if<geometry::Polygon>(&*load.patch))
+/// The pressure with its part of the plate moved from the begin of the path to a place.
+Pressure moved(Pressure pressure, const Point& to) {
+  const Point by = to - pressure.path.front();
+  pressure.path.clear();
+  if (auto* circle = std::get_if<geometry::Circle>(&*pressure.patch)) circle->centre += by;
+  if (auto* polygon = std::get_if<geometry::Polygon>(&*pressure.patch))
     for (auto& x : polygon->vertices) x += by;
-  return load;
+  return pressure;
 }
 
-/// `press(load, forces)`: adds a pressure that rests.
+/// `press(pressure, forces)`: adds a pressure that rests.
 template <typename Sees, typename Press>
 MovingForces stations(const Load& load, const std::vector<Point>& positions, std::size_t count, double spacing,
                       const Sees& sees, const Press& press) {
   MovingForces result;
   std::vector<std::uint32_t> near;
   for (std::uint32_t k = 0; k < count; ++k)
-    if (geometry::distance(load.path, positions[k]) < 3 * spacing) near.push_back(k);
+    if (geometry::distance(load.path(), positions[k]) < 3 * spacing) near.push_back(k);
   Forces forces = Forces::Zero(3, Eigen::Index(positions.size()));
-  for (const auto& [time, x] : places_on(load, spacing)) {
+  for (const auto& [time, x] : places_on(load.path(), load.speed(), spacing)) {
     forces.setZero();
-    if (load.kind == Load::Kind::point_force)
-      add_force(load.value, x, positions, near, spacing, sees, forces);
+    if (const auto* force = load.as<PointForce>())
+      add_force(force->value, x, positions, near, spacing, sees, forces);
     else
-      press(moved(load, x), forces);
+      press(moved(*load.as<Pressure>(), x), forces);
     auto& station = result.stations.emplace_back(MovingForces::Station{time, {}});
     for (std::uint32_t dof = 0; dof < forces.size(); ++dof)
       if (const double force = at_dof(forces, dof); force != 0) station.forces.emplace_back(dof, force);
@@ -102,7 +102,7 @@ Forces MovingForces::whole(double time, std::size_t points) const {
 MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const PointMap& map) {
   auto result = stations(
       load, cloud.positions, cloud.plate_points, cloud.units.spacing, [&](const Point& x) { return cloud.seeded(x); },
-      [&](const Load& now, Forces& forces) { add_pressure(now, cloud, map, forces); });
+      [&](const Pressure& now, Forces& forces) { add_pressure(now, cloud, map, forces); });
   result.own = map.owned;
   return result;
 }
@@ -111,113 +111,118 @@ MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells
                            const PointMap& map) {
   return stations(
       load, cells.positions, points, cells.units.spacing, [&](const Point& x) { return cells.sees(x); },
-      [&](const Load& now, Forces& forces) { add_pressure(now, cells, map, forces); });
+      [&](const Pressure& now, Forces& forces) { add_pressure(now, cells, map, forces); });
 }
 
 namespace {
 
-/// Couple of a moment tensor M (tension on z > 0 positive) on an edge with normal n: work M n . (u, v)/z.
-Eigen::Vector3d edge_couple(const Load& load, const Point& normal) {
-  if (load.has_tensor) {
-    const auto [xx, yy, xy] = load.tensor;
-    return {0, -(xy * normal.x() + yy * normal.y()), xx * normal.x() + xy * normal.y()};
-  }
-  const Point along(-normal.y(), normal.x());
-  const Point moment = load.value * normal + load.twist * along;
+/// Couple of an edge moment on an edge with the normal n: work M n . (u, v)/z.
+Eigen::Vector3d edge_couple(const EdgeMoment& load, const Point& normal) {
+  const Point moment = load.on(normal);
   return {0, -moment.y(), moment.x()};
 }
 
-void add_edge_load(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline, Forces& forces) {
-  for (const auto& name : load.edges)
-    for (const EdgeBorder& border : edge_borders(name, cloud, outline))
-      for (const EdgePiece& piece : border.pieces) {
-        const auto k = nearest(border.near, cloud, piece.middle);
-        const Point lever = piece.middle - cloud.positions[k];
-        forces.col(k) += load.kind == Load::Kind::edge_moment ? edge_couple(load, piece.normal)
-                                                              : moved_force(load.value * piece.normal.norm(), lever);
-      }
-}
+/// Nodal forces of each kind of load on the points of a lattice.
+struct OnLattice {
+  const geometry::Cloud& cloud;
+  const geometry::Outline& outline;
+  const PointMap& map;
+  const std::vector<geometry::CrackPath>& cracks;
+  Forces& forces;
 
-void add_edge_load(const Load& load, const geometry::Tessellation& cells, Forces& forces) {
-  for (const auto& border : cells.borders) {
-    if (border.edge == geometry::Curves::crack) continue;
-    const auto& name = cells.names[std::size_t(border.edge)];
-    if (std::find(load.edges.begin(), load.edges.end(), name) == load.edges.end()) continue;
-    const Point along = cells.positions[border.to] - cells.positions[border.from];
-    for (const int end : {1, -1}) {
-      const auto k = end > 0 ? border.from : border.to;
-      // a force q on a piece from 0 to l, deflections by the third-order line through both ends: q l^2 / 12 on the
-      // slopes
-      forces.col(k) += load.kind == Load::Kind::edge_moment
-                           ? edge_couple(load, Point(along.y(), -along.x()) / 2)
-                           : moved_force(load.value * along.norm() / 2, Point(along * (end / 6.0)));
+  void operator()(const Pressure& load) const {
+    if (!load.uniform()) return add_pressure(load, cloud, map, forces);
+    for (std::uint32_t k = 0; k < cloud.plate_points; ++k) forces(0, k) = load.value * cloud.areas[k];
+  }
+  void operator()(const LineLoad& load) const { add_line_load(load, cloud, cracks, forces); }
+  void operator()(const PointForce& load) const {
+    if (!cloud.seeded(load.position)) return;
+    const auto k = geometry::nearest_plate_point(cloud, load.position);
+    forces.col(static_cast<Eigen::Index>(k)) = moved_force(load.value, load.position - cloud.positions[k]);
+  }
+  void operator()(const EdgeMoment& load) const {
+    on_pieces(load.edges, [&](const EdgePiece& piece, const Point&) { return edge_couple(load, piece.normal); });
+  }
+  void operator()(const EdgeShear& load) const {
+    on_pieces(load.edges, [&](const EdgePiece& piece, const Point& lever) {
+      return moved_force(load.value * piece.normal.norm(), lever);
+    });
+  }
+  void operator()(const Temperature&) const {}
+  void operator()(const Settlement&) const {}
+
+private:
+  /// `force(piece, lever)`: of a piece of an edge, at the point next to it.
+  template <typename Force>
+  void on_pieces(const std::vector<std::string>& edges, const Force& force) const {
+    for (const auto& name : edges)
+      for (const EdgeBorder& border : edge_borders(name, cloud, outline))
+        for (const EdgePiece& piece : border.pieces) {
+          const auto k = nearest(border.near, cloud, piece.middle);
+          forces.col(k) += force(piece, piece.middle - cloud.positions[k]);
+        }
+  }
+};
+
+/// Nodal forces of each kind of load on points that lie on the edges.
+struct OnCells {
+  const geometry::Tessellation& cells;
+  const std::vector<double>& areas;
+  const PointMap& map;
+  Forces& forces;
+
+  void operator()(const Pressure& load) const {
+    if (!load.uniform()) return add_pressure(load, cells, map, forces);
+    for (std::size_t k = 0; k < areas.size(); ++k) forces(0, Eigen::Index(k)) = load.value * areas[k];
+  }
+  void operator()(const LineLoad& load) const { add_line_load(load, cells, forces); }
+  void operator()(const PointForce& load) const {
+    if (!cells.sees(load.position)) return;
+    std::size_t nearest = 0;
+    for (std::size_t k = 0; k < areas.size(); ++k)
+      if ((cells.positions[k] - load.position).squaredNorm() < (cells.positions[nearest] - load.position).squaredNorm())
+        nearest = k;
+    forces.col(Eigen::Index(nearest)) = moved_force(load.value, load.position - cells.positions[nearest]);
+  }
+  void operator()(const EdgeMoment& load) const {
+    on_ends(load.edges, [&](const Point& along, int) { return edge_couple(load, Point(along.y(), -along.x()) / 2); });
+  }
+  void operator()(const EdgeShear& load) const {
+    // a force q on a piece from 0 to l, deflections by the third-order line through both ends: q l^2 / 12 on the slopes
+    on_ends(load.edges, [&](const Point& along, int end) {
+      return moved_force(load.value * along.norm() / 2, Point(along * (end / 6.0)));
+    });
+  }
+  void operator()(const Temperature&) const {}
+  void operator()(const Settlement&) const {}
+
+private:
+  /// `force(along, end)`: of a piece of an edge, at its begin (1) and at its end (-1).
+  template <typename Force>
+  void on_ends(const std::vector<std::string>& edges, const Force& force) const {
+    for (const auto& border : cells.borders) {
+      if (border.edge == geometry::Curves::crack) continue;
+      const auto& name = cells.names[std::size_t(border.edge)];
+      if (std::ranges::find(edges, name) == edges.end()) continue;
+      const Point along = cells.positions[border.to] - cells.positions[border.from];
+      for (const int end : {1, -1}) forces.col(end > 0 ? border.from : border.to) += force(along, end);
     }
   }
-}
+};
 
 }  // namespace
 
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
                     const PointMap& map) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
-  if (load.moves()) return forces;
-  switch (load.kind) {
-    case Load::Kind::pressure:
-      for (std::size_t k = 0; load.uniform() && k < areas.size(); ++k)
-        forces(0, Eigen::Index(k)) = load.value * areas[k];
-      if (!load.uniform()) add_pressure(load, cells, map, forces);
-      break;
-    case Load::Kind::line_load:
-      add_line_load(load, cells, forces);
-      break;
-    case Load::Kind::point_force: {
-      if (!cells.sees(load.position)) break;
-      std::size_t nearest = 0;
-      for (std::size_t k = 0; k < areas.size(); ++k)
-        if ((cells.positions[k] - load.position).squaredNorm() <
-            (cells.positions[nearest] - load.position).squaredNorm())
-          nearest = k;
-      forces.col(Eigen::Index(nearest)) = moved_force(load.value, load.position - cells.positions[nearest]);
-      break;
-    }
-    case Load::Kind::edge_moment:
-    case Load::Kind::edge_shear:
-      add_edge_load(load, cells, forces);
-      break;
-    case Load::Kind::temperature:
-    case Load::Kind::settlement:
-      break;
-  }
+  if (!load.moves()) std::visit(OnCells{cells, areas, map, forces}, load.action);
   return forces;
 }
 
 Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline,
                     const PointMap& map, const std::vector<geometry::CrackPath>& cracks) {
   Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(cloud.size()));
-  if (load.moves()) return forces;
-  switch (load.kind) {
-    case Load::Kind::pressure:
-      for (std::uint32_t k = 0; load.uniform() && k < cloud.plate_points; ++k)
-        forces(0, k) = load.value * cloud.areas[k];
-      if (!load.uniform()) add_pressure(load, cloud, map, forces);
-      break;
-    case Load::Kind::line_load:
-      add_line_load(load, cloud, cracks, forces);
-      break;
-    case Load::Kind::point_force: {
-      if (!cloud.seeded(load.position)) break;
-      const auto k = geometry::nearest_plate_point(cloud, load.position);
-      forces.col(static_cast<Eigen::Index>(k)) = moved_force(load.value, load.position - cloud.positions[k]);
-      break;
-    }
-    case Load::Kind::edge_moment:
-    case Load::Kind::edge_shear:
-      add_edge_load(load, cloud, outline, forces);
-      break;
-    case Load::Kind::temperature:
-    case Load::Kind::settlement:
-      break;
-  }
+  if (!load.moves()) std::visit(OnLattice{cloud, outline, map, cracks, forces}, load.action);
   return forces;
 }
 
@@ -233,28 +238,28 @@ Eigen::Vector3d SupportMotion::at(const Point& x, const Point& outward, double b
 std::vector<SupportMotion> support_motions(const Problem& problem) {
   std::vector<SupportMotion> result;
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
-    if (const auto& load = problem.loads[i]; load.kind == Load::Kind::settlement)
-      result.push_back({i, load.support, load.value, load.slope, load.from, load.rotation});
+    if (const auto* moved = problem.loads[i].as<Settlement>())
+      result.push_back({i, moved->support, moved->value, moved->slope, moved->from, moved->rotation});
   return result;
 }
 
 Eigen::VectorXd free_curvature(const Load& load, const Section& section, const std::vector<geometry::Point>& positions,
                                std::size_t count) {
-  if (load.kind != Load::Kind::temperature) return {};
+  const auto* heat = load.as<Temperature>();
+  if (!heat) return {};
   const double each = section.thermal_expansion / section.thickness;
-  if (!load.formula.given()) return Eigen::VectorXd::Constant(Eigen::Index(count), each * load.value);
+  if (!heat->formula.given()) return Eigen::VectorXd::Constant(Eigen::Index(count), each * heat->value);
   Eigen::VectorXd result(static_cast<Eigen::Index>(count));
   for (std::size_t k = 0; k < count; ++k) {
-    const double difference = load.formula(positions[k]);
-    if (!std::isfinite(difference)) throw FormulaError(load.formula, positions[k]);
+    const double difference = heat->formula(positions[k]);
+    if (!std::isfinite(difference)) throw FormulaError(heat->formula, positions[k]);
     result[Eigen::Index(k)] = each * difference;
   }
   return result;
 }
 
 bool heated(const Problem& problem) {
-  const auto heats = [](const Load& load) { return load.kind == Load::Kind::temperature; };
-  return std::ranges::any_of(problem.loads, heats);
+  return std::ranges::any_of(problem.loads, [](const Load& load) { return load.as<Temperature>() != nullptr; });
 }
 
 }  // namespace plate

@@ -66,22 +66,13 @@ void join_loads(Problem& problem) {
     problem.loads.insert(problem.loads.end(), one.loads.begin(), one.loads.end());
 }
 
-void scale(Load& load, double factor) {
-  load.value *= factor, load.twist *= factor, load.gradient *= factor;
-  if (load.table.given()) load.table = load.table.times(factor);
-  load.slope *= factor, load.rotation *= factor;
-  for (auto& component : load.tensor) component *= factor;
-  if (load.gravity) *load.gravity *= factor;
-  if (load.formula.given()) load.formula = Formula(fmt::format("{:.17g} * ({})", factor, load.formula.text()));
-}
-
 std::optional<std::size_t> settle_weights(Problem& problem) {
   const auto& section = problem.section;
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
-    auto& load = problem.loads[i];
-    if (!load.gravity) continue;
+    auto* pressure = problem.loads[i].as<Pressure>();
+    if (!pressure || !pressure->gravity) continue;
     if (!(section.density > 0)) return i;
-    load.value = section.mass() * *load.gravity;
+    pressure->value = section.mass() * *pressure->gravity;
   }
   return std::nullopt;
 }

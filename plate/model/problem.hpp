@@ -38,8 +38,6 @@ std::vector<KeyFault> faults_of_load_cases(const Problem& problem);
 
 /// The problem with the loads of all its load cases behind those that they share.
 void join_loads(Problem& problem);
-/// Makes a load some times as large.
-void scale(Load& load, double factor);
 /// Gives loads by gravity their value, density thickness gravity [force/length^2]; the first of them where the section
 /// has no density.
 std::optional<std::size_t> settle_weights(Problem& problem);

@@ -100,9 +100,11 @@ void check_along(const geometry::Polyline& along, const Refusal& fault, const ge
 
 /// A load on an edge that holds all it acts on: the support takes it, and points beside the edge a part of it.
 void check_held(const Load& load, std::size_t number, const Problem& problem, std::vector<Refusal>& found) {
-  const bool shear = load.kind == Load::Kind::edge_shear;
-  const bool moment = load.has_tensor || load.value != 0, twist = load.has_tensor || load.twist != 0;
-  for (const auto& edge : load.edges)
+  const auto* edge_moment = load.as<EdgeMoment>();
+  const bool shear = load.as<EdgeShear>() != nullptr;
+  const bool moment = edge_moment && (edge_moment->tensor || edge_moment->value != 0),
+             twist = edge_moment && (edge_moment->tensor || edge_moment->twist != 0);
+  for (const auto& edge : load.edges())
     for (std::size_t i = 0; i < problem.supports.size(); ++i) {
       const auto& support = problem.supports[i];
       if (std::ranges::find(support.edges, edge) == support.edges.end()) continue;
@@ -118,21 +120,22 @@ void check_held(const Load& load, std::size_t number, const Problem& problem, st
 
 /// A force on a crack, where nobody knows on which face it acts, or on a part that does not move.
 void check_force(const Load& load, std::size_t number, const Problem& problem, std::vector<Refusal>& found) {
-  if (load.kind != Load::Kind::point_force || load.moves()) return;
+  const auto position = load.point();
+  if (!position) return;
   for (std::size_t i = 0; i < problem.cracks.size(); ++i)
-    if (geometry::distance(problem.cracks[i], load.position) < 1e3 * geometry::tolerance(problem.outline))
+    if (geometry::distance(problem.cracks[i], *position) < 1e3 * geometry::tolerance(problem.outline))
       found.push_back(
           {Subject::load_position, number,
-           fmt::format("{} given, lies on crack {}: move it to the face that it loads", text_of(load.position), i)});
+           fmt::format("{} given, lies on crack {}: move it to the face that it loads", text_of(*position), i)});
   for (std::size_t i = 0; i < problem.supports.size(); ++i) {
     if (!problem.supports[i].patch) continue;
     const auto ring = geometry::Patch(*problem.supports[i].patch).ring();
-    if (geometry::contains({{ring, std::vector<std::string>(ring.size())}, {}}, load.position))
+    if (geometry::contains({{ring, std::vector<std::string>(ring.size())}, {}}, *position))
       found.push_back(
           {Subject::load_position, number,
            fmt::format("{} given, lies on the part that support[{}] holds: it would go into the support and "
                        "not into the plate",
-                       text_of(load.position), i)});
+                       text_of(*position), i)});
   }
 }
 
@@ -197,7 +200,8 @@ void check_supports(const Problem& problem, std::vector<Refusal>& found) {
 }
 
 /// A table that says nothing of a part of what it acts on.
-void check_table(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
+void check_table(const Pressure& load, std::size_t number, const geometry::Outline& outline,
+                 std::vector<Refusal>& found) {
   auto corners = load.patch ? geometry::Patch(*load.patch).ring() : outline.outer.vertices;
   if (load.patch && std::ranges::all_of(outline.outer.vertices, [&](const auto& x) { return load.table.reaches(x); }))
     return;
@@ -211,18 +215,20 @@ void check_table(const Load& load, std::size_t number, const geometry::Outline& 
 }
 
 void check_place(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
-  check_patch(load.patch, {Subject::load_patch, number, "the pressure acts"}, outline, found);
-  check_along(load.along, {Subject::load_line, number, ""}, outline, found);
-  check_along(load.path, {Subject::load_path, number, ""}, outline, found);
+  const auto* pressure = load.as<Pressure>();
+  if (pressure) check_patch(pressure->patch, {Subject::load_patch, number, "the pressure acts"}, outline, found);
+  check_along(load.line(), {Subject::load_line, number, ""}, outline, found);
+  check_along(load.path(), {Subject::load_path, number, ""}, outline, found);
   const auto say = [&](Subject subject, const std::string& what) { found.push_back({subject, number, what}); };
-  if (load.moves() && geometry::length(load.path) < geometry::tolerance(outline))
+  if (load.moves() && geometry::length(load.path()) < geometry::tolerance(outline))
     say(Subject::load_path, "the path has no length");
-  if (load.moves() && load.kind == Load::Kind::pressure) {
-    if (!load.patch) say(Subject::load_path, "a pressure that moves needs a part of the plate to begin with: give on");
-    if (load.evaluated() || load.level || !load.gradient.isZero(0))
+  if (load.moves() && pressure) {
+    if (!pressure->patch)
+      say(Subject::load_path, "a pressure that moves needs a part of the plate to begin with: give on");
+    if (pressure->evaluated() || pressure->level || !pressure->gradient.isZero(0))
       say(Subject::load_path, "a pressure that moves has a value alone: remove what makes it vary");
   }
-  if (load.table.given()) check_table(load, number, outline, found);
+  if (pressure && pressure->table.given()) check_table(*pressure, number, outline, found);
 }
 
 }  // namespace
@@ -238,11 +244,11 @@ std::vector<Refusal> faults_of_edges(const Problem& problem) {
   for (const auto& fault : faults_of_settlements(problem)) found.push_back(fault);
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
     const auto& load = problem.loads[i];
-    check_names(load.edges, geometry::edge_names(problem.outline), Subject::load_edges, i, found);
-    if (!geometry::contains(problem.outline, load.position))
-      found.push_back({Subject::load_position, i, text_of(load.position) + " given, must lie inside the plate"});
+    check_names(load.edges(), geometry::edge_names(problem.outline), Subject::load_edges, i, found);
+    if (const auto position = load.point(); position && !geometry::contains(problem.outline, *position))
+      found.push_back({Subject::load_position, i, text_of(*position) + " given, must lie inside the plate"});
     check_place(load, i, problem.outline, found);
-    check_line(load.along, {Subject::load_line, i, ""}, problem, found);
+    check_line(load.line(), {Subject::load_line, i, ""}, problem, found);
     check_held(load, i, problem, found);
     check_force(load, i, problem, found);
   }
@@ -284,7 +290,7 @@ std::vector<KeyFault> faults_of_heat(const Problem& problem) {
   if (!problem.section.uniform())
     say("section", "temperatures are of plates of one material and one thickness all over");
   for (std::size_t i = 0; i < problem.loads.size() && !problem.section.isotropic(); ++i)
-    if (problem.loads[i].kind == Load::Kind::temperature && problem.loads[i].formula.given())
+    if (problem.loads[i].as<Temperature>() && problem.loads[i].formula().given())
       say(key_of_load(problem, i) + ".expression",
           "temperatures that vary over the plate are of an isotropic material: give a value");
   const auto& d = problem.discretization;

@@ -95,7 +95,7 @@ bool clamps(SupportKind kind) {
 }
 
 /// Describes the part of its settlement that a support does not hold; empty where all is held.
-std::string not_held(const Load& load, const Support& support) {
+std::string not_held(const Settlement& load, const Support& support) {
   if (support.kind == SupportKind::free) return "holds nothing that could move";
   if (support.kind == SupportKind::symmetry && (load.value != 0 || !load.slope.isZero(0)))
     return "is a mirror plane, which holds no deflection: give a rotation alone";
@@ -273,8 +273,9 @@ std::vector<Together> together(const Problem& problem) {
 std::vector<Refusal> faults_of_settlements(const Problem& problem) {
   std::vector<Refusal> found;
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
-    const auto& load = problem.loads[i];
-    if (load.kind != Load::Kind::settlement) continue;
+    const auto* settlement = problem.loads[i].as<Settlement>();
+    if (!settlement) continue;
+    const auto& load = *settlement;
     const auto say = [&](const std::string& what) { found.push_back({Subject::settlement, i, what}); };
     if (load.support >= problem.supports.size()) {
       say(fmt::format("{} given, there {}", load.support,

@@ -60,8 +60,8 @@ double undisturbed_distance(const plate::Problem& c, const geometry::Tip& tip) {
     if (!along.empty()) result = std::min(result, geometry::distance(along, tip.position));
   };
   for (const auto& load : c.loads) {
-    if (load.kind == plate::Load::Kind::point_force && !load.moves()) take(load.position);
-    take_line(load.along);
+    if (const auto x = load.point()) take(*x);
+    take_line(load.line());
   }
   for (const auto& spring : c.springs) {
     if (spring.position) take(*spring.position);
@@ -93,9 +93,8 @@ TipPlace place_of(const plate::Problem& c, const std::vector<geometry::CrackPath
   const auto& d = c.discretization;
   const double clear = std::min(reach, clear_distance(c, paths, tip));
   const double faces = std::min(d.spacing, d.spacing_at_tips() + d.spacing_growth * clear);
-  const bool heated = std::ranges::any_of(c.loads, [](const plate::Load& load) {
-    return load.kind == plate::Load::Kind::temperature && load.formula.given();
-  });
+  const bool heated = std::ranges::any_of(
+      c.loads, [](const plate::Load& load) { return load.as<plate::Temperature>() && load.formula().given(); });
   const double undisturbed = std::min(undisturbed_distance(c, tip), 2 * reach_of_foundations(c));
   return {.tip = tip,
           .path = paths[tip.crack],

@@ -80,7 +80,7 @@ std::vector<Point> singular(const plate::Formulation& plate) {
   for (const auto& holder : plate.boundary().holders)
     if (holder.position) result.push_back(*holder.position);
   for (const auto& load : plate.problem().loads)
-    if (load.kind == plate::Load::Kind::point_force && !load.moves()) result.push_back(load.position);
+    if (const auto x = load.point()) result.push_back(*x);
   if (const auto& impact = plate.problem().impact) result.push_back(impact->position);
   for (const auto& spring : plate.problem().springs)
     if (spring.position) result.push_back(*spring.position);

@@ -161,43 +161,61 @@ std::string words(const plate::History& history) {
   return "";
 }
 
+/// Adds what the page says of each kind of load.
+struct Described {
+  Members& members;
+
+  void add(const char* name, std::string text) const { members.emplace_back(name, std::move(text)); }
+
+  void operator()(const plate::Pressure& load) const {
+    if (load.formula.given()) add("expression", json_text(load.formula.text()));
+    if (load.table.given()) add("expression", json_text("of the table " + load.table.file().filename().string()));
+    if (load.level) {
+      add("level", json_number(*load.level));
+      add("expression",
+          json_text(fmt::format("of a fluid of the unit weight {:g} up to y = {:g}", load.value, *load.level)));
+    }
+    moves(load);
+    if (load.patch) add("patch", text_of(*load.patch));
+    if (!load.gradient.isZero(0)) add("gradient", text_of(load.gradient)), add("from", text_of(load.from));
+  }
+  void operator()(const plate::EdgeMoment& load) const {
+    add("twist", json_number(load.twist));
+    if (!load.tensor) return;
+    const auto [xx, yy, xy] = *load.tensor;
+    add("tensor", json_list({json_number(xx), json_number(yy), json_number(xy)}));
+  }
+  void operator()(const plate::EdgeShear&) const {}
+  void operator()(const plate::PointForce& load) const {
+    moves(load);
+    add("position", text_of(load.path.empty() ? load.position : load.path.front()));
+  }
+  void operator()(const plate::LineLoad& load) const { add("along", text_of(load.along)); }
+  void operator()(const plate::Temperature& load) const {
+    if (load.formula.given()) add("expression", json_text(load.formula.text()));
+  }
+  void operator()(const plate::Settlement& load) const {
+    add("support", json_number(double(load.support)));
+    add("rotation", json_number(load.rotation));
+    if (!load.slope.isZero(0)) add("gradient", text_of(load.slope)), add("from", text_of(load.from));
+  }
+
+private:
+  template <class Moving>
+  void moves(const Moving& load) const {
+    if (load.path.empty()) return;
+    add("path", text_of(load.path));
+    add("speed", json_number(load.speed));
+  }
+};
+
 std::string text_of(const plate::Load& load) {
-  static constexpr std::array kinds{"pressure",  "edge_moment", "edge_shear", "point_force",
-                                    "line_load", "temperature", "settlement"};
-  Members members{{"kind", json_text(kinds.at(std::size_t(load.kind)))},
-                  {"value", json_number(load.value)},
-                  {"twist", json_number(load.twist)},
-                  {"edges", text_of(load.edges)},
+  const double value = std::visit([](const auto& one) { return one.value; }, load.action);
+  Members members{{"kind", json_text(load.name())},
+                  {"value", json_number(value)},
+                  {"edges", text_of(load.edges())},
                   {"history", json_text(words(load.history))}};
-  if (load.has_tensor)
-    members.emplace_back(
-        "tensor", json_list({json_number(load.tensor[0]), json_number(load.tensor[1]), json_number(load.tensor[2])}));
-  if (load.formula.given()) members.emplace_back("expression", json_text(load.formula.text()));
-  if (load.table.given())
-    members.emplace_back("expression", json_text("of the table " + load.table.file().filename().string()));
-  if (load.level) {
-    members.emplace_back("level", json_number(*load.level));
-    members.emplace_back("expression", json_text(fmt::format("of a fluid of the unit weight {:g} up to y = {:g}",
-                                                             load.value, *load.level)));
-  }
-  if (load.moves()) {
-    members.emplace_back("path", text_of(load.path));
-    members.emplace_back("speed", json_number(load.speed));
-  }
-  if (load.patch) members.emplace_back("patch", text_of(*load.patch));
-  if (!load.gradient.isZero(0)) {
-    members.emplace_back("gradient", text_of(load.gradient));
-    members.emplace_back("from", text_of(load.from));
-  }
-  if (!load.along.empty()) members.emplace_back("along", text_of(load.along));
-  if (load.kind == plate::Load::Kind::settlement) {
-    members.emplace_back("support", json_number(double(load.support)));
-    members.emplace_back("rotation", json_number(load.rotation));
-    if (!load.slope.isZero(0))
-      members.emplace_back("gradient", text_of(load.slope)), members.emplace_back("from", text_of(load.from));
-  }
-  if (load.kind == plate::Load::Kind::point_force)
-    members.emplace_back("position", text_of(load.moves() ? load.path.front() : load.position));
+  std::visit(Described{members}, load.action);
   return json_object(members);
 }
 

@@ -23,7 +23,7 @@ cases::Case strip(double thickness_in_spacings) {
   c.section.density = 1;
   c.cracks = {{{0, 0}, {1.2, 0}}};
   c.supports = {vp::held(plate::SupportKind::clamped, {"bottom", "top"})};
-  c.loads[0].value = 1000;
+  c.loads[0].as<plate::Pressure>()->value = 1000;
   c.growth.emplace();
   c.growth->fracture_energy = 1;
   c.growth->control = Growth::Control::equilibrium;
@@ -73,13 +73,13 @@ TEST_CASE("quasi-static bonds: outcomes under given loads and given displacement
   auto c = strip(4);
   c.growth->criterion = Growth::Criterion::bond_energy;
   c.growth->control = Growth::Control::load;
-  c.loads[0].value = 1;
+  c.loads[0].as<plate::Pressure>()->value = 1;
   CHECK(grown(c).summary.growth->outcome == "no bond breaks under the whole load");
-  c.loads[0].value = 4.4;  // the first bonds of the cut tip break, steady growth needs more
+  c.loads[0].as<plate::Pressure>()->value = 4.4;  // the first bonds of the cut tip break, steady growth needs more
   auto found = grown(c);
   CHECK(found.summary.growth->outcome == "arrested under the whole load");
   CHECK(*found.summary.growth->broken_bonds > 4);
-  c.loads[0].value = 1000;
+  c.loads[0].as<plate::Pressure>()->value = 1000;
   c.growth->unstable = Growth::Unstable::stop;
   CHECK(grown(c).summary.growth->outcome == "the next bond breaks unstably");
   c.growth->criterion = Growth::Criterion::curvature_shear;
@@ -95,7 +95,7 @@ TEST_CASE("quasi-static bonds: a symmetric plate stays symmetric") {
   c.analysis.tolerance = 1e-8;
   c.cracks = {{{-0.3, 0}, {0.3, 0}}};
   c.supports = {vp::held_all_round(plate::SupportKind::simply_supported)};
-  c.loads[0].value = 1000;
+  c.loads[0].as<plate::Pressure>()->value = 1000;
   c.growth.emplace();
   c.growth->criterion = Growth::Criterion::bond_energy;
   c.growth->fracture_energy = 1;
@@ -141,7 +141,7 @@ cases::Case struck(double pressure) {
   c.section.density = 1;
   c.cracks = {{{-0.2, 0}, {0.2, 0}}};
   c.supports = {vp::held_all_round(plate::SupportKind::clamped)};
-  c.loads[0].value = pressure;
+  c.loads[0].as<plate::Pressure>()->value = pressure;
   c.loads[0].history.kind = plate::History::Kind::ramp, c.loads[0].history.rise_time = 0.05;
   c.analysis.duration = 0.4;
   c.growth.emplace();
@@ -161,7 +161,7 @@ cases::Case slow() {
   c.analysis.kind = cases::Analysis::Kind::dynamic;
   c.analysis.duration = 1.5;
   c.loads[0].history.kind = plate::History::Kind::ramp, c.loads[0].history.rise_time = 0.6;
-  c.loads[0].value = 4.9;
+  c.loads[0].as<plate::Pressure>()->value = 4.9;
   c.growth->control = Growth::Control::load;
   c.growth->max_length.reset();
   c.growth->criterion = Growth::Criterion::bond_energy;
@@ -207,7 +207,7 @@ TEST_CASE("quasi-static bonds: a plate that is cut through has split, which is a
   c.analysis.kind = cases::Analysis::Kind::static_;
   c.cracks = {{{1, -0.5}, {1, 0.1}}};
   c.supports = {vp::held(plate::SupportKind::clamped, {"left"})};
-  c.loads[0].kind = plate::Load::Kind::edge_moment, c.loads[0].edges = {"right"};
+  c.loads = {plate::Load{plate::EdgeMoment{.edges = {"right"}, .value = 1}}};
   c.growth.emplace();
   c.growth->criterion = Growth::Criterion::bond_energy;
   c.growth->fracture_energy = 1;
@@ -228,7 +228,7 @@ TEST_CASE("bonds under tension only break where tips of the same sign grow") {
   c.growth->tension_only = true;
   c.growth->direction = Growth::Direction::straight;
   for (const double pressure : {1000.0, -1000.0}) {
-    c.loads[0].value = pressure;
+    c.loads[0].as<plate::Pressure>()->value = pressure;
     c.growth->criterion = Growth::Criterion::energy_release;
     c.growth->max_advances = 2;
     const bool tips = grown(c).summary.growth->advances > 0;

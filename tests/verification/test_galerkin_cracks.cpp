@@ -83,7 +83,7 @@ TEST_CASE("Galerkin plate: K1 of thirty cracks within half a percent at spacing 
   for (const auto& row : rows_of("static_summary.csv")) {
     if (row[5] != "soft" || row[4] != "0.3") continue;
     auto c = cracked(1.0 / 60, std::stod(row[2]), std::stod(row[3]));
-    if (row[0] == "bending") c.loads[0].kind = Load::Kind::edge_moment, c.loads[0].edges = {"bottom", "top"};
+    if (row[0] == "bending") c.loads = {Load{EdgeMoment{.edges = {"bottom", "top"}, .value = 1}}};
     const double exact = std::stod(row[6]);
     for (const auto& srif : solved(c).srifs) {
       CAPTURE(row[0], row[1], row[3], srif.method, srif.K1 / exact - 1);
@@ -136,9 +136,7 @@ TEST_CASE("Galerkin plate: mixed mode, along the lattice and at 45 degrees") {
     auto c = cracked(0.004, 0.1, 0.1);
     const double x = inclined ? 0.1 * std::sqrt(0.5) : 0.1, y = inclined ? x : 0;
     c.cracks = {{{-x, -y}, {x, y}}};
-    auto& load = c.loads[0];
-    load.kind = Load::Kind::edge_moment, load.edges = {"left", "right", "bottom", "top"};
-    load.has_tensor = true, load.tensor = tensor;
+    c.loads = {Load{EdgeMoment{.edges = {"left", "right", "bottom", "top"}, .tensor = tensor}}};
     c.supports = {{SupportKind::pinned, {}, {{-1, -1}, {1, -1}, {1, 1}}}};
     const auto s = solved(c);
     const auto& right = s.srifs.back();  // the tip at (x, y)
@@ -161,7 +159,7 @@ TEST_CASE("Galerkin plate: K1 of an oblique crack with points far closer togethe
     c.analysis.kind = cases::Analysis::Kind::static_;
     c.cracks = {geometry::Polyline{geometry::Point(-end), end}};
     c.supports = {{SupportKind::pinned, {}, {{-1, -1}, {1, -1}, {-1, 1}}}};
-    c.loads[0].kind = Load::Kind::edge_moment, c.loads[0].edges = {"left", "right", "bottom", "top"};
+    c.loads = {Load{EdgeMoment{.edges = {"left", "right", "bottom", "top"}, .value = 1}}};
     c.analysis.method = cases::Analysis::Method::direct;
     c.srif.emplace();
     c.srif->methods = {"domain_integral"};

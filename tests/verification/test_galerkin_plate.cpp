@@ -46,8 +46,7 @@ Forces shear_load(const geometry::Tessellation& cells, const GalerkinFamilies& f
     geometry::Tessellation one = cells;
     one.borders = {{border.from, border.to, 0}};
     one.names = {"edge"};
-    Load load;
-    load.kind = Load::Kind::edge_shear, load.edges = {"edge"}, load.value = Q.dot(Point(along.y(), -along.x()));
+    const Load load{EdgeShear{.edges = {"edge"}, .value = Q.dot(Point(along.y(), -along.x()))}};
     sum += nodal_forces(load, one, families.areas);
   }
   for (Eigen::Index k = 0; k < sum.cols(); ++k) {
@@ -86,10 +85,10 @@ TEST_CASE("Galerkin plate: constant curvature and constant shear are solutions o
       const GalerkinOperator op(families, section);
       const double D = section.bending_stiffness(), rounding = thickness == 0.1 ? 1e-11 : 1e-8;
       for (const Eigen::Vector3d& k : {Eigen::Vector3d(1, 0, 0), {0, 1, 0}, {0, 0, 1}}) {
-        Load load;
-        load.kind = Load::Kind::edge_moment, load.has_tensor = true, load.edges = cells.names,
-        load.edges.push_back("crack");
-        load.tensor = {-D * (k[0] + 0.3 * k[1]), -D * (k[1] + 0.3 * k[0]), -D * 0.7 * k[2]};
+        EdgeMoment moment{.edges = cells.names,
+                          .tensor = {{-D * (k[0] + 0.3 * k[1]), -D * (k[1] + 0.3 * k[0]), -D * 0.7 * k[2]}}};
+        moment.edges.push_back("crack");
+        const Load load{moment};
         auto named = cells;
         named.names.push_back("crack");
         for (auto& border : named.borders)
@@ -134,7 +133,7 @@ TEST_CASE("Galerkin plate: a cantilever converges with the second order") {
     auto c = in_galerkin(vp::free_plate(geometry::rectangle(0, 0, 1.2, 0.8), spacing));
     c.section = of_thickness(0.1, 0);
     c.supports = {vp::held(SupportKind::clamped, {"left"})};
-    c.loads[0].kind = Load::Kind::edge_shear, c.loads[0].edges = {"right"};
+    c.loads = {Load{EdgeShear{.edges = {"right"}, .value = 1}}};
     const auto a = vp::assembled(c);
     const State u = by_factor(*a);
     const double L = 1.2, D = c.section.bending_stiffness(), S = c.section.shear_stiffness();
@@ -192,9 +191,7 @@ TEST_CASE("Galerkin plate: moments about a hole against Reissner's closed form")
       c.section = of_thickness(thickness);
       c.discretization.hole_spacing = at_hole, c.discretization.spacing_growth = 2 * at_hole;
       c.supports = {{SupportKind::pinned, {}, {{-40, -40}, {40, -40}, {40, 40}}}};
-      auto& load = c.loads[0];
-      load.kind = Load::Kind::edge_moment, load.edges = {"left", "right", "bottom", "top"};
-      load.has_tensor = true, load.tensor = {1, 0, 0};
+      c.loads = {Load{EdgeMoment{.edges = {"left", "right", "bottom", "top"}, .tensor = {{1, 0, 0}}}}};
       const auto a = vp::assembled(c);
       const State u = by_factor(*a);
       const auto r = a->resultants(u);

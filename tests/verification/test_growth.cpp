@@ -22,9 +22,7 @@ cases::Case straight(double spacing, double degrees, std::array<double, 3> tenso
   const geometry::Point along(std::cos(degrees / 180 * std::numbers::pi), std::sin(degrees / 180 * std::numbers::pi));
   c.cracks = {{-0.2 * along, 0.2 * along}};
   c.supports = {{plate::SupportKind::pinned, {}, {{-0.9, -0.9}, {0.9, -0.9}, {0, 0.9}}}};
-  auto& load = c.loads[0];
-  load.kind = plate::Load::Kind::edge_moment, load.edges = {"left", "right", "bottom", "top"};
-  load.has_tensor = true, load.tensor = tensor;
+  c.loads = {plate::Load{plate::EdgeMoment{.edges = {"left", "right", "bottom", "top"}, .tensor = tensor}}};
   c.growth.emplace();
   c.growth->fracture_energy = 1;
   c.growth->control = Growth::Control::equilibrium;
@@ -179,7 +177,7 @@ cases::Case pressed(double degrees) {
   const geometry::Point along(std::cos(turn), std::sin(turn));
   c.cracks = {{-0.25 * along, 0.25 * along}};
   c.supports = {vp::held_all_round(plate::SupportKind::simply_supported)};
-  c.loads[0].value = 6;
+  c.loads[0].as<plate::Pressure>()->value = 6;
   c.loads[0].history.kind = plate::History::Kind::ramp, c.loads[0].history.rise_time = 0.6;
   c.analysis.duration = 0.8;
   c.growth.emplace();
@@ -213,8 +211,9 @@ TEST_CASE("growth in motion: the crack takes the fracture energy in twist, and u
       auto c = straight(0.025, degrees, {1, 1, 0});
       c.section.density = 1;
       c.supports.clear();
-      if (twist) c.loads[0].tensor = {-std::sin(turn), std::sin(turn), std::cos(turn)};
-      for (double& component : c.loads[0].tensor) component *= twist ? 0.4 : 0.25;
+      auto& tensor = *c.loads[0].as<plate::EdgeMoment>()->tensor;
+      if (twist) tensor = {-std::sin(turn), std::sin(turn), std::cos(turn)};
+      for (double& component : tensor) component *= twist ? 0.4 : 0.25;
       c.loads[0].history.kind = plate::History::Kind::ramp, c.loads[0].history.rise_time = 1;
       c.analysis.kind = cases::Analysis::Kind::dynamic;
       c.analysis.duration = 1.2;

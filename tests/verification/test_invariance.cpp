@@ -22,16 +22,8 @@ cases::Case varied() {
   c.cracks = {{{0.42, 0.37}, {0.71, 0.52}, {0.83, 0.94}}, {{1.36, 0}, {1.31, 0.44}}};
   c.supports = {vp::held(SupportKind::clamped, {"left"}), vp::held(SupportKind::simply_supported, {"top"}),
                 vp::held(SupportKind::simply_supported_hard, {"right"})};
-  Load moment;
-  moment.kind = Load::Kind::edge_moment;
-  moment.edges = {"bottom"};
-  moment.value = 0.3, moment.twist = -0.2;
-  Load shear;
-  shear.kind = Load::Kind::edge_shear;
-  shear.edges = {"hole0"};
-  shear.value = 0.7;
-  c.loads.push_back(moment);
-  c.loads.push_back(shear);
+  c.loads.push_back(Load{EdgeMoment{.edges = {"bottom"}, .value = 0.3, .twist = -0.2}});
+  c.loads.push_back(Load{EdgeShear{.edges = {"hole0"}, .value = 0.7}});
   c.srif.emplace();
   return c;
 }
@@ -137,7 +129,7 @@ TEST_CASE("millimetres instead of metres: the same factors F in as many iteratio
   second.section.thickness *= 1000;
   second.section.young *= 1e-6;  // N / mm^2
   second.discretization.spacing *= 1000;
-  second.loads[0].value *= 1e-6;
+  second.loads[0].as<Pressure>()->value *= 1e-6;
   second.srif->normalize = post::Normalization{1e-6, 2000.0, {}};
   second.srif->half_length = 300;
   for (const bool adr : {true, false}) {

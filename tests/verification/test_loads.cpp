@@ -66,34 +66,35 @@ void check(const Load& load, const Of& of, std::array<double, 2> bonds, std::arr
 }  // namespace
 
 TEST_CASE("loads: pressure on a rectangle that grows along x, edges anywhere among the points") {
-  Load load;
-  load.value = 2, load.gradient = {3, 0}, load.from = {-0.63, 0};
-  load.patch = geometry::Polygon{{{-0.63, -0.11}, {0.22, -0.11}, {0.22, 0.57}, {-0.63, 0.57}}, {}};
+  const Load load{
+      Pressure{.value = 2,
+               .gradient = {3, 0},
+               .from = {-0.63, 0},
+               .patch = geometry::Polygon{{{-0.63, -0.11}, {0.22, -0.11}, {0.22, 0.57}, {-0.63, 0.57}}, {}}}};
   check(load, [](double a, double b) { return sine(0.37, 1.22, a, 2 - 3 * 0.37, 3) * sine(0.89, 1.57, b); },
         {0.025, 0.005},    // measured: 2.19, 0.44 %
         {0.002, 0.0005});  // measured: 0.16, 0.041 %
 }
 
 TEST_CASE("loads: water up to three fifths of the height") {
-  Load load;
-  load.value = 12, load.gradient = {0, -10}, load.from = {0, -1};
-  load.patch = geometry::Polygon{{{-1, -1}, {1, -1}, {1, 0.2}, {-1, 0.2}}, {}};
+  const Load load{Pressure{.value = 12,
+                           .gradient = {0, -10},
+                           .from = {0, -1},
+                           .patch = geometry::Polygon{{{-1, -1}, {1, -1}, {1, 0.2}, {-1, 0.2}}, {}}}};
   check(load, [](double a, double b) { return sine(0, 2, a) * sine(0, 1.2, b, 12, -10); },
         {0.025, 0.005},     // measured: 2.18, 0.42 %
         {0.0015, 0.0004});  // measured: 0.12, 0.036 %
 }
 
 TEST_CASE("loads: a line load") {
-  Load load;
-  load.kind = Load::Kind::line_load, load.value = 5, load.along = {{-0.71, 0.13}, {0.38, 0.13}};
+  const Load load{LineLoad{.along = {{-0.71, 0.13}, {0.38, 0.13}}, .value = 5}};
   check(load, [](double a, double b) { return 5 * sine(0.29, 1.38, a) * std::sin(b * 1.13); },
         {0.025, 0.0065},   // measured: 2.26, 0.56 %
         {0.009, 0.0035});  // measured: 0.83, 0.28 %
 }
 
 TEST_CASE("loads: an expression that is one term of the series") {
-  Load load;
-  load.formula = Formula("cos(pi * x / 2) * cos(pi * y / 2)");
+  const Load load{Pressure{.formula = Formula("cos(pi * x / 2) * cos(pi * y / 2)")}};
   const auto first = [](double a, double b) { return a + b < 1.001 * pi ? 1.0 : 0.0; };
   check(load, first, {0.025, 0.005},  // measured: 2.00, 0.39 %
         {0.002, 0.0005});             // measured: 0.10, 0.029 %

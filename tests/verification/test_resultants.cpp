@@ -24,10 +24,7 @@ TEST_CASE("a strip bent by edge moments: Mxx = M, von Mises 6 M / h^2, all else 
     auto c = vp::free_plate(geometry::rectangle(0, 0, 3, 1), spacing);
     c.discretization.volume_correction = VolumeCorrection::lattice_fitted;
     c.supports = {{SupportKind::pinned, {}, {{0, 0}, {3, 0}, {3, 1}}}};
-    c.loads[0] = {};
-    c.loads[0].kind = Load::Kind::edge_moment;
-    c.loads[0].edges = {"left", "right"};
-    c.loads[0].value = 1;
+    c.loads = {Load{EdgeMoment{.edges = {"left", "right"}, .value = 1}}};
     const auto a = vp::assembled(c);
     const auto r = at_rest(*a);
     bending.push_back(0), stress.push_back(0);
@@ -62,7 +59,7 @@ TEST_CASE("a strip on two supports under pressure: Qx and Mxx of statics") {
   constexpr double length = 2, pressure = 3;
   auto c = vp::free_plate(geometry::rectangle(0, 0, length, 0.5), 0.05);
   c.discretization.volume_correction = VolumeCorrection::lattice_fitted;
-  c.loads[0].value = pressure;
+  c.loads = {Load{Pressure{.value = pressure}}};
   for (const auto kind : {SupportKind::simply_supported, SupportKind::simply_supported_hard}) {
     c.supports = {vp::held(kind, {"left", "right"}), vp::held(SupportKind::symmetry, {"bottom", "top"})};
     const auto a = vp::assembled(c);

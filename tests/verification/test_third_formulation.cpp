@@ -164,9 +164,7 @@ cases::CaseFile cracked_plate(const plate::FormulationKind& kind) {
   c.discretization.surface_correction = plate::SurfaceCorrection::none;
   c.discretization.formulation = &kind;
   c.supports = {{plate::SupportKind::simply_supported, {"bottom", "top"}, {}}};
-  plate::Load pressure;
-  pressure.value = 1;
-  c.loads = {pressure};
+  c.loads = {plate::Load{plate::Pressure{.value = 1}}};
   c.srif.emplace();
   c.output.probes["side"] = {0.9875, 0.0125};
   return file;

@@ -11,9 +11,7 @@ cases::Case free_plate(const geometry::Outline& outline, double spacing) {
   c.discretization.formulation = &plate::ordinary;
   c.discretization.spacing = spacing;
   c.analysis.kind = cases::Analysis::Kind::dynamic;
-  plate::Load pressure;
-  pressure.value = 1;
-  c.loads = {pressure};
+  c.loads = {plate::Load{plate::Pressure{.value = 1}}};
   return c;
 }
 

@@ -79,9 +79,7 @@ inline cases::CaseFile tall_plate() {
   c.discretization.spacing = 0.02;
   c.discretization.formulation = &plate::ordinary;
   c.supports = {{plate::SupportKind::clamped, {"bottom"}, {}}};
-  plate::Load moment;
-  moment.kind = plate::Load::Kind::edge_moment, moment.value = 1, moment.edges = {"left", "right"};
-  c.loads = {moment};
+  c.loads = {plate::Load{plate::EdgeMoment{.edges = {"left", "right"}, .value = 1}}};
   auto& growth = c.growth.emplace();
   growth.fracture_energy = 100;
   c.output.vtk = c.output.hdf5 = false;
@@ -94,7 +92,7 @@ inline cases::CaseFile cut_plate() {
   auto file = tall_plate();
   auto& c = file.content;
   c.cracks = {{{0, 0.7}, {0.45, 0.98}}};
-  c.loads.front().edges = {"top"};
+  c.loads.front().as<plate::EdgeMoment>()->edges = {"top"};
   c.growth->direction = fracture::Growth::Direction::straight;
   c.growth->fallen = fracture::Growth::Fallen::freeze;
   return file;

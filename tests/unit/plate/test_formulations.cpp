@@ -25,9 +25,7 @@ TEST_CASE("formulations: edges by layers are the kinds that hold in a layer, sym
   problem.section = {1000, 0.3, 0.1};
   problem.outline = geometry::rectangle(0, 0, 1, 1);
   problem.discretization.spacing = 0.125, problem.discretization.formulation = plate::formulations().back();
-  plate::Load pressure;
-  pressure.value = 1;
-  problem.loads = {pressure};
+  problem.loads = {plate::Load{plate::Pressure{.value = 1}}};
   auto by_kind = problem;
   by_kind.supports = {
       {clamped_layer, {"left"}, {}}, {simply_supported_hard_layer, {"top"}, {}}, {symmetry, {"bottom"}, {}}};

@@ -71,9 +71,7 @@ Spring single(const Point& x, double deflection, double rotation = 0) {
 }
 
 Load force_at(const Point& x, double value) {
-  Load load;
-  load.kind = Load::Kind::point_force, load.position = x, load.value = value;
-  return load;
+  return {PointForce{.position = x, .value = value}};
 }
 
 /// omega^2 of the three lowest modes.

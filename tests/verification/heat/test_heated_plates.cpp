@@ -25,10 +25,7 @@ const std::vector<const FormulationKind*> both{&galerkin, &ordinary};
 constexpr double alpha = 2e-3, difference = 25;
 
 Load temperature(const std::string& expression = "") {
-  Load load;
-  load.kind = Load::Kind::temperature, load.value = difference;
-  if (!expression.empty()) load.formula = Formula(expression);
-  return load;
+  return {Temperature{.value = difference, .formula = expression.empty() ? Formula() : Formula(expression)}};
 }
 
 cases::Case square(const FormulationKind& kind, double spacing, std::vector<Support> supports) {
@@ -131,7 +128,7 @@ TEST_CASE("a clamped plate with directions that is heated does not move, and has
   auto c = square(galerkin, 0.05, {vp::held_all_round(SupportKind::clamped)});
   c.section.thickness = 0.05, c.section.thermal_expansion = 1e-5;
   c.section.orthotropic = Orthotropy{100e3, 10e3, 0.3, 5e3, 5e3, 3e3, 30};
-  c.loads[0].value = 100;
+  c.loads[0].as<Temperature>()->value = 100;
   const auto plate = vp::assembled(c);
   const auto u = at_rest(*plate);
   CHECK(u.cwiseAbs().maxCoeff() < 1e-14);

@@ -153,9 +153,7 @@ TEST_CASE("a wave of pressure that swings for ever: amplitude and phase at nine 
       K << S * L, -S * L, -S * L, S * L + D * L * L;
       M << rho * h, 0, 0, rho * h * h * h / 12 * L;
       const double lowest = std::sqrt(Wave(s, {}, false).squares[0]) / (2 * pi);
-      Load load;
-      load.formula = Formula("sin(pi * x) * sin(pi * y)");
-      c.loads = {load};
+      c.loads = {Load{Pressure{.formula = Formula("sin(pi * x) * sin(pi * y)")}}};
       const auto plate = vp::assembled(c);
       const auto& constraints = plate->constraints();
       HarmonicOptions options{Sweep{0.2 * lowest, 1.8 * lowest, 9}, Damping{0.1 * lowest, 0.02 / lowest}};
@@ -224,9 +222,7 @@ TEST_CASE("Lanczos vectors of a plate with oblique hard supports stay orthonorma
   c.section = {200e9, 0.3, 0.015, 5.0 / 6, 7850};
   c.discretization.spacing = 0.025;
   c.supports = {vp::held(SupportKind::simply_supported_hard, {"e0"}), vp::held(SupportKind::clamped, {"e1"})};
-  Load force;
-  force.kind = Load::Kind::point_force, force.position = {0.05, 0.02}, force.value = 1;
-  c.loads = {force};
+  c.loads = {Load{PointForce{.position = {0.05, 0.02}, .value = 1}}};
   const auto plate = vp::assembled(c);
   const auto inertia = plate->inertia(1);
   const auto inverse = inverse_of(*plate);

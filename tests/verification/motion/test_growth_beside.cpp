@@ -31,8 +31,7 @@ cases::Case square() {
 }
 
 Load pressure(double value) {
-  Load load;
-  load.value = value;
+  Load load{plate::Pressure{.value = value}};
   load.history.kind = History::Kind::ramp, load.history.rise_time = 0.6;
   return load;
 }
@@ -62,8 +61,7 @@ cases::Case moved() {
   auto c = square();
   c.supports = {vp::held(plate::SupportKind::simply_supported, {"bottom"}),
                 vp::held(plate::SupportKind::simply_supported, {"top"})};
-  Load load;
-  load.kind = Load::Kind::settlement, load.support = 1, load.value = 2.5;
+  Load load{plate::Settlement{.support = 1, .value = 2.5}};
   load.history.kind = History::Kind::table;
   for (int i = 0; i <= 40; ++i) {
     const double part = i / 40.0;
@@ -76,10 +74,8 @@ cases::Case moved() {
 
 cases::Case travelled() {
   auto c = square();
-  Load load;
-  load.kind = Load::Kind::point_force, load.value = 2.5;
-  load.position = {-0.9, 0.1}, load.path = {{-0.9, 0.1}, {0.9, 0.1}}, load.speed = 1.8 / 0.7;
-  c.loads = {load};
+  c.loads = {Load{
+      plate::PointForce{.position = {-0.9, 0.1}, .value = 2.5, .path = {{-0.9, 0.1}, {0.9, 0.1}}, .speed = 1.8 / 0.7}}};
   return c;
 }
 

@@ -17,7 +17,7 @@ cases::Case square(int cells, const std::vector<geometry::Polyline>& cracks, boo
   c.section.density = 1;
   c.cracks = cracks;
   c.supports = {vp::held_all_round(plate::SupportKind::simply_supported)};
-  c.loads[0].value = in_motion ? 6 : 1;
+  c.loads[0].as<plate::Pressure>()->value = in_motion ? 6 : 1;
   auto& growth = c.growth.emplace();
   growth.fracture_energy = 1;
   if (in_motion) {

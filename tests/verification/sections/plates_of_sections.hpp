@@ -42,9 +42,7 @@ inline double at(const Formulation& plate, const State& u, const Point& x) {
 }
 
 inline Load uniform_pressure() {
-  Load load;
-  load.value = 1;
-  return load;
+  return {Pressure{.value = 1}};
 }
 
 }  // namespace plates_of_sections

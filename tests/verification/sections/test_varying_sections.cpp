@@ -13,9 +13,7 @@ namespace {
 /// End deflection of a strip of length 1, clamped at x = 0 and sheared by 1 at x = 1, bent to a cylinder.
 double strip(const Section& section, double spacing) {
   auto c = rectangle(section, 1, 0.2, spacing);
-  Load end;
-  end.kind = Load::Kind::edge_shear, end.value = 1, end.edges = {"right"};
-  c.loads = {end};
+  c.loads = {Load{EdgeShear{.edges = {"right"}, .value = 1}}};
   c.supports = {vp::held(SupportKind::clamped, {"left"}), vp::held(SupportKind::symmetry, {"bottom", "top"})};
   const auto plate = vp::assembled(c);
   return at(*plate, at_rest(*plate), {1, 0.1});
@@ -64,9 +62,7 @@ TEST_CASE("own weight and mass of plates whose section varies") {
   auto c = rectangle({1000, 0.3, 0.1, 5.0 / 6, 2}, 1, 1, 0.05);
   c.section.thickness_factor = Formula("1 + x");
   c.section.regions = {{geometry::Circle{{0.5, 0.5}, 0.25, ""}, 0.3, {}, {}, 5.0}};
-  Load own;
-  own.gravity = -10;
-  c.loads = {own};
+  c.loads = {Load{Pressure{.gravity = -10}}};
   settle_weights(c);
   const auto plate = vp::assembled(c);
   const double disc = pi / 16, exact = 2 * 0.1 * (1.5 * (1 - disc)) + 5 * 0.3 * disc;

@@ -30,9 +30,7 @@ cases::Case strip(double spacing, std::vector<Stiffener> stiffeners) {
   c.section = {1000, 0.3, thickness, 5.0 / 6, 2};
   c.supports = {vp::held(SupportKind::simply_supported_hard, {"left", "right"})};
   c.stiffeners = std::move(stiffeners);
-  Load pressure;
-  pressure.value = 1e-3;
-  c.loads = {pressure};
+  c.loads = {Load{Pressure{.value = 1e-3}}};
   return c;
 }
 
@@ -110,9 +108,7 @@ TEST_CASE("a beam along a line of points, much stiffer than the plate, is the be
     auto one = beam(EI, 0, {}, line);
     if (shears) one.shear = 12 * EI;
     auto c = strip(0.05, {one});
-    Load line_load;
-    line_load.kind = Load::Kind::line_load, line_load.value = p, line_load.along = line;
-    c.loads = {line_load};
+    c.loads = {Load{LineLoad{.along = line, .value = p}}};
     const auto plate = vp::assembled(c);
     const double exact = 5 * p / (384 * EI) + (shears ? p / (8 * 12 * EI) : 0);
     CHECK(at(*plate, at_rest(*plate), {0.5, 0}) == Approx(exact).epsilon(0.002));  // measured: 0.10, 0.06 %
@@ -200,9 +196,7 @@ TEST_CASE("stiffeners: frequencies and own weight of a narrow plate between two 
   both.mass = mass;
   auto c = strip(0.025, {both});
   c.outline = geometry::rectangle(0, 0, 1, width);
-  Load own;
-  own.gravity = -2;
-  c.loads = {own};
+  c.loads = {Load{Pressure{.gravity = -2}}};
   settle_weights(c);
   const auto plate = vp::assembled(c);
   const double all = 2 * mass + 2 * thickness * width;

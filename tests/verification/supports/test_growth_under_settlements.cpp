@@ -40,9 +40,7 @@ cases::Case twisted(const plate::FormulationKind* kind) {
 
 cases::Case pulled(const plate::FormulationKind* kind, double force) {
   auto c = twisted(kind);
-  Load load;
-  load.kind = Load::Kind::point_force, load.position = corner(kind), load.value = force;
-  c.loads = {load};
+  c.loads = {Load{plate::PointForce{.position = corner(kind), .value = force}}};
   c.growth->control = Growth::Control::equilibrium;
   return c;
 }
@@ -50,14 +48,8 @@ cases::Case pulled(const plate::FormulationKind* kind, double force) {
 cases::Case moved(const plate::FormulationKind* kind, double deflection, double pressure = 0) {
   auto c = twisted(kind);
   c.supports.push_back({plate::SupportKind::pinned, {}, {corner(kind)}});
-  Load load;
-  load.kind = Load::Kind::settlement, load.support = 1, load.value = deflection;
-  c.loads = {load};
-  if (pressure != 0) {
-    load = {};
-    load.value = pressure;
-    c.loads.push_back(load);
-  }
+  c.loads = {Load{plate::Settlement{.support = 1, .value = deflection}}};
+  if (pressure != 0) c.loads.push_back(Load{plate::Pressure{.value = pressure}});
   return c;
 }
 

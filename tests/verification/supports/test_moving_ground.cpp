@@ -17,9 +17,8 @@ TEST_CASE("a plate on ground that moves is one at rest under its inertia and has
     for (const auto support : {SupportKind::clamped, SupportKind::simply_supported}) {
       auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.1);
       c.discretization.formulation = kind, c.section = vp::section;
-      Load settlement, pressure;
-      settlement.kind = Load::Kind::settlement, settlement.value = 0.01;
-      pressure.value = vp::section.density * vp::section.thickness * 0.01;
+      const Load settlement{Settlement{.value = 0.01}};
+      const Load pressure{Pressure{.value = vp::section.density * vp::section.thickness * 0.01}};
       c.supports = {vp::held(support, {"left", "right", "bottom", "top"})};
       c.loads = {settlement};
       const double dt = 0.5 * stable_time_step(*vp::assembled(c), 1);

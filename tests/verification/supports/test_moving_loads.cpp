@@ -62,7 +62,7 @@ Errors errors(const FormulationKind* kind, double spacing, double speed, const L
   c.loads = {load};
   const auto plate = vp::assembled(c);
   const Point x(0.5, 0.5);
-  const double length = load.path.back().x() - load.path.front().x();
+  const double length = load.path().back().x() - load.path().front().x();
   const auto shares = plate->interpolation(x);
   DynamicOptions options;
   options.time_step = 0.8 * stable_time_step(*plate, 1);
@@ -72,7 +72,7 @@ Errors errors(const FormulationKind* kind, double spacing, double speed, const L
   central_differences(*plate, plate->constraints(), plate->mass(), plate->loads(), options, [&](const Instant& now) {
     double w = 0;
     for (const auto& share : shares) w += share.weight * now.state(0, share.point);
-    const double exact = series(x, load.path[0], speed, now.time, spread);
+    const double exact = series(x, load.path()[0], speed, now.time, spread);
     squares += (w - exact) * (w - exact), largest = std::max(largest, std::abs(exact)), ++count;
     const double left = now.strain_energy + now.discrete_kinetic_energy - now.external_work;
     if (now.step == 0) first = left;  // a load that sets in at once
@@ -87,8 +87,7 @@ Errors errors(const FormulationKind* kind, double spacing, double speed, const L
 TEST_CASE("a force that runs across a plate") {
   for (const auto* kind : formulations())
     for (const double speed : {1.0, 3.0, 6.0}) {
-      Load load;
-      load.kind = Load::Kind::point_force, load.value = 1, load.path = {{0, 0.3}, {1, 0.3}}, load.speed = speed;
+      const Load load{PointForce{.value = 1, .path = {{0, 0.3}, {1, 0.3}}, .speed = speed}};
       const auto coarse = errors(kind, 0.1, speed, load, 0), fine = errors(kind, 0.05, speed, load, 0);
       CAPTURE(kind->name, speed, coarse.rms, fine.rms, coarse.books, fine.books);
       CHECK(fine.rms < 0.025);
@@ -99,9 +98,10 @@ TEST_CASE("a force that runs across a plate") {
 
 TEST_CASE("a square of pressure that runs across a plate, along a path of several pieces") {
   for (const auto* kind : formulations()) {
-    Load load;
-    load.value = 1 / 0.04, load.path = {{0.12, 0.3}, {0.37, 0.3}, {0.88, 0.3}}, load.speed = 2;
-    load.patch = geometry::Polygon{{{0.02, 0.2}, {0.22, 0.2}, {0.22, 0.4}, {0.02, 0.4}}, {}};
+    const Load load{Pressure{.value = 1 / 0.04,
+                             .patch = geometry::Polygon{{{0.02, 0.2}, {0.22, 0.2}, {0.22, 0.4}, {0.02, 0.4}}, {}},
+                             .path = {{0.12, 0.3}, {0.37, 0.3}, {0.88, 0.3}},
+                             .speed = 2}};
     const auto coarse = errors(kind, 0.1, 2, load, 0.2), fine = errors(kind, 0.05, 2, load, 0.2);
     CAPTURE(kind->name, coarse.rms, fine.rms, coarse.books, fine.books);
     CHECK(fine.rms < 0.03);

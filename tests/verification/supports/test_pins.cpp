@@ -15,16 +15,11 @@ using geometry::Point;
 namespace {
 
 Load growing_pressure(double value, const Point& gradient) {
-  Load load;
-  load.value = value, load.gradient = gradient;
-  return load;
+  return {Pressure{.value = value, .gradient = gradient}};
 }
 
 Load force(double value, const Point& at) {
-  Load load;
-  load.kind = Load::Kind::point_force;
-  load.value = value, load.position = at;
-  return load;
+  return {PointForce{.position = at, .value = value}};
 }
 
 /// Forces of the pins along w.

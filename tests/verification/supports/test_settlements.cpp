@@ -19,16 +19,11 @@ namespace {
 
 Load settlement(std::size_t support, double value, const Point& slope = {0, 0}, const Point& from = {0, 0},
                 double rotation = 0) {
-  Load load;
-  load.kind = Load::Kind::settlement;
-  load.support = support, load.value = value, load.slope = slope, load.from = from, load.rotation = rotation;
-  return load;
+  return {Settlement{.support = support, .value = value, .slope = slope, .from = from, .rotation = rotation}};
 }
 
 Load pressure(double value) {
-  Load load;
-  load.value = value;
-  return load;
+  return {Pressure{.value = value}};
 }
 
 cases::Case case_of(const FormulationKind* kind, const geometry::Outline& outline, double spacing) {
@@ -230,8 +225,7 @@ TEST_CASE("lines at any angle hold no plate that is antisymmetric about them and
       CAPTURE(kind->name, angle);
       CHECK((found.state() - rigid).cwiseAbs().maxCoeff() < 1e-8);
       c.supports = {vp::held_all_round(SupportKind::clamped), {SupportKind::pinned, {}, {}, {-way, way}}};
-      c.loads = {pressure(0)};
-      c.loads[0].gradient = {-std::sin(angle), std::cos(angle)};
+      c.loads = {Load{Pressure{.gradient = {-std::sin(angle), std::cos(angle)}}}};
       const auto turned = solved(c);
       const auto line = turned.reaction(4);
       CHECK(std::abs(line.force) < 1e-3);  // of loads of 2.5 to 2.7 on either side
@@ -249,9 +243,7 @@ TEST_CASE("a point settles by the force that would move it there") {
     const auto settled = solved(c);
     const double force = settled.reaction(4).force;
     c.supports.pop_back();
-    Load load;
-    load.kind = Load::Kind::point_force, load.position = x, load.value = force;
-    c.loads = {load};
+    c.loads = {Load{PointForce{.position = x, .value = force}}};
     const auto loaded = solved(c);
     CAPTURE(kind->name, force);
     CHECK((settled.state() - loaded.state()).cwiseAbs().maxCoeff() < 1e-6 * 0.02);

@@ -27,15 +27,11 @@ cases::Case on_soil(const FormulationKind* kind, const geometry::Outline& outlin
 }
 
 Load across(double x, double top, double value) {
-  Load load;
-  load.kind = Load::Kind::line_load, load.along = {{x, 0}, {x, top}}, load.value = value;
-  return load;
+  return {LineLoad{.along = {{x, 0}, {x, top}}, .value = value}};
 }
 
 Load force_at(const Point& x, double value) {
-  Load load;
-  load.kind = Load::Kind::point_force, load.position = x, load.value = value;
-  return load;
+  return {PointForce{.position = x, .value = value}};
 }
 
 StaticSolution solved(const Formulation& plate, StaticMethod method = StaticMethod::cg) {
@@ -127,8 +123,7 @@ TEST_CASE("soil that is pressed everywhere is Winkler's", "[soil]") {
   for (const auto* kind : formulations()) {
     auto c = on_soil(kind, geometry::rectangle(0, 0, 1, 1), 0.05, 0.3);
     c.foundations[0].patch = geometry::Circle{{0.5, 0.5}, 0.33, ""};
-    c.loads = {force_at({0.475, 0.475}, -0.02), Load{}};
-    c.loads[1].value = -0.5;
+    c.loads = {force_at({0.475, 0.475}, -0.02), Load{Pressure{.value = -0.5}}};
     const auto lifts = vp::assembled(c);
     c.foundations[0].lifts_off = false;
     const auto holds = vp::assembled(c);
@@ -143,10 +138,9 @@ TEST_CASE("soil that is pressed everywhere is Winkler's", "[soil]") {
 TEST_CASE("a slab that lifts off is symmetric and in balance by every solver and doubles with its load", "[soil]") {
   for (const auto* kind : formulations()) {
     auto c = on_soil(kind, geometry::rectangle(-1, -1, 1, 1), 0.1, 50);
-    Load down;
-    down.value = -0.5;
+    const Load down{Pressure{.value = -0.5}};
     c.loads = {force_at({0.75, 0.75}, -1), force_at({0, 0}, 0.3), down};
-    if (kind->offers(Feature::horizon)) c.loads[1].position = {0.05, 0.05};
+    if (kind->offers(Feature::horizon)) c.loads[1].as<PointForce>()->position = {0.05, 0.05};
     const auto plate = vp::assembled(c);
     const auto u = solved(*plate).state;
     const double size = u.row(0).cwiseAbs().maxCoeff(), touches = plate->boundary().attached.share_touching(u);
@@ -162,7 +156,7 @@ TEST_CASE("a slab that lifts off is symmetric and in balance by every solver and
     const auto direct = solved(*plate, StaticMethod::direct).state, adr = solved(*plate, StaticMethod::adr).state;
     CHECK((u - direct).cwiseAbs().maxCoeff() < 1e-5 * size);
     CHECK((u - adr).cwiseAbs().maxCoeff() < 1e-4 * size);
-    for (auto& load : c.loads) load.value *= 2;
+    for (auto& load : c.loads) scale(load, 2);
     const auto twice = vp::assembled(c);
     CHECK((2 * u - solved(*twice).state).cwiseAbs().maxCoeff() < 1e-5 * size);
   }
@@ -188,10 +182,8 @@ TEST_CASE("a plate that nothing holds down ends with an error", "[soil]") {
 TEST_CASE("in motion a plate leaves its soil and comes back with the energy that it was given", "[soil]") {
   for (const auto* kind : formulations()) {
     auto c = on_soil(kind, geometry::rectangle(0, 0, 1, 1), 0.1, 30);
-    Load weight;
-    weight.value = -0.5;
-    Load pulse;
-    pulse.value = 4, pulse.patch = geometry::Circle{{0.3, 0.4}, 0.3, ""};
+    const Load weight{Pressure{.value = -0.5}};
+    Load pulse{Pressure{.value = 4, .patch = geometry::Circle{{0.3, 0.4}, 0.3, ""}}};
     pulse.history.kind = History::Kind::table, pulse.history.table = {{0, 0}, {0.1, 1}, {0.2, 0}};
     c.loads = {weight, pulse};
     const auto plate = vp::assembled(c);

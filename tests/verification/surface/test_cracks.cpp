@@ -27,8 +27,7 @@ cases::Case cracked(double spacing, const geometry::Polyline& crack, EdgeMethod 
 
 /// Moments of one tensor on all edges of a plate that three points keep in place.
 void turn(cases::Case& c, const std::array<double, 3>& tensor) {
-  auto& load = c.loads[0];
-  load.kind = Load::Kind::edge_moment, load.edges = all, load.has_tensor = true, load.tensor = tensor;
+  c.loads[0].action = EdgeMoment{.edges = all, .tensor = tensor};
   c.supports = {{SupportKind::pinned, {}, {{-0.97, -0.97}, {0.97, -0.97}, {0.97, 0.97}}}};
 }
 
@@ -136,7 +135,7 @@ TEST_CASE("surface nodes with a crack: K1 of three of the thirty static cases, a
     if (bending) turn(c, {0, 1, 0});
     if (bending && !all_round) {
       c.supports = {vp::held(SupportKind::simply_supported, {"bottom", "top"})};
-      c.loads[0].edges = {"bottom", "top"};
+      c.loads[0].as<EdgeMoment>()->edges = {"bottom", "top"};
     }
     const auto found = solved(c).srifs;
     for (const int i : {0, 1}) {

@@ -24,7 +24,7 @@ TEST_CASE("a plain case is read with its defaults") {
   REQUIRE(c.supports.size() == 1);
   CHECK(c.supports[0].kind == plate::SupportKind::clamped);
   CHECK(c.supports[0].edges == std::vector<std::string>{"left"});
-  CHECK(c.loads.at(0).value == 1);
+  CHECK(c.loads.at(0).as<plate::Pressure>()->value == 1);
   CHECK(c.analysis.method == cases::Analysis::Method::cg);
   CHECK_FALSE(c.srif);
   CHECK(c.output.vtk);
@@ -103,8 +103,8 @@ TEST_CASE("overrides are values of TOML or bare words") {
   CHECK(c.section.young == 2e11);
   CHECK(c.supports[0].kind == plate::SupportKind::simply_supported);
   REQUIRE(c.loads.size() == 2);
-  CHECK(c.loads[0].value == -3);
-  CHECK(c.loads[1].position == geometry::Point(0.5, 0.5));
+  CHECK(c.loads[0].as<plate::Pressure>()->value == -3);
+  CHECK(c.loads[1].as<plate::PointForce>()->position == geometry::Point(0.5, 0.5));
   CHECK(c.output.probes.at("tip") == geometry::Point(0.3, 0));
   CHECK(c.title == "a bare title");
   CHECK(c.cracks.at(0).at(1) == geometry::Point(0, 0.5));

@@ -27,10 +27,10 @@ TEST_CASE("keys of load cases: their loads are those of [[load]], and are writte
   REQUIRE(c.loads.size() == 4);
   REQUIRE(c.load_cases.size() == 2);
   CHECK(c.load_cases[1].loads.size() == 2);
-  CHECK(c.loads[1].value == Approx(-3.0));
+  CHECK(c.loads[1].as<plate::Pressure>()->value == Approx(-3.0));
   const auto again = read(cases::resolved_toml(c)).content;
   CHECK(again.loads.size() == 4);
-  CHECK(again.load_cases[1].loads[0].patch.has_value());
+  CHECK(again.load_cases[1].loads[0].as<plate::Pressure>()->patch.has_value());
   CHECK(cases::resolved_toml(again) == cases::resolved_toml(c));
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("keys of load cases: problems are at the load, all in one message") {
 TEST_CASE("keys of loads: expressions and own weight stand for the value") {
   const auto load = [](const std::string& lines) { return with_line(plain, 15, lines); };
   CHECK(problems(load("expression = \"sin(pi * x) * y\"")).empty());
-  CHECK(read(load("expression = \"x + 2\"")).content.loads[0].pressure({1, 0}) == 3);
+  CHECK(read(load("expression = \"x + 2\"")).content.loads[0].as<plate::Pressure>()->at({1, 0}) == 3);
   expect(load("expression = \"x + z\""), ":15", "load[0].expression", "\"z\" at character");
   expect(load("expression = \"x\"\nvalue = 1"), ":16", "load[0].value", "neither expression, table nor gravity only");
   expect(load("expression = \"x\"\ngradient = [1, 0]"), ":16", "load[0].gradient", "with a value, without level only");
@@ -63,7 +63,7 @@ TEST_CASE("keys of loads: expressions and own weight stand for the value") {
   expect(load("gravity = 9.81"), ":1", "section.density", "is missing");
   CHECK(problems(load("gravity = 9.81"), heavy).empty());
   const auto again = read(cases::resolved_toml(read(load("gravity = 9.81"), heavy).content)).content;
-  CHECK(again.loads[0].value == Approx(3.0 * 0.1 * 9.81));
+  CHECK(again.loads[0].as<plate::Pressure>()->value == Approx(3.0 * 0.1 * 9.81));
   const auto file = read(load("expression = \"1 / (y - y)\""));
   try {
     cases::discretised(file);

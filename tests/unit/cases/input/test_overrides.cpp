@@ -11,7 +11,8 @@ TEST_CASE("overrides: a key that is taken out has its default, a table all of it
         Approx(5.0 / 6));
   CHECK(read(plain, {"-section.thickness", "section.thickness=0.2"}).content.section.thickness == 0.2);
   CHECK(read(plain + "[srif]\n", {"-srif"}).content.srif == std::nullopt);
-  CHECK(read(plain + "[[load]]\nkind = \"pressure\"\nvalue = 7\n", {"-load[0]"}).content.loads.at(0).value == 7);
+  const auto second = read(plain + "[[load]]\nkind = \"pressure\"\nvalue = 7\n", {"-load[0]"}).content;
+  CHECK(second.loads.at(0).as<plate::Pressure>()->value == 7);
   CHECK(read(plain, {"-geometry.cracks"}).content.cracks.empty());
 }
 

@@ -21,10 +21,12 @@ struct Csv {
 TEST_CASE("tables of pressures are sought beside the case, and known by what they say") {
   const Csv csv("-1,-1,1\n1,-1,2\n-1,1,3\n1,1,4\n");
   const auto file = read(table(csv.name));
-  CHECK(file.content.loads[0].pressure({0, 0}) == 2.5);
+  const auto* pressure = file.content.loads[0].as<plate::Pressure>();
+  REQUIRE(pressure);
+  CHECK(pressure->at({0, 0}) == 2.5);
   const auto resolved = cases::resolved_toml(file.content);
   CHECK(resolved.find(csv.path.string()) != std::string::npos);
-  CHECK(resolved.find("table_digest = \"" + file.content.loads[0].table.digest()) != std::string::npos);
+  CHECK(resolved.find("table_digest = \"" + pressure->table.digest()) != std::string::npos);
   CHECK(cases::resolved_toml(read(resolved).content) == resolved);
   std::ofstream(csv.path, std::ios::app) << "# more\n";
   CHECK_THROWS_AS(read(resolved), cases::CaseError);  // another table
@@ -45,8 +47,10 @@ TEST_CASE("tables that are wrong are refused") {
 TEST_CASE("a fluid stands up to a level") {
   const auto fluid = [](const std::string& more) { return with_line(plain, 15, "value = 2\nlevel = 0.5" + more); };
   const auto load = read(fluid("")).content.loads[0];
-  CHECK(load.pressure({0.3, 0}) == 1);
-  CHECK(load.pressure({0.3, 0.6}) == 0);
+  const auto* pressure = load.as<plate::Pressure>();
+  REQUIRE(pressure);
+  CHECK(pressure->at({0.3, 0}) == 1);
+  CHECK(pressure->at({0.3, 0.6}) == 0);
   expect(fluid("\ngradient = [1, 2]"), ":17", "load[0].gradient", "without level only");
   CHECK(cases::resolved_toml(read(fluid("")).content).find("level = 0.5") != std::string::npos);
 }

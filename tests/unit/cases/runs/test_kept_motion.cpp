@@ -91,13 +91,12 @@ TEST_CASE("a motion in parts that was kept goes on by another number of processe
   }
   SECTION("with supports that move") {
     auto& settlement = file.content.loads.emplace_back();
-    settlement.kind = plate::Load::Kind::settlement, settlement.value = 0.1, settlement.rotation = 0.2;
+    settlement.action = plate::Settlement{.value = 0.1, .rotation = 0.2};
     settlement.history.kind = plate::History::Kind::table, settlement.history.table = {{0, 0}, {0.01, 0.1}, {0.02, 1}};
   }
   SECTION("with a force that moves") {
-    auto& force = file.content.loads.emplace_back();
-    force.kind = plate::Load::Kind::point_force, force.value = 2;
-    force.path = {{-0.5, 0.3}, {0.5, 0.35}, {0.7, -0.2}}, force.speed = 50;
+    file.content.loads.push_back(
+        plate::Load{plate::PointForce{.value = 2, .path = {{-0.5, 0.3}, {0.5, 0.35}, {0.7, -0.2}}, .speed = 50}});
   }
   SECTION("on soil that lifts off") {
     file.content.foundations.front().lifts_off = true;

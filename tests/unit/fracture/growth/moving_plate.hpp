@@ -16,9 +16,7 @@ using fracture::Growth, fracture::MovingGrowth;
 inline cases::Case content(Growth::Criterion criterion) {
   auto c = verified_plate::square(0.1);
   c.cracks = {{{-1, 0}, {-0.2, 0}}};
-  plate::Load moment;
-  moment.kind = plate::Load::Kind::edge_moment, moment.value = 4, moment.edges = {"bottom", "top"};
-  c.loads = {moment};
+  c.loads = {plate::Load{plate::EdgeMoment{.edges = {"bottom", "top"}, .value = 4}}};
   auto& growth = c.growth.emplace();
   growth.criterion = criterion;
   growth.fracture_energy = 5000;

@@ -48,9 +48,7 @@ cases::CaseFile edge_crack(const plate::FormulationKind& kind) {
   c.discretization.spacing = 0.05;
   c.discretization.formulation = &kind;
   c.supports = {{plate::SupportKind::pinned, {}, {{0.9, 0.1}, {0.9, 0.9}, {0.1, 0.1}}}};
-  plate::Load moment;
-  moment.kind = plate::Load::Kind::edge_moment, moment.value = 1, moment.edges = {"bottom", "top"};
-  c.loads = {moment};
+  c.loads = {plate::Load{plate::EdgeMoment{.edges = {"bottom", "top"}, .value = 1}}};
   auto& growth = c.growth.emplace();
   growth.fracture_energy = 1;
   growth.control = fracture::Growth::Control::equilibrium;

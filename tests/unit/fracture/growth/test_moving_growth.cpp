@@ -44,7 +44,7 @@ TEST_CASE("moving growth: pieces that fall off are looked for where they are to 
 TEST_CASE("moving growth: factors of a tip are those of its plate at rest, normalised where that is asked for") {
   auto c = mp::content(Growth::Criterion::energy_release);
   c.supports = {verified_plate::held(plate::SupportKind::clamped, {"bottom"})};
-  c.loads[0].edges = {"top"};
+  c.loads[0].as<plate::EdgeMoment>()->edges = {"top"};
   const auto start = verified_plate::assembled(c);
   post::SrifOptions options;
   options.methods = {"virtual_crack_extension", "domain_integral"};

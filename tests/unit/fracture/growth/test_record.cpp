@@ -34,8 +34,7 @@ TEST_CASE("record: where something presses or holds, and cracks have grown throu
   problem.impact.emplace().position = {0.5, 0.05};
   problem.springs.emplace_back().position = geometry::Point(0.2, 0.3);
   problem.supports.emplace_back().points = {{0.5, -0.2}, {2, 0.01}};
-  problem.loads.emplace_back().kind = plate::Load::Kind::point_force;
-  problem.loads.back().position = {0.9, 0};
+  problem.loads = {plate::Load{plate::PointForce{.position = {0.9, 0}}}};
   fracture::Record record;
   record.cracks.lines.push_back({{{0, 0}, {1, 0}}, {0, 0}});
   const auto said = record.cut_places(problem);

@@ -29,16 +29,17 @@ Problem problem_of(geometry::Outline outline, std::vector<Support> supports, std
 }
 
 Load pressure(double value) {
-  Load load;
-  load.value = value;
-  return load;
+  return {Pressure{.value = value}};
 }
 
 Problem own(Problem problem) {
   const auto again = [](Formula& formula) {
     if (formula.given()) formula = Formula(formula.text());
   };
-  for (auto& load : problem.loads) again(load.formula);
+  const auto again_where_given = [&](auto& action) {
+    if constexpr (requires { action.formula; }) again(action.formula);
+  };
+  for (auto& load : problem.loads) std::visit(again_where_given, load.action);
   if (auto& initial = problem.initial) again(initial->deflection), again(initial->velocity);
   return problem;
 }

@@ -28,9 +28,9 @@ TEST_CASE(
   line.along = {{1.1, 0.05}, {2.9, 0.63}}, line.deflection = 70, line.rotation_tangential = 2;
   point.position = {2.553, 0.61}, point.deflection = 20, point.rotation = 5;
   problem.springs = {edge, line, point};
-  Load along, formula;
-  along.kind = Load::Kind::line_load, along.value = 2, along.along = {{0.2, 0.61}, {1.9, 0.2}, {2.9, 0.2}};
-  formula.formula = Formula("3 * sin(pi * x) + y^2"), formula.patch = geometry::Circle{{2.5, 0.3}, 0.38, ""};
+  const Load along{LineLoad{.along = {{0.2, 0.61}, {1.9, 0.2}, {2.9, 0.2}}, .value = 2}};
+  const Load formula{
+      Pressure{.formula = Formula("3 * sin(pi * x) + y^2"), .patch = geometry::Circle{{2.5, 0.3}, 0.38, ""}}};
   problem.loads = {along, formula};
   SECTION("in motion") {
     check(problem);
@@ -71,9 +71,8 @@ TEST_CASE("a plate in parts: a temperature and a fluid up to a level") {
       problem_of(geometry::rectangle(0, 0, 3, 0.7), {{clamped, {"left"}, {}}, {simply_supported, {"top"}, {}}}, {});
   problem.section.thermal_expansion = 0.01;
   problem.cracks = {{{2.4, 0.1}, {2.7, 0.5}}};
-  Load fluid, heat;
-  fluid.value = 3, fluid.level = 0.43;
-  heat.kind = Load::Kind::temperature, heat.formula = Formula("20 + 10 * x * y");
+  const Load fluid{Pressure{.value = 3, .level = 0.43}};
+  const Load heat{Temperature{.formula = Formula("20 + 10 * x * y")}};
   problem.loads = {fluid, heat};
   SECTION("in motion") {
     check(problem);
@@ -109,7 +108,7 @@ TEST_CASE("a plate in parts: a temperature and a fluid up to a level") {
 
 TEST_CASE("a plate in parts: an expression whose sum is not known is refused by all, by their sum") {
   auto problem = problem_of(geometry::rectangle(0, 0, 3, 0.7), {{SupportKind::clamped, {"left"}, {}}}, {pressure(0)});
-  problem.loads[0].formula = Formula("sin(1e9 * x * y) > 0 ? 1 : 0");
+  problem.loads[0].as<Pressure>()->formula = Formula("sin(1e9 * x * y) > 0 ? 1 : 0");
   CHECK_THROWS_AS(discretise(problem), Refused);
   for (const int processes : {1, 4}) {
     int refused = 0;
@@ -130,7 +129,7 @@ TEST_CASE("a plate in parts: an expression whose sum is not known is refused by 
 TEST_CASE("a plate in parts: one load after the other, each from the best sum of what was found") {
   using enum SupportKind;
   auto problem = problem_of(geometry::rectangle(0, 0, 0.5, 1.2), {{clamped, {"left"}, {}}}, {pressure(2), pressure(0)});
-  problem.loads[1].gradient = {0, 3};
+  problem.loads[1].as<Pressure>()->gradient = {0, 3};
   struct Found {
     std::vector<std::size_t> iterations;
     std::map<std::array<long, 2>, std::array<double, 3>> state;

@@ -79,11 +79,9 @@ TEST_CASE("a plate in parts: a deflection that jumps, wherever it does, is refus
 
 TEST_CASE("a plate in parts: forces and pressures that move across borders of processes") {
   auto problem = pane();
-  Load force, patch;
-  force.kind = Load::Kind::point_force, force.value = 5;
-  force.path = {{2.3, 0.31}, {2.62, 0.33}, {2.4, 0.5}}, force.speed = 100;
-  patch.value = 3, patch.patch = geometry::Circle{{1.2, 0.3}, 0.1, ""};
-  patch.path = {{1.2, 0.3}, {1.5, 0.33}}, patch.speed = 40;
+  const Load force{PointForce{.value = 5, .path = {{2.3, 0.31}, {2.62, 0.33}, {2.4, 0.5}}, .speed = 100}};
+  Load patch{Pressure{
+      .value = 3, .patch = geometry::Circle{{1.2, 0.3}, 0.1, ""}, .path = {{1.2, 0.3}, {1.5, 0.33}}, .speed = 40}};
   patch.history.kind = History::Kind::sine, patch.history.frequency = 40;
   problem.loads = {force, patch};
   SECTION("steps") {
@@ -94,7 +92,7 @@ TEST_CASE("a plate in parts: forces and pressures that move across borders of pr
     check(problem, {true});
   }
   SECTION("given by an expression, damped by the stiffness") {
-    problem.loads[1].formula = Formula("3 + x * y");
+    problem.loads[1].as<Pressure>()->formula = Formula("3 + x * y");
     check(problem, {false, {0, 1e-5}});
   }
 }
@@ -103,17 +101,17 @@ TEST_CASE("a plate in parts: supports that move, an edge that turns, a pin, acro
   using enum SupportKind;
   auto problem = pane();
   const auto settlement = [&](std::size_t support, double value, double until) {
-    Load load;
-    load.kind = Load::Kind::settlement, load.support = support, load.value = value;
+    Load load{Settlement{.support = support, .value = value}};
     load.history.kind = History::Kind::table, load.history.table = {{0, 0}, {until / 2, 0.2}, {until, 1}};
     return load;
   };
   const auto turned = [&](Load load) {
-    load.rotation = 0.02;
+    load.as<Settlement>()->rotation = 0.02;
     return load;
   };
   const auto inclined = [&](Load load) {
-    load.slope = {0.003, 0}, load.from = {1, 0.7};
+    auto& settled = *load.as<Settlement>();
+    settled.slope = {0.003, 0}, settled.from = {1, 0.7};
     return load;
   };
   SECTION("edges that meet") {
@@ -161,8 +159,7 @@ TEST_CASE("a plate in parts: soil that lifts off, in motion and at rest") {
     problem.discretization.spacing = 0.02;
     problem.outline = geometry::rectangle(0, 0, 0.5, 2.4), problem.cracks = {{{0.2, 0.6}, {0.23, 1.1}}};
     problem.foundations[0].patch = geometry::Circle{{0.3, 0.9}, 0.7, ""};
-    Load wheel;
-    wheel.value = -50, wheel.patch = geometry::Circle{{0.3, 0.9}, 0.2, ""};
+    const Load wheel{Pressure{.value = -50, .patch = geometry::Circle{{0.3, 0.9}, 0.2, ""}}};
     problem.loads = {wheel, pressure(0.01)};
     check_rest(problem, StaticMethod::cg, Preconditioning::diagonal, 0);
     check_rest(problem, StaticMethod::cg, Preconditioning::two_level, 1e-12);

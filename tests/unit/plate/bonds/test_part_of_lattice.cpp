@@ -34,11 +34,10 @@ TEST_CASE("a plate in parts: oblique edges, a held round hole, edge loads, pins 
   outline.outer.vertices = {{0, 0}, {4.1, 0.03}, {4.0, 0.9}, {1.3, 1.25}};
   outline.outer.edge_names = {"bottom", "right", "slope", "left"};
   outline.holes.push_back(geometry::Circle{{2.6, 0.45}, 0.2, "hole"});
-  Load moment, force, shear;
-  moment.kind = Load::Kind::edge_moment, moment.edges = {"slope"}, moment.value = 3;
-  shear.kind = Load::Kind::edge_shear, shear.edges = {"left"}, shear.value = 1,
+  const Load moment{EdgeMoment{.edges = {"slope"}, .value = 3}};
+  const Load force{PointForce{.position = {2.561, 0.8}, .value = 5}};
+  Load shear{EdgeShear{.edges = {"left"}, .value = 1}};
   shear.history.kind = History::Kind::sine, shear.history.frequency = 40;
-  force.kind = Load::Kind::point_force, force.position = {2.561, 0.8}, force.value = 5;
   auto problem = problem_of(
       outline,
       {{clamped, {"hole"}, {}}, {simply_supported, {"bottom"}, {}}, {simply_supported, {}, {{2.56, 0.96}, {1.4, 1.1}}}},

@@ -66,9 +66,7 @@ TEST_CASE("acceptance: symmetry and loads on edges are refused where an edge is 
   p.outline.outer.vertices[2] = {1, 1.3};
   CHECK(refused(p) == Subject::support);
   p = square(SupportKind::simply_supported);
-  Load shear;
-  shear.kind = Load::Kind::edge_shear, shear.edges = {"left"}, shear.value = 1;
-  p.loads = {shear};
+  p.loads = {Load{EdgeShear{.edges = {"left"}, .value = 1}}};
   CHECK(!refused(p));
   p.outline.outer.vertices[2] = {1, 1.3};
   CHECK(refused(p) == Subject::load_edges);

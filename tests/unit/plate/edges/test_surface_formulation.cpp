@@ -30,15 +30,11 @@ Problem square(std::vector<Support> supports, std::vector<Load> loads, double sp
 const std::vector<std::string> all{"left", "right", "bottom", "top"};
 
 Load pressure() {
-  Load load;
-  load.value = 1;
-  return load;
+  return {Pressure{.value = 1}};
 }
 
 Load moment(std::vector<std::string> edges, double value) {
-  Load load;
-  load.kind = Load::Kind::edge_moment, load.value = value, load.edges = std::move(edges);
-  return load;
+  return {EdgeMoment{.edges = std::move(edges), .value = value}};
 }
 
 State solved(const Formulation& plate) {

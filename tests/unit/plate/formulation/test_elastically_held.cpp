@@ -42,10 +42,8 @@ TEST_CASE("a load on an edge with stiff springs moves it by the load over their 
       c.section = {1, 0, 0.3, 5.0 / 6, 1};
       c.springs = {springs(force ? 300 : 0, force ? 0 : 30, 0, {"right"}, {})};
       c.supports = {vp::held(SupportKind::simply_supported, {"bottom", "top", "left"})};
-      Load load;
-      load.kind = force ? Load::Kind::edge_shear : Load::Kind::edge_moment;
-      load.value = 0.003, load.edges = {"right"};
-      c.loads = {load};
+      c.loads = {force ? Load{EdgeShear{.edges = {"right"}, .value = 0.003}}
+                       : Load{EdgeMoment{.edges = {"right"}, .value = 0.003}}};
       const auto plate = vp::assembled(c);
       const auto u = value_at(plate->interpolation({0.999, 0.5}), vp::solved(*plate).state);
       CAPTURE(kind->name, force, u);

@@ -62,8 +62,7 @@ TEST_CASE("a foundation under a linear deflection acts as the pressure -k w does
   const Point g(0.7, -0.4);
   for (const auto& patch : patches)
     for (const auto& [soil, positions, loaded] : soils({25, 0, patch})) {
-      Load load;
-      load.value = -25 * 0.3, load.gradient = -25 * g, load.patch = patch;
+      const Load load{Pressure{.value = -25 * 0.3, .gradient = -25 * g, .patch = patch}};
       const Forces expected = loaded(load), found = soil.force(linear(positions, 0.3, g));
       CHECK((found - expected).cwiseAbs().maxCoeff() < 1e-12 * expected.cwiseAbs().maxCoeff() + 1e-15);
     }

@@ -15,10 +15,8 @@ cases::Case heated(const FormulationKind& kind) {
   auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.125);
   c.discretization.formulation = &kind;
   c.section = {1000, 0.3, 0.1, 5.0 / 6, 2, 0.01};
-  Load pressure, first, second;
-  pressure.value = 3;
-  first.kind = second.kind = Load::Kind::temperature;
-  first.value = 20, second.formula = Formula("10 * x - 5 * y");
+  const Load pressure{Pressure{.value = 3}}, first{Temperature{.value = 20}};
+  Load second{Temperature{.formula = Formula("10 * x - 5 * y")}};
   second.history.kind = History::Kind::ramp, second.history.rise_time = 4;
   c.loads = {pressure, first, second};
   return c;

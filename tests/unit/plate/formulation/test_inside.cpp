@@ -22,9 +22,7 @@ TEST_CASE("a line holds what lies on it of every linear field, a part all of its
     c.discretization.formulation = kind;
     c.supports = {{SupportKind::pinned, {}, {}, {{0.2, 0.17}, {0.7, 0.61}}},
                   {SupportKind::clamped, {}, {}, {}, geometry::Circle{{0.75, 0.25}, 0.16, ""}}};
-    Load load;
-    load.value = 1;
-    c.loads = {load};
+    c.loads = {Load{Pressure{.value = 1}}};
     const auto plate = vp::assembled(c);
     const auto& b = plate->boundary();
     REQUIRE(b.holders.size() == 2);
@@ -56,9 +54,7 @@ TEST_CASE("a line holds what lies on it of every linear field, a part all of its
 TEST_CASE("a part between the points of bonds is refused") {
   auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.1);
   c.supports = {{SupportKind::clamped, {}, {}, {}, geometry::Circle{{0.5, 0.5}, 0.03, ""}}};
-  Load load;
-  load.value = 1;
-  c.loads = {load};
+  c.loads = {Load{Pressure{.value = 1}}};
   CHECK_THROWS_WITH(vp::assembled(c), Catch::Contains("no point of the plate lies on it"));
 }
 

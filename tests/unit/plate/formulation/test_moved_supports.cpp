@@ -20,9 +20,7 @@ TEST_CASE("what supports of every kind hold follows a rigid motion of them") {
       c.discretization.formulation = kind;
       c.supports = {support == pinned ? Support{pinned, {}, {{0.1, 0.1}, {0.5, -0.5}, {-0.7, 0.3}}}
                                       : vp::held_all_round(support)};
-      Load load;
-      load.kind = Load::Kind::settlement, load.value = 0.3, load.slope = {0.2, -0.1}, load.from = {0.1, 0};
-      c.loads = {load};
+      c.loads = {Load{Settlement{.value = 0.3, .slope = {0.2, -0.1}, .from = {0.1, 0}}}};
       const auto plate = vp::assembled(c);
       State rigid = vp::field(
           *plate, [](const Point& x) { return Eigen::Vector3d(0.3 + 0.2 * (x.x() - 0.1) - 0.1 * x.y(), -0.1, -0.2); });

@@ -130,12 +130,6 @@ Problem problem_of(geometry::Outline outline, double spacing) {
   return problem;
 }
 
-Load of_kind(Load::Kind kind, double value) {
-  Load load;
-  load.kind = kind, load.value = value;
-  return load;
-}
-
 }  // namespace
 
 TEST_CASE("a plate in parts: cells of a lattice, a crack along it and one across, edges held in every way") {
@@ -169,14 +163,14 @@ TEST_CASE("a plate in parts: cells with loads of every kind and supports within 
   part.kind = clamped, part.patch = geometry::Circle{{0.98, 0.2}, 0.09, ""};
   pins.kind = pinned, pins.points = {{0.6, 0.05}, {1.13, 0.71}};
   problem.supports = {line, part, pins, {simply_supported, {"top"}, {}}};
-  auto force = of_kind(Load::Kind::point_force, 0.3), along = of_kind(Load::Kind::line_load, 2),
-       moment = of_kind(Load::Kind::edge_moment, 0.2), shear = of_kind(Load::Kind::edge_shear, 0.1),
-       heat = of_kind(Load::Kind::temperature, 0), settles = of_kind(Load::Kind::settlement, 0.01), formula = Load();
-  force.position = {0.31, 0.42}, along.along = {{0.2, 0.61}, {0.9, 0.2}};
-  moment.edges = {"left"}, shear.edges = {"right"};
-  heat.formula = Formula("2 + x * y"), settles.support = 1, settles.slope = {0.02, 0.01};
-  formula.formula = Formula("sin(3 * x) + y^2"), formula.patch = geometry::Circle{{0.6, 0.4}, 0.2, ""};
-  problem.loads = {force, along, moment, shear, heat, settles, formula};
+  problem.loads = {
+      Load{PointForce{.position = {0.31, 0.42}, .value = 0.3}},
+      Load{LineLoad{.along = {{0.2, 0.61}, {0.9, 0.2}}, .value = 2}},
+      Load{EdgeMoment{.edges = {"left"}, .value = 0.2}},
+      Load{EdgeShear{.edges = {"right"}, .value = 0.1}},
+      Load{Temperature{.formula = Formula("2 + x * y")}},
+      Load{Settlement{.support = 1, .value = 0.01, .slope = {0.02, 0.01}}},
+      Load{Pressure{.formula = Formula("sin(3 * x) + y^2"), .patch = geometry::Circle{{0.6, 0.4}, 0.2, ""}}}};
   check(problem);
   check(problem, Preconditioning::diagonal);
 }
@@ -204,7 +198,7 @@ TEST_CASE("a plate in parts: cells on soil that goes on beneath a crack, springs
   }
   SECTION("that lifts off beneath a half of it") {
     problem.foundations[0] = {2000, 0, std::nullopt, true};
-    problem.loads[0].value = -3, problem.loads[0].gradient = {5, 1};  // upwards on the right
+    problem.loads[0].action = Pressure{.value = -3, .gradient = {5, 1}};  // upwards on the right
     check(problem);
     check(problem, Preconditioning::diagonal);
   }
@@ -267,19 +261,17 @@ TEST_CASE("a plate in parts: cells in motion, the same bits by any number of pro
   }
   SECTION("on soil that lifts off") {
     problem.foundations = {{20000, 0, geometry::Hole(geometry::Circle{{0.5, 0.4}, 0.35, ""}), true}};
-    problem.loads[0].value = -3, problem.loads[0].gradient = {5, 1};
+    problem.loads[0].action = Pressure{.value = -3, .gradient = {5, 1}};
   }
   SECTION("a force and a pressure that run across it, over the crack") {
-    auto force = of_kind(Load::Kind::point_force, 0.3), pressure = of_kind(Load::Kind::pressure, 5);
-    force.path = {{0.1, 0.7}, {1.1, 0.15}}, force.speed = 25;
-    pressure.patch = geometry::Circle{{0.9, 0.3}, 0.2, ""}, pressure.path = {{0.9, 0.3}, {0.4, 0.5}},
-    pressure.speed = 20;
+    const Load force{PointForce{.value = 0.3, .path = {{0.1, 0.7}, {1.1, 0.15}}, .speed = 25}};
+    const Load pressure{Pressure{
+        .value = 5, .patch = geometry::Circle{{0.9, 0.3}, 0.2, ""}, .path = {{0.9, 0.3}, {0.4, 0.5}}, .speed = 20}};
     problem.loads.insert(problem.loads.end(), {force, pressure});
   }
   SECTION("its clamped edge settles") {
-    auto settles = of_kind(Load::Kind::settlement, 0.01);
-    settles.slope = {0, 0.02}, settles.history.kind = History::Kind::table;
-    settles.history.table = {{0, 0}, {0.02, 0.2}, {0.04, 1}};
+    Load settles{Settlement{.value = 0.01, .slope = {0, 0.02}}};
+    settles.history.kind = History::Kind::table, settles.history.table = {{0, 0}, {0.02, 0.2}, {0.04, 1}};
     problem.loads.push_back(settles);
   }
   const double step = 0.9 * stable_time_step(*discretise(problem).plate, 1);

@@ -68,7 +68,7 @@ Problem problem_of() {
   problem.cracks = {{{0.3, 0.4}, {0.7, 0.4}}};
   problem.supports = {{SupportKind::clamped, {"left"}, {}}, {SupportKind::simply_supported, {"top"}, {}}};
   problem.discretization.spacing = 0.0125, problem.discretization.formulation = &galerkin;
-  problem.loads.resize(1), problem.loads[0].value = 1;
+  problem.loads = {Load{Pressure{.value = 1}}};
   return problem;
 }
 

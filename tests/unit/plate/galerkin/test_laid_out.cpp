@@ -36,7 +36,7 @@ TEST_CASE("laid out by one process: all points are there, and none has a number 
   problem.outline = geometry::rectangle(0, 0, 1, 1);
   problem.section = galerkin_plate::section;
   problem.discretization.spacing = 0.1, problem.discretization.formulation = &galerkin;
-  problem.loads.resize(1), problem.loads[0].value = 3;
+  problem.loads = {Load{Pressure{.value = 3}}};
   Stopwatch stopwatch;
   const auto found = laid_out(problem, {}, cells_of(problem, {}, 1), single_process(), stopwatch);
   CHECK(found.cells.positions.size() == 121);

@@ -133,12 +133,6 @@ Problem problem_of(geometry::Outline outline, double spacing) {
   return problem;
 }
 
-Load of_kind(Load::Kind kind, double value) {
-  Load load;
-  load.kind = kind, load.value = value;
-  return load;
-}
-
 /// A line within the plate, somewhere.
 geometry::Polyline line_in(const geometry::Outline& outline, random_plates::Maker& maker) {
   for (;;) {
@@ -162,16 +156,16 @@ Problem loaded(const random_plates::Plate& plate, random_plates::Maker& maker, d
   pins.kind = SupportKind::pinned, pins.points = line();
   held.kind = SupportKind::simply_supported_hard, held.edges = {edge(0), edge(2)};
   problem.supports = {along, part, pins, held};
-  auto force = of_kind(Load::Kind::point_force, 0.3), along_line = of_kind(Load::Kind::line_load, 2),
-       moment = of_kind(Load::Kind::edge_moment, 0.2), shear = of_kind(Load::Kind::edge_shear, 0.1),
-       settles = of_kind(Load::Kind::settlement, 0.01), runs = of_kind(Load::Kind::point_force, 3), patch = Load(),
-       rolls = Load(), formula = Load();
-  force.position = line().front(), along_line.along = line(), moment.edges = {edge(1)}, shear.edges = {edge(1)};
-  settles.support = 3, settles.slope = {0.02, 0.01}, runs.path = line(), runs.speed = 2;
-  patch.value = 1, patch.gradient = {3, 2}, patch.patch = geometry::Circle{line().front(), 0.3, ""};
-  rolls.value = 2, rolls.path = line(), rolls.speed = 3;
-  rolls.patch = geometry::Circle{rolls.path.front(), 0.15, ""};
-  formula.formula = Formula("sin(9 * x) + (x > 0.1 ? 3 : 1) * y^2");  // cells along the jump are parted
+  const Load force{PointForce{.position = line().front(), .value = 0.3}},
+      along_line{LineLoad{.along = line(), .value = 2}};
+  const Load moment{EdgeMoment{.edges = {edge(1)}, .value = 0.2}}, shear{EdgeShear{.edges = {edge(1)}, .value = 0.1}};
+  const Load settles{Settlement{.support = 3, .value = 0.01, .slope = {0.02, 0.01}}};
+  const Load runs{PointForce{.value = 3, .path = line(), .speed = 2}};
+  const Load patch{Pressure{.value = 1, .gradient = {3, 2}, .patch = geometry::Circle{line().front(), 0.3, ""}}};
+  const auto path = line();
+  const Load rolls{Pressure{.value = 2, .patch = geometry::Circle{path.front(), 0.15, ""}, .path = path, .speed = 3}};
+  // cells along the jump are parted
+  const Load formula{Pressure{.formula = Formula("sin(9 * x) + (x > 0.1 ? 3 : 1) * y^2")}};
   problem.loads.insert(problem.loads.end(), {force, along_line, moment, shear, settles, runs, patch, rolls, formula});
   problem.foundations = {{2000, 3, geometry::Hole(geometry::Circle{line().front(), 0.5, ""})},
                          {500, 0, geometry::Hole(geometry::Circle{line().front(), 0.4, ""}), true}};

@@ -32,10 +32,7 @@ TEST_CASE("faults of edges: names that the plate does not have, edges held twice
   CHECK(found(problem).empty());
   problem.supports.push_back({plate::SupportKind::clamped, {"left", "lft"}, {}});
   problem.supports.push_back({plate::SupportKind::pinned, {}, {{0.5, 0.5}, {1, 0.5}, {1.1, 0.5}}});
-  plate::Load load;
-  load.position = {0.5, 0.5};
-  load.edges = {"top", "roof"};
-  problem.loads = {load};
+  problem.loads = {plate::Load{plate::EdgeShear{.edges = {"top", "roof"}}}};
   CHECK(found(problem) == Found{{Subject::support_edges, 1},
                                 {Subject::support_edges, 1},
                                 {Subject::support_points, 2},
@@ -55,9 +52,7 @@ TEST_CASE("faults of edges: what mirrors the lattice needs an edge along it") {
 TEST_CASE("faults of edges: a force at a point lies inside the plate, a pin on its boundary too") {
   auto problem = square();
   CHECK(plate::on_plate(problem.outline, {1, 0.5}));
-  plate::Load force;
-  force.position = {1, 0.5};
-  problem.loads = {force};
+  problem.loads = {plate::Load{plate::PointForce{.position = {1, 0.5}}}};
   CHECK(found(problem) == Found{{Subject::load_position, 0}});
 }
 
@@ -78,7 +73,7 @@ TEST_CASE("faults of edges: layers need straight edges along the axes, whatever 
 
 TEST_CASE("faults of edges: a load on an edge that holds all it acts on would go into the support") {
   using enum plate::SupportKind;
-  using Kind = plate::Load::Kind;
+  enum class Kind { edge_moment, edge_shear };
   struct Tried {
     plate::SupportKind kind;
     Kind load;
@@ -100,32 +95,27 @@ TEST_CASE("faults of edges: a load on an edge that holds all it acts on would go
   for (const auto& [kind, load_kind, moment, twist, refused] : tried) {
     auto problem = square();
     problem.supports = {{kind, {"left"}, {}}};
-    plate::Load load;
-    load.kind = load_kind, load.value = moment, load.twist = twist;
-    load.position = {0.5, 0.5}, load.edges = {"left", "top"};
-    problem.loads = {load};
+    plate::EdgeMoment edge_moment{.edges = {"left", "top"}, .value = moment, .twist = twist};
+    plate::EdgeShear edge_shear{.edges = {"left", "top"}, .value = moment};
+    const bool shears = load_kind == Kind::edge_shear;
+    problem.loads = {shears ? plate::Load{edge_shear} : plate::Load{edge_moment}};
     CAPTURE(int(kind), int(load_kind), moment, twist);
     CHECK(found(problem) == (refused ? Found{{Subject::load_edges, 0}} : Found{}));
-    problem.loads[0].edges = {"top"};
+    edge_moment.edges = edge_shear.edges = {"top"};
+    problem.loads = {shears ? plate::Load{edge_shear} : plate::Load{edge_moment}};
     CHECK(found(problem).empty());
   }
   auto problem = square();
-  plate::Load load;
-  load.kind = Kind::edge_moment, load.has_tensor = true, load.tensor = {1, 0, 0};
-  load.position = {0.5, 0.5}, load.edges = {"left"};
-  problem.loads = {load};
+  problem.loads = {plate::Load{plate::EdgeMoment{.edges = {"left"}, .tensor = {{1, 0, 0}}}}};
   CHECK(found(problem) == Found{{Subject::load_edges, 0}});
 }
 
 TEST_CASE("faults of edges: a force on a crack has no face") {
   auto problem = square();
   problem.cracks = {{{0.2, 0.2}, {0.6, 0.6}}};
-  plate::Load force;
-  force.kind = plate::Load::Kind::point_force;
   for (const auto& [x, y, refused] :
        {std::tuple{0.4, 0.4, true}, {0.6, 0.6, true}, {0.4, 0.41, false}, {0.7, 0.7, false}}) {
-    force.position = {x, y};
-    problem.loads = {force};
+    problem.loads = {plate::Load{plate::PointForce{.position = {x, y}}}};
     CHECK(found(problem) == (refused ? Found{{Subject::load_position, 0}} : Found{}));
   }
 }
@@ -135,11 +125,8 @@ TEST_CASE("faults of edges: a force on a part that is held would go into the sup
   plate::Support column;
   column.kind = plate::SupportKind::pinned, column.patch = geometry::Circle{{0.5, 0.5}, 0.1, ""};
   problem.supports.push_back(column);
-  plate::Load force;
-  force.kind = plate::Load::Kind::point_force;
   for (const auto& [x, refused] : {std::pair(0.5, true), {0.58, true}, {0.62, false}}) {
-    force.position = {x, 0.5};
-    problem.loads = {force};
+    problem.loads = {plate::Load{plate::PointForce{.position = {x, 0.5}}}};
     CHECK(found(problem) == (refused ? Found{{Subject::load_position, 0}} : Found{}));
   }
 }

@@ -9,8 +9,7 @@ using geometry::Point;
 
 TEST_CASE("a force that moves keeps its size and its place, and acts between its ends alone") {
   const auto cloud = geometry::lattice(geometry::rectangle(0, 0, 2, 1), 0.1);
-  Load load;
-  load.kind = Load::Kind::point_force, load.value = -3, load.path = {{0, 0.3}, {1, 0.3}, {1.8, 0.9}}, load.speed = 2;
+  const Load load{PointForce{.value = -3, .path = {{0, 0.3}, {1, 0.3}, {1.8, 0.9}}, .speed = 2}};
   const auto moving = moving_forces(load, cloud);
   CHECK(moving.stations.back().time == Approx(1));
   for (const double time : {0.0, 0.123, 0.5, 0.77, 1.0}) {
@@ -31,9 +30,8 @@ TEST_CASE("a force that moves keeps its size and its place, and acts between its
 
 TEST_CASE("a part that is pressed moves as a whole") {
   const auto cloud = geometry::lattice(geometry::rectangle(0, 0, 2, 1), 0.1);
-  Load load;
-  load.value = 5, load.patch = geometry::Circle{{0.5, 0.5}, 0.2, ""}, load.path = {{0.5, 0.5}, {1.5, 0.5}};
-  load.speed = 1;
+  const Load load{Pressure{
+      .value = 5, .patch = geometry::Circle{{0.5, 0.5}, 0.2, ""}, .path = {{0.5, 0.5}, {1.5, 0.5}}, .speed = 1}};
   const auto moving = moving_forces(load, cloud);
   for (const double time : {0.0, 0.31, 1.0}) {
     const Forces forces = moving.whole(time, cloud.size());

@@ -55,8 +55,7 @@ const Named edges[] = {{"left", {-1, 0}, 1.2, {0.3, 0.4}},
 }  // namespace
 
 TEST_CASE("pressure: its resultant, and zero on fictitious points") {
-  Load load;
-  load.value = 3;
+  const Load load{Pressure{.value = 3}};
   const double area = 2 * 1.2;
   check(resultant(load, geometry::rectangle(low.x(), low.y(), high.x(), high.y())),
         3 * area * Eigen::Vector3d(1, 1.3, 0.4));
@@ -73,59 +72,43 @@ TEST_CASE("pressure: its resultant, and zero on fictitious points") {
 }
 
 TEST_CASE("point force: moved to the nearest point with its lever") {
-  Load load;
-  load.kind = Load::Kind::point_force;
-  load.value = 5;
-  load.position = {0.637, 0.913};
+  const Load load{PointForce{.position = {0.637, 0.913}, .value = 5}};
   check(resultant(load), 5 * Eigen::Vector3d(1, 0.637, 0.913));
 }
 
 TEST_CASE("edge shear acts on the edge line: force and moments about the origin") {
-  Load load;
-  load.kind = Load::Kind::edge_shear;
-  load.value = 2;
   for (const auto& edge : edges) {
-    load.edges = {edge.name};
+    const Load load{EdgeShear{.edges = {edge.name}, .value = 2}};
     CAPTURE(edge.name);
     check(resultant(load), 2 * edge.length * Eigen::Vector3d(1, edge.middle.x(), edge.middle.y()));
   }
-  load.edges = {"left", "top"};
+  const Load load{EdgeShear{.edges = {"left", "top"}, .value = 2}};
   check(resultant(load), Eigen::Vector3d(6.4, 2.4 * 0.3 + 4 * 1.3, 2.4 * 0.4 + 4 * 1.0));
 }
 
 TEST_CASE("edge shear on a circular hole") {
-  Load load;
-  load.kind = Load::Kind::edge_shear;
-  load.value = 2;
-  load.edges = {"hole"};
+  const Load load{EdgeShear{.edges = {"hole"}, .value = 2}};
   check(resultant(load), 2 * 2 * pi * 0.25 * Eigen::Vector3d(1, 1.2, 0.5));
 }
 
 TEST_CASE("edge moment: the tensor's couples on each edge") {
-  Load load;
-  load.kind = Load::Kind::edge_moment;
-  load.has_tensor = true;
-  load.tensor = {2, 3, 0.5};
   Eigen::Matrix2d M;
   M << 2, 0.5, 0.5, 3;
   for (const auto& edge : edges) {
-    load.edges = {edge.name};
+    const Load load{EdgeMoment{.edges = {edge.name}, .tensor = {{2, 3, 0.5}}}};
     CAPTURE(edge.name);
     // moments per length m = M n do work -m . psi, psi = (1, 0) for w = x and (0, 1) for w = y
     const Eigen::Vector2d m = M * edge.normal * edge.length;
     check(resultant(load), Eigen::Vector3d(0, -m.x(), -m.y()));
   }
-  load.edges = {"left", "right", "bottom", "top"};
+  const Load load{EdgeMoment{.edges = {"left", "right", "bottom", "top"}, .tensor = {{2, 3, 0.5}}}};
   check(resultant(load), {0, 0, 0});
 }
 
 TEST_CASE("edge moment: tension on the face z > 0 is positive") {
   const auto outline = plate_with_hole();
   const auto cloud = geometry::lattice(outline, 0.1);
-  Load load;
-  load.kind = Load::Kind::edge_moment;
-  load.value = 1;
-  load.edges = {"right"};
+  const Load load{EdgeMoment{.edges = {"right"}, .value = 1}};
   const auto forces = nodal_forces(load, cloud, outline);
   CHECK(forces.row(2).sum() == Approx(1.2));  // u = z theta_y grows with x
   CHECK(forces.row(0).norm() == 0);
@@ -134,17 +117,13 @@ TEST_CASE("edge moment: tension on the face z > 0 is positive") {
 TEST_CASE("edge moment: value and twist say the same as the tensor") {
   const auto outline = plate_with_hole();
   const auto cloud = geometry::lattice(outline, 0.1);
-  Load tensor, pair;
-  tensor.kind = pair.kind = Load::Kind::edge_moment;
-  tensor.has_tensor = true;
-  tensor.tensor = {2, 3, 0.5};
   Eigen::Matrix2d M;
   M << 2, 0.5, 0.5, 3;
   for (const auto& edge : edges) {
     const Point along(-edge.normal.y(), edge.normal.x());
-    pair.value = edge.normal.dot(M * edge.normal);
-    pair.twist = along.dot(M * edge.normal);
-    pair.edges = tensor.edges = {edge.name};
+    const Load tensor{EdgeMoment{.edges = {edge.name}, .tensor = {{2, 3, 0.5}}}};
+    const Load pair{EdgeMoment{
+        .edges = {edge.name}, .value = edge.normal.dot(M * edge.normal), .twist = along.dot(M * edge.normal)}};
     const auto a = nodal_forces(tensor, cloud, outline), b = nodal_forces(pair, cloud, outline);
     CHECK(a.norm() > 0.1);
     CHECK((a - b).norm() < 1e-14);  // measured: 0
@@ -154,10 +133,7 @@ TEST_CASE("edge moment: value and twist say the same as the tensor") {
 TEST_CASE("edge moment on a circular hole: no resultant, radial couples") {
   const auto outline = plate_with_hole();
   const auto cloud = geometry::lattice(outline, 0.1);
-  Load load;
-  load.kind = Load::Kind::edge_moment;
-  load.value = 2;
-  load.edges = {"hole"};
+  const Load load{EdgeMoment{.edges = {"hole"}, .value = 2}};
   const auto forces = nodal_forces(load, cloud, outline);
   check(resultant(forces, cloud), {0, 0, 0});
   // psi = -(x - centre): each point of the edge turns by the radius towards the plate's normal, work M R 2 pi R
@@ -173,25 +149,19 @@ TEST_CASE("edge moment on a circular hole: no resultant, radial couples") {
 TEST_CASE("edge loads on slanted edges and edges of holes") {
   geometry::Outline outline{{{{0, 0}, {2, 0.3}, {1.7, 1.9}, {0.2, 1.4}}, {"a", "b", "c", "d"}}, {}};
   outline.holes.push_back(geometry::Polygon{{{0.7, 0.6}, {1.2, 0.7}, {1.0, 1.1}}, {"hole", "hole", "hole"}});
-  Load load;
-  load.kind = Load::Kind::edge_shear;
-  load.value = 2;
-  load.edges = {"b"};
+  const Load shear{EdgeShear{.edges = {"b"}, .value = 2}};
   const double length = std::hypot(0.3, 1.6);
-  check(resultant(load, outline), 2 * length * Eigen::Vector3d(1, 1.85, 1.1));
+  check(resultant(shear, outline), 2 * length * Eigen::Vector3d(1, 1.85, 1.1));
 
-  load.kind = Load::Kind::edge_moment;
-  load.has_tensor = true;
-  load.tensor = {2, 3, 0.5};
-  load.edges = {"b"};
+  const auto moment = [&](std::vector<std::string> names) {
+    return resultant(Load{EdgeMoment{.edges = std::move(names), .tensor = {{2, 3, 0.5}}}}, outline);
+  };
   Eigen::Matrix2d M;
   M << 2, 0.5, 0.5, 3;
   const Eigen::Vector2d m = M * Eigen::Vector2d(1.6, 0.3);  // normal times length
-  check(resultant(load, outline), Eigen::Vector3d(0, -m.x(), -m.y()));
-  load.edges = {"a", "b", "c", "d"};
-  check(resultant(load, outline), {0, 0, 0});
-  load.edges = {"hole"};
-  check(resultant(load, outline), {0, 0, 0});
+  check(moment({"b"}), Eigen::Vector3d(0, -m.x(), -m.y()));
+  check(moment({"a", "b", "c", "d"}), {0, 0, 0});
+  check(moment({"hole"}), {0, 0, 0});
 }
 
 TEST_CASE("an edge that no point of the lattice lies beside cannot be loaded") {
@@ -199,11 +169,7 @@ TEST_CASE("an edge that no point of the lattice lies beside cannot be loaded") {
   outline.outer.vertices = {{0, 0}, {1, 0}, {1, 0.48}, {2, 0.48}, {2, 0.52}, {1, 0.52}, {1, 1}, {0, 1}};
   for (int i = 0; i < 8; ++i) outline.outer.edge_names.push_back("edge" + std::to_string(i));
   const auto cloud = geometry::lattice(outline, 0.1);
-  for (const auto kind : {Load::Kind::edge_shear, Load::Kind::edge_moment}) {
-    Load load;
-    load.kind = kind;
-    load.value = 1;
-    load.edges = {"edge3"};
+  for (const Load& load :
+       {Load{EdgeShear{.edges = {"edge3"}, .value = 1}}, Load{EdgeMoment{.edges = {"edge3"}, .value = 1}}})
     CHECK_THROWS_WITH(nodal_forces(load, cloud, outline), Catch::Contains("edge 'edge3' has no point"));
-  }
 }

@@ -8,10 +8,7 @@ using namespace plate;
 namespace {
 
 Load moved(std::size_t support, double value, const geometry::Point& slope = {0, 0}, double rotation = 0) {
-  Load load;
-  load.kind = Load::Kind::settlement, load.support = support, load.value = value, load.slope = slope;
-  load.rotation = rotation;
-  return load;
+  return {Settlement{.support = support, .value = value, .slope = slope, .rotation = rotation}};
 }
 
 std::string fault(const std::vector<Support>& supports, const std::vector<Load>& loads) {

@@ -9,9 +9,7 @@ using geometry::Point;
 TEST_CASE("supports move as rigid bodies, and edges turn about themselves") {
   Problem problem;
   problem.loads.resize(2);
-  auto& load = problem.loads[1];
-  load.kind = Load::Kind::settlement, load.support = 3, load.value = 0.5, load.slope = {2, -1}, load.from = {1, 1};
-  load.rotation = 0.25;
+  problem.loads[1].action = Settlement{.support = 3, .value = 0.5, .slope = {2, -1}, .from = {1, 1}, .rotation = 0.25};
   const auto motions = support_motions(problem);
   REQUIRE(motions.size() == 1);
   CHECK(motions[0].load == 1);

@@ -13,9 +13,7 @@ namespace vp = verified_plate;
 TEST_CASE("the work of settled supports is the energy of the plate, and what is left is measured by reactions") {
   auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.1);
   c.supports = {vp::held(SupportKind::clamped, {"left"}), vp::held(SupportKind::simply_supported, {"right"})};
-  Load load;
-  load.kind = Load::Kind::settlement, load.support = 1, load.value = 0.1;
-  c.loads = {load};
+  c.loads = {Load{Settlement{.support = 1, .value = 0.1}}};
   const auto plate = vp::assembled(c);
   REQUIRE(settles(*plate));
   const auto none = plate->total_load();
@@ -32,9 +30,7 @@ TEST_CASE("the work of settled supports is the energy of the plate, and what is 
 namespace {
 
 Load moved(std::size_t support, double value, const geometry::Point& slope = {0, 0}) {
-  Load load;
-  load.kind = Load::Kind::settlement, load.support = support, load.value = value, load.slope = slope;
-  return load;
+  return {Settlement{.support = support, .value = value, .slope = slope}};
 }
 
 cases::Case two_edges(const std::vector<Load>& loads) {
@@ -65,9 +61,7 @@ TEST_CASE("settlements that move all supports as one body leave nothing beside i
 
 TEST_CASE("loads that cancel are no load, but a part of them is") {
   auto c = two_edges({});
-  Load one, other;
-  one.value = 1, other.formula = Formula("-1 - 0.3*x + 0.3*x");
-  c.loads = {one, other};
+  c.loads = {Load{Pressure{.value = 1}}, Load{Pressure{.formula = Formula("-1 - 0.3*x + 0.3*x")}}};
   const auto plate = vp::assembled(c);
   CHECK(acting_load(*plate).isZero(0));
   CHECK(cancel(*plate, {plate->loads()[0].forces, plate->loads()[1].forces}));

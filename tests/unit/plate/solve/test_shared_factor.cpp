@@ -39,7 +39,7 @@ Problem problem_of(const FormulationKind& formulation, geometry::Outline outline
   problem.outline = std::move(outline);
   problem.section = galerkin_plate::section;
   problem.discretization.spacing = spacing, problem.discretization.formulation = &formulation;
-  problem.loads.resize(1), problem.loads[0].value = 1;
+  problem.loads = {Load{Pressure{.value = 1}}};
   return problem;
 }
 

@@ -22,8 +22,7 @@ small_plate::Model held() {
 }
 
 Forces pressure(const small_plate::Model& m) {
-  Load load;
-  load.value = 2;
+  const Load load{Pressure{.value = 2}};
   return nodal_forces(load, m.boundary.cloud, m.outline);
 }
 
@@ -149,8 +148,7 @@ TEST_CASE("the solution does not depend on the units") {
     const auto kinds = family_kinds(families, b.cloud.areas, b.active);
     auto weights = position_aware(families, shapes, b.cloud.areas, b.active, kinds, section).weights;
     const FamilyOperator op(std::move(families), std::move(shapes), b.cloud.areas, std::move(weights));
-    Load load;
-    load.value = 2 / (unit * unit);
+    const Load load{Pressure{.value = 2 / (unit * unit)}};
     auto solution = solver(op, b.constraints, nodal_forces(load, b.cloud, outline), {1e-8, 20000, {}});
     CHECK(solution.converged);
     solution.state.row(0) /= unit;

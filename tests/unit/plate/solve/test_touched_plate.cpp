@@ -11,9 +11,7 @@ namespace vp = verified_plate;
 TEST_CASE("a plate whose soil touches where it is pressed is the plate, and is linear") {
   auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.1);
   c.foundations = {{30, 0, {}, true}};
-  Load load;
-  load.value = 1;
-  c.loads = {load};
+  c.loads = {Load{Pressure{.value = 1}}};
   const auto plate = vp::assembled(c);
   const auto& attached = plate->boundary().attached;
   const auto u = vp::random_state(*plate, 1), v = vp::random_state(*plate, 2);

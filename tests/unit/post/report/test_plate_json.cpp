@@ -12,12 +12,9 @@ TEST_CASE("a drawing has the edges, holes, cracks, supports and loads of its pla
                            geometry::Polygon{{{1, 1}, {1, 2}, {2, 2}}, {"hole1", "hole1", "hole1"}}};
   problem.cracks = {{{0.5, 0}, {1, 0}}};
   problem.supports = {{plate::SupportKind::clamped, {"left"}, {}}, {plate::SupportKind::pinned, {}, {{2, 3}}}};
-  plate::Load moment;
-  moment.kind = plate::Load::Kind::edge_moment, moment.has_tensor = true, moment.tensor = {1, 2, 3};
-  moment.edges = {"top"};
-  plate::Load force;
-  force.kind = plate::Load::Kind::point_force, force.value = -7, force.position = {0.25, 0.75};
-  force.history = {plate::History::Kind::ramp, 0.1, 0, {}};
+  const plate::Load moment{plate::EdgeMoment{.edges = {"top"}, .tensor = {{1, 2, 3}}}};
+  const plate::Load force{plate::PointForce{.position = {0.25, 0.75}, .value = -7},
+                          {plate::History::Kind::ramp, 0.1, 0, {}}};
   problem.loads = {moment, force};
   const auto json = nlohmann::json::parse(post::plate_json(problem));
   CHECK(json["outline"].size() == 4);

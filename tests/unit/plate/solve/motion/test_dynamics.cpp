@@ -26,8 +26,7 @@ Forces mass_of(const small_plate::Model& m) {
 }
 
 std::vector<TimedLoad> pressure(const small_plate::Model& m, double value, const History& history = {}) {
-  Load load;
-  load.value = value;
+  const Load load{Pressure{.value = value}};
   return {{nodal_forces(load, m.boundary.cloud, m.outline), history}};
 }
 
@@ -154,8 +153,7 @@ TEST_CASE("an unstable step is an error with its step and point") {
 
 TEST_CASE("a motion that goes on from its memory moves as if it had never stopped, to the last digit") {
   const auto m = held();
-  Load second;
-  second.value = -2;
+  const Load second{Pressure{.value = -2}};
   auto loads = pressure(m, 3, {History::Kind::table, 0, 0, {{0, 0}, {0.02, 1}, {0.05, -1}}});
   loads.push_back({nodal_forces(second, m.boundary.cloud, m.outline), {}});
   const State start = GENERATE(false, true) ? State(State::Zero(3, Eigen::Index(m.points()))) : State();

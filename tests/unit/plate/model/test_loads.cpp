@@ -1,0 +1,88 @@
+#include "plate/model/loads.hpp"
+
+#include "tests/catch.hpp"
+
+using namespace plate;
+using geometry::Point;
+
+namespace {
+
+/// One load of every kind, with every member given that its kind has.
+std::vector<Load> all_kinds() {
+  const geometry::Polyline line{{0, 0}, {1, 2}};
+  const std::vector<std::string> edges{"left", "top"};
+  return {Load{Pressure{.value = 2, .gradient = {3, 4}, .formula = Formula("x + 1"), .gravity = -5, .path = line}},
+          Load{EdgeMoment{.edges = edges, .value = 2, .twist = 3, .tensor = {{4, 5, 6}}}},
+          Load{EdgeShear{.edges = edges, .value = 2}},
+          Load{PointForce{.position = {0.5, 0.25}, .value = 2}},
+          Load{LineLoad{.along = line, .value = 2}},
+          Load{Temperature{.value = 2, .formula = Formula("x + 1")}},
+          Load{Settlement{.support = 1, .value = 2, .slope = {3, 4}, .rotation = 5}}};
+}
+
+const std::string& name_of(std::size_t number) {
+  return Load::names[number];
+}
+
+}  // namespace
+
+TEST_CASE("loads: each kind is made by the number of its name, with nothing given") {
+  for (std::size_t number = 0; number < Load::names.size(); ++number) {
+    const Load load{Load::made(number)};
+    CAPTURE(name_of(number));
+    CHECK(load.action.index() == number);
+    CHECK(load.name() == name_of(number));
+    CHECK(load.edges().empty());
+    CHECK(load.line().empty());
+    CHECK(load.path().empty());
+    CHECK(load.speed() == 0);
+    CHECK_FALSE(load.formula().given());
+    CHECK(load.point().has_value() == (load.name() == "point_force"));
+    CHECK_FALSE(load.moves());
+  }
+}
+
+TEST_CASE("loads: what several kinds have is empty where a kind has none") {
+  const auto loads = all_kinds();
+  REQUIRE(loads.size() == Load::names.size());
+  for (std::size_t number = 0; number < loads.size(); ++number) {
+    const auto& load = loads[number];
+    const auto& name = name_of(number);
+    CAPTURE(name);
+    CHECK(load.name() == name);
+    CHECK(load.edges().empty() == (name != "edge_moment" && name != "edge_shear"));
+    CHECK(load.line().empty() == (name != "line_load"));
+    CHECK(load.path().empty() == (name != "pressure"));
+    CHECK(load.formula().given() == (name == "pressure" || name == "temperature"));
+    CHECK(load.point().has_value() == (name == "point_force"));
+  }
+  const Load moving{PointForce{.value = 1, .path = {{0, 0}, {1, 0}}, .speed = 3}};
+  CHECK(moving.moves());
+  CHECK(moving.speed() == 3);
+  CHECK_FALSE(moving.point());
+}
+
+TEST_CASE("loads: twice a load has twice every amount, and the same places") {
+  auto loads = all_kinds();
+  for (auto& load : loads) {
+    scale(load, 2);
+    std::visit([](const auto& action) { CHECK(action.value == 4); }, load.action);
+    if (load.formula().given()) CHECK(load.formula()({3, 0}) == 8);
+  }
+  const auto& pressure = *loads[0].as<Pressure>();
+  CHECK(pressure.gradient == Point(6, 8));
+  CHECK(pressure.gravity == -10);
+  CHECK(pressure.path[1] == Point(1, 2));
+  const auto& moment = *loads[1].as<EdgeMoment>();
+  CHECK(moment.twist == 6);
+  CHECK(moment.tensor == std::array<double, 3>{8, 10, 12});
+  CHECK(loads[3].point() == Point(0.5, 0.25));
+  CHECK(loads[4].line()[1] == Point(1, 2));
+  const auto& settlement = *loads[6].as<Settlement>();
+  CHECK(settlement.support == 1);
+  CHECK(settlement.slope == Point(6, 8));
+  CHECK(settlement.rotation == 10);
+  Load by_table{Pressure{.table = PressureTable("x,y,pressure\n0,0,1\n1,0,2\n0,1,3\n", "table.csv")}};
+  scale(by_table, 2);
+  CHECK(by_table.as<Pressure>()->at({1, 0}) == Approx(4));
+}
