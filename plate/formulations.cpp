@@ -29,11 +29,11 @@ const FormulationKind& formulation_of(const Discretization& d) {
 
 Discretised discretise(const Problem& problem, const Communicator& communicator) {
   require_memory(problem);
-  Problem settled = problem;
-  settled.discretization.formulation = &formulation_of(problem.discretization);
-  settled.supports = settled_supports(problem);
+  Problem resolved = problem;
+  resolved.discretization.formulation = &formulation_of(problem.discretization);
+  resolved.supports = resolved_supports(problem);
   try {
-    return settled.discretization.formulation->discretise(settled, communicator);
+    return resolved.discretization.formulation->discretise(resolved, communicator);
   } catch (const FormulaError& error) {
     std::size_t number = 0;
     while (problem.loads[number].formula().text() != error.formula()) ++number;
@@ -46,7 +46,7 @@ namespace {
 constexpr double of_diagonal = 0.5;  // iterations follow the side over the spacing
 // of time: a factor of the whole from 2,500 to 40,000 points, one of a quarter of them, coarser plates
 constexpr double of_factor = 1.4, of_general_factor = 1.55, of_short_horizon = 1.25, of_two_levels = 1.08,
-                 of_levels = 1.05;
+                 of_multigrid = 1.05;
 
 /// Bytes while a factor is made, measured 3,770 to 4,220 n log2 n with bonds over 3 spacings (10,000 and 40,000
 /// points), 9,200 to 11,200 with nodes on or beyond the edges, whose matrix is not symmetric (2,500 to 40,000 points;
@@ -58,7 +58,7 @@ double bytes_of_factor(double per_point, double points) {
 
 /// The factor of the last level, of up to 4,000 points, and the others: measured 29 to 84 MB for 10,000 to 161,000
 /// points of a lattice, 35 and 58 MB for 12,000 and 47,000 of triangles.
-double bytes_of_levels(const Discretization& d, double points) {
+double bytes_of_multigrid(const Discretization& d, double points) {
   return 25e6 + (d.tip_spacing || d.hole_spacing ? 700 : 350) * points;
 }
 
@@ -91,7 +91,7 @@ UsualSolver usual_solver(const Problem& problem, StaticMethod method, Preconditi
     case two_level:
       return {method, wanted, "conjugate gradients, two levels", 0, of_two_levels, bytes_of_factor(88 * 4, points / 4)};
     case levels:
-      return {method, wanted, "conjugate gradients, coarser plates", 0, of_levels, bytes_of_levels(d, points)};
+      return {method, wanted, "conjugate gradients, coarser plates", 0, of_multigrid, bytes_of_multigrid(d, points)};
   }
   return own_factor;
 }

@@ -19,7 +19,8 @@
 namespace fracture {
 namespace {
 
-post::AccuracyTrial in_motion(Ready& ready, const plate::Analysis& analysis, const post::SrifOptions& options) {
+post::AccuracyTrial in_motion(ValidatedPlate& ready, const plate::Analysis& analysis,
+                              const post::SrifOptions& options) {
   constexpr double of_truncation = 0.1;  // of the accuracy
   const auto& plate = *ready.plate;
   const auto reactions = post::Supports(plate.boundary()).elastic_forces(plate);
@@ -50,7 +51,7 @@ FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector
   return {std::move(result), std::move(factors)};
 }
 
-post::AccuracyTrial trial(Ready& ready, const plate::Analysis& analysis, const post::SrifOptions& options) {
+post::AccuracyTrial trial(ValidatedPlate& ready, const plate::Analysis& analysis, const post::SrifOptions& options) {
   plate::stop_if_asked("the search for srif.accuracy", ready.plate->communicator());
   post::AccuracyTrial result{ready.plate.get(), {}, {}, 0, 0};
   if (analysis.kind == plate::Analysis::Kind::dynamic) {
@@ -103,7 +104,7 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
   post::Progress progress(quiet, "srif.accuracy");
   auto found = post::refine(
       options,
-      [&](double size) -> std::variant<post::AccuracyTrial, post::Unfit> {
+      [&](double size) -> std::variant<post::AccuracyTrial, post::Infeasible> {
         try {
           auto next = std::make_unique<Prepared>(with_size(file, size));
           auto trial = fracture::trial(*next, next->file.content.analysis, *next->file.content.srif);
@@ -115,14 +116,14 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
           const auto& key = first.key;
           if (key == "srif.accuracy" || key.starts_with("analysis.") || key.starts_with("output.")) throw;
           if (!refused) refused = error;
-          return post::Unfit{first.what};
+          return post::Infeasible{first.what};
         }
       },
       progress);
   progress.done();
   if (found.summary.path.empty()) throw *refused;
   plate->stopwatch.add(before);
-  for (auto& warning : post::distrust_of(found.summary)) plate->warnings.push_back(std::move(warning));
+  for (auto& warning : post::warnings_about(found.summary)) plate->warnings.push_back(std::move(warning));
   warn_of_given_lengths(file, plate->warnings);
   result.found = found.summary;
   std::optional<std::vector<double>> truncated;

@@ -23,7 +23,7 @@ FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector
                               const std::string& when);
 
 /// Solves a plate on the way to a stated accuracy; its solution stays with it. Throws NumericalError.
-post::AccuracyTrial trial(Ready& ready, const plate::Analysis& analysis, const post::SrifOptions& options);
+post::AccuracyTrial trial(ValidatedPlate& ready, const plate::Analysis& analysis, const post::SrifOptions& options);
 
 }  // namespace fracture
 

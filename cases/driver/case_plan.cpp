@@ -9,8 +9,8 @@
 namespace cases {
 
 RunOptions RunOptions::part(const std::string& name) const {
-  if (kept) kept->parts[name].wants_fields = kept->wants_fields;
-  return {folder / name, quiet, kept ? &kept->parts[name] : nullptr, resume, communicator};
+  if (in_memory) in_memory->parts[name].wants_fields = in_memory->wants_fields;
+  return {folder / name, quiet, in_memory ? &in_memory->parts[name] : nullptr, resume, communicator};
 }
 
 fracture::RecordingOptions recording_options(const Case& c, const RunOptions& options) {
@@ -21,16 +21,16 @@ fracture::RecordingOptions recording_options(const Case& c, const RunOptions& op
 }
 
 fracture::Recording recording_of(const Case& c, const RunOptions& options) {
-  if (!options.kept) return fracture::recording(recording_options(c, options));
-  auto& kept = *options.kept;
-  kept.resolved = resolved_toml(c);
-  kept.wants_fields = kept.wants_fields && (c.output.vtk || c.output.hdf5);
-  return {{std::make_unique<post::KeptSink>(kept), kept.resolved, PDPLATE_VERSION}, nullptr};
+  if (!options.in_memory) return fracture::recording(recording_options(c, options));
+  auto& in_memory = *options.in_memory;
+  in_memory.resolved = resolved_toml(c);
+  in_memory.wants_fields = in_memory.wants_fields && (c.output.vtk || c.output.hdf5);
+  return {{std::make_unique<post::MemorySink>(in_memory), in_memory.resolved, PDPLATE_VERSION}, nullptr};
 }
 
 fracture::RunPlan plan_of(const Case& c, const RunOptions& options) {
   const auto& [vtk, hdf5, reports, every, history_every, checkpoint_every, probes] = c.output;
-  const auto report = options.kept || !c.output.reports() ? std::nullopt : std::optional(options.folder);
+  const auto report = options.in_memory || !c.output.reports() ? std::nullopt : std::optional(options.folder);
   return {c,
           c.analysis,
           c.growth,
@@ -66,7 +66,7 @@ CaseFile in_other_formulation(const CaseFile& file) {
   Reading reading("");
   reading.found().places = file.source.places;
   reading.kind = c.analysis.kind;
-  settle_grading(c, reading);
+  resolve_grading(c, reading);
   check_case(c, reading);
   auto problems = reading.problems();
   for (auto& problem : problems) problem.what = "srif.second_formulation: " + problem.what;

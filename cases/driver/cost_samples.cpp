@@ -16,37 +16,37 @@
 namespace cases {
 namespace {
 
-using fracture::Less;
+using fracture::ReducedRun;
 using plate::EdgeMethod;
 
-CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const Less& less) {
+CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const ReducedRun& reduced) {
   CaseFile result = file;
   Case& c = result.content;
-  c.discretization = fracture::widened(c.discretization, less.wider);
+  c.discretization = fracture::widened(c.discretization, reduced.wider);
   if (const auto edges = c.discretization.boundary; edges != EdgeMethod::images && edges != EdgeMethod::layer)
-    c.section.thicken(less.wider);  // they ask for points that are close for it
-  c.analysis = fracture::sampled(c.analysis, solver, less, c.growth.has_value());
+    c.section.thicken(reduced.wider);  // they ask for points that are close for it
+  c.analysis = fracture::sampled(c.analysis, solver, reduced, c.growth.has_value());
   for (auto& load : c.loads) {
     load.history = {};  // some start from nothing, and nothing would move
     if (load.as<plate::Settlement>() && c.analysis.kind == Analysis::Kind::dynamic)
       load.history.kind = plate::History::Kind::ramp, load.history.rise_time = c.analysis.duration;  // none jumps
   }
-  for (auto& soil : c.foundations) soil.lifts_off = false;  // few and wide points may tip where the plate does not
-  c.output.history_every = c.analysis.duration / std::clamp(less.steps / 8, 1.0, 8.0);
+  for (auto& soil : c.foundations) soil.unilateral = false;  // few and wide points may tip where the plate does not
+  c.output.history_every = c.analysis.duration / std::clamp(reduced.steps / 8, 1.0, 8.0);
   c.output.every.reset(), c.output.probes.clear();
-  if (!less.factors) c.srif.reset();
+  if (!reduced.factors) c.srif.reset();
   if (c.impact) c.impact->stiffness *= 1e-9;
   if (c.srif) c.srif->second_formulation = c.srif->richardson = false;
   if (c.growth) c.growth->max_advances = 1, c.growth->unstable = fracture::Growth::Unstable::jump;
   return result;
 }
 
-post::SampleRun run_of(const CaseFile& file, const plate::UsualSolver& solver, const Less& less) {
-  const auto sample = sample_of(file, solver, less);
+post::SampleRun run_of(const CaseFile& file, const plate::UsualSolver& solver, const ReducedRun& reduced) {
+  const auto sample = sample_of(file, solver, reduced);
   const post::ScratchFolder scratch("pdplate_check");
   const auto begun = std::clock();
   plate::Stopwatch watch;
-  auto result = fracture::sample_run(plan_of(sample.content, {}), run(sample, {scratch.path(), true}), less.wider);
+  auto result = fracture::sample_run(plan_of(sample.content, {}), run(sample, {scratch.path(), true}), reduced.wider);
   watch.lap("run");
   result.share = std::min(1.0, double(std::clock() - begun) / CLOCKS_PER_SEC / watch.total());
   result.files = scratch.bytes();
@@ -79,21 +79,21 @@ std::optional<CaseFile> by_other_method(const CaseFile& file) {
 
 }  // namespace
 
-fracture::ForetoldRun foretell(const CaseFile& file) {
-  const auto run = [&](const plate::UsualSolver& solver, const Less& less) -> std::optional<post::SampleRun> {
+fracture::RunEstimate estimate_cost(const CaseFile& file) {
+  const auto run = [&](const plate::UsualSolver& solver, const ReducedRun& reduced) -> std::optional<post::SampleRun> {
     try {
-      return run_of(file, solver, less);
+      return run_of(file, solver, reduced);
     } catch (const CaseError& error) {
       // no number of points helps an expression that has no value, or is noise
       const bool for_good = std::ranges::any_of(
           error.problems(), [](const Problem& problem) { return problem.key.ends_with("expression"); });
-      if (less.wider == 1 || for_good) throw;
+      if (reduced.wider == 1 || for_good) throw;
     } catch (const plate::NumericalError&) {
-      if (less.wider == 1) throw;
+      if (reduced.wider == 1) throw;
     }
     return {};
   };
-  return unless_refused(file, [&] { return fracture::foretell(plan_of(file.content, {}), run); });
+  return unless_refused(file, [&] { return fracture::estimate_cost(plan_of(file.content, {}), run); });
 }
 
 std::string cheaper_way(const CaseFile& file, double seconds) {
@@ -102,7 +102,7 @@ std::string cheaper_way(const CaseFile& file, double seconds) {
   const auto other = by_other_method(file);
   if (!other) return "";
   try {
-    const double others = foretell(*other).costs.total();
+    const double others = estimate_cost(*other).costs.total();
     if (!(others < clearly * seconds)) return "";
     const bool same = other->content.discretization.formulation == file.content.discretization.formulation;
     const bool vectors = other->content.analysis.method == Analysis::Method::lanczos;

@@ -104,7 +104,7 @@ Table fatigue(const Table& growth, const Table& tip_table, const plate::Section&
     return number_in("tips.csv", tip_table, row, name);
   };
   const LoadFactors load_factors(growth);
-  struct Way {
+  struct TipHistory {
     std::vector<double> lengths, ranges, errors;  // the last: absolute, of the ranges
     double crack = 0;                             // length of the whole crack at the last row
     double own_share = 0;                         // of what the crack grows to the next row
@@ -114,37 +114,37 @@ Table fatigue(const Table& growth, const Table& tip_table, const plate::Section&
       return value(row, "advance") == advance && value(row, "crack") == crack && (!only || value(row, only) > 0);
     });
   };
-  std::map<double, Way> ways;  // by tip
+  std::map<double, TipHistory> histories;  // by tip
   for (const auto& row : tip_table.rows) {
-    auto& way = ways[value(row, "tip")];
+    auto& history = histories[value(row, "tip")];
     const double crack = value(row, "crack"), length = value(row, "length"), advance = value(row, "advance");
-    const double own = way.lengths.empty() ? length / double(tips(advance, crack, nullptr))
-                                           : way.lengths.back() + way.own_share * (length - way.crack);
-    way.crack = length;
-    way.own_share = value(row, "moves") > 0 ? 1 / double(tips(advance, crack, "moves")) : 0;
-    if (!way.lengths.empty() && own <= way.lengths.back()) continue;  // this tip has not moved
+    const double own = history.lengths.empty() ? length / double(tips(advance, crack, nullptr))
+                                               : history.lengths.back() + history.own_share * (length - history.crack);
+    history.crack = length;
+    history.own_share = value(row, "moves") > 0 ? 1 / double(tips(advance, crack, "moves")) : 0;
+    if (!history.lengths.empty() && own <= history.lengths.back()) continue;  // this tip has not moved
     const double G = std::max(value(row, "G"), 0.0);
     const double full = std::sqrt(3 * section.young * G / section.thickness) / load_factors(advance);
-    way.lengths.push_back(own);
-    way.ranges.push_back((1 - ratio) * load * full);
-    if (const auto error = load_factors.error(advance)) way.errors.push_back(*error * way.ranges.back());
+    history.lengths.push_back(own);
+    history.ranges.push_back((1 - ratio) * load * full);
+    if (const auto error = load_factors.error(advance)) history.errors.push_back(*error * history.ranges.back());
   }
   Table result{{"tip", "length", "K_range", "cycles", "K_range_error", "cycles_least", "cycles_most"}, {}};
-  for (const auto& [tip, way] : ways) {
-    const auto found = cycles(law, way.lengths, way.ranges);
+  for (const auto& [tip, history] : histories) {
+    const auto found = cycles(law, history.lengths, history.ranges);
     std::vector<double> least, most;
-    if (way.errors.size() == found.size())
-      least = cycles(law, way.lengths, sum(way.ranges, 1, way.errors)),
-      most = cycles(law, way.lengths, sum(way.ranges, -1, way.errors));
+    if (history.errors.size() == found.size())
+      least = cycles(law, history.lengths, sum(history.ranges, 1, history.errors)),
+      most = cycles(law, history.lengths, sum(history.ranges, -1, history.errors));
     for (std::size_t i = 0; i < found.size(); ++i) {
-      result.rows.push_back({tip, way.lengths[i], way.ranges[i], found[i], Cell(), Cell(), Cell()});
+      result.rows.push_back({tip, history.lengths[i], history.ranges[i], found[i], Cell(), Cell(), Cell()});
       if (!least.empty()) {
         auto& row = result.rows.back();
-        row[4] = way.errors[i], row[5] = least[i], row[6] = most[i];
+        row[4] = history.errors[i], row[5] = least[i], row[6] = most[i];
       }
     }
   }
-  if (result.rows.size() <= ways.size())
+  if (result.rows.size() <= histories.size())
     throw std::runtime_error("tips.csv has no tip that moved: there is no way to count cycles on");
   return result;
 }

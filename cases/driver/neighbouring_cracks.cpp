@@ -7,7 +7,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/analysis.hpp"
-#include "plate/solve/settled.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
 #include "plate/solve/validation.hpp"
 #include "post/factors/tip_section.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 double strain_energy(const plate::Problem& problem, plate::Analysis analysis) {
   const auto found = plate::discretise(problem);
-  if (auto refusals = plate::suitability(*found.plate, analysis).refusals; !refusals.empty())
+  if (auto refusals = plate::validate(*found.plate, analysis).refusals; !refusals.empty())
     throw plate::Refused(std::move(refusals));
   analysis.method = plate::Analysis::Method::cg;
   const auto result = plate::static_solution(*found.plate, analysis, {1e-9, analysis.max_iterations, {}});
@@ -28,7 +28,7 @@ double strain_energy(const plate::Problem& problem, plate::Analysis analysis) {
   const auto load = plate.total_load();
   const auto lift = plate::total_lift(plate);  // of supports, which hold what they move while the crack grows
   const auto& strained = result.what_strains();
-  return plate.strain_energy(strained) - 2 * plate::Settled(plate, load, lift).work(strained);
+  return plate.strain_energy(strained) - 2 * plate::PrescribedDisplacements(plate, load, lift).work(strained);
 }
 
 /// The problem with the tip moved straight ahead by `step`.

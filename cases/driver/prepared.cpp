@@ -37,9 +37,9 @@ void require_memory(const CaseFile& file) {
   unless_refused(file, [&] { plate::require_memory(file.content); });
 }
 
-void require_shared(const CaseFile& file, const std::vector<fracture::Unshared>& unshared) {
+void require_distributable(const CaseFile& file, const std::vector<fracture::NotDistributable>& not_distributable) {
   std::vector<Problem> problems;
-  for (const auto& [key, why] : unshared) problems.push_back({file.place(key), key, why});
+  for (const auto& [key, why] : not_distributable) problems.push_back({file.place(key), key, why});
   if (!problems.empty()) throw CaseError(problems);
 }
 
@@ -47,16 +47,16 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
   const Case& c = file.content;
   auto result = unless_refused(file, [&] { return plate::discretise(c, communicator); });
   const auto& plate = *result.plate;
-  const auto suits = plate::suitability(plate, c.analysis);
+  const auto suits = plate::validate(plate, c.analysis);
   auto problems = problems_of(file, suits.refusals);
   check_places(file, plate, problems);
   if (!problems.empty()) throw CaseError(problems);
   auto& warnings = result.warnings;
   warnings.insert(warnings.begin(), file.source.notes.begin(), file.source.notes.end());
-  for (const auto& some : {suits.warnings, plate.distrust(c.srif.has_value()),
-                           plate::distrust_of_rotary_inertia(plate, c.analysis.rotary_inertia),
-                           c.growth ? fracture::distrust_of_bonds(*c.growth, plate) : std::vector<std::string>(),
-                           plate::distrust_of_mechanisms(plate)})
+  for (const auto& some : {suits.warnings, plate.warnings(c.srif.has_value()),
+                           plate::warnings_about_rotary_inertia(plate, c.analysis.rotary_inertia),
+                           c.growth ? fracture::warnings_about_bonds(*c.growth, plate) : std::vector<std::string>(),
+                           plate::warnings_about_mechanisms(plate)})
     warnings.insert(warnings.end(), some.begin(), some.end());
   if (c.analysis.kind == Analysis::Kind::frequencies)  // which have no stress
     std::erase_if(warnings, [](const std::string& line) { return line.starts_with("stress of bonds"); });
@@ -94,7 +94,7 @@ namespace {
 constexpr std::size_t many_steps = 100000;
 
 /// Lanczos vectors need static answers: a plate that moves freely takes steps, unless its case states the vectors.
-void settle_free_motion(CaseFile& file, const plate::Formulation& plate) {
+void resolve_free_motion(CaseFile& file, const plate::Formulation& plate) {
   if (!plate.may_move() && plate.held()) return;
   if (file.content.srif && file.content.srif->accuracy)
     throw CaseError({{file.place("srif.accuracy"), "srif.accuracy",
@@ -131,7 +131,7 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
   if (c.analysis.kind == Analysis::Kind::dynamic) {
     begin = begin_of(file, *plate);
     check_growing_tips(file, *plate, warnings);
-    if (c.analysis.method == Analysis::Method::lanczos) settle_free_motion(file, *plate);
+    if (c.analysis.method == Analysis::Method::lanczos) resolve_free_motion(file, *plate);
     if (c.analysis.method == Analysis::Method::lanczos) {
       steps = {0, unless_refused(file, [&] { return plate::row_grid(fracture::grid_options(plan_of(c, {}))); })};
     } else {
@@ -149,7 +149,7 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
   if (c.analysis.kind != Analysis::Kind::static_ || !c.load_cases.empty())
     fracture::compare_under_pressure(*plate, c, warnings), stopwatch.lap("second_formulation");
   tip_methods = cases::tip_methods(file, *plate);
-  for (auto& one : post::distrust_of_ligaments(*plate)) warnings.push_back(std::move(one));
+  for (auto& one : post::warnings_about_ligaments(*plate)) warnings.push_back(std::move(one));
   stopwatch.lap("srif");
 }
 

@@ -5,7 +5,7 @@
 #include "post/factors/tip_methods.hpp"
 
 namespace fracture {
-struct Unshared;
+struct NotDistributable;
 }
 
 namespace cases {
@@ -19,7 +19,7 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
 void require_memory(const CaseFile& file);
 
 /// Throws CaseError where there is anything that processes cannot share.
-void require_shared(const CaseFile& file, const std::vector<fracture::Unshared>& unshared);
+void require_distributable(const CaseFile& file, const std::vector<fracture::NotDistributable>& not_distributable);
 
 /// Cracks that grow by their tips need the energy release rate of each from the start, whatever methods [srif] names.
 /// Tips too near to an edge, a load or another crack for it: CaseError in statics, a warning in motion, where they
@@ -31,7 +31,7 @@ void check_growing_tips(const CaseFile& file, const plate::Formulation& plate, s
 std::vector<post::TipMethods> tip_methods(const CaseFile& file, const plate::Formulation& plate);
 
 /// A case with all that can be refused behind it. Stays where it is made.
-struct Prepared : fracture::Ready {
+struct Prepared : fracture::ValidatedPlate {
   /// Throws CaseError.
   explicit Prepared(CaseFile wanted, const plate::Communicator& communicator = plate::single_process());
   Prepared(const Prepared&) = delete;

@@ -98,17 +98,17 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
   check_growing_tips(file, *found.plate, found.warnings);
   tip_methods(with_factors, *found.plate);  // for what they refuse
   fracture::QuasiStaticRun run(plan_of(c, options), std::move(found));
-  auto [recorder, keeper] = recording_of(c, options);
+  auto [recorder, checkpoints] = recording_of(c, options);
   const plate::StopOnSignals signals;
-  auto summary = run(std::move(recorder), keeper.get());
-  if (run.grown().ended.how == fracture::End::unstable && c.growth->unstable == fracture::Growth::Unstable::move)
+  auto summary = run(std::move(recorder), checkpoints.get());
+  if (run.outcome().ended.how == fracture::End::unstable && c.growth->unstable == fracture::Growth::Unstable::move)
     cases::run(in_motion(file, run), options.part("motion"));
-  if (keeper) keeper->done();
+  if (checkpoints) checkpoints->done();
   return summary;
 }
 
 post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
-  if (!options.kept && options.communicator->rank() == 0) fracture::check_folder(options.folder);
+  if (!options.in_memory && options.communicator->rank() == 0) fracture::check_folder(options.folder);
   const Case& c = file.content;
   if (c.growth && c.analysis.kind == Analysis::Kind::static_) return grow(file, options);
   if (c.srif && c.srif->accuracy) return run_accurately(file, options);
@@ -119,7 +119,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
     second.emplace(in_other_formulation(file));
     stopwatch.lap("second_formulation");
   }
-  auto [recorder, keeper] = recording_of(prepared.file.content, options);
+  auto [recorder, checkpoints] = recording_of(prepared.file.content, options);
   if (!c.load_cases.empty())
     return fracture::run_load_cases(prepared, plan_of(c, options), std::move(recorder), stopwatch);
   if (c.analysis.kind == Analysis::Kind::harmonic)
@@ -137,8 +137,8 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
     second.reset();
     stopwatch.lap("second_formulation");
   }
-  auto summary = fracture::run_once(prepared, results, stopwatch, keeper.get());
-  if (keeper) keeper->done();
+  auto summary = fracture::run_once(prepared, results, stopwatch, checkpoints.get());
+  if (checkpoints) checkpoints->done();
   return summary;
 }
 
@@ -146,13 +146,13 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
 
 post::Summary run(const CaseFile& file, const RunOptions& options) {
   const Case& c = file.content;
-  require_shared(file, fracture::unshared(plan_of(c, options)));
+  require_distributable(file, fracture::not_distributable(plan_of(c, options)));
   if (options.resume && !(c.growth && c.growth->unstable == fracture::Growth::Unstable::move))
     if (auto done = fracture::done_before(recording_options(c, options), c.output.reports())) return std::move(*done);
   try {
     return run_in_folder(file, options);
   } catch (const fracture::RefusedFolder& refused) {
-    const bool writes = refused.wish() == fracture::RefusedFolder::Wish::write;
+    const bool writes = refused.attempt() == fracture::RefusedFolder::Attempt::write;
     throw CaseError({{writes ? "--out" : "--resume", options.folder.string(), refused.what()}});
   }
 }
@@ -162,9 +162,9 @@ namespace {
 constexpr double giga = 1e9;
 
 /// Estimated cost, as text, of a run by `count` processes that share the plate.
-std::string of_processes(const CaseFile& file, const fracture::ForetoldRun& run, int count) {
+std::string of_processes(const CaseFile& file, const fracture::RunEstimate& run, int count) {
   const auto plan = plan_of(file.content, {});
-  const auto processes = unless_refused(file, [&] { return fracture::foretold_processes(file.content, count); });
+  const auto processes = unless_refused(file, [&] { return fracture::estimated_processes(file.content, count); });
   return fracture::to_text(run, plan) + fracture::to_text(processes, fracture::run_by_one(run, plan)) +
          fmt::format("files         {:.3g} GB\n(by runs of a sample of {} points, just now)\n", run.costs.files / giga,
                      run.sample_points);
@@ -172,12 +172,12 @@ std::string of_processes(const CaseFile& file, const fracture::ForetoldRun& run,
 
 /// The cost of a case whose discretisation is known.
 std::string of_run(const CaseFile& file, int processes) {
-  const auto run = foretell(file);
+  const auto run = estimate_cost(file);
   if (processes > 0) return of_processes(file, run, processes);
   std::string text = fracture::to_text(run, plan_of(file.content, {}));
   double bytes = run.bytes, seconds = run.costs.total();
   if (file.content.srif && file.content.srif->second_formulation) {
-    const auto other = foretell(in_other_formulation(file));
+    const auto other = estimate_cost(in_other_formulation(file));
     bytes += other.bytes, seconds += other.costs.total();
     text += fmt::format("both ways     {:.2g} s\n", seconds);
   }
@@ -211,7 +211,7 @@ std::string of_plate(const CaseFile& file) {
 std::string cost(const CaseFile& file, int processes) {
   constexpr double soon_made = 60000;  // points: 0.2 s
   const Case& c = file.content;
-  if (processes > 0) require_shared(file, fracture::not_for_processes(plan_of(c, {})));
+  if (processes > 0) require_distributable(file, fracture::not_for_processes(plan_of(c, {})));
   std::string text = fmt::format("{}\nformulation   {} ({})\n", c.title, plate::formulation_of(c.discretization).name,
                                  c.formulation_reason);
   if (c.srif && c.srif->accuracy)

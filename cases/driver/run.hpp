@@ -6,7 +6,7 @@
 #include "plate/model/communicator.hpp"
 
 namespace post {
-struct Kept;
+struct ResultsInMemory;
 struct ParisLaw;
 struct Summary;
 struct Table;
@@ -19,8 +19,8 @@ struct CaseFile;
 struct RunOptions {
   std::filesystem::path folder;  // results go here; made if it does not exist
   bool quiet = false;
-  post::Kept* kept = nullptr;  // results go here instead, and no file is written
-  bool resume = false;         // goes on from what an earlier run has kept in the folder
+  post::ResultsInMemory* in_memory = nullptr;  // results go here instead, and no file is written
+  bool resume = false;                         // goes on from what an earlier run has kept in the folder
   const plate::Communicator* communicator = &plate::single_process();
 
   /// Options of a run that belongs to this one.

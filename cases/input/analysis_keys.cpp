@@ -10,7 +10,7 @@
 namespace cases {
 namespace {
 
-/// "auto" is settled when all is read: settle_formulation.
+/// "auto" is settled when all is read: resolve_formulation.
 Words<const plate::FormulationKind*> formulation_words() {
   Words<const plate::FormulationKind*> words;
   for (const auto* kind : plate::formulations()) words.allowed.emplace_back(kind->name, kind);
@@ -200,15 +200,15 @@ void check_analysis(const Value& given, Analysis& analysis) {
   }
   for (const char* name : {"damping", "sweep"})
     if (*kind == Analysis::Kind::harmonic && !given.reading().given(given.below(name)))
-      given.complain(fmt::format("'{}' is missing, {}", name,
-                                 name[0] == 'd' ? "without it nothing limits a resonance"
-                                                : "the frequencies of the loads: { from, to, count }"));
+      given.report_error(fmt::format("'{}' is missing, {}", name,
+                                     name[0] == 'd' ? "without it nothing limits a resonance"
+                                                    : "the frequencies of the loads: { from, to, count }"));
   if (!given.reading().sound(key) || std::find(possible.begin(), possible.end(), analysis.method) != possible.end())
     return;
   std::vector<std::string> names;
   for (const auto method : possible) names.push_back(quoted(methods.name(method)));
-  given.reading().complain(key, fmt::format("\"{}\" given, must be {} in {}", methods.name(analysis.method),
-                                            fmt::join(names, " or "), analyses({*kind})));
+  given.reading().report_error(key, fmt::format("\"{}\" given, must be {} in {}", methods.name(analysis.method),
+                                                fmt::join(names, " or "), analyses({*kind})));
 }
 
 namespace {
@@ -224,7 +224,7 @@ Field<plate::Initial> anywhere(const std::string& name, const std::string& unit,
         if (text || number) try {
             initial.*member = plate::Formula(text ? *text : number_text(*number));
           } catch (const std::invalid_argument& error) {
-            given.complain(error.what());
+            given.report_error(error.what());
           }
       },
       [member](const plate::Initial& initial) {
@@ -276,7 +276,7 @@ Fields<plate::Sweep> sweep_fields() {
 }
 
 void check_sweep(const Value& given, plate::Sweep& sweep) {
-  if (given.reading().sound(given.key()) && !(sweep.to > sweep.from)) given.complain("'to' must be above 'from'");
+  if (given.reading().sound(given.key()) && !(sweep.to > sweep.from)) given.report_error("'to' must be above 'from'");
 }
 
 Fields<plate::Damping> damping_fields() {
@@ -295,20 +295,21 @@ void check_damping(const Value& given, plate::Damping& damping) {
     return {both->at(0), both->at(1)};
   };
   if (has("ratio") != has("frequencies"))
-    return given.complain("'ratio' and 'frequencies' belong together: give both, or mass and stiffness");
+    return given.report_error("'ratio' and 'frequencies' belong together: give both, or mass and stiffness");
   if (!has("ratio")) {
     if (damping.none() && reading.sound(given.key()))
-      given.complain("damps nothing: give mass and stiffness, or ratio and frequencies");
+      given.report_error("damps nothing: give mass and stiffness, or ratio and frequencies");
     return;
   }
   if (has("mass") || has("stiffness"))
-    return given.complain("'mass' and 'stiffness' follow from 'ratio' and 'frequencies': give one pair or the other");
+    return given.report_error(
+        "'mass' and 'stiffness' follow from 'ratio' and 'frequencies': give one pair or the other");
   if (!reading.sound(given.key())) return;
   const auto frequencies = two("frequencies");
-  if (!(frequencies[0] < frequencies[1])) return given.complain("the second frequency must be above the first");
+  if (!(frequencies[0] < frequencies[1])) return given.report_error("the second frequency must be above the first");
   damping = plate::damping_of(two("ratio"), frequencies);
   if (damping.mass < 0 || damping.stiffness < 0)
-    given.complain(
+    given.report_error(
         fmt::format("no plate has such ratios: mass = {:.4g} and stiffness = {:.4g} would be needed, and none "
                     "may be negative; bring the ratios nearer to each other",
                     damping.mass, damping.stiffness));

@@ -57,16 +57,17 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   content.discretization.formulation = plate::formulations().front();  // unless the file states another
   read_fields(case_fields(), Value(root, "", reading), content);
   plate::join_loads(content);
-  if (const auto without = plate::settle_weights(content); without && reading.sound("section.density"))
-    reading.complain("section.density", fmt::format("is missing, must be a number > 0: {} is the plate's own weight",
-                                                    plate::key_of_load(content, *without)));
+  if (const auto without = plate::resolve_weights(content); without && reading.sound("section.density"))
+    reading.report_error("section.density",
+                         fmt::format("is missing, must be a number > 0: {} is the plate's own weight",
+                                     plate::key_of_load(content, *without)));
   snap_cracks(content, reading);
-  settle_formulation(states_formulation(root), content, reading);
-  settle_method(content, reading);
+  resolve_formulation(states_formulation(root), content, reading);
+  resolve_method(content, reading);
   check_case(content, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   merge_cracks(content, reading);
-  settle_grading(content, reading);
+  resolve_grading(content, reading);
   look_at_proportions(content, reading);
   if (content.srif && content.srif->accuracy)
     content.discretization = post::discretization_of(content, content.analysis.kind == Analysis::Kind::dynamic, 1);

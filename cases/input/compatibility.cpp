@@ -26,7 +26,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 30> words{{
     {stiffness_damping, "`analysis.damping.stiffness` of a motion"},
     {settlement, "a load of kind `\"settlement\"`"},
     {moving_load, "a load that moves (`path`, `speed`)"},
-    {lifting_soil, "soil that lifts off (`lifts_off`)"},
+    {unilateral_foundation, "soil that lifts off (`lifts_off`)"},
     {temperature, "a load of kind `\"temperature\"`"},
     {load_cases, "`[[case]]`"},
     {combinations, "`[[combination]]`"},
@@ -69,7 +69,7 @@ const std::vector<Exclusion> excluded_pairs{
      "\"settlement\" given: supports move by steps alone; choose analysis.method = \"central_difference\""},
     {lanczos, moving_load, "analysis.method",
      "\"lanczos\" given: loads that move need steps; choose \"central_difference\""},
-    {lanczos, lifting_soil, "analysis.method",
+    {lanczos, unilateral_foundation, "analysis.method",
      "\"lanczos\" given: soil that lifts off needs steps; choose \"central_difference\""},
     {single_precision, damping, "analysis.precision", needs_double("analysis.damping")},
     {single_precision, initial, "analysis.precision", needs_double("initial")},
@@ -87,15 +87,16 @@ const std::vector<Exclusion> excluded_pairs{
      "must be \"load\" beside settlements, which say how far supports move"},
     {settlement, growth_from_rest_to_motion, "growth.unstable",
      "\"move\" is not available beside settlements: choose \"stop\" or \"jump\""},
-    {lifting_soil, stiffness_damping, "analysis.damping",
+    {unilateral_foundation, stiffness_damping, "analysis.damping",
      "the stiffness of a plate on soil that lifts off changes, and cannot damp: give mass alone"},
-    {lifting_soil, frequencies, "foundation", "a plate that may lift off has no frequencies: remove lifts_off"},
-    {lifting_soil, harmonic, "foundation",
+    {unilateral_foundation, frequencies, "foundation",
+     "a plate that may lift off has no frequencies: remove lifts_off"},
+    {unilateral_foundation, harmonic, "foundation",
      "soil that lifts off has no harmonic response, as it is not linear: remove lifts_off"},
-    {lifting_soil, growth, "foundation", "cracks do not grow yet on soil that lifts off: remove lifts_off"},
-    {lifting_soil, settlement, "foundation",
+    {unilateral_foundation, growth, "foundation", "cracks do not grow yet on soil that lifts off: remove lifts_off"},
+    {unilateral_foundation, settlement, "foundation",
      "settlements cannot be run yet beside soil that lifts off: remove lifts_off"},
-    {lifting_soil, combinations, "combination",
+    {unilateral_foundation, combinations, "combination",
      "what soil touches differs from load case to load case, so that they do not add up: give their sum a [[case]] "
      "of its own"},
     {equilibrium_start, initial_deflection, "initial.deflection",
@@ -168,7 +169,7 @@ std::vector<Part> parts_of(const Case& content) {
   add(moves && a.damping && a.damping->stiffness > 0, stiffness_damping);
   add(any_load([](const auto& load) { return load.template as<plate::Settlement>() != nullptr; }), settlement);
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
-  add(content.lifts_off(), lifting_soil);
+  add(content.unilateral(), unilateral_foundation);
   add(plate::heated(content), temperature);
   add(!content.load_cases.empty() || !content.combinations.empty(), load_cases);
   add(!content.combinations.empty(), combinations);
@@ -187,20 +188,20 @@ std::vector<Part> parts_of(const Case& content) {
   add(!bonds && (moves || to_motion), growth_of_heated_cracks_in_motion);
   add(g->control != fracture::Growth::Control::load, growth_by_displacement);
   add(to_motion, growth_from_rest_to_motion);
-  add(g->fallen == fracture::Growth::Fallen::freeze, frozen_pieces);
+  add(g->detached == fracture::Growth::Detached::freeze, frozen_pieces);
   return result;
 }
 
-std::vector<plate::KeyFault> excluded(const Case& content) {
+std::vector<plate::KeyError> excluded(const Case& content) {
   const auto parts = parts_of(content);
   const auto has = [&](Part part) { return std::ranges::find(parts, part) != parts.end(); };
-  std::vector<plate::KeyFault> result;
+  std::vector<plate::KeyError> result;
   for (const auto& [one, other, key, reason] : exclusions()) {
     if (!has(one) || !has(other)) continue;
     if (key != settlements) {
-      const plate::KeyFault fault{key, reason};
+      const plate::KeyError error{key, reason};
       if (std::ranges::none_of(result, [&](const auto& old) { return old.key == key && old.what == reason; }))
-        result.push_back(fault);
+        result.push_back(error);
       continue;
     }
     for (std::size_t i = 0; i < content.loads.size(); ++i)

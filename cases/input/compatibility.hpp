@@ -24,7 +24,7 @@ enum class Part {
   stiffness_damping,
   settlement,
   moving_load,
-  lifting_soil,
+  unilateral_foundation,
   temperature,
   load_cases,
   combinations,
@@ -60,7 +60,7 @@ std::string_view words_of(Part part);
 std::vector<Part> parts_of(const Case& content);
 
 /// The exclusions that a case meets, by its keys.
-std::vector<plate::KeyFault> excluded(const Case& content);
+std::vector<plate::KeyError> excluded(const Case& content);
 
 /// The exclusions as a list in Markdown.
 std::string exclusion_list();

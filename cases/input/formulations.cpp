@@ -99,7 +99,7 @@ bool states_formulation(const toml::table& root) {
   return given && std::ranges::any_of(plate::formulations(), [&](const auto* kind) { return kind->name == *given; });
 }
 
-void settle_formulation(bool stated, Case& content, Reading& reading) {
+void resolve_formulation(bool stated, Case& content, Reading& reading) {
   const auto& known = plate::formulations();
   content.formulation_reason = "as the case says";
   if (stated) return;
@@ -118,12 +118,12 @@ void settle_formulation(bool stated, Case& content, Reading& reading) {
   if (content.discretization.formulation->offers(Feature::graded_points)) return;
   for (const char* name : {"tip_spacing", "hole_spacing", "spacing_growth"})
     if (const auto key = fmt::format("discretization.{}", name); reading.given(key))
-      reading.complain(
+      reading.report_error(
           key, fmt::format("is used with formulation = {} only, and bonds are asked for by {}: remove it or that",
                            known.front()->name, fmt::join(words, ", ")));
 }
 
-void settle_grading(Case& content, const Reading& reading) {
+void resolve_grading(Case& content, const Reading& reading) {
   auto& d = content.discretization;
   const auto kind = content.analysis.kind;
   const bool at_rest = kind == Analysis::Kind::static_ || kind == Analysis::Kind::harmonic;
@@ -133,7 +133,7 @@ void settle_grading(Case& content, const Reading& reading) {
   if (d.tip_spacing && !reading.given("discretization.spacing_growth")) d.spacing_growth = 0.1;
 }
 
-void settle_method(Case& content, const Reading& reading) {
+void resolve_method(Case& content, const Reading& reading) {
   auto& analysis = content.analysis;
   const auto& d = content.discretization;
   if (reading.given("analysis.method") || content.growth) return;
@@ -141,7 +141,7 @@ void settle_method(Case& content, const Reading& reading) {
     analysis.method = Analysis::Method::direct;
   const bool graded = d.tip_spacing || d.hole_spacing || reading.finds_spacing;
   const bool needs_steps =
-      content.impact || content.lifts_off() || std::ranges::any_of(content.loads, [](const auto& load) {
+      content.impact || content.unilateral() || std::ranges::any_of(content.loads, [](const auto& load) {
         return load.template as<plate::Settlement>() || load.moves();
       });
   const bool steps_asked = analysis.time_step || reading.given("analysis.safety") || needs_steps;
@@ -158,18 +158,19 @@ void check_formulation(const Case& content, Reading& reading) {
   if (const auto& a = content.analysis;
       !kind.offers(Feature::symmetry) &&
       (a.kind != Analysis::Kind::static_ || a.method != Analysis::Method::direct || content.growth))
-    reading.complain("analysis.method", kind.lacks.at(Feature::symmetry) + "; choose method = \"direct\"");
+    reading.report_error("analysis.method", kind.lacks.at(Feature::symmetry) + "; choose method = \"direct\"");
   if (content.analysis.preconditioner == plate::Preconditioning::levels && !kind.offers(Feature::levels))
-    reading.complain("analysis.preconditioner",
-                     kind.lacks.at(Feature::levels) + "; choose \"auto\", \"diagonal\", \"local\" or \"two_level\"");
+    reading.report_error("analysis.preconditioner", kind.lacks.at(Feature::levels) +
+                                                        "; choose \"auto\", \"diagonal\", \"local\" or \"two_level\"");
   if (content.analysis.method == Analysis::Method::direct && !kind.offers(Feature::factor))
-    reading.complain("analysis.method", kind.lacks.at(Feature::factor) + "; choose \"cg\" or \"adr\"");
+    reading.report_error("analysis.method", kind.lacks.at(Feature::factor) + "; choose \"cg\" or \"adr\"");
   for (const auto& one : asked(content, reading)) {
     if (!one.refused || kind.offers(one.feature)) continue;
     const auto& why = kind.lacks.at(one.feature);
-    reading.complain(one.key, of_horizon(one.feature) ? fmt::format("has no meaning with formulation = \"{}\": {}; {}",
-                                                                    kind.name, why, one.remedy)
-                                                      : fmt::format("{}; {}", why, one.remedy));
+    reading.report_error(
+        one.key, of_horizon(one.feature)
+                     ? fmt::format("has no meaning with formulation = \"{}\": {}; {}", kind.name, why, one.remedy)
+                     : fmt::format("{}; {}", why, one.remedy));
   }
 }
 

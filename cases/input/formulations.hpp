@@ -25,15 +25,15 @@ bool states_formulation(const toml::table& root);
 
 /// Puts the formulation that "auto" stands for, and the reason, in the place of the one that a case is read for unless
 /// it states another. Complains about keys of graded points in a case that needs a formulation without.
-void settle_formulation(bool stated, Case& content, Reading& reading);
+void resolve_formulation(bool stated, Case& content, Reading& reading);
 
 /// At rest and for harmonic responses, in a formulation with graded points: the spacing at the tips that factors need
 /// (post::tip_spacing_for), unless the case gives one or says `refine_tips = false`. Of a case without problems.
-void settle_grading(Case& content, const Reading& reading);
+void resolve_grading(Case& content, const Reading& reading);
 
 /// Unless the case states a method: direct at rest where the stiffness is not symmetric; for graded points in motion,
 /// whose stable steps follow the least spacing, Lanczos vectors if it does not ask for steps.
-void settle_method(Case& content, const Reading& reading);
+void resolve_method(Case& content, const Reading& reading);
 
 /// Reports what the formulation of the case cannot do.
 void check_formulation(const Case& content, Reading& reading);

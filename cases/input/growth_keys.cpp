@@ -46,7 +46,7 @@ Field<Growth> no_fail() {
 const Words<Growth::Unstable> unstables{
     {{"jump", Growth::Unstable::jump}, {"stop", Growth::Unstable::stop}, {"move", Growth::Unstable::move}}};
 
-const Words<Growth::Fallen> fallens{{{"move", Growth::Fallen::move}, {"freeze", Growth::Fallen::freeze}}};
+const Words<Growth::Detached> detached_words{{{"move", Growth::Detached::move}, {"freeze", Growth::Detached::freeze}}};
 
 /// A key of tips is not written where bonds break one by one.
 Field<Growth> of_tips(Field<Growth> field) {
@@ -88,8 +88,8 @@ Fields<Growth> growth_fields() {
           .in({Analysis::Kind::static_}),
       number<G>("duration", "time", &G::duration, positive, "simulated time of the motion of unstable = move")
           .in({Analysis::Kind::static_}),
-      choice<G, G::Fallen>("fallen", &G::fallen, fallens,
-                           "pieces that no support holds any more: move on, or stay where they are")
+      choice<G, G::Detached>("fallen", &G::detached, detached_words,
+                             "pieces that no support holds any more: move on, or stay where they are")
           .in({Analysis::Kind::dynamic}),
       of_tips(number<G>("increment", "-", &G::increment, {0.5, 20},
                         "advance of a tip, in spacings; five at least after a turn")),

@@ -27,19 +27,19 @@ std::string Bounds::text(bool whole) const {
   return fmt::format("{} in {}{}, {}{}", number, low_open ? '(' : '[', low, high, high_open ? ')' : ']');
 }
 
-void complain_about_unknown(const Value& table, const std::vector<std::string>& names) {
+void report_unknown_keys(const Value& table, const std::vector<std::string>& names) {
   constexpr std::size_t most = 100;  // of a table: each is looked for among all keys
   std::size_t found = 0;
   for (const auto& [name, node] : *table.table()) {
     const std::string word(name.str());
     if (std::find(names.begin(), names.end(), word) != names.end()) continue;
-    if (++found > most) return table.complain("has further unknown keys");
+    if (++found > most) return table.report_error("has further unknown keys");
     std::string hint = did_you_mean(word, names);
     for (const auto& key : keys())
       if (hint.empty() && key.name.ends_with("." + word)) hint = fmt::format(" (did you mean '{}'?)", key.name);
     if (hint.empty()) hint = fmt::format("; known here: {}", fmt::join(names, ", "));
     const Value unknown(node, table.below(word), table.reading());
-    unknown.complain(fmt::format("unknown key '{}'{}", word, hint));
+    unknown.report_error(fmt::format("unknown key '{}'{}", word, hint));
   }
 }
 
@@ -52,7 +52,7 @@ std::vector<std::string> chosen(const Value& given, const Words<int>& words) {
     if (std::find(result.begin(), result.end(), name) == result.end())
       result.push_back(name);
     else
-      given.complain(fmt::format("\"{}\" is named twice", name));
+      given.report_error(fmt::format("\"{}\" is named twice", name));
   }
   return result;
 }

@@ -91,7 +91,7 @@ struct Bounds {
 };
 inline const Bounds finite{}, positive{0, INFINITY, true};
 
-void complain_about_unknown(const Value& table, const std::vector<std::string>& names);
+void report_unknown_keys(const Value& table, const std::vector<std::string>& names);
 
 /// Why a key of a table is not used beside the others; empty where it is.
 template <class T>
@@ -119,7 +119,7 @@ void read_fields(const Fields<T>& fields, const Value& table, T& object) {
   if (!entries) return;
   std::vector<std::string> names;
   for (const auto& field : fields) names.push_back(field.name);
-  complain_about_unknown(table, names);
+  report_unknown_keys(table, names);
   static const toml::table nothing;
   for (const auto& field : fields) {
     const toml::node* node = entries->get(field.name);
@@ -127,11 +127,11 @@ void read_fields(const Fields<T>& fields, const Value& table, T& object) {
     if (node && only.empty())
       field.read(Value(*node, key, table.reading()), object);
     else if (node)
-      Value(*node, key, table.reading()).complain(fmt::format("is used {} only: remove it", only));
+      Value(*node, key, table.reading()).report_error(fmt::format("is used {} only: remove it", only));
     else if (field.reads_absent)
       field.read(Value(nothing, key, table.reading()), object);
     else if (only.empty() && missed(field, table))
-      table.reading().complain(key, fmt::format("is missing, must be {}", field.rows.front().allowed));
+      table.reading().report_error(key, fmt::format("is missing, must be {}", field.rows.front().allowed));
   }
 }
 
@@ -209,10 +209,11 @@ struct Words {
       if (word.first == text) return word.second;
     for (const auto& word : refused)
       if (word.first == text) {
-        given.complain(fmt::format("\"{}\" is not available: {}; allowed: {}", text, word.second, this->text()));
+        given.report_error(fmt::format("\"{}\" is not available: {}; allowed: {}", text, word.second, this->text()));
         return std::nullopt;
       }
-    given.complain(fmt::format("\"{}\" given, must be one of {}{}", text, this->text(), did_you_mean(text, names())));
+    given.report_error(
+        fmt::format("\"{}\" given, must be one of {}{}", text, this->text(), did_you_mean(text, names())));
     return std::nullopt;
   }
 };

@@ -90,57 +90,58 @@ bool check_geometry(const Case& content, Reading& reading) {
   for (const char* key : {"geometry.outline", "geometry.holes"})
     if (!reading.sound(key)) return false;
   if (content.outline.outer.vertices.empty()) return false;
-  const auto shape_faults = geometry::faults(content.outline);
-  for (const auto& fault : shape_faults) reading.complain("geometry." + fault.where, fault.what);
-  if (!shape_faults.empty()) return false;
+  const auto shape_errors = geometry::errors(content.outline);
+  for (const auto& error : shape_errors) reading.report_error("geometry." + error.where, error.what);
+  if (!shape_errors.empty()) return false;
   if (!reading.sound("geometry.cracks")) return true;
-  for (const auto& fault : geometry::faults(content.outline, content.cracks, geometry::tolerance(content.outline)))
-    reading.complain("geometry." + fault.where, fault.what);
+  for (const auto& error : geometry::errors(content.outline, content.cracks, geometry::tolerance(content.outline)))
+    reading.report_error("geometry." + error.where, error.what);
   return true;
 }
 
 /// Names of edges, kinds and places of supports and loads.
 void check_edges(const Case& content, Reading& reading) {
   std::set<std::string> refused;  // one problem of a key is told: looked for among all problems once
-  for (const auto& fault : plate::faults_of_edges(content)) {
-    const auto key = key_of(fault, content);
+  for (const auto& error : plate::errors_in_edges(content)) {
+    const auto key = key_of(error, content);
     if (refused.contains(key)) continue;
-    if (fault.subject == plate::Subject::support_direction &&
-        !reading.sound(fmt::format("support[{}].kind", fault.number)))
+    if (error.subject == plate::Subject::support_direction &&
+        !reading.sound(fmt::format("support[{}].kind", error.number)))
       continue;
-    if (!reading.sound(key) || (fault.subject == plate::Subject::load_position && !reading.given(key))) continue;
-    reading.complain(key, fault.what);
+    if (!reading.sound(key) || (error.subject == plate::Subject::load_position && !reading.given(key))) continue;
+    reading.report_error(key, error.what);
     refused.insert(key);
   }
 }
 
 void check_lengths(const Case& content, Reading& reading) {
-  for (const auto& fault : plate::faults_of_lengths(content, content.analysis)) {
+  for (const auto& error : plate::errors_in_lengths(content, content.analysis)) {
     const bool known =
-        fault.subject == plate::Subject::spacing ? !reading.finds_spacing : reading.sound("section.thickness");
-    if (known && reading.sound("discretization.spacing")) reading.complain(key_of(fault, content), fault.what);
+        error.subject == plate::Subject::spacing ? !reading.finds_spacing : reading.sound("section.thickness");
+    if (known && reading.sound("discretization.spacing")) reading.report_error(key_of(error, content), error.what);
   }
 }
 
 void check_probes(const Case& content, Reading& reading) {
   for (const auto& [name, point] : content.output.probes)
     if (!plate::on_plate(content.outline, point))
-      reading.complain("output.probes." + name, text_of(point) + " given, must lie in the plate or on its boundary");
+      reading.report_error("output.probes." + name,
+                           text_of(point) + " given, must lie in the plate or on its boundary");
 }
 
 void check_tips(const Case& content, Reading& reading) {
   if (!content.srif || !reading.sound("geometry") || (content.growth && content.growth->by_bonds())) return;
   const auto paths = plate::crack_paths(content);
   if (geometry::tips(paths).empty())
-    reading.complain("srif",
-                     "there is no crack tip to find intensity factors at: remove [srif] or give geometry.cracks");
+    reading.report_error("srif",
+                         "there is no crack tip to find intensity factors at: remove [srif] or give geometry.cracks");
 }
 
 void check_load_cases(const Case& content, Reading& reading) {
-  auto faults = plate::faults_of_load_cases(content);
-  for (auto& fault : fracture::faults_of_load_cases(content)) faults.push_back(std::move(fault));
-  for (const auto& [key, what] : faults)
-    if (key == "combination" || reading.sound(key)) reading.complain(key, what);
+  auto errors = plate::errors_in_load_cases(content);
+  for (auto& error : fracture::errors_in_load_cases(content)) errors.push_back(std::move(error));
+  for (const auto& [key, what] : errors)
+    if (key == "combination" || reading.sound(key)) reading.report_error(key, what);
 }
 
 void check_beside_analysis(const Case& content, Reading& reading) {
@@ -148,20 +149,20 @@ void check_beside_analysis(const Case& content, Reading& reading) {
   // what is missing or cannot be read has another value here than the file means
   std::set<std::string> unread;
   for (const auto& problem : reading.problems()) unread.insert(problem.key);
-  const auto complain = [&](const std::vector<plate::KeyFault>& faults) {
-    for (const auto& [key, what] : faults)
-      if (!unread.contains(key)) reading.complain(key, what);
+  const auto report_error = [&](const std::vector<plate::KeyError>& errors) {
+    for (const auto& [key, what] : errors)
+      if (!unread.contains(key)) reading.report_error(key, what);
   };
   const auto& [analysis, growth, srif] = std::tie(content.analysis, content.growth, content.srif);
   if (growth && reading.sound("geometry"))
-    complain(fracture::faults_of_growth(content, analysis, *growth, srif, given));
-  complain(fracture::faults_of_accuracy(content, analysis, srif, content.formulation_reason));
-  complain(plate::faults_of_heat(content));
-  if (srif && reading.sound("section") && reading.sound("geometry")) complain(fracture::faults_of_section(content));
-  complain(fracture::faults_of_motion(content, analysis, growth.has_value(), given));
-  complain(fracture::faults_of_response(content, analysis));
-  complain(fracture::faults_of_beginning(content, analysis));
-  complain(excluded(content));
+    report_error(fracture::errors_in_growth(content, analysis, *growth, srif, given));
+  report_error(fracture::errors_in_accuracy(content, analysis, srif, content.formulation_reason));
+  report_error(plate::errors_in_heat(content));
+  if (srif && reading.sound("section") && reading.sound("geometry")) report_error(fracture::errors_in_section(content));
+  report_error(fracture::errors_in_motion(content, analysis, growth.has_value(), given));
+  report_error(fracture::errors_in_response(content, analysis));
+  report_error(fracture::errors_in_beginning(content, analysis));
+  report_error(excluded(content));
 }
 
 }  // namespace
@@ -201,8 +202,8 @@ void check_case(const Case& content, Reading& reading) {
   const bool begins = content.initial || content.impact;
   if (content.loads.empty() && content.load_cases.empty() && reading.kind != Analysis::Kind::frequencies && !begins &&
       reading.sound("load"))
-    reading.complain("load", std::string("nothing loads the plate: give at least one [[load]]") +
-                                 (reading.kind == Analysis::Kind::dynamic ? ", [initial] or [impact]" : ""));
+    reading.report_error("load", std::string("nothing loads the plate: give at least one [[load]]") +
+                                     (reading.kind == Analysis::Kind::dynamic ? ", [initial] or [impact]" : ""));
   check_formulation(content, reading);
   check_load_cases(content, reading);
   if (!check_geometry(content, reading)) return;

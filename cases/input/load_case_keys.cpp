@@ -2,7 +2,7 @@
 #include "cases/input/load_keys.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
-#include "post/files/whole_file.hpp"
+#include "post/files/atomic_file.hpp"
 
 namespace cases {
 namespace {
@@ -87,7 +87,7 @@ Field<Load> table_field() {
         if (text) try {
             table_of(load) = read_table(given.reading().folder / *text);
           } catch (const std::invalid_argument& error) {
-            given.complain(fmt::format("\"{}\": {}", *text, error.what()));
+            given.report_error(fmt::format("\"{}\": {}", *text, error.what()));
           }
       },
       [](const Load& load) {
@@ -103,7 +103,7 @@ Field<Load> table_digest_field() {
         const auto text = given.text();
         const auto& table = table_of(load);
         if (text && table.given() && *text != table.digest())
-          given.complain(fmt::format("{} given, but the table has {}: it is another one", *text, table.digest()));
+          given.report_error(fmt::format("{} given, but the table has {}: it is another one", *text, table.digest()));
       },
       [](const Load& load) {
         const auto& table = table_of(load);

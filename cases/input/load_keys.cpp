@@ -18,8 +18,8 @@ Fields<plate::Foundation> foundation_fields() {
       value<F>(
           {"lifts_off", "-", "true or false", "false",
            "the plate may lift off: it is pressed along w where w < 0, and nowhere pulled"},
-          [](const Value& given, F& f) { f.lifts_off = given.boolean().value_or(false); },
-          [](const F& f) { return std::string(f.lifts_off ? "true" : "false"); }),
+          [](const Value& given, F& f) { f.unilateral = given.boolean().value_or(false); },
+          [](const F& f) { return std::string(f.unilateral ? "true" : "false"); }),
   };
 }
 
@@ -116,7 +116,7 @@ void read_history(const Value& given, Load& load) {
     return given.refuse(history_words.text() + " or a table [[time, factor], ...] of at least one row");
   for (std::size_t i = 1; i < rows->size(); ++i)
     if (!((*rows)[i - 1].x() < (*rows)[i].x()))
-      return given.complain(
+      return given.report_error(
           fmt::format("time {} after {} given, times must ascend", (*rows)[i].x(), (*rows)[i - 1].x()));
   load.history.kind = History::Kind::table;
   for (const auto& row : *rows) load.history.table.emplace_back(row.x(), row.y());
@@ -184,7 +184,7 @@ std::optional<plate::Formula> formula_of(const Value& given) {
   if (const auto text = given.text()) try {
       return plate::Formula(*text);
     } catch (const std::invalid_argument& error) {
-      given.complain(error.what());
+      given.report_error(error.what());
     }
   return std::nullopt;
 }
@@ -364,11 +364,11 @@ void check_load(const Value& given, Load& load) {
   auto& reading = given.reading();
   const auto has = [&](const char* name) { return reading.given(given.below(name)); };
   if (!has("value") && !has("tensor") && !has("expression") && !has("gravity") && !has("table"))
-    reading.complain(given.below("value"), "is missing, must be a finite number");
+    reading.report_error(given.below("value"), "is missing, must be a finite number");
   for (const char* name : {"value", "twist"})
     if (tensor_of(load) && reading.given(given.below(name)))
-      reading.complain(given.below(name),
-                       fmt::format("'{}' is given beside 'tensor', which replaces it: remove one of them", name));
+      reading.report_error(given.below(name),
+                           fmt::format("'{}' is given beside 'tensor', which replaces it: remove one of them", name));
 }
 
 }  // namespace cases

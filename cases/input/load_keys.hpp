@@ -48,7 +48,7 @@ Field<T> edges(const std::string& help, Project project) {
         if (names->empty()) given.refuse("a list of at least one edge name");
         std::unordered_set<std::string> before;
         for (const auto& name : *names)
-          if (!before.insert(name).second) given.complain(fmt::format("\"{}\" is named twice", name));
+          if (!before.insert(name).second) given.report_error(fmt::format("\"{}\" is named twice", name));
         std::invoke(project, object) = *names;
       },
       [=](const T& object) {

@@ -47,15 +47,16 @@ void read_polygon(const Value& given, Polygon& polygon) {
 }
 
 void read_edges(const Value& given, Outline& outline) {
-  if (corners(outline)) return given.complain("is used with a polygon only: a rectangle has left, right, bottom, top");
+  if (corners(outline))
+    return given.report_error("is used with a polygon only: a rectangle has left, right, bottom, top");
   const auto names = given.texts();
   if (!names) return;
   const std::size_t size = outline.outer.vertices.size();
   for (const auto& name : *names)
     if (name.empty() || name.starts_with("hole"))
-      return given.complain(fmt::format("\"{}\" given, must not be empty nor begin with 'hole'", name));
+      return given.report_error(fmt::format("\"{}\" given, must not be empty nor begin with 'hole'", name));
   if (size > 0 && names->size() != size)
-    return given.complain(
+    return given.report_error(
         fmt::format("{} names given, must be one for each of the {} edges of the outline", names->size(), size));
   outline.outer.edge_names = *names;
 }
@@ -193,8 +194,8 @@ void check_orthotropy(const Value& given, const Orthotropy& m) {
   for (const char* name : {"E1", "E2", "nu12"})
     if (!reading.given(given.below(name)) || !reading.sound(given.below(name))) return;
   if (!m.stable())
-    given.reading().complain(given.below("nu12"),
-                             fmt::format("{:g} given, must be below sqrt(E1 / E2) = {:.6g} in size: strains would cost "
+    given.reading().report_error(
+        given.below("nu12"), fmt::format("{:g} given, must be below sqrt(E1 / E2) = {:.6g} in size: strains would cost "
                                          "no energy",
                                          m.nu12, std::sqrt(m.E1 / m.E2)));
 }
@@ -235,7 +236,7 @@ Field<Section> factor(const std::string& name, plate::Formula Section::*member, 
 
 void check_region(const Value& given, SectionRegion& region) {
   if (given.reading().sound(given.key()) && !region.thickness && !region.young && !region.poisson && !region.density)
-    given.complain("changes nothing: give thickness, young, poisson or density");
+    given.report_error("changes nothing: give thickness, young, poisson or density");
 }
 
 /// Plies of the same material, angle and thickness at the same distance above and below the middle?
@@ -258,9 +259,10 @@ void check_plies(const Value& given, Section& section) {
   section.thickness = 0;
   for (const auto& ply : section.plies) section.thickness += ply.thickness;
   if (reading.sound(key) && !symmetric(section.plies))
-    reading.complain(key,
-                     "must be symmetric about the middle: other plates stretch where they bend, and this plate has no "
-                     "displacements in its plane");
+    reading.report_error(
+        key,
+        "must be symmetric about the middle: other plates stretch where they bend, and this plate has no "
+        "displacements in its plane");
 }
 
 }  // namespace
@@ -302,12 +304,12 @@ void check_section(const Value& given, Section& section) {
   auto& reading = given.reading();
   if (!section.plies.empty()) check_plies(given, section);
   if (section.orthotropic && !section.plies.empty())
-    reading.complain(given.below("orthotropic"),
-                     "is given beside plies, which have materials of their own: remove one");
+    reading.report_error(given.below("orthotropic"),
+                         "is given beside plies, which have materials of their own: remove one");
   for (std::size_t i = 0; section.orthotropic && i < section.regions.size(); ++i)
     for (const char* name : {"young", "poisson"})
       if (const auto key = fmt::format("section.regions[{}].{}", i, name); reading.given(key))
-        reading.complain(key, "is of isotropic sections: remove it");
+        reading.report_error(key, "is of isotropic sections: remove it");
 }
 
 }  // namespace cases

@@ -95,12 +95,12 @@ void check_srif(const Value& given, SrifOptions& options) {
   auto& reading = given.reading();
   const bool normalize = reading.given(given.below("normalize")), length = reading.given(given.below("half_length"));
   if (normalize && !length)
-    reading.complain(given.below("half_length"), "is missing, must be a number > 0 beside normalize");
+    reading.report_error(given.below("half_length"), "is missing, must be a number > 0 beside normalize");
   if (length && !normalize)
-    reading.complain(given.below("half_length"), "'half_length' is used with normalize only: remove it");
+    reading.report_error(given.below("half_length"), "'half_length' is used with normalize only: remove it");
   if (options.window && reading.given(given.below("window_horizons")))
-    reading.complain(given.below("window_horizons"),
-                     "'window_horizons' is given beside 'window', which replaces it: remove one");
+    reading.report_error(given.below("window_horizons"),
+                         "'window_horizons' is given beside 'window', which replaces it: remove one");
 }
 
 namespace {
@@ -138,7 +138,8 @@ Field<Output> probes() {
         if (!entries) return;
         for (const auto& [name, node] : *entries) {
           const Value probe(node, given.below(std::string(name.str())), given.reading());
-          if (!bare(std::string(name.str()))) probe.complain("the name of a probe has letters, digits, _ and - only");
+          if (!bare(std::string(name.str())))
+            probe.report_error("the name of a probe has letters, digits, _ and - only");
           if (const auto point = probe.point()) output.probes[std::string(name.str())] = *point;
         }
       },

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "cases/input/manual.hpp"
-#include "post/files/whole_file.hpp"
+#include "post/files/atomic_file.hpp"
 
 namespace cases {
 
@@ -22,7 +22,7 @@ void Reading::note(const std::string& key, std::size_t line) {
   if (line > 0) found_.places.emplace_back(key, fmt::format("{}:{}", file, line));
 }
 
-void Reading::complain(const std::string& key, const std::string& what) {
+void Reading::report_error(const std::string& key, const std::string& what) {
   problems_.push_back({found_.place(key), key, what});
 }
 
@@ -54,7 +54,7 @@ Value::Value(const toml::node& node, std::string key, Reading& reading)
 }
 
 void Value::refuse(const std::string& must_be) const {
-  complain(shown() + " given, must be " + must_be);
+  report_error(shown() + " given, must be " + must_be);
 }
 
 std::string Value::toml() const {
@@ -257,7 +257,7 @@ void remove_key(toml::table& root, const std::string& typed, Reading& reading) {
   toml::node* parent = &root;
   for (std::size_t i = 0; i + 1 < path.size() && parent; ++i) parent = child(*parent, path[i]);
   if (path.empty() || !parent || !child(*parent, path.back())) {
-    reading.complain({"--unset " + typed, dotted(path), "is not in the file"});
+    reading.report_error({"--unset " + typed, dotted(path), "is not in the file"});
     return;
   }
   if (const auto* name = std::get_if<std::string>(&path.back()))
@@ -274,7 +274,7 @@ void apply_override(toml::table& root, const std::string& setting, Reading& read
   const std::string typed = setting.substr(0, equals);
   const auto path = post::steps(typed);
   if (equals == std::string::npos || path.empty()) {
-    reading.complain({"--set " + typed, dotted(path), fmt::format("{} given, must be key=value", quoted(setting))});
+    reading.report_error({"--set " + typed, dotted(path), fmt::format("{} given, must be key=value", quoted(setting))});
     return;
   }
   toml::node* parent = &root;
@@ -292,7 +292,7 @@ void apply_override(toml::table& root, const std::string& setting, Reading& read
   }
   auto value = parsed(setting.substr(equals + 1));
   if (!parent || !put(*parent, path.back(), *value.get("value")))
-    reading.complain({"--set " + typed, dotted(path), "leads nowhere: the file has no such table or list entry"});
+    reading.report_error({"--set " + typed, dotted(path), "leads nowhere: the file has no such table or list entry"});
   else
     reading.overridden(dotted(made), typed);
 }

@@ -28,8 +28,8 @@ public:
   /// The file gives this key at this line (0: not in the file).
   void note(const std::string& key, std::size_t line);
   /// Something is wrong with the key: the place is its own or that of its nearest parent.
-  void complain(const std::string& key, const std::string& what);
-  void complain(Problem problem) { problems_.push_back(std::move(problem)); }
+  void report_error(const std::string& key, const std::string& what);
+  void report_error(Problem problem) { problems_.push_back(std::move(problem)); }
 
   bool given(const std::string& key) const;
   /// Has nothing been complained about at or below this key?
@@ -53,7 +53,7 @@ public:
   const std::string& key() const { return key_; }
   Reading& reading() const { return *reading_; }
   std::string below(const std::string& name) const { return key_.empty() ? name : key_ + "." + name; }
-  void complain(const std::string& what) const { reading_->complain(key_, what); }
+  void report_error(const std::string& what) const { reading_->report_error(key_, what); }
   /// Complains "VALUE given, must be ...".
   void refuse(const std::string& must_be) const;
   /// The value as TOML, in one line.

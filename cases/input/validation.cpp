@@ -40,8 +40,8 @@ void check_impact(const plate::Problem& problem, const Refuse& refuse) {
 
 }  // namespace
 
-std::vector<KeyFault> faults_of_response(const plate::Problem& problem, const Analysis& analysis) {
-  std::vector<KeyFault> result;
+std::vector<KeyError> errors_in_response(const plate::Problem& problem, const Analysis& analysis) {
+  std::vector<KeyError> result;
   if (analysis.kind != Analysis::Kind::harmonic) return result;
   const auto refuse = [&](const std::string& key, const std::string& what) { result.push_back({key, what}); };
   if (const auto& kind = plate::formulation_of(problem.discretization); !kind.offers(plate::Feature::lanczos))
@@ -50,9 +50,9 @@ std::vector<KeyFault> faults_of_response(const plate::Problem& problem, const An
   return result;
 }
 
-std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const Analysis& analysis, bool grows,
+std::vector<KeyError> errors_in_motion(const plate::Problem& problem, const Analysis& analysis, bool grows,
                                        const std::function<bool(const std::string&)>& given) {
-  std::vector<KeyFault> result;
+  std::vector<KeyError> result;
   const auto refuse = [&](const std::string& key, const std::string& what) { result.push_back({key, what}); };
   if (analysis.kind != Analysis::Kind::dynamic) return result;
   check_impact(problem, refuse);
@@ -63,18 +63,18 @@ std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const Anal
       refuse("analysis.tolerance", "is of method = \"lanczos\"; steps have analysis.time_step: remove it");
     return result;
   }
-  const auto complain = [&](const char* key) {
+  const auto report_error = [&](const char* key) {
     refuse(key, "is of method = \"central_difference\"; Lanczos vectors take no steps: remove it");
   };
-  if (analysis.time_step) complain("analysis.time_step");
-  if (given("analysis.safety")) complain("analysis.safety");
+  if (analysis.time_step) report_error("analysis.time_step");
+  if (given("analysis.safety")) report_error("analysis.safety");
   if (const auto& kind = *problem.discretization.formulation; !kind.offers(plate::Feature::lanczos) && !grows)
     refuse("analysis.method", kind.lacks.at(plate::Feature::lanczos) + "; choose \"central_difference\"");
   return result;
 }
 
-std::vector<KeyFault> faults_of_beginning(const plate::Problem& problem, const Analysis& analysis) {
-  std::vector<KeyFault> result;
+std::vector<KeyError> errors_in_beginning(const plate::Problem& problem, const Analysis& analysis) {
+  std::vector<KeyError> result;
   const bool moves = analysis.kind == Analysis::Kind::dynamic, rests = analysis.start == Analysis::Start::equilibrium;
   for (std::size_t i = 0; i < problem.loads.size() && moves && !rests; ++i)
     if (const auto& load = problem.loads[i]; load.as<plate::Settlement>() && plate::factor(load.history, 0) != 0)
@@ -90,7 +90,7 @@ std::vector<KeyFault> faults_of_beginning(const plate::Problem& problem, const A
   return result;
 }
 
-std::vector<KeyFault> faults_of_load_cases(const plate::Problem& problem) {
+std::vector<KeyError> errors_in_load_cases(const plate::Problem& problem) {
   const auto& kind = plate::formulation_of(problem.discretization);
   if ((problem.load_cases.empty() && problem.combinations.empty()) || kind.offers(plate::Feature::symmetry)) return {};
   return {{"discretization.boundary", "load cases need a symmetric stiffness (" +
@@ -98,109 +98,110 @@ std::vector<KeyFault> faults_of_load_cases(const plate::Problem& problem) {
                                           "): choose \"images\", or run each load case by itself"}};
 }
 
-std::vector<KeyFault> faults_of_accuracy(const plate::Problem& problem, const Analysis& analysis,
+std::vector<KeyError> errors_in_accuracy(const plate::Problem& problem, const Analysis& analysis,
                                          const std::optional<post::SrifOptions>& srif,
                                          const std::string& formulation_reason) {
-  std::vector<KeyFault> result;
+  std::vector<KeyError> result;
   if (!srif || !srif->accuracy) return result;
-  const auto complain = [&](const std::string& what) { result.push_back({"srif.accuracy", what}); };
+  const auto report_error = [&](const std::string& what) { result.push_back({"srif.accuracy", what}); };
   if (const auto& kind = *problem.discretization.formulation; !kind.offers(plate::Feature::graded_points))
-    complain(kind.lacks.at(plate::Feature::graded_points) + " (formulation " + formulation_reason +
-             "): remove it or that");
+    report_error(kind.lacks.at(plate::Feature::graded_points) + " (formulation " + formulation_reason +
+                 "): remove it or that");
   else if (analysis.kind == Analysis::Kind::dynamic && analysis.method != Analysis::Method::lanczos)
-    complain("moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety)");
+    report_error("moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety)");
   for (const char* method : {"virtual_crack_extension", "domain_integral", "series_fit"})
     if (std::ranges::find(srif->methods, method) == srif->methods.end())
-      complain(fmt::format("compares methods: add \"{}\" to srif.methods, or remove these", method));
+      report_error(fmt::format("compares methods: add \"{}\" to srif.methods, or remove these", method));
   return result;
 }
 
 namespace {
 
 using Asked = std::function<bool(const std::string&)>;
-using Complain = std::function<void(const std::string& key, const std::string& what)>;
+using ReportError = std::function<void(const std::string& key, const std::string& what)>;
 
 /// Checks keys that only growth by single bonds has, and keys that only growth by tips has.
-void check_criterion(const Growth& growth, const Asked& given, const Complain& complain) {
+void check_criterion(const Growth& growth, const Asked& given, const ReportError& report_error) {
   using enum Growth::Criterion;
   const bool limits = growth.criterion == curvature_shear && (growth.critical_curvature || growth.critical_shear);
   if (!given("growth.fracture_energy") && !limits)
-    complain("growth.fracture_energy", "is missing, must be a number > 0");
+    report_error("growth.fracture_energy", "is missing, must be a number > 0");
   if (growth.criterion != curvature_shear)
     for (const char* key : {"growth.critical_curvature", "growth.critical_shear"})
-      if (given(key)) complain(key, "is of criterion = \"curvature_shear\": remove it");
+      if (given(key)) report_error(key, "is of criterion = \"curvature_shear\": remove it");
   if (!growth.by_bonds() && given("growth.apparent_toughness"))
-    complain("growth.apparent_toughness", "is of criteria for bonds: remove it");
+    report_error("growth.apparent_toughness", "is of criteria for bonds: remove it");
   if (limits && !given("growth.fracture_energy") && given("growth.apparent_toughness"))
-    complain("growth.apparent_toughness",
-             "divides what follows from growth.fracture_energy, which is not given: remove it");
+    report_error("growth.apparent_toughness",
+                 "divides what follows from growth.fracture_energy, which is not given: remove it");
   if (growth.by_bonds())
     for (const char* key : {"growth.direction", "growth.increment"})
-      if (given(key)) complain(key, "is of criterion = \"energy_release\": bonds break where they fail; remove it");
+      if (given(key)) report_error(key, "is of criterion = \"energy_release\": bonds break where they fail; remove it");
 }
 
 /// From rest to motion.
-void check_switch(const Growth& growth, const Asked& given, const Complain& complain) {
+void check_switch(const Growth& growth, const Asked& given, const ReportError& report_error) {
   const bool moves = growth.unstable == Growth::Unstable::move;
   if (!moves) {
-    if (given("growth.duration")) complain("growth.duration", "is of unstable = \"move\": remove it");
+    if (given("growth.duration")) report_error("growth.duration", "is of unstable = \"move\": remove it");
     return;
   }
-  if (!given("growth.duration")) complain("growth.duration", "is missing, must be a number > 0");
+  if (!given("growth.duration")) report_error("growth.duration", "is missing, must be a number > 0");
   if (!given("section.density"))
-    complain("section.density", "is missing, must be a number > 0: the plate may begin to move");
+    report_error("section.density", "is missing, must be a number > 0: the plate may begin to move");
 }
 
 /// How the states between which bonds break one by one, or tips run, may be found.
-void check_analysis(const Analysis& analysis, const Growth& growth, const Complain& complain) {
+void check_analysis(const Analysis& analysis, const Growth& growth, const ReportError& report_error) {
   if (analysis.kind == Analysis::Kind::dynamic || !growth.by_bonds()) return;
   if (analysis.method != Analysis::Method::cg)
-    complain("analysis.method",
-             "breaking bonds takes a solution for each, by conjugate gradients with one factor; choose \"cg\"");
+    report_error("analysis.method",
+                 "breaking bonds takes a solution for each, by conjugate gradients with one factor; choose \"cg\"");
   if (analysis.preconditioner != plate::Preconditioning::automatic)
-    complain("analysis.preconditioner", "bonds that break in a static case have one of their own; choose \"auto\"");
+    report_error("analysis.preconditioner", "bonds that break in a static case have one of their own; choose \"auto\"");
 }
 
-void check_cracks(const plate::Problem& problem, const Growth& growth, const Complain& complain) {
+void check_cracks(const plate::Problem& problem, const Growth& growth, const ReportError& report_error) {
   const auto paths = plate::crack_paths(problem);
   if (!growth.by_bonds() && geometry::tips(paths).empty())
-    complain("growth",
-             "there is no crack tip that could grow: give geometry.cracks, criterion = \"bond_energy\", or "
-             "remove [growth]");
+    report_error("growth",
+                 "there is no crack tip that could grow: give geometry.cracks, criterion = \"bond_energy\", or "
+                 "remove [growth]");
   double longest = 0, all = 0;
   for (const auto& crack : problem.cracks)
     longest = std::max(longest, geometry::length(crack)), all += geometry::length(crack);
   const double there = growth.by_bonds() ? all : longest;
   if (growth.max_length && there >= *growth.max_length)
-    complain("growth.max_length", fmt::format("{} given, must be larger than the {:.6g} of geometry.cracks",
-                                              plate::number_text(*growth.max_length), there));
+    report_error("growth.max_length", fmt::format("{} given, must be larger than the {:.6g} of geometry.cracks",
+                                                  plate::number_text(*growth.max_length), there));
 }
 
-void check_factors(const Growth& growth, const std::optional<post::SrifOptions>& srif, const Complain& complain) {
+void check_factors(const Growth& growth, const std::optional<post::SrifOptions>& srif,
+                   const ReportError& report_error) {
   const auto has = [&](const char* method) { return std::ranges::find(srif->methods, method) != srif->methods.end(); };
   if (srif && !growth.by_bonds() && !has("virtual_crack_extension") && !has("domain_integral"))
-    complain("srif.methods",
-             "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");
+    report_error("srif.methods",
+                 "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");
 }
 
 }  // namespace
 
-std::vector<KeyFault> faults_of_growth(const plate::Problem& problem, const plate::Analysis& analysis,
+std::vector<KeyError> errors_in_growth(const plate::Problem& problem, const plate::Analysis& analysis,
                                        const Growth& growth, const std::optional<post::SrifOptions>& srif,
                                        const std::function<bool(const std::string&)>& given) {
-  std::vector<KeyFault> result;
-  const auto complain = [&](const std::string& key, const std::string& what) { result.push_back({key, what}); };
-  check_criterion(growth, given, complain);
-  check_analysis(analysis, growth, complain);
-  if (analysis.kind == Analysis::Kind::static_) check_switch(growth, given, complain);
-  check_cracks(problem, growth, complain);
-  check_factors(growth, srif, complain);
+  std::vector<KeyError> result;
+  const auto report_error = [&](const std::string& key, const std::string& what) { result.push_back({key, what}); };
+  check_criterion(growth, given, report_error);
+  check_analysis(analysis, growth, report_error);
+  if (analysis.kind == Analysis::Kind::static_) check_switch(growth, given, report_error);
+  check_cracks(problem, growth, report_error);
+  check_factors(growth, srif, report_error);
   return result;
 }
 
 namespace {
 
-void check_tips(const plate::Problem& problem, std::vector<KeyFault>& found) {
+void check_tips(const plate::Problem& problem, std::vector<KeyError>& found) {
   const auto& section = problem.section;
   const bool factors = section.thickness_factor.given() || section.young_factor.given();
   const auto paths = plate::crack_paths(problem);
@@ -227,8 +228,8 @@ void check_tips(const plate::Problem& problem, std::vector<KeyFault>& found) {
 
 }  // namespace
 
-std::vector<KeyFault> faults_of_section(const plate::Problem& problem) {
-  std::vector<KeyFault> found;
+std::vector<KeyError> errors_in_section(const plate::Problem& problem) {
+  std::vector<KeyError> found;
   const auto& section = problem.section;
   if (!section.simple() && !section.uniform()) check_tips(problem, found);
   return found;

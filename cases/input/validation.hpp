@@ -16,24 +16,24 @@ struct SrifOptions;
 
 namespace fracture {
 
-using plate::KeyFault;
+using plate::KeyError;
 
 /// Invalid keys of a motion: those that only time steps have, and those that only Lanczos vectors have. `given`: does
 /// the case state this key?
-std::vector<KeyFault> faults_of_motion(const plate::Problem& problem, const plate::Analysis& analysis, bool grows,
+std::vector<KeyError> errors_in_motion(const plate::Problem& problem, const plate::Analysis& analysis, bool grows,
                                        const std::function<bool(const std::string&)>& given);
 
 /// A harmonic analysis by a formulation without Lanczos vectors.
-std::vector<KeyFault> faults_of_response(const plate::Problem& problem, const plate::Analysis& analysis);
+std::vector<KeyError> errors_in_response(const plate::Problem& problem, const plate::Analysis& analysis);
 
 /// Supports and loads that move which do not begin at 0.
-std::vector<KeyFault> faults_of_beginning(const plate::Problem& problem, const plate::Analysis& analysis);
+std::vector<KeyError> errors_in_beginning(const plate::Problem& problem, const plate::Analysis& analysis);
 
 /// Load cases by a formulation whose stiffness is not symmetric.
-std::vector<KeyFault> faults_of_load_cases(const plate::Problem& problem);
+std::vector<KeyError> errors_in_load_cases(const plate::Problem& problem);
 
 /// Keys that prevent the discretisation from being found. `formulation_reason`: why the formulation is what it is.
-std::vector<KeyFault> faults_of_accuracy(const plate::Problem& problem, const plate::Analysis& analysis,
+std::vector<KeyError> errors_in_accuracy(const plate::Problem& problem, const plate::Analysis& analysis,
                                          const std::optional<post::SrifOptions>& srif,
                                          const std::string& formulation_reason);
 
@@ -41,11 +41,11 @@ struct Growth;
 
 /// Invalid keys of a growth, beside the plate, its analysis and the factors that are wanted. `given`: does the case
 /// state this key?
-std::vector<KeyFault> faults_of_growth(const plate::Problem& problem, const plate::Analysis& analysis,
+std::vector<KeyError> errors_in_growth(const plate::Problem& problem, const plate::Analysis& analysis,
                                        const Growth& growth, const std::optional<post::SrifOptions>& srif,
                                        const std::function<bool(const std::string&)>& given);
 
 /// Sections that change about a tip whose factors are wanted.
-std::vector<KeyFault> faults_of_section(const plate::Problem& problem);
+std::vector<KeyError> errors_in_section(const plate::Problem& problem);
 
 }  // namespace fracture

@@ -18,9 +18,9 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/process.hpp"
 #include "plate/solve/interruption.hpp"
+#include "post/files/atomic_file.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
-#include "post/files/whole_file.hpp"
 #include "post/report/printed.hpp"
 #include "post/report/terminal.hpp"
 

@@ -3,6 +3,6 @@
 
 /// The program pdplate: one process.
 int main(int argc, char** argv) {
-  plate::settle_process(argv);
+  plate::resolve_process(argv);
   return cases::command_line(argc, argv, plate::single_process());
 }

@@ -49,9 +49,9 @@ Run run(const Source& source, bool fields, int threads) {
     const auto file = read(source);
     const Threads these(threads);
     Run result;
-    result.kept.wants_fields = fields;
+    result.in_memory.wants_fields = fields;
     try {
-      cases::run(file, {{}, true, &result.kept});
+      cases::run(file, {{}, true, &result.in_memory});
     } catch (const plate::NumericalError& error) {
       result.failure = error.what();
     }

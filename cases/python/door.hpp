@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
 #include <stdexcept>
-#include "post/files/kept.hpp"
+#include "post/files/results_in_memory.hpp"
 
-/// Interface that Python calls. Only types of the standard library cross it (why: kept.hpp).
+/// Interface that Python calls. Only types of the standard library cross it (why: results_in_memory.hpp).
 namespace cases::door {
 
 /// A case as text, or the path of its file; overrides as in read_case.
@@ -13,7 +13,7 @@ struct Source {
 };
 
 struct Run {
-  post::Kept kept;
+  post::ResultsInMemory in_memory;
   std::string failure;  // of the numbers: what was good until then is kept
 };
 

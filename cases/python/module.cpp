@@ -19,7 +19,7 @@ py::array_t<T> to_numpy(std::vector<T>&& values, std::size_t width) {
   return py::array_t<T>(shape, kept->data(), owner);
 }
 
-py::dict to_python(post::Kept&& run) {
+py::dict to_python(post::ResultsInMemory&& run) {
   py::dict tables, parts;
   py::list frames, cracks;
   for (const auto& [name, table] : run.tables) tables[py::str(name)] = py::make_tuple(table.columns, table.rows);
@@ -59,7 +59,7 @@ PYBIND11_MODULE(_door, module) {
                  const py::gil_scoped_release others_go_on;
                  run = door::run({std::move(path), std::move(text), std::move(overrides)}, fields, threads);
                }
-               return py::make_tuple(to_python(std::move(run.kept)), run.failure);
+               return py::make_tuple(to_python(std::move(run.in_memory)), run.failure);
              });
   module.def("check", [](std::string path, std::string text, std::vector<std::string> overrides, int threads) {
     const py::gil_scoped_release others_go_on;

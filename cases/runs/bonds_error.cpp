@@ -48,8 +48,8 @@ double largest_stress(const plate::Formulation& plate, const plate::State& state
   return 0;
 }
 
-void replace_foretold(const plate::Formulation& bonds, std::vector<std::string>& warnings) {
-  for (const auto& foretold : plate::foretold_errors(bonds)) std::erase(warnings, foretold);
+void replace_estimates(const plate::Formulation& bonds, std::vector<std::string>& warnings) {
+  for (const auto& estimated : plate::estimated_errors(bonds)) std::erase(warnings, estimated);
 }
 
 std::string because(const plate::Problem& problem, double share) {
@@ -150,7 +150,7 @@ void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& 
   if (!of_bonds(bonds, problem) || (bonds.points() > many && !is_thin(problem))) return;
   const auto witness = galerkin_witness(problem);
   if (!witness) return;
-  replace_foretold(bonds, warnings);
+  replace_estimates(bonds, warnings);
   const auto error = deflection_error(bonds, state, *witness);
   if (error && std::abs(error->share) > told_deflection)
     warnings.push_back(
@@ -182,8 +182,8 @@ void compare_under_pressure(const plate::Formulation& bonds, const plate::Proble
   }
   const auto error = deflection_error(bonds, solution.state, *witness);
   if (!solution.converged || !error) return;
-  for (const auto& foretold : plate::foretold_errors(bonds))
-    if (foretold.starts_with("thickness")) std::erase(warnings, foretold);
+  for (const auto& estimated : plate::estimated_errors(bonds))
+    if (estimated.starts_with("thickness")) std::erase(warnings, estimated);
   if (std::abs(error->share) > told_deflection)
     warnings.push_back(
         fmt::format("under static pressure largest deflection of bonds is {} that of the Galerkin plate{}; {}",

@@ -28,7 +28,7 @@ constexpr double frames_of_period = 8;      // of a harmonic response
 constexpr std::size_t few_frequencies = 8;  // of its samples
 
 /// Does the plate move, however?
-bool swings(const Analysis& analysis) {
+bool is_motion(const Analysis& analysis) {
   return analysis.kind == Analysis::Kind::dynamic || analysis.kind == Analysis::Kind::harmonic;
 }
 
@@ -50,10 +50,10 @@ std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run_s
                                      double all, double points) {
   const bool grows = plan.growth.has_value() || !plan.srif;
   const double wider = wider_points(plan.problem, std::sqrt(all / points));
-  const auto less = [&](double by, bool factors) {
-    return Less{by == 1 ? wider : wider_points(plan.problem, wider * by), factors && plan.srif};
+  const auto reduced = [&](double by, bool factors) {
+    return ReducedRun{by == 1 ? wider : wider_points(plan.problem, wider * by), factors && plan.srif};
   };
-  const auto run = [&](const Less& one) {
+  const auto run = [&](const ReducedRun& one) {
     auto found = run_sample(solver, one);
     if (found && one.factors) found->rings = rings_of(plan, one.wider);
     return found;
@@ -62,16 +62,16 @@ std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run_s
   try {
     std::optional<post::SampleRun> cold, small;
     for (const double by : {2.0, 1.4, 1.0})
-      if (!small && (cold = run(less(by, false)))) small = run(less(by, false));
+      if (!small && (cold = run(reduced(by, false)))) small = run(reduced(by, false));
     if (!small) return {};
     result.small = std::move(*small);
     result.opening = std::max(0.0, cold->seconds() - result.small.seconds());
-    auto whole = less(1, false);
+    auto whole = reduced(1, false);
     whole.solves = true;
     auto large = run(whole);
     if (!large) return {};
     result.large = std::move(*large);
-    if (!grows && !(result.factors = run(less(1, true)))) return {};
+    if (!grows && !(result.factors = run(reduced(1, true)))) return {};
     if (plan.analysis.method == Analysis::Method::central_difference) {
       const double time_step = *result.large.summary.analysis.time_step_limit;
       const double begun = result.factors.value_or(result.large).seconds("solve");
@@ -101,7 +101,7 @@ double advances_of(const plate::Problem& problem, const Growth& growth) {
 }
 
 /// The stable step of the plate, with the damping and the contact that samples are without.
-double whole_step(double free, const RunPlan& plan) {
+double global_step(double free, const RunPlan& plan) {
   const auto& [problem, analysis] = std::tie(plan.problem, plan.analysis);
   if (const auto& impact = problem.impact) {
     const double spacing = problem.discretization.spacing_at_tips();
@@ -112,7 +112,7 @@ double whole_step(double free, const RunPlan& plan) {
   return analysis.damping ? plate::stable_step(free, *analysis.damping) : free;
 }
 
-void set_motion(const RunPlan& plan, ForetoldRun& result, const post::Samples& found) {
+void set_motion(const RunPlan& plan, RunEstimate& result, const post::Samples& found) {
   const auto& analysis = plan.analysis;
   auto& whole = result.whole;
   if (analysis.sweep) {
@@ -122,7 +122,7 @@ void set_motion(const RunPlan& plan, ForetoldRun& result, const post::Samples& f
   if (analysis.method == Analysis::Method::lanczos) {
     whole.rows = double(plate::row_grid(grid_options(plan)).steps);
   } else {
-    result.time_limit = whole_step(post::whole_time_step(found), plan);
+    result.time_limit = global_step(post::stable_step_of_run(found), plan);
     const auto grid = plate::time_grid(grid_options(plan), result.time_limit);
     result.time_step = grid.time_step, whole.steps = double(grid.steps);
     whole.rows = whole.steps / double(grid.steps_per_row);
@@ -144,19 +144,20 @@ plate::Discretization widened(plate::Discretization points, double wider) {
   return points;
 }
 
-plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solver, const Less& less, bool grows) {
+plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solver, const ReducedRun& reduced,
+                        bool grows) {
   if (analysis.kind == Analysis::Kind::static_) {
     analysis.preconditioner = solver.preconditioner;
     if (solver.method == plate::StaticMethod::direct) analysis.method = Analysis::Method::direct;
   }
-  if (!less.solves && !swings(analysis) && !grows) analysis.tolerance = 0.1;
+  if (!reduced.solves && !is_motion(analysis) && !grows) analysis.tolerance = 0.1;
   analysis.time_step.reset();
   if (analysis.sweep)
-    analysis.sweep->count = std::min(analysis.sweep->count, std::max(few_frequencies, std::size_t(less.steps)));
+    analysis.sweep->count = std::min(analysis.sweep->count, std::max(few_frequencies, std::size_t(reduced.steps)));
   if (analysis.damping && analysis.kind == Analysis::Kind::dynamic)
     analysis.damping->stiffness *= 1e-9;  // as dear, without its stable step
   if (analysis.method == Analysis::Method::central_difference)
-    analysis.duration = less.time_step > 0 ? less.steps * less.time_step : 1e-9 * analysis.duration;
+    analysis.duration = reduced.time_step > 0 ? reduced.steps * reduced.time_step : 1e-9 * analysis.duration;
   return analysis;
 }
 
@@ -174,18 +175,18 @@ post::SampleRun sample_run(const RunPlan& sample, post::Summary summary, double 
   return result;
 }
 
-ForetoldRun foretell(const RunPlan& plan, const RunSample& run) {
+RunEstimate estimate_cost(const RunPlan& plan, const RunSample& run) {
   const auto& problem = plan.problem;
   const auto& analysis = plan.analysis;
   const double all = expected_points(problem);
-  ForetoldRun result;
+  RunEstimate result;
   using enum plate::Preconditioning;
   const bool modes = analysis.kind == Analysis::Kind::frequencies;
   const auto of_modes = problem.discretization.formulation->offers(plate::Feature::levels) ? levels : diagonal;
   result.solver = plate::usual_solver(problem, modes ? plate::StaticMethod::cg : analysis.static_method(),
                                       modes ? of_modes : analysis.preconditioner, all);
   const bool steps = analysis.method == Analysis::Method::central_difference;
-  const bool moves = swings(analysis);
+  const bool moves = is_motion(analysis);
   const bool slow = !moves && (result.solver.method != plate::StaticMethod::cg || (modes && of_modes == diagonal));
   std::optional<post::Samples> found;
   const bool adr = slow && result.solver.method == plate::StaticMethod::adr;
@@ -195,7 +196,7 @@ ForetoldRun foretell(const RunPlan& plan, const RunSample& run) {
   if (!found) throw plate::Refused({{plate::Subject::spacing, 0, "no sample of the plate can be run: refine"}});
 
   auto& whole = result.whole;
-  result.points = whole.points = post::whole_points(*found), result.bonds = post::whole_bonds(*found);
+  result.points = whole.points = post::total_points(*found), result.bonds = post::total_bonds(*found);
   result.sample_points = std::size_t(found->large.points());
   result.multipliers = found->large.summary.multipliers;
   whole.rings = rings_of(plan, 1);
@@ -205,9 +206,9 @@ ForetoldRun foretell(const RunPlan& plan, const RunSample& run) {
   if (plan.grows_at_rest())
     whole.advances = advances_of(problem, *plan.growth),
     whole.frames = 1 + whole.advances / double(plan.growth->frames_every);
-  result.costs = post::foretold(*found, whole);
+  result.costs = post::estimated_cost(*found, whole);
   result.bytes =
-      post::bytes_of_program(plan.fields || plan.states) + post::whole_parts(*found, result.points) +
+      post::bytes_of_program(plan.fields || plan.states) + post::bytes_of_parts(*found, result.points) +
       (steps ? 0 : result.solver.bytes) +
       (problem.discretization.formulation == &plate::galerkin ? bytes_while_cells_are_made * result.points : 0) +
       (plan.srif && !problem.discretization.tip_spacing ? post::bytes_of_rings(whole.rings) : 0);
@@ -216,7 +217,7 @@ ForetoldRun foretell(const RunPlan& plan, const RunSample& run) {
 
 namespace {
 
-std::string of_solution(const ForetoldRun& run, const RunPlan& plan) {
+std::string of_solution(const RunEstimate& run, const RunPlan& plan) {
   if (run.time_step > 0)
     return fmt::format("time step     {:.4g} (stable limit {:.4g})\nsteps         {:.0f}\n", run.time_step,
                        run.time_limit, run.whole.steps);
@@ -225,12 +226,14 @@ std::string of_solution(const ForetoldRun& run, const RunPlan& plan) {
                        run.costs.iterations);
   if (plan.analysis.kind != Analysis::Kind::static_)
     return fmt::format("solution      Lanczos vectors, about {:.0f}\n", run.costs.iterations);
-  const char* each = plan.growth ? " an advance" : plan.problem.lifts_off() ? " for each try of what soil touches" : "";
+  const char* each = plan.growth                 ? " an advance"
+                     : plan.problem.unilateral() ? " for each try of what soil touches"
+                                                 : "";
   return fmt::format("solution      {}, about {:.0f} iterations{}\n", run.solver.words,
                      std::max(1.0, run.costs.iterations), each);
 }
 
-std::string of_time(const ForetoldRun& run) {
+std::string of_time(const RunEstimate& run) {
   std::string text = fmt::format("time          {:.2g} s:", run.costs.total());
   for (const auto& [stage, seconds] : run.costs.seconds) text += fmt::format(" {} {:.2g},", stage, seconds);
   text.back() = '\n';
@@ -240,7 +243,7 @@ std::string of_time(const ForetoldRun& run) {
   return text;
 }
 
-std::string of_multipliers(const ForetoldRun& run) {
+std::string of_multipliers(const RunEstimate& run) {
   if (!run.multipliers) return "";
   return fmt::format(
       "multipliers   add forces of {:.2g} of the loads with {} points; less with more, as they fall with the spacing\n",
@@ -249,7 +252,7 @@ std::string of_multipliers(const ForetoldRun& run) {
 
 }  // namespace
 
-std::string to_text(const ForetoldRun& run, const RunPlan& plan) {
+std::string to_text(const RunEstimate& run, const RunPlan& plan) {
   return fmt::format("points        {:.0f}\nbonds         {:.0f}\n", run.points, run.bonds) + of_solution(run, plan) +
          of_multipliers(run) + of_time(run);
 }
@@ -274,9 +277,9 @@ double points_in(const geometry::Outline& outline, CellBox box, const geometry::
   return double(inside) * dx * dy;
 }
 
-ForetoldProcesses of_cells(const plate::Problem& problem, int count) {
-  ForetoldProcesses result{count, 0, INFINITY, 0, 0, 0, true};
-  for (const auto& one : plate::foretold_parts(problem, count)) {
+ProcessesEstimate of_cells(const plate::Problem& problem, int count) {
+  ProcessesEstimate result{count, 0, INFINITY, 0, 0, 0, true};
+  for (const auto& one : plate::estimated_parts(problem, count)) {
     result.points = std::max(result.points, one.points),
     result.least_points = std::min(result.least_points, one.points);
     result.seen = std::max(result.seen, one.seen), result.neighbours = std::max(result.neighbours, one.neighbours);
@@ -286,7 +289,7 @@ ForetoldProcesses of_cells(const plate::Problem& problem, int count) {
   return result;
 }
 
-ForetoldProcesses of_lattice(const plate::Problem& problem, int count) {
+ProcessesEstimate of_lattice(const plate::Problem& problem, int count) {
   const auto& d = problem.discretization;
   const auto partition = plate::partition_of_lattice(problem.outline, d, count);
   const auto [low, high] = geometry::bounding_box(problem.outline);
@@ -294,7 +297,7 @@ ForetoldProcesses of_lattice(const plate::Problem& problem, int count) {
   const geometry::Point sides = (high - low) / d.spacing;
   const geometry::Cell size{long(std::ceil(sides.x() - 1e-9)), long(std::ceil(sides.y() - 1e-9))};
   const long margin = plate::margin_of_part(d), reach = long(std::floor(d.horizon_ratio));
-  ForetoldProcesses result{count, 0, INFINITY, 0, 0, 0, false};
+  ProcessesEstimate result{count, 0, INFINITY, 0, 0, 0, false};
   for (int rank = 0; rank < count; ++rank) {
     const auto& box = partition.box(rank);
     const double own = points_in(outline, box, size);
@@ -315,7 +318,7 @@ ForetoldProcesses of_lattice(const plate::Problem& problem, int count) {
 
 }  // namespace
 
-ForetoldProcesses foretold_processes(const plate::Problem& problem, int count) {
+ProcessesEstimate estimated_processes(const plate::Problem& problem, int count) {
   return (problem.discretization.formulation == &plate::galerkin ? of_cells : of_lattice)(problem, count);
 }
 
@@ -328,7 +331,7 @@ double coarser_plates(double points) {
 }
 
 /// Messages and numbers of a product of the stiffness and what belongs to it.
-std::pair<double, double> exchanged(const ForetoldRun& run, const RunPlan& plan) {
+std::pair<double, double> exchanged(const RunEstimate& run, const RunPlan& plan) {
   using enum plate::Preconditioning;
   const auto inverse = plan.moves() ? diagonal : run.solver.preconditioner;
   if (plan.problem.discretization.formulation == &plate::galerkin) {
@@ -343,7 +346,7 @@ std::pair<double, double> exchanged(const ForetoldRun& run, const RunPlan& plan)
 
 }  // namespace
 
-RunByOne run_by_one(const ForetoldRun& run, const RunPlan& plan) {
+SingleProcessRun run_by_one(const RunEstimate& run, const RunPlan& plan) {
   const double program = post::bytes_of_program(plan.fields || plan.states);
   const auto [messages, numbers] = exchanged(run, plan);
   const bool direct = !plan.moves() && run.solver.method == plate::StaticMethod::direct;
@@ -351,7 +354,7 @@ RunByOne run_by_one(const ForetoldRun& run, const RunPlan& plan) {
   return {run.points, program, run.bytes - program, factor, run.costs.seconds, plan.moves(), messages, numbers};
 }
 
-double bytes_of_process(const ForetoldProcesses& processes, const RunByOne& run) {
+double bytes_of_process(const ProcessesEstimate& processes, const SingleProcessRun& run) {
   // of Open MPI and PETSc, and of what solves coarse plates: measured, where a plate has few points
   const double libraries = run.moves ? 43e6 : 69e6;
   const double others = processes.all_made ? bytes_while_cells_are_made * (run.points - processes.seen) : 0;
@@ -360,14 +363,14 @@ double bytes_of_process(const ForetoldProcesses& processes, const RunByOne& run)
   return libraries + run.program + (run.bytes - run.factor) * processes.seen / run.points + factor + others;
 }
 
-double seconds_of_processes(const ForetoldProcesses& processes, const RunByOne& run) {
+double seconds_of_processes(const ProcessesEstimate& processes, const SingleProcessRun& run) {
   double result = 0;
   for (const auto& [stage, seconds] : run.seconds)
     result += seconds * (stage == "setting up" ? processes.seen : processes.points) / run.points;
   return result;
 }
 
-std::string to_text(const ForetoldProcesses& processes, const RunByOne& run) {
+std::string to_text(const ProcessesEstimate& processes, const SingleProcessRun& run) {
   constexpr double giga = 1e9, kilo = 1e3;
   const double bytes = bytes_of_process(processes, run);
   std::string text = fmt::format(

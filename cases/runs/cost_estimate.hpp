@@ -12,12 +12,12 @@
 namespace fracture {
 
 /// Estimate of a run, from runs of samples: the same with fewer points.
-struct ForetoldRun {
+struct RunEstimate {
   double points = 0, bonds = 0;
   plate::UsualSolver solver;             // of statics
   double time_step = 0, time_limit = 0;  // of a motion that takes steps
-  post::WholeRun whole;
-  post::Foretold costs;
+  post::RunSize whole;
+  post::CostEstimate costs;
   double bytes = 0;                        // of memory at its peak
   std::size_t sample_points = 0;           // of the larger sample
   std::optional<double> multipliers = {};  // of that sample (Formulation::multipliers)
@@ -28,7 +28,7 @@ struct ForetoldRun {
 constexpr double bytes_while_cells_are_made = 95;
 
 /// How much less a sample does.
-struct Less {
+struct ReducedRun {
   double wider = 1;  // spacings
   bool factors = false;
   double steps = 1, time_step = 0;  // of a motion; 0: not known yet
@@ -37,11 +37,12 @@ struct Less {
 
 /// Runs a sample; nothing where such wide points cannot carry it. Throws plate::NumericalError, and what it likes where
 /// its points are those of the plan.
-using RunSample = std::function<std::optional<post::SampleRun>(const plate::UsualSolver& solver, const Less& less)>;
+using RunSample =
+    std::function<std::optional<post::SampleRun>(const plate::UsualSolver& solver, const ReducedRun& reduced)>;
 
 /// Samples of up to 50,000 points, or of as many as it takes. Throws plate::Refused where a motion has too many steps,
 /// and what `run` throws where no sample can be had.
-ForetoldRun foretell(const RunPlan& plan, const RunSample& run);
+RunEstimate estimate_cost(const RunPlan& plan, const RunSample& run);
 
 /// About how many points a plate will have, told without it.
 double expected_points(const plate::Problem& problem);
@@ -50,13 +51,14 @@ double expected_points(const plate::Problem& problem);
 plate::Discretization widened(plate::Discretization points, double wider);
 
 /// The analysis of a sample: by the solver that the whole plate takes, and in motion as many steps as it is asked for.
-plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solver, const Less& less, bool grows);
+plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solver, const ReducedRun& reduced,
+                        bool grows);
 
 /// A sample that has been run, as far as its plan and summary tell.
 post::SampleRun sample_run(const RunPlan& sample, post::Summary summary, double wider);
 
 /// Points, bonds, the way to the solution and time, in words.
-std::string to_text(const ForetoldRun& run, const RunPlan& plan);
+std::string to_text(const RunEstimate& run, const RunPlan& plan);
 
 }  // namespace fracture
 
@@ -70,7 +72,7 @@ struct RunPlan;
 
 /// Estimated share of each process in a plate that several share, from its outline; the numbers are of the process that
 /// has the most.
-struct ForetoldProcesses {
+struct ProcessesEstimate {
   int count = 1;
   double points = 0, least_points = 0;  // of its own
   double seen = 0;                      // with what it sees of others'
@@ -79,10 +81,10 @@ struct ForetoldProcesses {
 };
 
 /// @throws plate::Refused  more processes than blocks of the lattice
-ForetoldProcesses foretold_processes(const plate::Problem& problem, int count);
+ProcessesEstimate estimated_processes(const plate::Problem& problem, int count);
 
 /// A run by one process, as it is foretold.
-struct RunByOne {
+struct SingleProcessRun {
   double points = 0, program = 0, bytes = 0;            // memory at its peak: of the program, and of the plate
   double factor = 0;                                    // of that a factor of the whole plate
   std::vector<std::pair<std::string, double>> seconds;  // of its stages
@@ -90,14 +92,14 @@ struct RunByOne {
   // of a step or an iteration: to each neighbour, and for each point whose values come to it
   double messages = 0, numbers = 0;
 };
-RunByOne run_by_one(const ForetoldRun& run, const RunPlan& plan);
+SingleProcessRun run_by_one(const RunEstimate& run, const RunPlan& plan);
 
 /// Peak memory of a process [bytes].
-double bytes_of_process(const ForetoldProcesses& processes, const RunByOne& run);
+double bytes_of_process(const ProcessesEstimate& processes, const SingleProcessRun& run);
 /// Time of a run by these, where each has cores of its own, as many as threads of the samples; without exchange [s].
-double seconds_of_processes(const ForetoldProcesses& processes, const RunByOne& run);
+double seconds_of_processes(const ProcessesEstimate& processes, const SingleProcessRun& run);
 
 /// Points, memory, time and exchange, in words.
-std::string to_text(const ForetoldProcesses& processes, const RunByOne& run);
+std::string to_text(const ProcessesEstimate& processes, const SingleProcessRun& run);
 
 }  // namespace fracture

@@ -20,14 +20,14 @@ namespace fracture {
 namespace {
 
 /// Where it has too few blocks or points for the processes that there are.
-std::string fault_of_twice_the_spacing(const plate::Problem& problem, const plate::Communicator& all) {
+std::string error_in_twice_the_spacing(const plate::Problem& problem, const plate::Communicator& all) {
   if (!all.distributed()) return "";
   auto coarse = problem;
   coarse.discretization.spacing *= 2;
   const int processes = all.size();
   try {
     if (problem.discretization.formulation == &plate::galerkin)
-      plate::require_parts(plate::whole_cells_of(coarse, plate::crack_paths(coarse), 1, true), processes);
+      plate::require_parts(plate::global_cells_of(coarse, plate::crack_paths(coarse), 1, true), processes);
     else
       plate::partition_of_lattice(coarse.outline, coarse.discretization, processes);
   } catch (const plate::Refused& refused) {
@@ -60,12 +60,12 @@ void refuse_of_bonds(const RunPlan& plan, const Refuse& refuse) {
 
 }  // namespace
 
-std::vector<Unshared> unshared(const RunPlan& plan) {
-  return plan.communicator->distributed() ? not_for_processes(plan) : std::vector<Unshared>();
+std::vector<NotDistributable> not_distributable(const RunPlan& plan) {
+  return plan.communicator->distributed() ? not_for_processes(plan) : std::vector<NotDistributable>();
 }
 
-std::vector<Unshared> not_for_processes(const RunPlan& plan) {
-  std::vector<Unshared> result;
+std::vector<NotDistributable> not_for_processes(const RunPlan& plan) {
+  std::vector<NotDistributable> result;
   const Refuse refuse = [&](bool asked, const std::string& key, const std::string& why) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
   };
@@ -87,10 +87,10 @@ std::vector<Unshared> not_for_processes(const RunPlan& plan) {
     const auto key = "support[" + std::to_string(i) + "]";
     refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
   }
-  if (auto fault =
-          plan.srif && plan.srif->richardson ? fault_of_twice_the_spacing(plan.problem, *plan.communicator) : "";
-      !fault.empty())
-    result.push_back({"srif.richardson", std::move(fault)});
+  if (auto error =
+          plan.srif && plan.srif->richardson ? error_in_twice_the_spacing(plan.problem, *plan.communicator) : "";
+      !error.empty())
+    result.push_back({"srif.richardson", std::move(error)});
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
   (cells ? refuse_of_cells : refuse_of_bonds)(plan, refuse);

@@ -16,13 +16,13 @@ namespace fracture {
 struct RunPlan;
 
 /// A feature that ranks cannot share yet: the key of the case, and why.
-struct Unshared {
+struct NotDistributable {
   std::string key, why;
 };
 /// Features of a run that its ranks cannot share; empty for a single process.
-std::vector<Unshared> unshared(const RunPlan& plan);
+std::vector<NotDistributable> not_distributable(const RunPlan& plan);
 /// Features of a run that ranks could not share, whether or not there are several now.
-std::vector<Unshared> not_for_processes(const RunPlan& plan);
+std::vector<NotDistributable> not_for_processes(const RunPlan& plan);
 
 /// Counts points and bonds of all ranks, each by its owner; collective.
 void count_all(post::Summary& summary, const plate::Formulation& plate);

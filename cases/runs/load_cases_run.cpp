@@ -16,7 +16,7 @@
 #include "plate/model/reduction.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/settled.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -38,7 +38,7 @@ struct Case {
 };
 
 double folded_norm(const plate::Formulation& plate, const Case& one) {
-  auto pull = plate::Settled(plate, one.load, one.lift).pull();
+  auto pull = plate::PrescribedDisplacements(plate, one.load, one.lift).pull();
   plate.constraints().fold(pull);
   const auto [squared] = plate::ordered_sum<1>(plate.communicator(), std::size_t(pull.size()), [&](std::size_t i) {
     return std::array<double, 1>{pull.data()[i] * pull.data()[i]};
@@ -54,7 +54,7 @@ double largest_deflection(const post::LoadCaseSummary& one) {
 /// Load cases and combinations as they are found.
 class LoadCases {
 public:
-  LoadCases(const Ready& ready, const RunPlan& plan, post::Recorder recorder)
+  LoadCases(const ValidatedPlate& ready, const RunPlan& plan, post::Recorder recorder)
       : ready_(ready),
         plan_(plan),
         plate_(*ready.plate),
@@ -63,7 +63,7 @@ public:
     if (!recorder_.draws() && !recorder_.stores()) return;
     const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
     if (plate_.communicator().distributed()) {
-      drawing_ = std::make_unique<OwnDrawing>(plate_, mesh);
+      drawing_ = std::make_unique<OwnedMesh>(plate_, mesh);
       recorder_.open(drawing_->mesh());
       return;
     }
@@ -81,12 +81,12 @@ private:
   std::vector<std::pair<double, const std::vector<post::Srif>*>> parts_of(const post::LoadCaseSummary& combined) const;
   std::vector<std::string> warnings() const;
 
-  const Ready& ready_;
+  const ValidatedPlate& ready_;
   const RunPlan& plan_;
   const plate::Formulation& plate_;
   post::Recorder recorder_;
   post::Pictures pictures_;
-  std::unique_ptr<OwnDrawing> drawing_;  // where processes share the plate
+  std::unique_ptr<OwnedMesh> drawing_;  // where processes share the plate
   std::vector<post::Probe> probes_;
   std::vector<post::LoadCaseSummary> found_;
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
@@ -100,8 +100,8 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
   const auto when = fmt::format("in {}", one.name);
   const auto number = double(found_.size() + 1);
   post::require_finite(state, when, plate_.communicator());
-  const plate::Settled settled(plate_, load, lift);
-  const double work = post::slow_work(plate_, load, state) + settled.work(strained);
+  const plate::PrescribedDisplacements prescribed(plate_, load, lift);
+  const double work = post::slow_work(plate_, load, state) + prescribed.work(strained);
   const double strain = plate_.strain_energy(strained), heated = plate::stored(plate_, heat, state);
   one.strain_energy = strain + heated, one.external_work = work + heated;
   const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
@@ -137,9 +137,9 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
   const bool rests =
       !found_.back().of.empty() && post::is_zero(state, plate_.communicator());  // a combination that cancels
   if (!rests && !post::moves(state, work, plate_.communicator()))
-    post::require_motion(plate_, {settled.pull()}, state, work, warnings_);
-  post::EnergyGate(post::EnergyGate::Plate::rests)
-      .look({strain + post::energy_about(plate_, lift), strain, work}, when);
+    post::require_motion(plate_, {prescribed.pull()}, state, work, warnings_);
+  post::EnergyBalance(post::EnergyBalance::Plate::rests)
+      .check({strain + post::energy_about(plate_, lift), strain, work}, when);
 }
 
 std::vector<std::pair<double, const std::vector<post::Srif>*>> LoadCases::parts_of(
@@ -166,7 +166,7 @@ std::vector<std::string> LoadCases::warnings() const {
     auto said = post::tips_that_grow(alone);
     std::erase_if(alone.srif,
                   [&](const post::Srif& srif) { return post::largest_factor(srif, h) < hardly * largest[srif.tip]; });
-    for (auto& text : post::distrust_of_factors(alone.srif, {}, h, plate_.remedy())) said.push_back(std::move(text));
+    for (auto& text : post::warnings_about_factors(alone.srif, {}, h, plate_.remedy())) said.push_back(std::move(text));
     for (auto& text : post::sinking_supports(one.reactions, plate_.problem(), largest_deflection(one)))
       said.push_back(std::move(text));
     if (one.reactions && one.reactions->largest_residual > close)
@@ -237,12 +237,12 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
   constexpr double rounding = 1e-12;
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
   const plate::State zero = plate::State::Zero(3, Eigen::Index(plate_.points()));
-  const plate::State of_supports = plate::settles(plate_) ? zero : plate::State(3, 0);
+  const plate::State of_supports = plate::has_prescribed_displacements(plate_) ? zero : plate::State(3, 0);
   Case sum{zero, of_supports, zero, {}, of_supports};
   double largest = 0, residual = 0;  // of the parts: load, and at most what is left of it
   for (std::size_t i = 0; i < factors.size(); ++i) {
     sum.state += factors[i] * cases[i].state, sum.load += factors[i] * cases[i].load;
-    if (plate::settles(plate_)) sum.strained += factors[i] * cases[i].what_strains();
+    if (plate::has_prescribed_displacements(plate_)) sum.strained += factors[i] * cases[i].what_strains();
     if (cases[i].lift.cols() > 0) sum.lift += factors[i] * cases[i].lift;
     const double part = std::abs(factors[i]) * folded_norm(plate_, cases[i]);
     largest = std::max(largest, part), residual += part * found_[i].residual.value_or(0);
@@ -266,7 +266,7 @@ post::Summary LoadCases::finish(post::Summary summary, plate::Stopwatch& stopwat
   if (plan_.srif) {
     const auto crack = [&](std::size_t tip) { return plate_.tips()[tip].crack; };
     const auto named = [&](double number) { return found_.at(std::size_t(number) - 1).name; };
-    for (auto& line : post::distrust_of_faces(post::face_overlaps(srifs_), section, crack, named))
+    for (auto& line : post::warnings_about_faces(post::face_overlaps(srifs_), section, crack, named))
       warnings_.push_back(std::move(line));
     post::name_cases(srifs_, found_);
     recorder_.table("srif", std::move(srifs_));
@@ -289,7 +289,7 @@ post::Summary LoadCases::finish(post::Summary summary, plate::Stopwatch& stopwat
 
 }  // namespace
 
-post::Summary run_load_cases(const Ready& ready, const RunPlan& plan, post::Recorder recorder,
+post::Summary run_load_cases(const ValidatedPlate& ready, const RunPlan& plan, post::Recorder recorder,
                              plate::Stopwatch& stopwatch) {
   LoadCases run(ready, plan, std::move(recorder));
   return carried_out(

@@ -50,7 +50,7 @@ std::vector<geometry::Polyline> QuasiStaticRun::cracks() const {
   return tips_ ? tips_->cracks() : plan_.problem.cracks;
 }
 
-post::Summary QuasiStaticRun::operator()(post::Recorder recorder, Keeper* keeper) {
+post::Summary QuasiStaticRun::operator()(post::Recorder recorder, RunCheckpoints* checkpoints) {
   recorder_.emplace(std::move(recorder));
   post::Progress progress(plan_.quiet, "growth");
   const plate::StopOnSignals signals;
@@ -66,17 +66,18 @@ post::Summary QuasiStaticRun::operator()(post::Recorder recorder, Keeper* keeper
         fmt::format("advance {}, load factor {:.4g}, crack length {:.4g}", now.advance, now.factor, length));
   };
   try {
-    grown_ = grow_quasi_statically(growth_, *model_, see, keeper ? continuation(*keeper, load) : Continuation{});
+    outcome_ =
+        grow_quasi_statically(growth_, *model_, see, checkpoints ? continuation(*checkpoints, load) : Continuation{});
     progress.done();
     return finish();
   } catch (const plate::NumericalError& error) {
     const auto failed = error.point ? placed(error, model_->plate(), {}) : error;  // without one, there may be no plate
-    grown_.ended = {End::failed, failed.what()};
+    outcome_.ended = {End::failed, failed.what()};
     finish();
     throw failed;
   } catch (const plate::Interrupted& asked) {
-    grown_.ended = {End::interrupted, asked.what()};
-    write_held(keeper);
+    outcome_.ended = {End::interrupted, asked.what()};
+    write_held(checkpoints);
     finish();
     throw;
   }
@@ -102,7 +103,7 @@ void QuasiStaticRun::observe(const Equilibrium& now) {
   if (!now.ends && !first_factor_) first_factor_ = now.factor;
   if (std::isfinite(now.critical) && now.critical_error > doubt_) doubt_ = now.critical_error, doubtful_ = advance_;
   largest_factor_ = std::max(largest_factor_, now.factor);
-  grown_.ledger = now.ledger;
+  outcome_.ledger = now.ledger;
   framed_ = false;
   if (now.advance % growth_.frames_every == 0) frame();
 }
@@ -113,7 +114,7 @@ void QuasiStaticRun::frame() {
   auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
   auto mesh = model_->draw(frame, state_);
   post::set_factors(*frame.cracks, latest_);
-  if (const auto own = own_drawing(model_->plate(), mesh))
+  if (const auto own = owned_mesh(model_->plate(), mesh))
     return recorder_->frame(own->frame(std::move(frame)), own->mesh(), {});
   if (plan_.report) pictures_.open(mesh), pictures_.look(frame);
   recorder_->frame(std::move(frame), std::move(mesh), {});
@@ -121,42 +122,42 @@ void QuasiStaticRun::frame() {
 
 template <typename Archive>
 void QuasiStaticRun::memory(Archive& archive) {
-  auto& [work, strain, fracture] = grown_.ledger;
+  auto& [work, strain, fracture] = outcome_.ledger;
   archive(reactions_, pictures_, srifs_, latest_, work, strain, fracture, advance_, factor_, largest_factor_, doubt_,
           doubtful_, first_factor_, first_error_, framed_);
 }
 
 /// `load`: to go on from.
-Continuation QuasiStaticRun::continuation(Keeper& keeper, QuasiStaticLoad& load) {
+Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints, QuasiStaticLoad& load) {
   auto* const points = model_->of_points();
-  const bool goes_on = keeper.recall([&](plate::InArchive& archive) {
+  const bool goes_on = checkpoints.restore([&](plate::InArchive& archive) {
     archive(load);
-    recorder_->recall(archive);
+    recorder_->restore(archive);
     memory(archive);
-    model_->recall(archive);
+    model_->restore(archive);
     if (points && !plan_.communicator->distributed()) archive(*points);
   });
   if (goes_on && points && plan_.communicator->distributed())
-    put_values(model_->plate().boundary(), keeper.parts(), {points}), model_->recalled_points();
+    put_values(model_->plate().boundary(), checkpoints.parts(), {points}), model_->restored_points();
   if (goes_on) state_ = factor_ * model_->state();
-  const auto hold = [this, &keeper, points](const QuasiStaticLoad& now) {
-    const auto remember = [&](plate::OutArchive& archive) {
+  const auto hold = [this, &checkpoints, points](const QuasiStaticLoad& now) {
+    const auto save_state = [&](plate::OutArchive& archive) {
       archive(now);
-      recorder_->remember(archive);
+      recorder_->save(archive);
       memory(archive);
-      model_->remember(archive);
+      model_->save(archive);
       if (points && !plan_.communicator->distributed()) archive(*points);
     };
     std::function<post::CellValues()> own;
     if (points && plan_.communicator->distributed())
       own = [this, points] { return own_values(model_->plate().boundary(), {points}); };
-    keeper.hold(remember, own);
+    checkpoints.hold(save_state, own);
   };
   return {goes_on ? &load : nullptr, hold};
 }
 
-void QuasiStaticRun::write_held(Keeper* keeper) {
-  if (keeper) keeper->write();
+void QuasiStaticRun::write_held(RunCheckpoints* checkpoints) {
+  if (checkpoints) checkpoints->write();
 }
 
 void QuasiStaticRun::record() {
@@ -178,31 +179,31 @@ void QuasiStaticRun::store() {
   const auto mesh = post::points_of(plate);
   auto frame = post::frame_of(plate, double(advance_), advance_, state_, false);
   model_->draw(frame, state_);  // its resultants
-  if (const auto own = own_drawing(plate, mesh))
+  if (const auto own = owned_mesh(plate, mesh))
     return recorder_->final_state(own->mesh(), own->frame(std::move(frame)));
   recorder_->final_state(mesh, frame);
 }
 
 post::GrowthSummary QuasiStaticRun::growth_summary() const {
   post::GrowthSummary growth;
-  growth.outcome = in_words(grown_.ended, growth_.by_bonds());
+  growth.outcome = in_words(outcome_.ended, growth_.by_bonds());
   growth.advances = model_->advances();
   growth.first_load_factor = tips_ ? first_factor_.value_or(0) : first_factor_;
   growth.largest_load_factor = largest_factor_;
   if (first_error_ && std::isfinite(*first_error_)) growth.first_load_factor_error = *first_error_ * *first_factor_;
   growth.broken_bonds = model_->broken_bonds();
   growth.lengths = model_->lengths();
-  const auto& books = grown_.ledger;
+  const auto& energies = outcome_.ledger;
   if (bonds_)
-    growth.spent =
-        growth_.spent(books.external_work - books.strain, plan_.problem.section.thickness, bonds_->grown_length());
+    growth.spent = growth_.spent(energies.external_work - energies.strain, plan_.problem.section.thickness,
+                                 bonds_->grown_length());
   return growth;
 }
 
 post::Summary QuasiStaticRun::finish() {
   constexpr double much = 0.03;  // as of factors
   record();
-  if (grown_.ended.how == End::not_resolved && !first_factor_ && factor_ > 0) first_factor_ = factor_;
+  if (outcome_.ended.how == End::not_resolved && !first_factor_ && factor_ > 0) first_factor_ = factor_;
   const bool solved = state_.cols() > 0;  // else there may be no plate
   if (solved && doubt_ > much)
     warnings_.push_back(fmt::format("load factors are uncertain: by {} at advance {} (critical_load_factor_error); {}",
@@ -211,8 +212,8 @@ post::Summary QuasiStaticRun::finish() {
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   for (auto& one : model_->record().cut_places(plan_.problem)) warnings_.push_back(std::move(one));
   const auto overlaps = post::face_overlaps(srifs_);
-  for (auto& one : post::distrust_of_faces(overlaps, plan_.problem.section, {},
-                                           [](double advance) { return fmt::format("advance {:g}", advance); }))
+  for (auto& one : post::warnings_about_faces(overlaps, plan_.problem.section, {},
+                                              [](double advance) { return fmt::format("advance {:g}", advance); }))
     warnings_.push_back(std::move(one));
   post::Summary summary;
   if (solved) summary = about(plan_, model_->plate(), warnings_);
@@ -227,13 +228,13 @@ post::Summary QuasiStaticRun::finish() {
   summary.overlaps = overlaps;
   summary.growth = growth_summary();
   summary.outcome = "done";
-  if (grown_.ended.how == End::failed || grown_.ended.how == End::interrupted)
-    summary.outcome = summary.growth->outcome, summary.analysis.stop_reason = grown_.ended.detail;
-  const auto& books = grown_.ledger;
-  summary.energy = {{"strain", books.strain},
-                    {"external_work", books.external_work},
-                    {"fracture", books.fracture},
-                    {"released", books.released()}};
+  if (outcome_.ended.how == End::failed || outcome_.ended.how == End::interrupted)
+    summary.outcome = summary.growth->outcome, summary.analysis.stop_reason = outcome_.ended.detail;
+  const auto& energies = outcome_.ledger;
+  summary.energy = {{"strain", energies.strain},
+                    {"external_work", energies.external_work},
+                    {"fracture", energies.fracture},
+                    {"released", energies.released()}};
   summary = recorder_->finish(std::move(summary), stopwatch_);
   write_report(plan_, pictures_);
   return summary;

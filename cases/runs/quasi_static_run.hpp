@@ -6,7 +6,7 @@
 namespace fracture {
 
 class GrowingPlate;
-class Keeper;
+class RunCheckpoints;
 class QuasiStaticBonds;
 
 /// Where no intensity factors are asked for, the methods that give the energy release rate.
@@ -19,18 +19,18 @@ public:
   QuasiStaticRun(const RunPlan& plan, plate::Discretised first);
   ~QuasiStaticRun();
 
-  /// Grows, and writes everything. Throws plate::NumericalError or plate::Interrupted after that. `keeper`: of a growth
-  /// that may go on later, or goes on here.
-  post::Summary operator()(post::Recorder recorder, Keeper* keeper);
+  /// Grows, and writes everything. Throws plate::NumericalError or plate::Interrupted after that. `checkpoints`: of a
+  /// growth that may go on later, or goes on here.
+  post::Summary operator()(post::Recorder recorder, RunCheckpoints* checkpoints);
 
   // of the end
-  const Grown& grown() const { return grown_; }
+  const QuasiStaticOutcome& outcome() const { return outcome_; }
   double load_factor() const { return factor_; }
   std::vector<geometry::Polyline> cracks() const;
 
 private:
-  Continuation continuation(Keeper& keeper, QuasiStaticLoad& load);
-  static void write_held(Keeper* keeper);
+  Continuation continuation(RunCheckpoints& checkpoints, QuasiStaticLoad& load);
+  static void write_held(RunCheckpoints* checkpoints);
   template <typename Archive>
   void memory(Archive& archive);
   void observe(const Equilibrium& now);
@@ -54,7 +54,7 @@ private:
   post::Table srifs_{post::srif_columns(), {}};
   std::vector<post::Srif> latest_;
   plate::State state_;  // of the last advance
-  Grown grown_;
+  QuasiStaticOutcome outcome_;
   std::size_t advance_ = 0;  // its number
   double factor_ = 0, largest_factor_ = 0;
   double doubt_ = 0;                                  // largest estimated error of a load factor, relative

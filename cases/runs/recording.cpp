@@ -97,12 +97,13 @@ void put_values(const plate::Boundary& boundary, const std::vector<std::filesyst
   for (std::size_t i = width / 3; i < states.size(); ++i) states[i]->resize(3, 0);
 }
 
-Keeper::Keeper(post::Checkpoints checkpoints, double every) : checkpoints_(std::move(checkpoints)), every_(every) {}
+RunCheckpoints::RunCheckpoints(post::Checkpoints checkpoints, double every)
+    : checkpoints_(std::move(checkpoints)), every_(every) {}
 
-Keeper::Keeper(std::shared_ptr<post::SharedCheckpoints> checkpoints, double every)
+RunCheckpoints::RunCheckpoints(std::shared_ptr<post::DistributedCheckpoints> checkpoints, double every)
     : together_(std::move(checkpoints)), every_(every) {}
 
-bool Keeper::find(std::vector<std::string>& refused) {
+bool RunCheckpoints::find(std::vector<std::string>& refused) {
   if (together_) {
     if (auto found = together_->read(refused)) found_ = std::move(found->memory), parts_ = std::move(found->parts);
   } else if (auto found = checkpoints_->read(refused)) {
@@ -111,60 +112,60 @@ bool Keeper::find(std::vector<std::string>& refused) {
   return goes_on();
 }
 
-void Keeper::done() const {
+void RunCheckpoints::done() const {
   together_ ? together_->remove() : checkpoints_->remove();
 }
 
-bool Keeper::recall(const std::function<void(plate::InArchive&)>& recall) {
+bool RunCheckpoints::restore(const std::function<void(plate::InArchive&)>& restore) {
   if (!goes_on()) return false;
   std::istringstream stream(std::exchange(found_, {}));
   plate::InArchive archive(stream);
-  recall(archive);
+  restore(archive);
   return true;
 }
 
-Keeper::Seconds Keeper::stretched(Seconds wanted, Seconds cost) const {
+RunCheckpoints::Seconds RunCheckpoints::limited_interval(Seconds wanted, Seconds cost) const {
   constexpr double share = 0.01;
   return every_ < Seconds(1) ? wanted : std::max(wanted, cost / share);
 }
 
-bool Keeper::due() const {
-  return Clock::now() - written_ >= stretched(every_, to_take_ + to_write_);
+bool RunCheckpoints::due() const {
+  return Clock::now() - written_ >= limited_interval(every_, to_take_ + to_write_);
 }
 
-void Keeper::take(const Remember& remember) {
+void RunCheckpoints::take(const SaveState& save_state) {
   const auto begin = Clock::now();
   std::ostringstream stream;
   plate::OutArchive archive(stream);
-  remember(archive);
+  save_state(archive);
   held_ = std::move(stream).str();
   taken_ = Clock::now();
   to_take_ = taken_ - begin;
 }
 
-void Keeper::keep(const Remember& remember, const post::CellValues* own) {
-  take(remember);
+void RunCheckpoints::save(const SaveState& save_state, const post::CellValues* own) {
+  take(save_state);
   write(own);
 }
 
-bool Keeper::agreed(bool here) const {
+bool RunCheckpoints::agreed(bool here) const {
   return together_ ? together_->communicator().largest_of(here) > 0 : here;
 }
 
-void Keeper::hold(const Remember& remember, const std::function<post::CellValues()>& own) {
-  if (agreed(Clock::now() - taken_ >= stretched(std::min(every_, Seconds(1)), to_take_))) {
-    take(remember);
+void RunCheckpoints::hold(const SaveState& save_state, const std::function<post::CellValues()>& own) {
+  if (agreed(Clock::now() - taken_ >= limited_interval(std::min(every_, Seconds(1)), to_take_))) {
+    take(save_state);
     if (own) held_points_ = std::make_shared<const post::CellValues>(own());
   }
   if (agreed(due())) write();
 }
 
-void Keeper::write() {
+void RunCheckpoints::write() {
   write(held_points_.get());
   held_points_.reset();
 }
 
-void Keeper::write(const post::CellValues* own) {
+void RunCheckpoints::write(const post::CellValues* own) {
   if (held_.empty()) return;
   const auto begin = Clock::now();
   try {
@@ -183,7 +184,7 @@ void Keeper::write(const post::CellValues* own) {
 
 namespace {
 
-using enum RefusedFolder::Wish;
+using enum RefusedFolder::Attempt;
 
 void require_lock(const post::FolderLock& lock) {
   if (!lock.held())
@@ -191,9 +192,9 @@ void require_lock(const post::FolderLock& lock) {
 }
 
 /// Looks for what an earlier run has kept; true where this one goes on from it.
-bool finds(Keeper* keeper, const RecordingOptions& options) {
+bool finds(RunCheckpoints* checkpoints, const RecordingOptions& options) {
   std::vector<std::string> refused;
-  const bool found = keeper && keeper->find(refused);
+  const bool found = checkpoints && checkpoints->find(refused);
   if (!found && !refused.empty()) throw RefusedFolder(go_on, fmt::format("{}", fmt::join(refused, "; ")));
   for (const auto& one : refused) post::say(one + ": goes on from the one before\n");
   if (!options.quiet)
@@ -221,13 +222,13 @@ void wait_for_all(const plate::Communicator& all) {
   all.sum(ready);
 }
 
-std::unique_ptr<Keeper> keeper_of(const RecordingOptions& options) {
+std::unique_ptr<RunCheckpoints> checkpoints_of(const RecordingOptions& options) {
   const auto& [all, folder] = std::tie(*options.communicator, options.folder);
   if (options.checkpoint_every <= 0) return nullptr;
   if (!all.distributed())
-    return std::make_unique<Keeper>(post::Checkpoints(folder, run_of(options)), options.checkpoint_every);
-  return std::make_unique<Keeper>(std::make_shared<post::SharedCheckpoints>(all, folder, run_of(options)),
-                                  options.checkpoint_every);
+    return std::make_unique<RunCheckpoints>(post::Checkpoints(folder, run_of(options)), options.checkpoint_every);
+  return std::make_unique<RunCheckpoints>(std::make_shared<post::DistributedCheckpoints>(all, folder, run_of(options)),
+                                          options.checkpoint_every);
 }
 
 }  // namespace
@@ -261,15 +262,15 @@ Recording recording(const RecordingOptions& options) {
     require_lock(lock.emplace(options.folder));
   }
   wait_for_all(all);
-  auto keeper = keeper_of(options);
-  const bool goes_on = options.goes_on && finds(keeper.get(), options);
+  auto checkpoints = checkpoints_of(options);
+  const bool goes_on = options.goes_on && finds(checkpoints.get(), options);
   if (lock) clear(options, goes_on);
   auto sink = std::make_unique<post::Folder>(
       post::FolderOptions{options.folder, options.resolved, options.version, options.vtk, options.hdf5,
                           options.velocities, goes_on, options.communicator},
       std::move(lock));
   wait_for_all(all);
-  return {{std::move(sink), options.resolved, options.version, all}, std::move(keeper)};
+  return {{std::move(sink), options.resolved, options.version, all}, std::move(checkpoints)};
 }
 
 }  // namespace fracture

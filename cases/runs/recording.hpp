@@ -30,7 +30,7 @@ void put_values(const plate::Boundary& boundary, const std::vector<std::filesyst
 }  // namespace fracture
 
 namespace post {
-class SharedCheckpoints;
+class DistributedCheckpoints;
 struct CellValues;
 }  // namespace post
 
@@ -38,31 +38,31 @@ namespace fracture {
 
 /// Keeps what a run must remember in its folder, from time to time, and gives back what was kept there. Where that
 /// cannot be written the run goes on, with a word.
-class Keeper {
+class RunCheckpoints {
 public:
-  using Remember = std::function<void(plate::OutArchive&)>;
+  using SaveState = std::function<void(plate::OutArchive&)>;
 
   /// `every` [s]; from a second on it is stretched so that all that this does takes a hundredth of the run.
-  Keeper(post::Checkpoints checkpoints, double every);
+  RunCheckpoints(post::Checkpoints checkpoints, double every);
   /// Collective, where ranks share a plate: every rank must call each member function.
-  Keeper(std::shared_ptr<post::SharedCheckpoints> checkpoints, double every);
+  RunCheckpoints(std::shared_ptr<post::DistributedCheckpoints> checkpoints, double every);
 
-  /// Looks for a checkpoint to go on from: there is none, or its memory waits for recall(). What was wrong with others
+  /// Looks for a checkpoint to go on from: there is none, or its memory waits for restore(). What was wrong with others
   /// goes into `refused`.
   bool find(std::vector<std::string>& refused);
   bool goes_on() const { return !found_.empty(); }
   /// The points of what was found, where processes share the plate.
   const std::vector<std::filesystem::path>& parts() const { return parts_; }
   /// Restores the checkpoint that was found; false where none was.
-  bool recall(const std::function<void(plate::InArchive&)>& recall);
+  bool restore(const std::function<void(plate::InArchive&)>& restore);
 
   /// Is it time to keep?
   bool due() const;
   /// Writes a checkpoint now, where processes share the plate with the points of this one.
-  void keep(const Remember& remember, const post::CellValues* own = nullptr);
+  void save(const SaveState& save_state, const post::CellValues* own = nullptr);
   /// Takes the memory, about once a second, and writes it where it is time. `own`: where processes share the plate,
   /// makes the points of this one; nothing: none are kept.
-  void hold(const Remember& remember, const std::function<post::CellValues()>& own = {});
+  void hold(const SaveState& save_state, const std::function<post::CellValues()>& own = {});
   /// Writes what was last taken.
   void write();
 
@@ -72,15 +72,15 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
-  void take(const Remember& remember);
+  void take(const SaveState& save_state);
   void write(const post::CellValues* own);
   /// Where processes share the plate, is it so in one of them? They take and write together.
   bool agreed(bool here) const;
   /// The wanted time from one to the next that takes so long.
-  Seconds stretched(Seconds wanted, Seconds cost) const;
+  Seconds limited_interval(Seconds wanted, Seconds cost) const;
 
   std::optional<post::Checkpoints> checkpoints_;  // of one of these two
-  std::shared_ptr<post::SharedCheckpoints> together_;
+  std::shared_ptr<post::DistributedCheckpoints> together_;
   std::vector<std::filesystem::path> parts_;
   Seconds every_, to_take_{0}, to_write_{0};  // the last: how long it took
   Clock::time_point written_ = Clock::now(), taken_ = {};
@@ -92,12 +92,12 @@ private:
 /// A folder that a run cannot write to, or cannot go on in.
 class RefusedFolder : public std::runtime_error {
 public:
-  enum class Wish { write, go_on };
-  RefusedFolder(Wish wish, const std::string& what) : std::runtime_error(what), wish_(wish) {}
-  Wish wish() const { return wish_; }
+  enum class Attempt { write, go_on };
+  RefusedFolder(Attempt attempt, const std::string& what) : std::runtime_error(what), attempt_(attempt) {}
+  Attempt attempt() const { return attempt_; }
 
 private:
-  Wish wish_;
+  Attempt attempt_;
 };
 
 /// Throws RefusedFolder where the folder holds something but no results of a run, or another run writes to it.
@@ -120,7 +120,7 @@ std::optional<post::Summary> done_before(const RecordingOptions& options, bool r
 /// Where the results of a run go, and what it keeps to go on later: none where nothing is kept.
 struct Recording {
   post::Recorder recorder;
-  std::unique_ptr<Keeper> keeper;
+  std::unique_ptr<RunCheckpoints> checkpoints;
 };
 
 /// Recording into a folder, which is reserved for this run alone. Files of an earlier run are removed, with a message,

@@ -28,7 +28,7 @@ namespace {
 /// The response as it is found.
 class ResponseRun {
 public:
-  ResponseRun(const Ready& ready, const RunPlan& plan, post::Recorder recorder)
+  ResponseRun(const ValidatedPlate& ready, const RunPlan& plan, post::Recorder recorder)
       : ready_(ready),
         plan_(plan),
         plate_(*ready.plate),
@@ -50,7 +50,7 @@ private:
   std::vector<post::Srif> factors(const plate::State& state, const plate::Heat& heat) const;
   void draw_period(double frequency, const std::pair<plate::State, plate::State>& parts);
 
-  const Ready& ready_;
+  const ValidatedPlate& ready_;
   const RunPlan& plan_;
   const plate::Formulation& plate_;
   post::Recorder recorder_;
@@ -172,7 +172,7 @@ post::Summary ResponseRun::finish(post::Summary summary, plate::Stopwatch& stopw
 
 }  // namespace
 
-post::Summary run_response(const Ready& ready, const RunPlan& plan, post::Recorder recorder,
+post::Summary run_response(const ValidatedPlate& ready, const RunPlan& plan, post::Recorder recorder,
                            plate::Stopwatch& stopwatch) {
   ResponseRun run(ready, plan, std::move(recorder));
   return carried_out(

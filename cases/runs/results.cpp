@@ -98,9 +98,9 @@ void fetch(const plate::Formulation& plate, Rows&& values) {
 
 }  // namespace
 
-OwnDrawing::OwnDrawing(const plate::Formulation& plate) : OwnDrawing(plate, plate.mesh()) {}
+OwnedMesh::OwnedMesh(const plate::Formulation& plate) : OwnedMesh(plate, plate.mesh()) {}
 
-OwnDrawing::OwnDrawing(const plate::Formulation& plate, const plate::Mesh& whole) : plate_(plate) {
+OwnedMesh::OwnedMesh(const plate::Formulation& plate, const plate::Mesh& whole) : plate_(plate) {
   Part part(whole);
   for (std::uint32_t k = 0; k < plate.cloud().plate_points; ++k)
     if (plate.boundary().owns(k)) part.take(k);
@@ -120,17 +120,17 @@ OwnDrawing::OwnDrawing(const plate::Formulation& plate, const plate::Mesh& whole
   mesh_ = std::move(part.mesh), points_ = std::move(part.points), mesh_.own = own_;
 }
 
-std::optional<OwnDrawing> own_drawing(const plate::Formulation& plate, const plate::Mesh& whole) {
-  return plate.communicator().distributed() ? std::optional<OwnDrawing>(std::in_place, plate, whole) : std::nullopt;
+std::optional<OwnedMesh> owned_mesh(const plate::Formulation& plate, const plate::Mesh& whole) {
+  return plate.communicator().distributed() ? std::optional<OwnedMesh>(std::in_place, plate, whole) : std::nullopt;
 }
 
-plate::State OwnDrawing::own(const plate::State& of_plate, std::size_t count) const {
+plate::State OwnedMesh::own(const plate::State& of_plate, std::size_t count) const {
   plate::State result(3, Eigen::Index(count));
   for (std::size_t i = 0; i < count; ++i) result.col(Eigen::Index(i)) = of_plate.col(Eigen::Index(points_[i]));
   return result;
 }
 
-post::Frame OwnDrawing::frame(post::Frame seen) const {
+post::Frame OwnedMesh::frame(post::Frame seen) const {
   auto& resultants = seen.resultants;
   post::Frame result{seen.time, seen.step, own(seen.state, points_.size()), {}, {}, std::move(seen.cracks)};
   if (resultants.von_mises.size() == 0) return result;
@@ -160,11 +160,11 @@ Results::Results(const RunPlan& plan, const plate::Formulation& plate, const std
       reactions_(plate, plan.analysis.rotary_inertia, plan.analysis.method == plate::Analysis::Method::lanczos,
                  plan.analysis.damping.value_or(plate::Damping{}).mass),
       extremes_(plate),
-      energy_gate_(plan.growth ? post::EnergyGate::Plate::grows : post::EnergyGate::Plate::moves) {
+      energy_balance_(plan.growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {
   if (!recorder_.draws() && !recorder_.stores()) return;
   const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
   if (plate.communicator().distributed()) {
-    drawing_ = std::make_unique<OwnDrawing>(plate, mesh);
+    drawing_ = std::make_unique<OwnedMesh>(plate, mesh);
     recorder_.open(drawing_->mesh());
     return;
   }
@@ -179,24 +179,25 @@ void Results::sample(const plate::Instant& now, bool last) {
   const double heated = plate::stored(plate_, heat, now.state);
   strain_energy_ = now.strain_energy + heated, external_work_ = now.external_work + heated;
   post::Sample row{now.time, now.step, now.state, strain_energy_, now.kinetic_energy, external_work_, 0};
-  post::EnergyGate::Books books{now.strain_energy + now.kinetic_energy + now.dissipated,
-                                now.strain_energy + now.discrete_kinetic_energy + now.dissipated, now.external_work};
-  row.discrete_energy = books.kept + now.potential;
+  post::EnergyBalance::Terms terms{now.strain_energy + now.kinetic_energy + now.dissipated,
+                                   now.strain_energy + now.discrete_kinetic_energy + now.dissipated, now.external_work};
+  row.discrete_energy = terms.discrete + now.potential;
   if (plan_.analysis.damping) row.dissipated_energy = now.dissipated;
-  if (now.blow) {
-    const auto& blow = *now.blow;
-    blows_.rows.push_back({now.time, blow.place, blow.velocity, blow.force, blow.largest, blow.touching});
+  if (now.contact_force) {
+    const auto& contact_force = *now.contact_force;
+    contact_forces_.rows.push_back({now.time, contact_force.place, contact_force.velocity, contact_force.force,
+                                    contact_force.largest, contact_force.touching});
   }
   if (growth_) {
     row.fracture_energy = growth_->fracture_energy();
-    books.energy += row.fracture_energy + growth_->frozen_energy();
-    row.energy_residual = residual_ = now.external_work - books.energy;
+    terms.energy += row.fracture_energy + growth_->frozen_energy();
+    row.energy_residual = residual_ = now.external_work - terms.energy;
     growth_->look(now.time);
   }
   recorder_.row(row, probes_, plate_.boundary());
   const auto when = fmt::format("at step {}, time {:g}", now.step, now.time);
-  if (plan_.moves()) energy_gate_.look(books, when);
-  if (plan_.moves() && last) energy_gate_.look(books, when);  // no further row looks back at this one
+  if (plan_.moves()) energy_balance_.check(terms, when);
+  if (plan_.moves() && last) energy_balance_.check(terms, when);  // no further row looks back at this one
   reactions_.add(now, growth_ ? growth_->plate() : plate_);
   if (!growth_) extremes_.row(now);
   times_.push_back(now.time);
@@ -224,7 +225,7 @@ void Results::frame(const plate::Instant& now) {
   if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);
   const bool rates = recorder_.stores() && plan_.moves();
   if (drawing_) {
-    if (mesh) drawing_ = std::make_unique<OwnDrawing>(plate_, *mesh), mesh = drawing_->mesh();
+    if (mesh) drawing_ = std::make_unique<OwnedMesh>(plate_, *mesh), mesh = drawing_->mesh();
     recorder_.frame(drawing_->frame(std::move(frame)), std::move(mesh),
                     rates ? drawing_->own(now.velocity()) : plate::State(3, 0));
     return;
@@ -259,11 +260,12 @@ post::Cracks Results::finish_growth(post::Summary& summary) {
   recorder_.table("growth", record.growth);
   recorder_.table("tips", record.tips);
   recorder_.table("cracks", record.crack_table());
-  const auto moved = growth_->moved();
-  summary.growth = post::GrowthSummary{in_words(moved), moved.advances,      {},           {},
-                                       moved.spent,     moved.largest_speed, moved.broken, moved.lengths};
-  for (const auto& some : {distrust_of_spent(*plan_.growth, moved, plan_.problem.section, remedy()),
-                           distrust_of_directions(moved, remedy()), record.cut_places(plan_.problem)})
+  const auto outcome = growth_->outcome();
+  summary.growth =
+      post::GrowthSummary{in_words(outcome), outcome.advances, {}, {}, outcome.spent, outcome.largest_speed,
+                          outcome.broken,    outcome.lengths};
+  for (const auto& some : {warnings_about_spent_energy(*plan_.growth, outcome, plan_.problem.section, remedy()),
+                           warnings_about_directions(outcome, remedy()), record.cut_places(plan_.problem)})
     summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
   summary.energy.emplace_back("fracture", growth_->fracture_energy());
   if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
@@ -282,7 +284,7 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   const auto cracks = growth_ ? finish_growth(summary) : post::given_cracks(plate_.paths());
   if (growth_ || !cracks.lines.empty()) recorder_.cracks(cracks, factors_.last());
   if (!reactions_.empty()) recorder_.table("reactions", reactions_.table());
-  if (!blows_.rows.empty()) recorder_.table("impact", blows_);
+  if (!contact_forces_.rows.empty()) recorder_.table("impact", contact_forces_);
   const auto& history = recorder_.history();
   if (plan_.moves() && recorder_.plots())
     recorder_.picture("curves",
@@ -296,12 +298,12 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
   const auto crack = [&](std::size_t tip) { return std::size_t(plate_.tips()[tip].crack); };
   for (const auto& some :
        {post::left_out(plate_.tips(), tip_methods_),
-        post::distrust_of_factors(summary.srif, factors_.largest(), section.thickness, remedy()),
-        factors_.distrust(plan_.analysis.tolerance), post::tips_that_grow(summary),
+        post::warnings_about_factors(summary.srif, factors_.largest(), section.thickness, remedy()),
+        factors_.warnings(plan_.analysis.tolerance), post::tips_that_grow(summary),
         post::sinking_supports(summary.reactions, plan_.problem,
                                section.thickness * summary.deflection_over_thickness.value_or(0)),
-        post::distrust_of_faces(overlaps, section, growth_ ? std::function<std::size_t(std::size_t)>() : crack,
-                                plan_.moves() ? at_time : std::function<std::string(double)>())})
+        post::warnings_about_faces(overlaps, section, growth_ ? std::function<std::size_t(std::size_t)>() : crack,
+                                   plan_.moves() ? at_time : std::function<std::string(double)>())})
     summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
   if (plan_.moves()) summary.overlaps = std::move(overlaps);
   summary = recorder_.finish(std::move(summary), stopwatch);
@@ -311,12 +313,12 @@ post::Summary Results::finish(post::Summary summary, plate::Stopwatch& stopwatch
 
 template <typename Archive>
 void Results::memory(Archive& archive) {
-  archive(factors_, reactions_, extremes_, pictures_, times_, residual_, energy_gate_, strain_energy_, external_work_,
-          next_frame_, blows_);
+  archive(factors_, reactions_, extremes_, pictures_, times_, residual_, energy_balance_, strain_energy_,
+          external_work_, next_frame_, contact_forces_);
 }
 
-void Results::remember(plate::OutArchive& archive) {
-  recorder_.remember(archive);
+void Results::save(plate::OutArchive& archive) {
+  recorder_.save(archive);
   if (!plate_.communicator().distributed()) return memory(archive);
   auto own = extremes_;
   extremes_.so_far(of_all(plate_.communicator(), own.so_far())), extremes_.state().resize(3, 0);
@@ -324,8 +326,8 @@ void Results::remember(plate::OutArchive& archive) {
   extremes_ = std::move(own);
 }
 
-void Results::recall(plate::InArchive& archive) {
-  recorder_.recall(archive);
+void Results::restore(plate::InArchive& archive) {
+  recorder_.restore(archive);
   memory(archive);
 }
 

@@ -19,12 +19,12 @@ namespace fracture {
 
 /// Part of a shared plate that one rank draws and stores: the points that it owns, and the cells about them, with the
 /// values of the ghosts that these cells have.
-class OwnDrawing {
+class OwnedMesh {
 public:
   /// `plate` must outlive this.
-  explicit OwnDrawing(const plate::Formulation& plate);
+  explicit OwnedMesh(const plate::Formulation& plate);
   /// `whole`: all points that the process sees, and their cells, where these are drawn.
-  OwnDrawing(const plate::Formulation& plate, const plate::Mesh& whole);
+  OwnedMesh(const plate::Formulation& plate, const plate::Mesh& whole);
 
   /// The own points come first, in the order that they have in the plate.
   const plate::Mesh& mesh() const { return mesh_; }
@@ -43,7 +43,7 @@ private:
 };
 
 /// Nothing where one process holds the whole plate.
-std::optional<OwnDrawing> own_drawing(const plate::Formulation& plate, const plate::Mesh& whole);
+std::optional<OwnedMesh> owned_mesh(const plate::Formulation& plate, const plate::Mesh& whole);
 
 }  // namespace fracture
 
@@ -113,8 +113,8 @@ public:
 
   /// Saves and restores the record of a motion; all frames so far are written then. Where ranks share the plate, the
   /// record is without state_of_largest(): it has what all ranks know. Collective.
-  void remember(plate::OutArchive& archive);
-  void recall(plate::InArchive& archive);
+  void save(plate::OutArchive& archive);
+  void restore(plate::InArchive& archive);
   /// Extremes::state().
   plate::State& state_of_largest() { return extremes_.state(); }
   double time_of_largest() const { return extremes_.time(); }
@@ -129,14 +129,14 @@ private:
   const plate::Formulation& plate_;
   const std::vector<post::TipMethods>& tip_methods_;
   post::Recorder recorder_;
-  post::Pictures pictures_;              // for the report
-  std::unique_ptr<OwnDrawing> drawing_;  // where processes share the plate
+  post::Pictures pictures_;             // for the report
+  std::unique_ptr<OwnedMesh> drawing_;  // where processes share the plate
   std::vector<post::Probe> probes_;
   post::FactorRows factors_;
   post::ReactionRows reactions_;
   post::Extremes extremes_;
-  post::EnergyGate energy_gate_;
-  post::Table blows_{{"time", "position", "velocity", "force", "largest_force", "contact_time"}, {}};
+  post::EnergyBalance energy_balance_;
+  post::Table contact_forces_{{"time", "position", "velocity", "force", "largest_force", "contact_time"}, {}};
   std::vector<double> times_;
   std::vector<post::Frequency> frequencies_;
   std::optional<post::AccuracySummary> accuracy_;

@@ -19,61 +19,61 @@
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
-#include "plate/solve/settled.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "post/factors/watched_motion.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/reactions.hpp"
 #include "post/report/terminal.hpp"
 
 namespace fracture {
-void KeptMotion::keep_to(Keeper& keeper, plate::DynamicOptions& options) {
-  options.due = [&] { return plate_.communicator().largest_of(keeper.due()) > 0; };
-  options.keep = [&](const plate::MotionMemory& now) {
-    plate_.communicator().distributed() ? keep_part(keeper, now) : keep(keeper, now);
+void MotionCheckpoints::checkpoint_to(RunCheckpoints& checkpoints, plate::DynamicOptions& options) {
+  options.due = [&] { return plate_.communicator().largest_of(checkpoints.due()) > 0; };
+  options.save = [&](const plate::MotionCheckpoint& now) {
+    plate_.communicator().distributed() ? save_part(checkpoints, now) : save(checkpoints, now);
   };
-  if (recall(keeper)) options.from = &memory_;
+  if (restore(checkpoints)) options.from = &memory_;
 }
 
-void KeptMotion::keep(Keeper& keeper, const plate::MotionMemory& now) {
-  keeper.keep([&](plate::OutArchive& archive) {
+void MotionCheckpoints::save(RunCheckpoints& checkpoints, const plate::MotionCheckpoint& now) {
+  checkpoints.save([&](plate::OutArchive& archive) {
     archive(now);
-    results_.remember(archive);
-    if (growth_) growth_->remember(archive);
+    results_.save(archive);
+    if (growth_) growth_->save(archive);
   });
 }
 
-void KeptMotion::keep_part(Keeper& keeper, const plate::MotionMemory& now) {
+void MotionCheckpoints::save_part(RunCheckpoints& checkpoints, const plate::MotionCheckpoint& now) {
   std::vector<const plate::State*> states{&now.state, &now.velocity};
-  if (remembers_earlier(now.step)) states.push_back(&now.earlier);
+  if (saves_earlier(now.step)) states.push_back(&now.earlier);
   states.push_back(&results_.state_of_largest());
   const auto own = own_values(plate_.boundary(), states);
   auto common = now;
   common.state = {}, common.velocity = {}, common.earlier = {};
-  keeper.keep(
+  checkpoints.save(
       [&](plate::OutArchive& archive) {
         archive(common);
-        results_.remember(archive);
-        if (growth_) growth_->remember(archive);
+        results_.save(archive);
+        if (growth_) growth_->save(archive);
       },
       &own);
 }
 
-bool KeptMotion::recall(Keeper& keeper) {
-  const bool found = keeper.recall([&](plate::InArchive& archive) {
+bool MotionCheckpoints::restore(RunCheckpoints& checkpoints) {
+  const bool found = checkpoints.restore([&](plate::InArchive& archive) {
     archive(memory_);
-    results_.recall(archive);
-    if (growth_) growth_->recall(archive);
+    results_.restore(archive);
+    if (growth_) growth_->restore(archive);
   });
-  if (found && plate_.communicator().distributed()) recall_part(keeper);
+  if (found && plate_.communicator().distributed()) restore_part(checkpoints);
   return found;
 }
 
-void KeptMotion::recall_part(const Keeper& keeper) {
+void MotionCheckpoints::restore_part(const RunCheckpoints& checkpoints) {
   auto& largest = results_.state_of_largest();
   std::vector<plate::State*> states{&memory_.state, &memory_.velocity};
-  if (remembers_earlier(memory_.step)) states.push_back(&memory_.earlier);
+  if (saves_earlier(memory_.step)) states.push_back(&memory_.earlier);
   states.push_back(&largest);
-  put_values(plate_.boundary(), keeper.parts(), states);
+  put_values(plate_.boundary(), checkpoints.parts(), states);
   (growth_ ? growth_->constraints() : plate_.constraints()).impose(memory_.state);
   if (largest.cols() == 0) return;
   plate_.constraints().impose(largest);
@@ -81,7 +81,7 @@ void KeptMotion::recall_part(const Keeper& keeper) {
 }
 
 /// The state of the step before: from the second one on, where the stiffness damps.
-bool KeptMotion::remembers_earlier(std::size_t step) const {
+bool MotionCheckpoints::saves_earlier(std::size_t step) const {
   const auto& damping = results_.plan().analysis.damping;
   return step > 0 && damping && damping->stiffness > 0;
 }
@@ -91,10 +91,10 @@ namespace {
 using plate::Analysis;
 
 /// The part of the strain energy that foundations and springs have.
-void book_attached(const plate::Formulation& plate, const plate::State& state, post::Summary& summary) {
-  const auto& [attached, map] = std::tie(plate.boundary().attached, plate.boundary().map);
-  if (!attached.parts().empty()) summary.energy.emplace_back("attached", attached.energy(state, map));
-  if (attached.lifts_off()) summary.touching = attached.share_touching(state, map);
+void add_elastic_support_energy(const plate::Formulation& plate, const plate::State& state, post::Summary& summary) {
+  const auto& [elastic_supports, map] = std::tie(plate.boundary().elastic_supports, plate.boundary().map);
+  if (!elastic_supports.parts().empty()) summary.energy.emplace_back("attached", elastic_supports.energy(state, map));
+  if (elastic_supports.unilateral()) summary.touching = elastic_supports.contact_share(state, map);
 }
 
 /// Where forces are no derivative of an energy, that and the work tell how coarse the points are. Measured with surface
@@ -124,7 +124,7 @@ void look_at_multipliers(double share, const plate::Formulation& plate, std::vec
 
 /// A run on its way.
 struct Going {
-  const Ready& ready;
+  const ValidatedPlate& ready;
   Results& results;
   post::Summary& summary;
   plate::Stopwatch& stopwatch;
@@ -173,15 +173,15 @@ void solve_static(const Going& run) {
   stopwatch.lap("second_formulation");
   summary.multipliers = plate.multipliers(solution.state);
   summary.energy = {{"strain", results.strain_energy()}, {"external_work", results.external_work()}};
-  book_attached(plate, solution.state, summary);
+  add_elastic_support_energy(plate, solution.state, summary);
   if (!post::moves(solution.state, work, plate.communicator()))
     post::require_motion(plate, post::forces_of(plate), solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
                                             solution.stop_reason, solution.residual, analysis.tolerance));
   if (plate.offers(plate::Feature::symmetry))
-    post::EnergyGate(post::EnergyGate::Plate::rests)
-        .look({strain + post::energy_about(plate), strain, work}, "in equilibrium");
+    post::EnergyBalance(post::EnergyBalance::Plate::rests)
+        .check({strain + post::energy_about(plate), strain, work}, "in equilibrium");
   else
     look_for_coarseness(strain, work, plate, summary.warnings);
   if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate, summary.warnings);
@@ -203,7 +203,7 @@ std::function<void(const plate::Instant&)> observer(const Going& run, std::size_
     summary.energy = {{"strain", results.strain_energy()},
                       {"kinetic", now.kinetic_energy},
                       {"external_work", results.external_work()}};
-    book_attached(*ready.plate, now.state, summary);
+    add_elastic_support_energy(*ready.plate, now.state, summary);
     if (run.analysis().damping) summary.energy.emplace_back("dissipated", now.dissipated);
     if (is_last && !post::moves(now.state, now.external_work, ready.plate->communicator()))
       post::require_motion(*ready.plate, post::forces_of(*ready.plate), now.state, now.external_work, summary.warnings);
@@ -241,7 +241,7 @@ void solve_by_lanczos(const Going& run) {
   summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors());
 }
 
-void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
+void solve_dynamic(const Going& run, MovingGrowth* growth, RunCheckpoints* checkpoints) {
   auto& [ready, results, summary, stopwatch] = run;
   const auto& analysis = run.analysis();
   const plate::Formulation& plate = *ready.plate;
@@ -263,9 +263,9 @@ void solve_dynamic(const Going& run, MovingGrowth* growth, Keeper* keeper) {
   if (analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
   if (growth) options.changes = &growth->changes();
   options.held_forces = true;
-  options.whole_mass = plate::driven_mass(plate, analysis.rotary_inertia);
-  KeptMotion motion(plate, results, growth);
-  if (keeper) motion.keep_to(*keeper, options);
+  options.unconstrained_mass = plate::driven_mass(plate, analysis.rotary_inertia);
+  MotionCheckpoints motion(plate, results, growth);
+  if (checkpoints) motion.checkpoint_to(*checkpoints, options);
   plate::central_differences(growth ? growth->plate() : plate, constraints, plate.mass(analysis.rotary_inertia),
                              plate.loads(), options, observer(run, grid.steps, progress));
   summary.analysis.stop_reason = "end of the duration";
@@ -301,13 +301,13 @@ void solve_frequencies(const Going& run) {
   summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
 }
 
-void solve(const Going& run, MovingGrowth* growth, Keeper* keeper) {
+void solve(const Going& run, MovingGrowth* growth, RunCheckpoints* checkpoints) {
   switch (run.analysis().kind) {
     case Analysis::Kind::static_:
       return solve_static(run);
     case Analysis::Kind::dynamic:
       return run.analysis().method == Analysis::Method::lanczos ? solve_by_lanczos(run)
-                                                                : solve_dynamic(run, growth, keeper);
+                                                                : solve_dynamic(run, growth, checkpoints);
     case Analysis::Kind::frequencies:
       return solve_frequencies(run);
     case Analysis::Kind::harmonic:
@@ -317,7 +317,8 @@ void solve(const Going& run, MovingGrowth* growth, Keeper* keeper) {
 
 }  // namespace
 
-post::Summary run_once(const Ready& ready, Results& results, plate::Stopwatch& stopwatch, Keeper* keeper) {
+post::Summary run_once(const ValidatedPlate& ready, Results& results, plate::Stopwatch& stopwatch,
+                       RunCheckpoints* checkpoints) {
   const RunPlan& plan = results.plan();
   std::unique_ptr<MovingGrowth> growth;
   if (plan.growth) {
@@ -327,7 +328,7 @@ post::Summary run_once(const Ready& ready, Results& results, plate::Stopwatch& s
   return carried_out(
       about(plan, *ready.plate, ready.warnings), *ready.plate,
       [&](post::Summary& summary) {
-        solve({ready, results, summary, stopwatch}, growth.get(), keeper);
+        solve({ready, results, summary, stopwatch}, growth.get(), checkpoints);
       },
       [&](post::Summary summary) { return results.finish(std::move(summary), stopwatch); });
 }

@@ -41,7 +41,7 @@ struct RunPlan {
 plate::GridOptions grid_options(const RunPlan& plan);
 
 /// A plate with all that can be refused of its run behind it: nothing has been written yet.
-struct Ready {
+struct ValidatedPlate {
   struct Steps {
     double limit;
     plate::TimeGrid grid;

@@ -13,8 +13,8 @@
 #include <stdexcept>
 
 #include "plate/model/wording.hpp"
+#include "post/files/atomic_file.hpp"
 #include "post/files/table.hpp"
-#include "post/files/whole_file.hpp"
 #include "post/report/html_page.hpp"
 #include "post/report/quantity.hpp"
 
@@ -306,9 +306,9 @@ void write(const ComparedRun& run, const std::filesystem::path& drawing, const s
     const auto summary = read_summary(run.folder / "summary.json");
     const auto curves = plot(run.rows, title_of(run.folder), summary && summary->units == "SI");
     const bool page = drawing.extension() == ".html";
-    write_whole(drawing, page ? comparison_page(curves, to_text(run.rows)) : to_svg(curves));
+    write_atomically(drawing, page ? comparison_page(curves, to_text(run.rows)) : to_svg(curves));
   }
-  if (!json.empty()) write_whole(json, to_json(run.rows, run.above));
+  if (!json.empty()) write_atomically(json, to_json(run.rows, run.above));
 }
 
 }  // namespace post

@@ -64,8 +64,8 @@ Extremes read_extremes(const std::filesystem::path& path) {
   Extremes extremes;
   extremes.title = path.stem().string();
   read_fields(extremes_fields(), Value(root, "", reading), extremes);
-  for (const auto& [key, what] : post::faults({extremes.rows.begin(), extremes.rows.end()}))
-    if (reading.sound(key)) reading.complain(key, what);
+  for (const auto& [key, what] : post::errors({extremes.rows.begin(), extremes.rows.end()}))
+    if (reading.sound(key)) reading.report_error(key, what);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   return extremes;
 }

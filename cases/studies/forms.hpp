@@ -31,7 +31,7 @@ Field<T> case_file() {
     if (!name) return;
     object.case_file = std::filesystem::path(given.reading().found().place("")).parent_path() / *name;
     if (!std::filesystem::exists(*object.case_file))
-      given.complain(fmt::format("no such file: {}", object.case_file->string()));
+      given.report_error(fmt::format("no such file: {}", object.case_file->string()));
   });
 }
 

@@ -5,9 +5,9 @@
 #include <exception>
 #include <string_view>
 
+#include "post/files/atomic_file.hpp"
 #include "post/files/run_folder.hpp"
 #include "post/files/table.hpp"
-#include "post/files/whole_file.hpp"
 
 namespace post {
 namespace {
@@ -124,7 +124,7 @@ std::optional<RunRecord> Ledger::done(const RunRecord& wanted, std::size_t repea
 void Ledger::put(const RunRecord& record) const {
   std::filesystem::create_directories(folder_);
   const auto text = csv_text({columns(), {row_of(record)}});
-  write_whole(file_of(record.run), text + std::string(mark) + digest(text) + "\n");
+  write_atomically(file_of(record.run), text + std::string(mark) + digest(text) + "\n");
 }
 
 void Ledger::forget(const std::string& run) const {

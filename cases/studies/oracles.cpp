@@ -124,7 +124,7 @@ std::vector<Verdict> verdicts(const Oracles& row, const ExtremeRun& run,
   return Judge(row, run, before).verdicts();
 }
 
-std::vector<std::pair<std::string, std::string>> faults(const std::vector<Oracles>& rows) {
+std::vector<std::pair<std::string, std::string>> errors(const std::vector<Oracles>& rows) {
   std::vector<std::pair<std::string, std::string>> found;
   std::set<std::string> before;
   for (std::size_t i = 0; i < rows.size(); ++i) {

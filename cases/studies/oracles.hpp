@@ -43,7 +43,7 @@ struct Oracles {
 };
 
 /// Every row has a name of its own and an oracle; what it should equal stands before it. Keys, and what is wrong.
-std::vector<std::pair<std::string, std::string>> faults(const std::vector<Oracles>& rows);
+std::vector<std::pair<std::string, std::string>> errors(const std::vector<Oracles>& rows);
 
 /// The titles of the rows whose group or title contains this, and of those that they should equal.
 std::set<std::string> chosen(const std::vector<Oracles>& rows, const std::string& only);

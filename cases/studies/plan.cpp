@@ -11,7 +11,7 @@ using post::Reference;
 /// A file that is named relative to the study file.
 fs::path beside_study(const Value& given, const std::string& name) {
   const fs::path path = fs::path(given.reading().found().place("")).parent_path() / name;
-  if (!fs::exists(path)) given.complain(fmt::format("no such file: {}", path.string()));
+  if (!fs::exists(path)) given.report_error(fmt::format("no such file: {}", path.string()));
   return path;
 }
 
@@ -68,17 +68,19 @@ void load(const Value& reference, post::KnownCurve& known) {
     const auto has = [&](const std::string& name) {
       return std::ranges::find(table.columns, name) != table.columns.end();
     };
-    if (!has("t")) return reading.complain(file, "the file has no column t, so it holds no curves");
+    if (!has("t")) return reading.report_error(file, "the file has no column t, so it holds no curves");
     if (!has(known.column))
-      return reading.complain(column, fmt::format("\"{}\" given, must be one of {}{}", known.column,
-                                                  listed(table.columns), did_you_mean(known.column, table.columns)));
+      return reading.report_error(column,
+                                  fmt::format("\"{}\" given, must be one of {}{}", known.column, listed(table.columns),
+                                              did_you_mean(known.column, table.columns)));
     known.curve = post::curve(table, "t", known.column);
   } catch (const std::exception& error) {
-    return reading.complain(file, error.what());
+    return reading.report_error(file, error.what());
   }
   const auto& [t, y] = known.curve;
   if (t.size() < 2 || !std::ranges::is_sorted(t) || std::ranges::all_of(y, [](double value) { return value == 0; }))
-    reading.complain(column, "the curve must have two samples or more, other than 0, with times that do not go back");
+    reading.report_error(column,
+                         "the curve must have two samples or more, other than 0, with times that do not go back");
 }
 
 /// One of value, finest and curve is given.
@@ -88,13 +90,13 @@ void check_reference(const Value& given, Reference& reference) {
   for (const std::string name : {"value", "finest", "curve"})
     if (reading.given(given.below(name))) found.push_back(name);
   if (found.empty())
-    reading.complain(given.below("value"),
-                     "is missing, must be a number; or give finest = true, or curve = \"FILE.csv\" and column");
-  if (found.size() > 1) given.complain(fmt::format("{} given, must be one of them", fmt::join(found, " and ")));
+    reading.report_error(given.below("value"),
+                         "is missing, must be a number; or give finest = true, or curve = \"FILE.csv\" and column");
+  if (found.size() > 1) given.report_error(fmt::format("{} given, must be one of them", fmt::join(found, " and ")));
   if (found == std::vector<std::string>{"value"} && !reference.scale && reading.sound(given.below("value")) &&
       std::get<double>(reference.known) == 0)
-    reading.complain(given.below("value"),
-                     "0 given, must be a number other than 0, because errors are relative to it; or give scale");
+    reading.report_error(given.below("value"),
+                         "0 given, must be a number other than 0, because errors are relative to it; or give scale");
   const bool is_sound = found.size() == 1 && reading.sound(given.key());
   if (is_sound && has_curve(reference)) load(given, std::get<post::KnownCurve>(reference.known));
 }

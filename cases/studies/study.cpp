@@ -138,20 +138,20 @@ void check_axes(const Study& study, Reading& reading) {
     const auto& [name, key, points] = study.axes[i];
     const std::string axis = element("axis", i);
     if (!name.empty() && !columns.insert(name).second)
-      reading.complain(axis + ".name", fmt::format("\"{}\" is a column of study.csv or orders.csv already", name));
+      reading.report_error(axis + ".name", fmt::format("\"{}\" is a column of study.csv or orders.csv already", name));
     if (points.empty() && reading.sound(axis + ".point") && reading.sound(axis + ".key") &&
         reading.sound(axis + ".values"))
-      reading.complain(axis + ".point", "is missing, must be [[axis.point]] with a label; or give key and values");
+      reading.report_error(axis + ".point", "is missing, must be [[axis.point]] with a label; or give key and values");
     std::set<std::string> labels;
     for (std::size_t j = 0; j < points.size(); ++j) {
       const std::string label_key = key.empty() ? element(axis + ".point", j) + ".label" : element(axis + ".values", j);
       if (const auto& label = points[j].label; !label.empty() && !labels.insert(label).second)
-        reading.complain(label_key, fmt::format("\"{}\" is given twice", label));
+        reading.report_error(label_key, fmt::format("\"{}\" is given twice", label));
     }
     runs *= double(points.size());
   }
   constexpr double most = 10000;  // a slip: runs take seconds or more
-  if (runs > most) reading.complain("axis", fmt::format("{:g} combinations, must be at most {:g}", runs, most));
+  if (runs > most) reading.report_error("axis", fmt::format("{:g} combinations, must be at most {:g}", runs, most));
 }
 
 /// The axes and labels of a reference exist.
@@ -160,13 +160,13 @@ void check_where(const Study& study, const Reference& reference, const std::stri
     const std::string at = key + ".where." + name;
     const auto axis = std::ranges::find(study.axes, name, &Axis::name);
     if (axis == study.axes.end()) {
-      reading.complain(at, fmt::format("no axis \"{}\"{}", name, did_you_mean(name, study.axis_names())));
+      reading.report_error(at, fmt::format("no axis \"{}\"{}", name, did_you_mean(name, study.axis_names())));
       continue;
     }
     std::vector<std::string> labels;
     for (const auto& point : axis->points) labels.push_back(point.label);
     if (std::ranges::find(labels, label) == labels.end())
-      reading.complain(at, fmt::format("\"{}\" given, must be one of {}", label, listed(labels)));
+      reading.report_error(at, fmt::format("\"{}\" given, must be one of {}", label, listed(labels)));
   }
 }
 
@@ -180,8 +180,8 @@ void check_references(const Study& study, Reading& reading) {
         std::find_if(references.begin(), end, [&](const auto& r) { return post::overlap(r, references[j]); });
     const std::string other = element("reference", std::size_t(same - references.begin()));
     if (same != end && reading.sound(key))
-      reading.complain(key, fmt::format("matches a run with the same quantity as {} ({}): one for each run", other,
-                                        reading.found().place(other)));
+      reading.report_error(key, fmt::format("matches a run with the same quantity as {} ({}): one for each run", other,
+                                            reading.found().place(other)));
   }
 }
 
@@ -199,12 +199,12 @@ public:
     for (auto& [problem, runs] : problems_) {
       if (runs.size() < all.size())
         problem.what += fmt::format(" (in {} of {} runs, first: {})", runs.size(), all.size(), runs.front());
-      reading_.complain(problem);
+      reading_.report_error(problem);
     }
   }
 
 private:
-  void complain(const Problem& problem, const StudyRun& run) {
+  void report_error(const Problem& problem, const StudyRun& run) {
     auto same = std::ranges::find_if(problems_, [&](const auto& known) {
       return known.first.place == problem.place && known.first.key == problem.key && known.first.what == problem.what;
     });
@@ -222,7 +222,7 @@ private:
       if (point.case_file) path = point.case_file;
       set.insert(set.end(), point.set.begin(), point.set.end());
     }
-    if (!path) return complain({reading_.found().place("case"), "case", "is missing, must be a case file"}, run);
+    if (!path) return report_error({reading_.found().place("case"), "case", "is missing, must be a case file"}, run);
     std::vector<std::string> overrides;
     for (const auto& setting : set) overrides.push_back(setting.text);
     try {
@@ -232,7 +232,7 @@ private:
         const std::string where = problem.place;  // an override's becomes that of the study file
         for (const auto& [text, place] : set)
           if (where == "--set " + text.substr(0, text.find('='))) problem.place = place;
-        complain(problem, run);
+        report_error(problem, run);
       }
       return;
     }
@@ -244,7 +244,7 @@ private:
       if (lack.empty())
         listed.push_back(quantity);
       else
-        complain({reading_.found().place(key), key, lack}, run);
+        report_error({reading_.found().place(key), key, lack}, run);
     }
     run.wanted =
         post::wanted(listed, study_.references, study_.axis_names(), run.labels, [&](std::size_t i, bool needed) {
@@ -252,11 +252,12 @@ private:
           const std::string key = element("reference", i), lack = lacking(plan, reference.quantity);
           const bool is_static = run.file.content.analysis.kind == Analysis::Kind::static_;
           const bool is_curve = std::holds_alternative<post::KnownCurve>(reference.known);
-          if (needed && !lack.empty()) complain({reading_.found().place(key), key, lack}, run);
+          if (needed && !lack.empty()) report_error({reading_.found().place(key), key, lack}, run);
           if (needed && is_curve && !post::has_history(reference.quantity.name))
-            complain({reading_.found().place(key), key, "is one number, and has no curve in time"}, run);
+            report_error({reading_.found().place(key), key, "is one number, and has no curve in time"}, run);
           if (needed && is_curve && is_static)
-            complain({reading_.found().place(key), key, "the case is static, so it has no history for a curve"}, run);
+            report_error({reading_.found().place(key), key, "the case is static, so it has no history for a curve"},
+                         run);
           return lack.empty();
         });
     study_.runs.push_back(std::move(run));
@@ -274,7 +275,7 @@ void check_finest(const Study& study, Reading& reading) {
   const auto along = post::refinement(rows);
   for (std::size_t i = 0; i < study.references.size(); ++i)
     if (std::holds_alternative<post::Finest>(study.references[i].known) && (!along || along->by_horizon))
-      reading.complain(element("reference", i) + ".finest", "no axis changes the spacing, so no run is the finest");
+      reading.report_error(element("reference", i) + ".finest", "no axis changes the spacing, so no run is the finest");
 }
 
 }  // namespace

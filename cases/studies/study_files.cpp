@@ -8,8 +8,8 @@
 
 #include "cases/studies/orders.hpp"
 #include "cases/studies/study_plots.hpp"
+#include "post/files/atomic_file.hpp"
 #include "post/files/table.hpp"
-#include "post/files/whole_file.hpp"
 #include "post/report/html_report.hpp"
 #include "post/report/printed.hpp"
 
@@ -158,9 +158,9 @@ std::string to_json(const std::string& title, const StudyTable& study) {
 
 void write_study(const StudyTable& study, const StudyTitles& titles, const std::filesystem::path& folder) {
   write_csv(folder / "study.csv", table(study));
-  write_whole(folder / "study.json", to_json(titles.title, study));
+  write_atomically(folder / "study.json", to_json(titles.title, study));
   if (refinement(study.rows)) write_csv(folder / "orders.csv", orders_table(study));
-  for (const auto& [name, plot] : study_plots(study, titles)) write_whole(folder / name, to_svg(plot));
+  for (const auto& [name, plot] : study_plots(study, titles)) write_atomically(folder / name, to_svg(plot));
   write_study_report(folder, titles.title);
 }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cases/input/toml_reader.hpp"
-#include "post/files/whole_file.hpp"
+#include "post/files/atomic_file.hpp"
 
 namespace cases {
 namespace {
@@ -19,7 +19,7 @@ std::string case_beside(std::string_view study, const std::filesystem::path& pat
   const auto beside = path.parent_path() / name;
   if (std::filesystem::exists(beside))
     return fmt::format("{} exists and is used as the case of the study\n", beside.string());
-  post::write_whole(beside, std::string(templates().at(name)));
+  post::write_atomically(beside, std::string(templates().at(name)));
   return fmt::format("{} written: the case of the study\n", beside.string());
 }
 
@@ -49,7 +49,7 @@ std::string new_case(const std::string& name, const std::string& file) {
                                   fmt::join(template_names(), ", "))}});
   const std::filesystem::path path = file.empty() ? name + ending : file;
   if (std::filesystem::exists(path)) throw CaseError({{"new", path.string(), "exists, and is not overwritten"}});
-  post::write_whole(path, std::string(found->second));
+  post::write_atomically(path, std::string(found->second));
   const auto beside = case_beside(found->second, path);
   return fmt::format("{}{} written; pdplate {} {}\n", beside, path.string(), beside.empty() ? "run" : "study",
                      path.string());

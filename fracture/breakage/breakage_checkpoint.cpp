@@ -34,43 +34,43 @@ std::optional<std::uint32_t> PointKeys::point(const PointKey& key) const {
   return found->second[std::size_t(which) - 1];
 }
 
-std::vector<SeveredFamily> of_all(const plate::Communicator& all, std::vector<SeveredFamily> own) {
+std::vector<DamagedFamily> of_all(const plate::Communicator& all, std::vector<DamagedFamily> own) {
   if (!all.distributed()) return own;
   std::ostringstream text;
   {
     plate::OutArchive archive(text);
     archive(own);
   }
-  std::vector<SeveredFamily> result;
+  std::vector<DamagedFamily> result;
   for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), text.str()))) {
     std::istringstream in(one);
     plate::InArchive archive(in);
-    std::vector<SeveredFamily> theirs;
+    std::vector<DamagedFamily> theirs;
     archive(theirs);
     std::ranges::move(theirs, std::back_inserter(result));
   }
   return result;
 }
 
-void SeveredPlate::save(plate::OutArchive& archive) const {
+void DamagedPlate::save(plate::OutArchive& archive) const {
   archive(memory());
 }
 
-void SeveredPlate::load(plate::InArchive& archive) {
-  SeveredMemory memory;
+void DamagedPlate::load(plate::InArchive& archive) {
+  BreakageCheckpoint memory;
   archive(memory);
-  recall(memory);
+  restore(memory);
 }
 
-SeveredMemory SeveredPlate::memory() const {
-  SeveredMemory result;
+BreakageCheckpoint DamagedPlate::memory() const {
+  BreakageCheckpoint result;
   const PointKeys keys(boundary_);
   for (std::size_t number = 0; number < changed_.size(); ++number) {
-    const auto& [now, target, a_target, left, severed] = changed_[number];
+    const auto& [now, target, a_target, left, ongoing] = changed_[number];
     if (!boundary_.owns(now.point)) continue;
-    SeveredFamily one{keys.of(now.point), first_losses_[number].event, first_losses_[number].place, now.a, left, {}};
+    DamagedFamily one{keys.of(now.point), first_losses_[number].event, first_losses_[number].place, now.a, left, {}};
     for (const auto& going : going_)
-      if (severed && std::ranges::binary_search(going.points, now.point)) one.severing = going.number;
+      if (ongoing && std::ranges::binary_search(going.points, now.point)) one.breakage = going.number;
     for (std::size_t i = 0; i < now.bonds.size(); ++i) {
       one.broken.push_back(broken_.broken(now.point, i));
       const auto& weights = now.bonds[i].weights;
@@ -80,15 +80,15 @@ SeveredMemory SeveredPlate::memory() const {
   }
   result.families = of_all(communicator(), std::move(result.families));
   for (const auto& one : going_) result.going.emplace_back(one.number, one.share);
-  result.events = events_, result.severings = severings_, result.easing_left = easing_left_;
+  result.events = events_, result.breakages = breakages_, result.easing_left = easing_left_;
   return result;
 }
 
 /// Families come in the order in which they lost their first bonds, as every process had them: of a piece of crack by
 /// their points, of single bonds by these.
-void SeveredPlate::recall(const SeveredMemory& memory) {
+void DamagedPlate::restore(const BreakageCheckpoint& memory) {
   const PointKeys keys(boundary_);
-  std::vector<std::pair<std::uint32_t, const SeveredFamily*>> found;
+  std::vector<std::pair<std::uint32_t, const DamagedFamily*>> found;
   for (const auto& one : memory.families)
     if (const auto k = keys.point(one.point); k && known(*k)) found.emplace_back(*k, &one);
   std::ranges::sort(found, {},
@@ -101,17 +101,17 @@ void SeveredPlate::recall(const SeveredMemory& memory) {
     for (std::size_t i = 0; i < one->broken.size(); ++i)
       if (one->broken[i]) lose(k, i, one->place);
     auto& changed = change(k);
-    changed.now.a = one->a, changed.left = one->left, changed.severed = one->severing.has_value();
+    changed.now.a = one->a, changed.left = one->left, changed.ongoing = one->breakage.has_value();
     for (std::size_t i = 0; i < changed.now.bonds.size(); ++i)
       changed.now.bonds[i].weights = {one->weights[3 * i], one->weights[3 * i + 1], one->weights[3 * i + 2]};
     retarget(k);
     differ(std::size_t(broken_.number(k)));
     if (one->left > 0) easing_.push_back(k);
-    if (one->severing) std::ranges::find(going_, *one->severing, &Severing::number)->points.push_back(k);
+    if (one->breakage) std::ranges::find(going_, *one->breakage, &OngoingBreakage::number)->points.push_back(k);
   }
   std::ranges::sort(easing_);
   for (auto& one : going_) std::ranges::sort(one.points);
-  events_ = memory.events, severings_ = memory.severings, easing_left_ = memory.easing_left;
+  events_ = memory.events, breakages_ = memory.breakages, easing_left_ = memory.easing_left;
 }
 
 }  // namespace fracture

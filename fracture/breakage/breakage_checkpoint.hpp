@@ -32,40 +32,40 @@ private:
 };
 
 /// A family that has lost bonds, as it is by now.
-struct SeveredFamily {
+struct DamagedFamily {
   PointKey point{};
   std::uint64_t event = 0, place = 0;  // when it lost the first: in which severing, and as which there
   double a = 0;
   unsigned left = 0;                    // Change::left
-  std::optional<std::size_t> severing;  // that goes on
+  std::optional<std::size_t> breakage;  // that goes on
   std::vector<char> broken = {};        // of every bond of the family at the start
   std::vector<double> weights = {};     // D, B, S of every bond
 
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(point, event, place, a, left, severing, broken, weights);
+    archive(point, event, place, a, left, breakage, broken, weights);
   }
 };
 
 /// All that has been severed of a plate, by whichever processes.
-struct SeveredMemory {
-  std::vector<SeveredFamily> families;
+struct BreakageCheckpoint {
+  std::vector<DamagedFamily> families;
   std::vector<std::pair<std::size_t, double>> going;  // severings that go on: number, share
   std::uint64_t events = 0;                           // severings of both kinds so far
-  std::size_t severings = 0;                          // of pieces of cracks
+  std::size_t breakages = 0;                          // of pieces of cracks
   unsigned easing_left = 0;
 
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(families, going, events, severings, easing_left);
+    archive(families, going, events, breakages, easing_left);
   }
 };
 
 /// Families that have lost bonds, gathered from all ranks. Collective.
-std::vector<SeveredFamily> of_all(const plate::Communicator& all, std::vector<SeveredFamily> own);
+std::vector<DamagedFamily> of_all(const plate::Communicator& all, std::vector<DamagedFamily> own);
 
 /// A point with its state and its velocity half a step before.
-struct KeptPoint {
+struct SavedPoint {
   PointKey point{};
   std::array<double, 3> state{}, velocity{};
 

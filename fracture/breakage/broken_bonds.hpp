@@ -59,7 +59,7 @@ struct Change {
   std::vector<plate::BondWeights> target;
   double a_target;
   unsigned left = 0;     // steps to the target, of single bonds
-  bool severed = false;  // by a piece of crack that goes on
+  bool ongoing = false;  // by a piece of crack that goes on
 };
 
 /// Contribution of a changed family to the forces: one bond of the family.

@@ -40,7 +40,7 @@ double energy_of_step(const plate::OwnFamily& family, const Motion& motion) {
 
 }  // namespace
 
-SeveredPlate::SeveredPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary,
+DamagedPlate::DamagedPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary,
                            const plate::FamilyRule& rule, std::shared_ptr<const plate::Surroundings> seen)
     : base_(base),
       boundary_(boundary),
@@ -53,7 +53,7 @@ SeveredPlate::SeveredPlate(const plate::FamilyOperator& base, const plate::Bound
 }
 
 /// `left`: share of the family's second moment that is left; `ids`: of its bond vectors.
-void SeveredPlate::soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const {
+void DamagedPlate::soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     auto& bond = family.bonds[i];
     const auto& most = stiffest_.bonds[ids[i]];
@@ -68,17 +68,17 @@ void SeveredPlate::soften(plate::FamilyWeights& family, double left, const std::
   for (auto& bond : family.bonds) bond.B *= bending, bond.S *= shear;
 }
 
-double SeveredPlate::a(std::size_t k) const {
+double DamagedPlate::a(std::size_t k) const {
   const auto number = broken_.number(k);
   return number < 0 ? base_.weights().a[base_.weights().kind[k]] : changed_[std::size_t(number)].now.a;
 }
 
-const plate::BondWeights& SeveredPlate::weights(std::size_t k, std::size_t i) const {
+const plate::BondWeights& DamagedPlate::weights(std::size_t k, std::size_t i) const {
   const auto number = broken_.number(k);
   return number < 0 ? base_.weights().of(k, i) : changed_[std::size_t(number)].now.bonds[i].weights;
 }
 
-Change& SeveredPlate::change(std::uint32_t k) {
+Change& DamagedPlate::change(std::uint32_t k) {
   const auto number = std::size_t(broken_.number(k));
   if (number < changed_.size()) return changed_[number];
   const auto& weights = base_.weights();
@@ -94,7 +94,7 @@ Change& SeveredPlate::change(std::uint32_t k) {
   return changed_.emplace_back(std::move(result));
 }
 
-void SeveredPlate::retarget(std::uint32_t k) {
+void DamagedPlate::retarget(std::uint32_t k) {
   auto& one = change(k);
   std::vector<plate::FamilyBond> bonds;
   std::vector<std::uint32_t> ids;
@@ -121,9 +121,9 @@ void SeveredPlate::retarget(std::uint32_t k) {
     if (!broken_.broken(k, i)) one.target[i] = *next++;
 }
 
-double SeveredPlate::approach(std::uint32_t k, double fraction, const Motion& motion) {
+double DamagedPlate::approach(std::uint32_t k, double fraction, const Motion& motion) {
   const auto number = std::size_t(broken_.number(k));
-  auto& [now, target, a_target, left, severed] = changed_[number];
+  auto& [now, target, a_target, left, ongoing] = changed_[number];
   const double before = energy_of_step(now, motion);
   const auto mix = [fraction](double from, double to) { return fraction == 1 ? to : from + fraction * (to - from); };
   now.a = mix(now.a, a_target);
@@ -135,7 +135,7 @@ double SeveredPlate::approach(std::uint32_t k, double fraction, const Motion& mo
   return before - energy_of_step(now, motion);
 }
 
-void SeveredPlate::differ(std::size_t number) {
+void DamagedPlate::differ(std::size_t number) {
   const auto& now = changed_[number].now;
   for (std::size_t i = 0; i < now.bonds.size(); ++i) {
     const auto& weights = now.bonds[i].weights;
@@ -148,22 +148,24 @@ void SeveredPlate::differ(std::size_t number) {
 }
 
 /// `place`: among those of the severing.
-void SeveredPlate::lose(std::uint32_t k, std::size_t i, std::uint64_t place) {
+void DamagedPlate::lose(std::uint32_t k, std::size_t i, std::uint64_t place) {
   const auto before = broken_.points();
   broken_.set(k, i);
   if (broken_.points() > before) first_losses_.push_back({events_, place});
 }
 
-std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, bool at_back, double piece) {
+std::optional<std::size_t> DamagedPlate::break_bonds(const geometry::CrackPath& path, bool at_back, double piece) {
   const auto& units = boundary_.cloud.units;
   const auto lattice = geometry::to_lattice({path}, units).front();
   const auto& v = lattice.vertices;
   const geometry::Point end = at_back ? v.back() : v.front(), before = at_back ? v[v.size() - 2] : v[1];
   const geometry::Point begin = end + std::min(1.0, piece / units.spacing / (before - end).norm()) * (before - end);
-  const auto cut = [&](const geometry::Point& p, const geometry::Point& q) { return geometry::severs(lattice, p, q); };
+  const auto cut = [&](const geometry::Point& p, const geometry::Point& q) {
+    return geometry::separates(lattice, p, q);
+  };
 
   std::vector<std::pair<std::uint32_t, std::size_t>> bonds;
-  Severing result{severings_, {}};
+  OngoingBreakage result{breakages_, {}};
   // a horizon beside the piece, or beside its image behind an edge that is within one
   const Eigen::AlignedBox2d near(begin.cwiseMin(end).array() - 3 * reach_, begin.cwiseMax(end).array() + 3 * reach_);
   bool waits = false;
@@ -177,31 +179,31 @@ std::optional<std::size_t> SeveredPlate::sever(const geometry::CrackPath& path, 
     }
     if (bonds.size() == known) continue;
     const auto number = broken_.number(k);
-    waits = number >= 0 && changed_[std::size_t(number)].severed;
+    waits = number >= 0 && changed_[std::size_t(number)].ongoing;
     result.points.push_back(k);
   }
   if (communicator().largest_of(waits) > 0) return std::nullopt;
-  ++severings_, ++events_;
-  for (const auto& [k, i] : bonds) lose(k, i, 0), change(k).severed = true;
+  ++breakages_, ++events_;
+  for (const auto& [k, i] : bonds) lose(k, i, 0), change(k).ongoing = true;
   for (const auto k : result.points) retarget(k);
   going_.push_back(std::move(result));
   return going_.back().number;
 }
 
-double SeveredPlate::carry_on(std::size_t number, double share, const Motion& motion) {
-  const auto found = std::ranges::find(going_, number, &Severing::number);
+double DamagedPlate::carry_on(std::size_t number, double share, const Motion& motion) {
+  const auto found = std::ranges::find(going_, number, &OngoingBreakage::number);
   const double fraction = share >= 1 ? 1 : (share - found->share) / (1 - found->share);
   std::vector<double> spent;
   for (const auto k : found->points) spent.push_back(approach(k, fraction, motion));
   const double all = sum_of_all(found->points, spent);
   found->share = share;
   if (share < 1) return all;
-  for (const auto k : found->points) changed_[std::size_t(broken_.number(k))].severed = false;
+  for (const auto k : found->points) changed_[std::size_t(broken_.number(k))].ongoing = false;
   going_.erase(found);
   return all;
 }
 
-double SeveredPlate::norm(plate::Forces force, const plate::Forces& diagonal) const {
+double DamagedPlate::norm(plate::Forces force, const plate::Forces& diagonal) const {
   boundary_.constraints.fold(force);
   const auto [sum] = plate::ordered_sum<1>(communicator(), std::size_t(force.size()), [&](std::size_t i) {
     const double f = force.data()[i], d = diagonal.data()[i];
@@ -210,19 +212,19 @@ double SeveredPlate::norm(plate::Forces force, const plate::Forces& diagonal) co
   return std::sqrt(sum);
 }
 
-double SeveredPlate::sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const {
+double DamagedPlate::sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const {
   return plate::ordered_sum<1>(communicator(), points.size(), [&](std::size_t i) {
     return std::array<double, 1>{boundary_.owns(points[i]) ? values[i] : 0};
   })[0];
 }
 
-void SeveredPlate::sever(const std::vector<PointPair>& bonds, unsigned steps) {
+void DamagedPlate::break_bonds(const std::vector<PointPair>& bonds, unsigned steps) {
   std::vector<std::uint32_t> touched;
   ++events_;
   for (std::size_t n = 0; n < bonds.size(); ++n)
     for (const std::size_t end : {0, 1}) {
       const auto from = bonds[n][end], to = bonds[n][1 - end];
-      if (bonds[n] == unseen || !known(from)) continue;
+      if (bonds[n] == outside_overlap || !known(from)) continue;
       lose(from, base_.families()[from].find(to), 2 * n + end);
       auto& one = change(from);
       if (one.left == 0) easing_.push_back(from);
@@ -236,7 +238,7 @@ void SeveredPlate::sever(const std::vector<PointPair>& bonds, unsigned steps) {
   easing_left_ = std::max(easing_left_, steps);
 }
 
-double SeveredPlate::carry_on_all(const Motion& motion) {
+double DamagedPlate::carry_on_all(const Motion& motion) {
   if (easing_left_ == 0) return 0;
   --easing_left_;
   std::vector<double> spent(easing_.size());
@@ -251,7 +253,7 @@ double SeveredPlate::carry_on_all(const Motion& motion) {
   return sum;
 }
 
-void SeveredPlate::internal_force(const plate::State& state, plate::Forces& forces) const {
+void DamagedPlate::internal_force(const plate::State& state, plate::Forces& forces) const {
   base_.internal_force(state, forces);
   const auto kinematics = [&](std::uint32_t k) { return plate::Kinematics<>{state(0, k), state(1, k), state(2, k)}; };
   own_force_.resize(changed_.size()), given_.resize(differences_.size());
@@ -287,20 +289,20 @@ void SeveredPlate::internal_force(const plate::State& state, plate::Forces& forc
   }
 }
 
-std::shared_ptr<const plate::TipView> SeveredPlate::tip_view() const {
+std::shared_ptr<const plate::TipView> DamagedPlate::tip_view() const {
   return std::make_shared<plate::BondView>(boundary_.cloud, families_, base_.shapes(), rule_.section(),
                                            rule_.discretization());
 }
 
-void SeveredPlate::absolute_product(const plate::State& state, plate::Forces& forces) const {
+void DamagedPlate::absolute_product(const plate::State& state, plate::Forces& forces) const {
   base_.absolute_product(state, forces);
 }
 
-plate::Forces SeveredPlate::diagonal() const {
+plate::Forces DamagedPlate::diagonal() const {
   return base_.diagonal();
 }
 
-plate::Mesh SeveredPlate::draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start,
+plate::Mesh DamagedPlate::draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start,
                                const std::vector<geometry::CrackPath>& cracks) const {
   const auto& first = base_.families();
   const auto& shapes = base_.shapes();

@@ -23,12 +23,12 @@ struct Frame;
 
 namespace fracture {
 
-struct SeveredMemory;
+struct BreakageCheckpoint;
 
 /// A bond between two points, the lower number first.
 using PointPair = std::array<std::uint32_t, 2>;
 /// One of which this process does not see both.
-constexpr PointPair unseen{std::uint32_t(-1), std::uint32_t(-1)};
+constexpr PointPair outside_overlap{std::uint32_t(-1), std::uint32_t(-1)};
 
 /// A state, and what it was a step before: state - time_step velocity.
 struct Motion {
@@ -41,11 +41,11 @@ struct Motion {
 /// since in the families that lost bonds. Each goes over to the weights that its surface correction gives to the bonds
 /// left, at once or step by step. A family with few bonds left would ask for shorter time steps: none gets stiffer than
 /// beside a clean crack, and what has less than two fifths of its bonds gives way in proportion. One call at a time.
-class SeveredPlate : public plate::Operator {
+class DamagedPlate : public plate::Operator {
 public:
   /// All but the rule must outlive this. `seen`: where processes share the plate, what this one knows beside its own
   /// points: a horizon about all that these see, and about tips what their factors need.
-  SeveredPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary, const plate::FamilyRule& rule,
+  DamagedPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary, const plate::FamilyRule& rule,
                std::shared_ptr<const plate::Surroundings> seen = {});
 
   std::size_t points() const override { return base_.points(); }
@@ -65,14 +65,14 @@ public:
 
   /// Begins to sever the bonds that cross the crack's last piece, which is `piece` long at the end `at_back`. Returns a
   /// number; none, and nothing is done, where a severing that goes on has families of the same points.
-  std::optional<std::size_t> sever(const geometry::CrackPath& path, bool at_back, double piece);
+  std::optional<std::size_t> break_bonds(const geometry::CrackPath& path, bool at_back, double piece);
   /// Carries a severing on to a share from 0 to 1; returns the energy that it takes, as central differences count it:
   /// mixed from the state and the one a step before (theory.md, "Growth").
   double carry_on(std::size_t number, double share, const Motion& motion);
 
   /// Breaks bonds, in the same order in all processes; the families of their ends need `steps` calls of carry_on_all to
   /// go over.
-  void sever(const std::vector<PointPair>& bonds, unsigned steps);
+  void break_bonds(const std::vector<PointPair>& bonds, unsigned steps);
   /// Do families lose single bonds, of any process?
   bool easing() const { return easing_left_ > 0; }
   /// Carries the families that lose single bonds on by a step; returns the energy that this takes.
@@ -98,7 +98,7 @@ public:
   void load(plate::InArchive& archive);
 
 private:
-  struct Severing {
+  struct OngoingBreakage {
     std::size_t number;
     std::vector<std::uint32_t> points;
     double share = 0;
@@ -107,8 +107,8 @@ private:
   struct FirstLoss {
     std::uint64_t event, place;
   };
-  SeveredMemory memory() const;
-  void recall(const SeveredMemory& memory);
+  BreakageCheckpoint memory() const;
+  void restore(const BreakageCheckpoint& memory);
   void lose(std::uint32_t k, std::size_t i, std::uint64_t place);
   Change& change(std::uint32_t k);
   /// The families without their broken bonds, and where they go.
@@ -137,10 +137,10 @@ private:
   /// Force and couple along m that a change gives to its point, and that every difference gives to its neighbour.
   mutable std::vector<Eigen::Vector3d> own_force_;
   mutable std::vector<std::array<double, 2>> given_;
-  std::vector<Severing> going_;
+  std::vector<OngoingBreakage> going_;
   std::vector<std::uint32_t> easing_;  // points that lose single bonds, ascending
   unsigned easing_left_ = 0;           // steps until no process has any
-  std::size_t severings_ = 0;          // so far, of pieces of cracks
+  std::size_t breakages_ = 0;          // so far, of pieces of cracks
   std::uint64_t events_ = 0;           // and of bonds
 };
 

@@ -12,13 +12,13 @@ namespace fracture {
 
 constexpr std::size_t look_every = 50;  // steps: looking takes as long as ten of them
 
-FallenPieces::FallenPieces(plate::Changes& growth, const SeveredPlate& plate, const plate::Boundary& boundary,
-                           plate::Forces mass)
+DetachedPieces::DetachedPieces(plate::Changes& growth, const DamagedPlate& plate, const plate::Boundary& boundary,
+                               plate::Forces mass)
     : growth_(growth), plate_(plate), boundary_(boundary), mass_(std::move(mass)) {}
 
-void FallenPieces::look(const plate::Step& now) {
+void DetachedPieces::look(const plate::Step& now) {
   broken_ = plate_.broken().count();
-  for (const auto k : plate::fallen(boundary_, plate_.families()))
+  for (const auto k : plate::detached_points(boundary_, plate_.families()))
     if (!std::ranges::binary_search(frozen_.points, k)) fresh_.points.push_back(k);
   const auto of = [&](const plate::State& all) {
     plate::State result(3, Eigen::Index(fresh_.points.size()));
@@ -26,11 +26,11 @@ void FallenPieces::look(const plate::Step& now) {
     return result;
   };
   fresh_.state = of(now.state), fresh_.velocity = of(now.velocity);
-  falls_ = plate_.communicator().largest_of(!fresh_.points.empty()) > 0;
+  any_fresh_ = plate_.communicator().largest_of(!fresh_.points.empty()) > 0;
 }
 
 /// From the step before on; the energy that central differences count there is of the velocities before and after it.
-void FallenPieces::freeze(const plate::Step& now) {
+void DetachedPieces::freeze(const plate::Step& now) {
   std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> all;
   for (std::size_t i = 0; i < frozen_.points.size(); ++i)
     all.emplace_back(frozen_.points[i], frozen_.state.col(Eigen::Index(i)));
@@ -43,7 +43,7 @@ void FallenPieces::freeze(const plate::Step& now) {
             mass_.col(k).cwiseProduct(fresh_.velocity.col(Eigen::Index(i))).dot(now.velocity.col(k)) / 2};
       })[0];
   std::ranges::sort(all, {}, [](const auto& one) { return one.first; });
-  fresh_ = {}, frozen_ = {}, falls_ = false, fallen_ = true;
+  fresh_ = {}, frozen_ = {}, any_fresh_ = false, any_frozen_ = true;
   frozen_.state.resize(3, Eigen::Index(all.size()));
   for (const auto& [k, state] : all) {
     frozen_.state.col(Eigen::Index(frozen_.points.size())) = state;
@@ -51,25 +51,25 @@ void FallenPieces::freeze(const plate::Step& now) {
   }
 }
 
-std::vector<KeptPoint> FallenPieces::of_all(const Kept& kept, const PointKeys& keys) const {
-  std::vector<KeptPoint> own;
+std::vector<SavedPoint> DetachedPieces::of_all(const PointStates& states, const PointKeys& keys) const {
+  std::vector<SavedPoint> own;
   const auto column = [](const plate::State& of, std::size_t i) {
     if (of.cols() == 0) return std::array<double, 3>{};
     const auto k = Eigen::Index(i);
     return std::array{of(0, k), of(1, k), of(2, k)};
   };
-  for (std::size_t i = 0; i < kept.points.size(); ++i)
-    if (const auto k = kept.points[i]; boundary_.owns(k))
-      own.push_back({keys.of(k), column(kept.state, i), column(kept.velocity, i)});
+  for (std::size_t i = 0; i < states.points.size(); ++i)
+    if (const auto k = states.points[i]; boundary_.owns(k))
+      own.push_back({keys.of(k), column(states.state, i), column(states.velocity, i)});
   return plate::gathered(plate_.communicator(), own);
 }
 
-FallenPieces::Kept FallenPieces::seen(const std::vector<KeptPoint>& kept, const PointKeys& keys) {
-  std::vector<std::pair<std::uint32_t, const KeptPoint*>> found;
-  for (const auto& one : kept)
+DetachedPieces::PointStates DetachedPieces::seen(const std::vector<SavedPoint>& states, const PointKeys& keys) {
+  std::vector<std::pair<std::uint32_t, const SavedPoint*>> found;
+  for (const auto& one : states)
     if (const auto k = keys.point(one.point)) found.emplace_back(*k, &one);
   std::ranges::sort(found);
-  Kept result;
+  PointStates result;
   result.state.resize(3, Eigen::Index(found.size())), result.velocity.resize(3, Eigen::Index(found.size()));
   for (const auto& [k, one] : found) {
     const auto i = Eigen::Index(result.points.size());
@@ -80,33 +80,33 @@ FallenPieces::Kept FallenPieces::seen(const std::vector<KeptPoint>& kept, const 
   return result;
 }
 
-void FallenPieces::save(plate::OutArchive& archive) const {
+void DetachedPieces::save(plate::OutArchive& archive) const {
   const PointKeys keys(boundary_);
   const bool looks = plate_.communicator().largest_of(plate_.broken().count() > broken_) > 0;  // when it is time
-  archive(of_all(fresh_, keys), of_all(frozen_, keys), looks, falls_, fallen_, energy_);
+  archive(of_all(fresh_, keys), of_all(frozen_, keys), looks, any_fresh_, any_frozen_, energy_);
 }
 
-void FallenPieces::load(plate::InArchive& archive) {
-  std::vector<KeptPoint> fresh, frozen;
+void DetachedPieces::load(plate::InArchive& archive) {
+  std::vector<SavedPoint> fresh, frozen;
   bool looks = false;
-  archive(fresh, frozen, looks, falls_, fallen_, energy_);
+  archive(fresh, frozen, looks, any_fresh_, any_frozen_, energy_);
   const PointKeys keys(boundary_);
   fresh_ = seen(fresh, keys), frozen_ = seen(frozen, keys);
   broken_ = looks ? 0 : plate_.broken().count();
 }
 
-void FallenPieces::before_force(const plate::Step& now) {
-  if (falls_) freeze(now);
+void DetachedPieces::before_force(const plate::Step& now) {
+  if (any_fresh_) freeze(now);
   for (std::size_t i = 0; i < frozen_.points.size(); ++i) {
     now.state.col(frozen_.points[i]) = frozen_.state.col(Eigen::Index(i));
     now.velocity.col(frozen_.points[i]).setZero();
   }
-  if (fallen_) plate_.constraints().fetch(now.state);  // as their owners have them
+  if (any_frozen_) plate_.constraints().fetch(now.state);  // as their owners have them
   if (now.step % look_every == 0 && plate_.communicator().largest_of(plate_.broken().count() > broken_) > 0) look(now);
   growth_.before_force(now);
 }
 
-void FallenPieces::after_force(const plate::Step& now, const plate::Forces& force) {
+void DetachedPieces::after_force(const plate::Step& now, const plate::Forces& force) {
   growth_.after_force(now, force);
 }
 

@@ -4,15 +4,16 @@
 
 namespace fracture {
 
-struct KeptPoint;
+struct SavedPoint;
 class PointKeys;
 
 /// Keeps pieces of a moving plate where they are when they are seen to have fallen off (plate::fallen), at most 50
 /// steps after it. Stands before what severs bonds.
-class FallenPieces : public plate::Changes {
+class DetachedPieces : public plate::Changes {
 public:
   /// All must outlive this. `mass` per degree of freedom [3 x points].
-  FallenPieces(plate::Changes& growth, const SeveredPlate& plate, const plate::Boundary& boundary, plate::Forces mass);
+  DetachedPieces(plate::Changes& growth, const DamagedPlate& plate, const plate::Boundary& boundary,
+                 plate::Forces mass);
 
   void before_force(const plate::Step& now) override;
   void after_force(const plate::Step& now, const plate::Forces& force) override;
@@ -27,24 +28,24 @@ public:
 
 private:
   /// Points with their state, and their velocity half a step before.
-  struct Kept {
+  struct PointStates {
     std::vector<std::uint32_t> points;
     plate::State state, velocity;
   };
-  std::vector<KeptPoint> of_all(const Kept& kept, const PointKeys& keys) const;
-  static Kept seen(const std::vector<KeptPoint>& kept, const PointKeys& keys);
+  std::vector<SavedPoint> of_all(const PointStates& states, const PointKeys& keys) const;
+  static PointStates seen(const std::vector<SavedPoint>& states, const PointKeys& keys);
   void look(const plate::Step& now);
   void freeze(const plate::Step& now);
 
   plate::Changes& growth_;
-  const SeveredPlate& plate_;
+  const DamagedPlate& plate_;
   const plate::Boundary& boundary_;
   plate::Forces mass_;
-  std::size_t broken_ = 0;  // bonds when it was last looked
-  bool falls_ = false;      // of fresh_ some process has points
-  bool fallen_ = false;     // and of frozen_
-  Kept fresh_;              // seen in the step before: frozen from there on
-  Kept frozen_;             // points ascending
+  std::size_t broken_ = 0;   // bonds when it was last looked
+  bool any_fresh_ = false;   // of fresh_ some process has points
+  bool any_frozen_ = false;  // and of frozen_
+  PointStates fresh_;        // seen in the step before: frozen from there on
+  PointStates frozen_;       // points ascending
   double energy_ = 0;
 };
 

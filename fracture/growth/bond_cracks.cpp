@@ -64,7 +64,7 @@ std::vector<std::array<geometry::Point, 2>> parted(const plate::Formulation& pla
     for (const geometry::Point& next : {geometry::Point(u.x() + 1, u.y()), geometry::Point(u.x(), u.y() + 1)})
       if (const auto j = at.at(next))
         for (const auto& path : paths)
-          if (const auto& v = boundary.lattice[*j]; geometry::severs(path, u, v))
+          if (const auto& v = boundary.lattice[*j]; geometry::separates(path, u, v))
             own.push_back({u.x(), u.y(), v.x(), v.y()});
   }
   own = plate::gathered(plate.communicator(), own);

@@ -110,7 +110,7 @@ std::vector<std::uint32_t> with_neighbours(const std::vector<std::uint32_t>& poi
 
 }  // namespace
 
-BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const SeveredPlate& plate,
+BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const DamagedPlate& plate,
                      const plate::Boundary& boundary)
     : growth_(growth),
       limits_(limits),
@@ -306,7 +306,7 @@ std::vector<PointPair> BondCheck::here(const std::vector<LoadedBond>& bonds) con
   std::vector<PointPair> result;
   for (const auto& [bond, demand] : bonds) {
     const auto k = numbers_->point(bond[0]), j = numbers_->point(bond[1]);
-    result.push_back(k && j ? PointPair{*k, *j} : unseen);
+    result.push_back(k && j ? PointPair{*k, *j} : outside_overlap);
   }
   return result;
 }

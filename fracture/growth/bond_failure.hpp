@@ -42,7 +42,7 @@ struct LoadedBond {
 class BondCheck {
 public:
   /// All must outlive this.
-  BondCheck(const Growth& growth, const BondLimits& limits, const SeveredPlate& plate, const plate::Boundary& boundary);
+  BondCheck(const Growth& growth, const BondLimits& limits, const DamagedPlate& plate, const plate::Boundary& boundary);
 
   /// Intact bonds of the plate, or of these points of it (ascending, as suspects() has found them), with a demand of at
   /// least `least`: largest first, equal ones by their points.
@@ -60,7 +60,7 @@ public:
   std::vector<std::uint32_t> numbers(const std::vector<std::uint32_t>& suspects) const;
   std::vector<std::uint32_t> points(const std::vector<std::uint32_t>& numbers) const;
 
-  /// As this process has them; `unseen` where it does not.
+  /// As this process has them; `outside_overlap` where it does not.
   std::vector<PointPair> here(const std::vector<LoadedBond>& bonds) const;
 
 private:
@@ -72,7 +72,7 @@ private:
 
   const Growth& growth_;
   const BondLimits& limits_;
-  const SeveredPlate& plate_;
+  const DamagedPlate& plate_;
   const plate::Boundary& boundary_;
   std::shared_ptr<const PointNumbers> numbers_;
   std::vector<std::uint32_t> all_;     // where processes share the plate: own points, and what these have bonds to

@@ -72,7 +72,7 @@ Point PointNumbers::place(std::uint32_t number) const {
   return {double(number % columns_) + 0.5, double(number / columns_) + 0.5};
 }
 
-std::shared_ptr<const plate::Surroundings> seen_by_growth(const plate::Formulation& start, bool tips) {
+std::shared_ptr<const plate::Surroundings> overlap_of_growth(const plate::Formulation& start, bool tips) {
   // what decides about a bond that a point of the process has: the weights of its other end, whose bonds end three
   // horizons away at most
   const double horizon = start.discretization().horizon_ratio;

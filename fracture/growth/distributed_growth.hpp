@@ -39,7 +39,7 @@ private:
 
 /// Surroundings that a rank knows of a plate whose bonds break, beside its own points: all that decides about its
 /// bonds, or whatever tips need (`tips`), as they may come anywhere. Null where one process holds the whole plate.
-std::shared_ptr<const plate::Surroundings> seen_by_growth(const plate::Formulation& start, bool tips);
+std::shared_ptr<const plate::Surroundings> overlap_of_growth(const plate::Formulation& start, bool tips);
 
 /// The factors that all processes have found, by tips.
 std::vector<post::Srif> of_all(const plate::Communicator& all, std::vector<post::Srif> own);

@@ -10,7 +10,7 @@
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/solve/settled.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
 
@@ -86,7 +86,7 @@ plate::Discretised GrowingPlate::discretised(const std::vector<geometry::Polylin
   }
 }
 
-LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& cracks) {
+LoadedPlate GrowingPlate::full_load(const std::vector<geometry::Polyline>& cracks) {
   auto found = discretised(cracks);
   const plate::Formulation& plate = *found.plate;
   std::vector<std::string> split;
@@ -104,7 +104,7 @@ LoadedPlate GrowingPlate::whole_load(const std::vector<geometry::Polyline>& crac
   const auto& [solved, state, srifs] = *latest_;
   const auto lift = plate::total_lift(*solved.plate);
   const auto load = solved.plate->total_load();
-  result.held = 2 * plate::Settled(*solved.plate, load, lift).work(state);
+  result.held = 2 * plate::PrescribedDisplacements(*solved.plate, load, lift).work(state);
   result.displacement = 2 * post::slow_work(*solved.plate, state);
   post::require_finite({{"work", result.displacement}}, "under the whole load");
   if (!post::moves(state, result.displacement, communicator_))
@@ -150,9 +150,9 @@ void GrowingPlate::choose(const Equilibrium& state) {
   QuasiStaticTips::choose(state);
 }
 
-void GrowingPlate::recall(plate::InArchive& archive) {
+void GrowingPlate::restore(plate::InArchive& archive) {
   first_.reset();  // its cracks are those at the start
-  QuasiStaticTips::recall(archive);
+  QuasiStaticTips::restore(archive);
   seen_ = *std::exchange(latest_, {});
 }
 

@@ -24,7 +24,7 @@ public:
 
   /// Makes the last solution the one that the accessors return, then chooses the advance.
   void choose(const Equilibrium& state) override;
-  void recall(plate::InArchive& archive) override;
+  void restore(plate::InArchive& archive) override;
   const plate::Formulation& plate() const override { return *seen_.found.plate; }
   const plate::State& state() const override { return seen_.state; }
   const plate::StaticSolution& solution() const override { return solution_; }
@@ -34,7 +34,7 @@ public:
   plate::Mesh draw(post::Frame& frame, const plate::State& state) const override;
 
 private:
-  LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) override;
+  LoadedPlate full_load(const std::vector<geometry::Polyline>& cracks) override;
   std::string remedy() const override;
   /// A plate under the whole load.
   struct Solved {

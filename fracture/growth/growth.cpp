@@ -41,21 +41,21 @@ std::string in_words(const Ended& ended, bool by_bonds) {
   return "";
 }
 
-std::string in_words(const Moved& moved) {
+std::string in_words(const MovingGrowthOutcome& outcome) {
   std::string result;
-  if (moved.broken)
-    result = *moved.broken == 0 ? "no bond broke" : fmt::format("{} bonds broken", *moved.broken);
+  if (outcome.broken)
+    result = *outcome.broken == 0 ? "no bond broke" : fmt::format("{} bonds broken", *outcome.broken);
   else
-    result = moved.advances == 0 ? "no growth" : fmt::format("{} pieces of crack", moved.advances);
-  if (!moved.reached.empty()) result += fmt::format(", {} reached", fmt::join(moved.reached, ", "));
-  for (const auto* stopped : {&moved.stopped, &moved.unsteady})
+    result = outcome.advances == 0 ? "no growth" : fmt::format("{} pieces of crack", outcome.advances);
+  if (!outcome.reached.empty()) result += fmt::format(", {} reached", fmt::join(outcome.reached, ", "));
+  for (const auto* stopped : {&outcome.stopped, &outcome.unsteady})
     if (!stopped->empty()) result += fmt::format("; not resolved, and stopped there: {}", fmt::join(*stopped, "; "));
-  if (moved.parts > moved.parts_before)
-    result += fmt::format("; the plate split in {} parts{}", moved.parts, moved.frozen ? "" : ", which move on");
+  if (outcome.parts > outcome.parts_before)
+    result += fmt::format("; the plate split in {} parts{}", outcome.parts, outcome.frozen ? "" : ", which move on");
   return result;
 }
 
-std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Formulation& plate) {
+std::vector<std::string> warnings_about_bonds(const Growth& growth, const plate::Formulation& plate) {
   if (!growth.by_bonds()) return {};
   std::vector<std::string> warnings;
   const double h = plate.section().thickness / plate.discretization().spacing, m = plate.discretization().horizon_ratio;
@@ -88,27 +88,27 @@ std::vector<std::string> tips_without_rings(const plate::Formulation& plate) {
   return result;
 }
 
-std::vector<std::string> distrust_of_spent(const Growth& growth, const Moved& moved, const plate::Section& section,
-                                           const std::string& remedy) {
+std::vector<std::string> warnings_about_spent_energy(const Growth& growth, const MovingGrowthOutcome& outcome,
+                                                     const plate::Section& section, const std::string& remedy) {
   constexpr double band = 0.05, fast = 0.83;  // nine tenths of the largest speed
-  if (growth.by_bonds() || !moved.spent || std::abs(*moved.spent - 1) <= band) return {};
-  const double speed = moved.largest_speed / section.shear_wave_speed();
-  return {*moved.spent > 1 && speed > fast
+  if (growth.by_bonds() || !outcome.spent || std::abs(*outcome.spent - 1) <= band) return {};
+  const double speed = outcome.largest_speed / section.shear_wave_speed();
+  return {*outcome.spent > 1 && speed > fast
               ? fmt::format("tips took {:.2f} times the fracture energy at up to {:.2f} of the speed of shear waves: a "
                             "crack would branch; set growth.criterion = \"bond_energy\"",
-                            *moved.spent, speed)
+                            *outcome.spent, speed)
               : fmt::format("tips took {:.2f} times the fracture energy over {} pieces of crack: their speed is not "
                             "resolved; {}",
-                            *moved.spent, moved.advances, remedy)};
+                            *outcome.spent, outcome.advances, remedy)};
 }
 
-std::vector<std::string> distrust_of_directions(const Moved& moved, const std::string& remedy) {
+std::vector<std::string> warnings_about_directions(const MovingGrowthOutcome& outcome, const std::string& remedy) {
   std::vector<std::string> result;
-  if (moved.unseen)
+  if (outcome.direction_unknown)
     result.push_back("directions of tips are not known within 30 degrees: they went straight on; " + remedy);
-  for (const auto& stopped : moved.stopped)
+  for (const auto& stopped : outcome.stopped)
     result.push_back(fmt::format("{}: it stopped there; set growth.direction = \"straight\"", stopped));
-  for (const auto& unsteady : moved.unsteady)
+  for (const auto& unsteady : outcome.unsteady)
     result.push_back(fmt::format("{}: it stopped there; {}", unsteady, remedy));
   return result;
 }

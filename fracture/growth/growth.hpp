@@ -37,7 +37,7 @@ struct Growth {
     move   // it ends, and motion begins
   };
   /// Treatment of pieces that detach in motion.
-  enum class Fallen { move, freeze };
+  enum class Detached { move, freeze };
 
   Criterion criterion = Criterion::energy_release;
   double fracture_energy = 0;  // per area of crack [energy / length^2]
@@ -50,7 +50,7 @@ struct Growth {
   bool tension_only = false;         // no growth of tips, no breaking of bonds, that close on the z > 0 face
   Unstable unstable = Unstable::jump;
   double duration = 0;  // of the motion [time]
-  Fallen fallen = Fallen::move;
+  Detached detached = Detached::move;
   std::optional<double> apparent_toughness;                  // of a criterion for bonds, over the fracture energy
   std::optional<double> critical_curvature, critical_shear;  // of bonds [1/length], [-]
   std::vector<std::array<double, 4>> no_fail;  // rectangles in which tips stay: xmin, ymin, xmax, ymax [length]
@@ -94,13 +94,13 @@ struct Ended {
 };
 
 /// Outcome of a growth in motion.
-struct Moved {
+struct MovingGrowthOutcome {
   std::size_t advances = 0;                 // pieces of crack, or steps in which bonds broke
   std::optional<std::size_t> broken;        // bonds
   std::vector<std::string> reached;         // edges, holes and cracks by tips
   std::vector<std::string> stopped = {};    // tips whose direction is not resolved, and when
   std::vector<std::string> unsteady = {};   // tips that took another energy than that of a crack, and when
-  bool unseen = false;                      // tips have gone straight on whose direction is not known
+  bool direction_unknown = false;           // tips have gone straight on whose direction is not known
   std::size_t parts = 1, parts_before = 1;  // of the plate
   bool frozen = false;                      // pieces that fell off stay where they were
   std::optional<double> spent;              // energy taken over fracture energy and area of the new crack
@@ -112,7 +112,7 @@ struct Moved {
 std::string in_words(const Ended& ended, bool by_bonds);
 
 /// Describes the outcome of a growth in motion.
-std::string in_words(const Moved& moved);
+std::string in_words(const MovingGrowthOutcome& outcome);
 
 }  // namespace fracture
 
@@ -125,17 +125,17 @@ namespace fracture {
 
 /// Warnings of a growth by bonds at this discretisation: where the apparent toughness was not measured for it, and what
 /// bonds cannot do. Empty for growth by tips.
-std::vector<std::string> distrust_of_bonds(const Growth& growth, const plate::Formulation& plate);
+std::vector<std::string> warnings_about_bonds(const Growth& growth, const plate::Formulation& plate);
 
 /// Tips that have too little about them for the energy release rate, which growth by tips needs, and why.
 std::vector<std::string> tips_without_rings(const plate::Formulation& plate);
 
 /// Warns where the energy spent per crack area is more than 5 % from the fracture energy: the speed of the tips is then
 /// not that of a crack. `remedy`: what to set.
-std::vector<std::string> distrust_of_spent(const Growth& growth, const Moved& moved, const plate::Section& section,
-                                           const std::string& remedy);
+std::vector<std::string> warnings_about_spent_energy(const Growth& growth, const MovingGrowthOutcome& outcome,
+                                                     const plate::Section& section, const std::string& remedy);
 
 /// Tips in motion whose directions or energies are not resolved. `remedy`: what to set.
-std::vector<std::string> distrust_of_directions(const Moved& moved, const std::string& remedy);
+std::vector<std::string> warnings_about_directions(const MovingGrowthOutcome& outcome, const std::string& remedy);
 
 }  // namespace fracture

@@ -29,7 +29,7 @@ std::vector<geometry::Polyline> polylines(const std::vector<geometry::CrackPath>
 
 }  // namespace
 
-MovingCracks::MovingCracks(const Growth& growth, const plate::Problem& problem, SeveredPlate& plate,
+MovingCracks::MovingCracks(const Growth& growth, const plate::Problem& problem, DamagedPlate& plate,
                            std::vector<geometry::CrackPath> paths)
     : growth_(growth),
       problem_(problem),
@@ -52,9 +52,10 @@ std::shared_ptr<const post::TipMethods> MovingCracks::gauge(const geometry::Tip&
 }
 
 /// Evaluates a tip on the rank that has it and sends the result to all ranks.
-MovingCracks::Seen MovingCracks::look(MovingTip& tip, const plate::State& state, const plate::Forces& force) const {
+MovingCracks::TipMeasurement MovingCracks::look(MovingTip& tip, const plate::State& state,
+                                                const plate::Forces& force) const {
   const plate::Communicator& all = plate_.communicator();
-  std::vector<Seen> seen;
+  std::vector<TipMeasurement> seen;
   if (plate_.here(tip.tip.position)) {
     if (!tip.gauge) tip.gauge = gauge(tip.tip);
     if (tip.gauge) {
@@ -85,10 +86,10 @@ bool MovingCracks::stays(const MovingTip& tip, double G, double K1) const {
 }
 
 /// False: the tip stops, because its direction is not resolved.
-bool MovingCracks::finds_direction(std::size_t tip, const Seen& seen, double time, double& angle) {
+bool MovingCracks::finds_direction(std::size_t tip, const TipMeasurement& seen, double time, double& angle) {
   const auto turn = turn_of(seen.factors, seen.errors, growth_.direction, problem_.section);
   angle = turn.angle;
-  unseen_ |= !turn.known() && turn.resolved();
+  direction_unknown_ |= !turn.known() && turn.resolved();
   if (turn.resolved()) return true;
   tips_[tip].ended = true;
   stopped_.push_back({time, tip, tips_[tip].tip.position, turn.asked, turn.error});
@@ -105,10 +106,10 @@ void MovingCracks::depart(const std::vector<Departure>& departures) {
     geometry::extend(path.vertices, tip.tip.at_back, way.to);
     if (way.reached)
       (tip.tip.at_back ? path.back : path.front) = way.reached->crack ? geometry::End::junction : geometry::End::mouth;
-    const auto severing = plate_.sever(path, tip.tip.at_back, way.length);
-    if (!severing) continue;  // another tip severs bonds of the same points: wait for it
+    const auto breakage = plate_.break_bonds(path, tip.tip.at_back, way.length);
+    if (!breakage) continue;  // another tip severs bonds of the same points: wait for it
     paths_[tip.tip.crack] = std::move(path);
-    tip.running = Running{*severing, time, way.length / tip.speed, way.length, 0, tip.tip.position, way};
+    tip.running = Running{*breakage, time, way.length / tip.speed, way.length, 0, tip.tip.position, way};
     tip.tip.direction = (way.to - tip.tip.position).normalized();
     tip.tip.position = way.to;
     tip.since_look += way.length;
@@ -170,7 +171,7 @@ void MovingCracks::before_force(const plate::Step& now) {
     if (!tip.running) continue;
     auto& running = *tip.running;
     const double share = std::min(1.0, (now.time - running.begin) / running.duration);
-    const double spent = plate_.carry_on(running.severing, share, {now.state, now.velocity, now.time_step});
+    const double spent = plate_.carry_on(running.breakage, share, {now.state, now.velocity, now.time_step});
     running.spent += spent, spent_ += spent;
     const double end = running.begin + running.duration;
     if (share >= 1 && arrive(tip, now)) departures.push_back({i, 0, end});
@@ -179,20 +180,20 @@ void MovingCracks::before_force(const plate::Step& now) {
 }
 
 void MovingCracks::after_force(const plate::Step& now, const plate::Forces& force) {
-  const auto& attached = plate_.base().attached();
+  const auto& elastic_supports = plate_.base().elastic_supports();
   plate::Forces
       own;  // where something is attached, without that; where processes share the plate, with those of others
-  std::vector<std::pair<std::size_t, Seen>> looked;
+  std::vector<std::pair<std::size_t, TipMeasurement>> looked;
   bool any = false;  // does one of them start?
   for (std::size_t i = 0; i < tips_.size(); ++i) {
     auto& tip = tips_[i];
     if (tip.running || tip.ended || now.step < tip.next_look) continue;
-    if ((plate_.communicator().distributed() || !attached.parts().empty()) && own.size() == 0) {
+    if ((plate_.communicator().distributed() || !elastic_supports.parts().empty()) && own.size() == 0) {
       own = force;
-      attached.take_force(now.state, own);
+      elastic_supports.take_force(now.state, own);
       plate_.constraints().fetch(own);
     }
-    const Seen seen = look(tip, now.state, own.size() > 0 ? own : force);
+    const TipMeasurement seen = look(tip, now.state, own.size() > 0 ? own : force);
     tip.ended = !seen.fits;
     if (tip.ended) continue;
     tip.next_look = now.step + look_every;

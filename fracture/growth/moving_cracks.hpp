@@ -40,7 +40,7 @@ struct StoppedTip {
 class MovingCracks : public plate::Changes {
 public:
   /// All references must outlive this. `paths`: the cracks at the start [length].
-  MovingCracks(const Growth& growth, const plate::Problem& problem, SeveredPlate& plate,
+  MovingCracks(const Growth& growth, const plate::Problem& problem, DamagedPlate& plate,
                std::vector<geometry::CrackPath> paths);
 
   void before_force(const plate::Step& now) override;
@@ -50,7 +50,7 @@ public:
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<StoppedTip>& stopped() const { return stopped_; }
   /// Has a tip gone straight on whose direction is not known?
-  bool unseen() const { return unseen_; }
+  bool direction_unknown() const { return direction_unknown_; }
   /// Energy taken so far, and length gone.
   double fracture_energy() const { return spent_; }
   double length() const { return length_; }
@@ -61,19 +61,19 @@ public:
 
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(paths_, tips_, pieces_, stopped_, unseen_, spent_, length_);
+    archive(paths_, tips_, pieces_, stopped_, direction_unknown_, spent_, length_);
   }
 
 private:
   struct Running {
-    std::size_t severing;
+    std::size_t breakage;
     double begin, duration, length, spent;
     geometry::Point from;
     TipAdvance way;
 
     template <typename Archive>
     void serialize(Archive& archive) {
-      archive(severing, begin, duration, length, spent, from, way);
+      archive(breakage, begin, duration, length, spent, from, way);
     }
   };
   struct MovingTip {
@@ -95,7 +95,7 @@ private:
   };
 
   /// Energy release rate and factors of a tip with their errors; `fits`: a ring does.
-  struct Seen {
+  struct TipMeasurement {
     bool fits = false;
     double G = 0;
     Factors factors{0, 0, 0}, errors{0, 0, 0};
@@ -105,10 +105,10 @@ private:
     std::size_t tip;
     double angle, time;
   };
-  Seen look(MovingTip& tip, const plate::State& state, const plate::Forces& force) const;
+  TipMeasurement look(MovingTip& tip, const plate::State& state, const plate::Forces& force) const;
   std::shared_ptr<const post::TipMethods> gauge(const geometry::Tip& tip) const;
   bool stays(const MovingTip& tip, double G, double K1) const;
-  bool finds_direction(std::size_t tip, const Seen& seen, double time, double& angle);
+  bool finds_direction(std::size_t tip, const TipMeasurement& seen, double time, double& angle);
   void depart(const std::vector<Departure>& departures);
   /// Energy over the fracture energy of its last five spacings.
   double taken_lately(std::size_t tip) const;
@@ -117,13 +117,13 @@ private:
 
   const Growth& growth_;
   const plate::Problem& problem_;
-  SeveredPlate& plate_;
+  DamagedPlate& plate_;
   std::vector<geometry::CrackPath> paths_;
   double spacing_, toughness_, speed_limit_;
   std::vector<MovingTip> tips_;
   std::vector<Piece> pieces_;
   std::vector<StoppedTip> stopped_;
-  bool unseen_ = false;
+  bool direction_unknown_ = false;
   double spent_ = 0, length_ = 0;
 };
 

@@ -19,7 +19,7 @@ MovingGrowth::MovingGrowth(const Growth& growth, const plate::Formulation& start
     : growth_(growth),
       start_(start),
       plate_(*start.breaking(), start.boundary(), {start.section(), start.discretization()},
-             seen_by_growth(start, factors || !growth.by_bonds())),
+             overlap_of_growth(start, factors || !growth.by_bonds())),
       options_(std::move(factors)),
       rotary_inertia_(rotary_inertia) {
   record_.in_motion = true;
@@ -30,9 +30,9 @@ MovingGrowth::MovingGrowth(const Growth& growth, const plate::Formulation& start
 }
 
 plate::Changes& MovingGrowth::changes() {
-  if (growth_.fallen == Growth::Fallen::move) return severing();
-  if (!fallen_) fallen_.emplace(severing(), plate_, start_.boundary(), start_.mass(rotary_inertia_));
-  return *fallen_;
+  if (growth_.detached == Growth::Detached::move) return breakage();
+  if (!detached_pieces_) detached_pieces_.emplace(breakage(), plate_, start_.boundary(), start_.mass(rotary_inertia_));
+  return *detached_pieces_;
 }
 
 std::vector<post::Srif> MovingGrowth::factors(const plate::State& state) const {
@@ -40,7 +40,7 @@ std::vector<post::Srif> MovingGrowth::factors(const plate::State& state) const {
   if (!options_) return result;
   plate::Forces force;
   plate_.internal_force(state, force);
-  start_.boundary().attached.take_force(state, force);
+  start_.boundary().elastic_supports.take_force(state, force);
   plate_.constraints().fetch(force);
   const auto now = paths();
   const auto view = plate_.tip_view();
@@ -57,11 +57,11 @@ std::vector<post::Srif> MovingGrowth::factors(const plate::State& state) const {
   return result;
 }
 
-Moved MovingGrowth::moved_so_far() const {
-  Moved result;
+MovingGrowthOutcome MovingGrowth::outcome_so_far() const {
+  MovingGrowthOutcome result;
   result.parts = plate::pieces(start_.boundary(), plate_.families()).size();
   result.parts_before = plate::pieces(start_.boundary(), start_.families()).size();
-  result.frozen = growth_.fallen == Growth::Fallen::freeze;
+  result.frozen = growth_.detached == Growth::Detached::freeze;
   return result;
 }
 
@@ -94,7 +94,7 @@ std::vector<LoadedBond> first_to_break(const std::vector<LoadedBond>& failing) {
   return result;
 }
 
-BreakingBonds::BreakingBonds(SeveredPlate& plate, BondCheck& check, Observe observe)
+BreakingBonds::BreakingBonds(DamagedPlate& plate, BondCheck& check, Observe observe)
     : plate_(plate), check_(check), observe_(std::move(observe)) {}
 
 void BreakingBonds::before_force(const plate::Step& now) {
@@ -112,7 +112,7 @@ void BreakingBonds::after_force(const plate::Step& now, const plate::Forces&) {
   if (!suspected_) return;
   const auto broken = first_to_break(check_.at_least(1, now.state, suspects_));
   if (broken.empty()) return;
-  plate_.sever(check_.here(broken), steps_to_break);
+  plate_.break_bonds(check_.here(broken), steps_to_break);
   ended_ = !observe_(broken, now.time);
 }
 
@@ -147,8 +147,8 @@ const Record& MovingBonds::record() {
   return record_;
 }
 
-Moved MovingBonds::moved() const {
-  auto result = moved_so_far();
+MovingGrowthOutcome MovingBonds::outcome() const {
+  auto result = outcome_so_far();
   result.broken = cracks_.broken();
   result.advances = advances_;
   result.largest_speed = largest_speed_;
@@ -157,12 +157,12 @@ Moved MovingBonds::moved() const {
   return result;
 }
 
-void MovingBonds::remember(plate::OutArchive& archive) const {
+void MovingBonds::save(plate::OutArchive& archive) const {
   memory(archive, *this);
   archive(cracks_, bonds_, advances_, largest_speed_);
 }
 
-void MovingBonds::recall(plate::InArchive& archive) {
+void MovingBonds::restore(plate::InArchive& archive) {
   memory(archive, *this);
   archive(cracks_, bonds_, advances_, largest_speed_);
 }
@@ -203,8 +203,8 @@ const Record& MovingTips::record() {
   return record_;
 }
 
-Moved MovingTips::moved() const {
-  auto result = moved_so_far();
+MovingGrowthOutcome MovingTips::outcome() const {
+  auto result = outcome_so_far();
   const auto& pieces = cracks_.pieces();
   result.advances = pieces.size();
   for (const auto& piece : pieces) {
@@ -220,18 +220,18 @@ Moved MovingTips::moved() const {
       result.stopped.push_back(fmt::format("{} would turn by {:.0f} degrees, known to {:.0f} only", where,
                                            asked * 180 / std::numbers::pi, error * 180 / std::numbers::pi));
   }
-  result.unseen = cracks_.unseen();
+  result.direction_unknown = cracks_.direction_unknown();
   result.spent = growth_.spent(cracks_.fracture_energy(), start_.section().thickness, cracks_.length());
   for (const auto& path : cracks_.paths()) result.lengths.push_back(geometry::length(path.vertices));
   return result;
 }
 
-void MovingTips::remember(plate::OutArchive& archive) const {
+void MovingTips::save(plate::OutArchive& archive) const {
   memory(archive, *this);
   archive(cracks_);
 }
 
-void MovingTips::recall(plate::InArchive& archive) {
+void MovingTips::restore(plate::InArchive& archive) {
   memory(archive, *this);
   archive(cracks_);
 }

@@ -27,7 +27,7 @@ public:
   plate::Changes& changes();
   virtual double fracture_energy() const = 0;
   /// Kinetic energy of pieces that were frozen.
-  double frozen_energy() const { return fallen_ ? fallen_->energy() : 0; }
+  double frozen_energy() const { return detached_pieces_ ? detached_pieces_->energy() : 0; }
 
   /// Looks at the cracks at a row of the history.
   virtual void look(double time) = 0;
@@ -41,38 +41,38 @@ public:
     return plate_.draw(frame, state, start_, cuts());
   }
   virtual const Record& record() = 0;
-  virtual Moved moved() const = 0;
+  virtual MovingGrowthOutcome outcome() const = 0;
 
   /// All that goes on from here, between two steps.
-  virtual void remember(plate::OutArchive& archive) const = 0;
-  virtual void recall(plate::InArchive& archive) = 0;
+  virtual void save(plate::OutArchive& archive) const = 0;
+  virtual void restore(plate::InArchive& archive) = 0;
 
 protected:
   /// Serialises the state that both kinds of growth have.
   template <typename Archive, typename Self>
   static void memory(Archive& archive, Self& self) {
     archive(self.plate_, self.record_);
-    if (self.fallen_) archive(*self.fallen_);
+    if (self.detached_pieces_) archive(*self.detached_pieces_);
   }
   /// Tips by their number.
   using Tips = std::vector<std::pair<std::size_t, geometry::Tip>>;
-  virtual plate::Changes& severing() = 0;
+  virtual plate::Changes& breakage() = 0;
   virtual Tips tips() const = 0;
   virtual std::vector<geometry::CrackPath> paths() const = 0;
   /// Where the plate is parted.
   virtual std::vector<geometry::CrackPath> cuts() const { return paths(); }
   /// Outcome so far, as far as both kinds of growth have it.
-  Moved moved_so_far() const;
+  MovingGrowthOutcome outcome_so_far() const;
 
   const Growth& growth_;
   const plate::Formulation& start_;
-  SeveredPlate plate_;
+  DamagedPlate plate_;
   Record record_;
 
 private:
   std::optional<post::SrifOptions> options_;
   double rotary_inertia_;
-  std::optional<FallenPieces> fallen_;
+  std::optional<DetachedPieces> detached_pieces_;
 };
 
 /// By the criterion.
@@ -86,7 +86,7 @@ public:
   using Observe = std::function<bool(const std::vector<LoadedBond>& bonds, double time)>;
 
   /// `plate` and `check` must outlive this.
-  BreakingBonds(SeveredPlate& plate, BondCheck& check, Observe observe);
+  BreakingBonds(DamagedPlate& plate, BondCheck& check, Observe observe);
 
   void before_force(const plate::Step& now) override;
   void after_force(const plate::Step& now, const plate::Forces& force) override;
@@ -106,7 +106,7 @@ public:
   }
 
 private:
-  SeveredPlate& plate_;
+  DamagedPlate& plate_;
   BondCheck& check_;
   Observe observe_;
   std::vector<std::uint32_t> suspects_;
@@ -128,12 +128,12 @@ public:
   double fracture_energy() const override { return bonds_.fracture_energy(); }
   void look(double time) override;
   const Record& record() override;
-  Moved moved() const override;
-  void remember(plate::OutArchive& archive) const override;
-  void recall(plate::InArchive& archive) override;
+  MovingGrowthOutcome outcome() const override;
+  void save(plate::OutArchive& archive) const override;
+  void restore(plate::InArchive& archive) override;
 
 private:
-  plate::Changes& severing() override { return bonds_; }
+  plate::Changes& breakage() override { return bonds_; }
   bool broke(const std::vector<LoadedBond>& bonds, double time);
   Tips tips() const override { return cracks_.tips_of_cracks(); }
   std::vector<geometry::CrackPath> paths() const override { return cracks_.paths(); }
@@ -156,12 +156,12 @@ public:
   double fracture_energy() const override { return cracks_.fracture_energy(); }
   void look(double) override {}
   const Record& record() override;
-  Moved moved() const override;
-  void remember(plate::OutArchive& archive) const override;
-  void recall(plate::InArchive& archive) override;
+  MovingGrowthOutcome outcome() const override;
+  void save(plate::OutArchive& archive) const override;
+  void restore(plate::InArchive& archive) override;
 
 private:
-  plate::Changes& severing() override { return cracks_; }
+  plate::Changes& breakage() override { return cracks_; }
   Tips tips() const override { return cracks_.tips(); }
   std::vector<geometry::CrackPath> paths() const override { return cracks_.paths(); }
 

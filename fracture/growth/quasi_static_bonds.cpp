@@ -25,7 +25,7 @@ QuasiStaticBonds::QuasiStaticBonds(const Growth& growth, const plate::Formulatio
       options_of_factors_(std::move(factors)),
       options_(options),
       plate_(*start.breaking(), start.boundary(), {start.section(), start.discretization()},
-             seen_by_growth(start, options_of_factors_.has_value())),
+             overlap_of_growth(start, options_of_factors_.has_value())),
       limits_(growth, start.section(), start.discretization()),
       check_(growth, limits_, plate_, start.boundary()),
       cracks_(start),
@@ -110,7 +110,7 @@ void QuasiStaticBonds::choose(const Equilibrium& state) {
 
 void QuasiStaticBonds::advance(double factor) {
   const bool new_lines = cracks_.broke(breaks_, double(advances_));
-  plate_.sever(check_.here(breaks_), 1);
+  plate_.break_bonds(check_.here(breaks_), 1);
   const plate::State none;
   spent_ += factor * factor * plate_.carry_on_all({state_, none, 0});
   ++advances_;
@@ -126,7 +126,7 @@ std::optional<std::vector<post::Srif>> QuasiStaticBonds::factors(double factor) 
   new_lines_ = false;
   plate::Forces force;
   plate_.internal_force(state_, force);
-  start_.boundary().attached.take_force(state_, force);
+  start_.boundary().elastic_supports.take_force(state_, force);
   plate_.constraints().fetch(force);
   const auto paths = cracks_.paths();
   const auto view = plate_.tip_view();
@@ -162,11 +162,11 @@ void QuasiStaticBonds::memory(Archive& archive, Self& self) {
           self.breaks_, self.new_lines_, self.advances_, self.spent_);
 }
 
-void QuasiStaticBonds::remember(plate::OutArchive& archive) const {
+void QuasiStaticBonds::save(plate::OutArchive& archive) const {
   memory(archive, *this);
 }
 
-void QuasiStaticBonds::recall(plate::InArchive& archive) {
+void QuasiStaticBonds::restore(plate::InArchive& archive) {
   memory(archive, *this);
 }
 

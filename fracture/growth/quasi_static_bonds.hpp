@@ -35,10 +35,10 @@ public:
   /// Growth of the cracks beyond their length at the start [length].
   double grown_length() const { return cracks_.growth(); }
 
-  void remember(plate::OutArchive& archive) const override;
-  void recall(plate::InArchive& archive) override;
+  void save(plate::OutArchive& archive) const override;
+  void restore(plate::InArchive& archive) override;
   plate::State* of_points() override { return &state_; }
-  void recalled_points() override { plate_.constraints().impose(state_); }
+  void restored_points() override { plate_.constraints().impose(state_); }
 
 private:
   template <typename Archive, typename Self>
@@ -51,7 +51,7 @@ private:
   const plate::Formulation& start_;
   std::optional<post::SrifOptions> options_of_factors_;
   plate::StaticOptions options_;
-  SeveredPlate plate_;
+  DamagedPlate plate_;
   BondLimits limits_;
   BondCheck check_;
   BondCracks cracks_;

@@ -23,11 +23,12 @@ const plate::Communicator& QuasiStaticModel::communicator() const {
   return plate().communicator();
 }
 
-Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
-                            const std::function<void(const Equilibrium&)>& observe, const Continuation& continuation) {
-  Grown result;
+QuasiStaticOutcome grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
+                                         const std::function<void(const Equilibrium&)>& observe,
+                                         const Continuation& continuation) {
+  QuasiStaticOutcome result;
   QuasiStaticLoad load(growth.control);
-  const auto books = [&] {
+  const auto energies = [&] {
     const double heated = model.heated(load.factor());
     return Ledger{load.ledger.external_work + heated, load.ledger.strain + heated, model.fracture_energy()};
   };
@@ -38,7 +39,7 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
   };
   if (continuation.from) {
     load = *continuation.from;
-    result.ledger = books();
+    result.ledger = energies();
     if (!goes_on()) return result;
   }
   while (true) {
@@ -48,7 +49,7 @@ Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
       return result;
     }
     const auto step = load.to(plate.displacement, plate.critical, plate.held);
-    result.ledger = books();
+    result.ledger = energies();
     const auto end = end_of(growth, model, plate, step);
     const Equilibrium state{model.advances(), load.factor(),   load.displacement(), plate.critical,
                             step.stable,      end.has_value(), result.ledger,       plate.error};

@@ -71,14 +71,14 @@ public:
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// Saves the state to continue from at an equilibrium, between choose() and advance().
-  virtual void remember(plate::OutArchive& archive) const = 0;
+  virtual void save(plate::OutArchive& archive) const = 0;
   /// Restores the state of a model that has not been solved yet. Throws plate::NumericalError.
-  virtual void recall(plate::InArchive& archive) = 0;
+  virtual void restore(plate::InArchive& archive) = 0;
   /// Further values of points to be saved, null where there are none; where ranks share the plate, each saves its own
   /// separately.
   virtual plate::State* of_points() { return nullptr; }
   /// Own points have theirs again.
-  virtual void recalled_points() {}
+  virtual void restored_points() {}
 
 protected:
   Record record_;
@@ -86,7 +86,7 @@ protected:
 };
 
 /// How a quasi-static growth ended.
-struct Grown {
+struct QuasiStaticOutcome {
   Ended ended;
   Ledger ledger;  // at the last state
 };
@@ -100,8 +100,8 @@ struct Continuation {
 /// Lets a model grow, load by load: the plate is linear between advances, so the load factor of the next one is known
 /// exactly (theory.md, "Growth"). `observe` sees every state, after the model has chosen. Throws plate::Interrupted
 /// where a signal asks for the end.
-Grown grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
-                            const std::function<void(const Equilibrium&)>& observe,
-                            const Continuation& continuation = {});
+QuasiStaticOutcome grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
+                                         const std::function<void(const Equilibrium&)>& observe,
+                                         const Continuation& continuation = {});
 
 }  // namespace fracture

@@ -66,7 +66,7 @@ bool QuasiStaticTips::may_grow(const LoadedTip& tip) const {
 
 Loaded QuasiStaticTips::solve() {
   do {
-    plate_ = solved_ ? *std::exchange(solved_, {}) : whole_load(cracks_);
+    plate_ = solved_ ? *std::exchange(solved_, {}) : full_load(cracks_);
     if (!plate_.split.empty()) return {plate_.split, 0, 0, {}};
   } while (break_through());
   most_ = 0;
@@ -156,14 +156,14 @@ std::vector<Turn> QuasiStaticTips::turns_of(const std::vector<char>& moves) cons
 /// in displacement) and the energy predicted from the energy release rates of its tips before and after it.
 void QuasiStaticTips::calibrate() {
   double predicted = 0, length = 0;
-  const auto moved = std::exchange(moved_, {});
-  for (const auto& [crack, at_back, G, gone] : moved) {
+  const auto advanced = std::exchange(advanced_, {});
+  for (const auto& [crack, at_back, G, gone] : advanced) {
     const auto now = std::ranges::find_if(plate_.tips, [tip = crack, back = at_back](const auto& one) {
       return one.tip.crack == tip && one.tip.at_back == back;
     });
     if (now == plate_.tips.end()) return;  // broken through
     predicted += gone * (G + *now->G) / 2;
-    length += gone / double(moved.size());
+    length += gone / double(advanced.size());
   }
   if (length == 0) return;
   calibrated_ += length, predicted_ += predicted;
@@ -253,7 +253,7 @@ bool QuasiStaticTips::break_through() {
   if (tips.empty()) return false;
   meet_halfway(tips, ways);
   for (std::size_t i = 0; i < tips.size(); ++i) extend(tips[i], *ways[i]);
-  moved_.clear();  // what the last advance released cannot be told from this
+  advanced_.clear();  // what the last advance released cannot be told from this
   ++advances_;
   return true;
 }
@@ -281,7 +281,7 @@ void QuasiStaticTips::advance(double) {
 /// where the ends do not tell how they go on, which counts unless `anyhow`.
 bool QuasiStaticTips::lay_twice(const Start& start, std::vector<double> angles, double leg, bool anyhow) {
   lay(start, angles, leg);
-  auto trial = whole_load(cracks_);
+  auto trial = full_load(cracks_);
   if (!anyhow && !shows_directions(trial)) return false;
   if (auto why = contradicted(trial, angles, leg); !why.empty()) {
     stay(start, std::move(why));
@@ -289,7 +289,7 @@ bool QuasiStaticTips::lay_twice(const Start& start, std::vector<double> angles, 
   }
   if (correct(trial, angles)) {
     lay(start, angles, leg);
-    trial = whole_load(cracks_);
+    trial = full_load(cracks_);
   }
   if (!anyhow && !shows_directions(trial)) return false;
   solved_ = std::move(trial);
@@ -307,7 +307,7 @@ bool QuasiStaticTips::shows_directions(const LoadedPlate& trial) const {
 
 void QuasiStaticTips::lay(const Start& start, const std::vector<double>& angles, double leg) {
   cracks_ = start.cracks, fracture_ = start.fracture;
-  moved_.clear();
+  advanced_.clear();
   const bool long_leg = std::ranges::any_of(angles, turns);  // tips that move together go as far
   std::vector<geometry::Tip> tips;
   std::vector<std::optional<TipAdvance>> ways(plate_.tips.size());
@@ -320,14 +320,14 @@ void QuasiStaticTips::lay(const Start& start, const std::vector<double>& angles,
   for (std::size_t i = 0; i < ways.size(); ++i) {
     if (!ways[i]) continue;
     extend(tips[i], *ways[i]);
-    moved_.push_back({tips[i].crack, tips[i].at_back, *plate_.tips[i].G, ways[i]->length});
+    advanced_.push_back({tips[i].crack, tips[i].at_back, *plate_.tips[i].G, ways[i]->length});
   }
 }
 
 /// Nothing has moved.
 void QuasiStaticTips::stay(const Start& start, std::string why) {
   cracks_ = start.cracks, fracture_ = start.fracture, stuck_ = std::move(why);
-  moved_.clear();
+  advanced_.clear();
   auto& [columns, rows] = record_.tips;
   const auto moves = record_.tips.column("moves");
   for (auto row = rows.end() - std::ptrdiff_t(plate_.tips.size()); row != rows.end(); ++row) (*row)[moves] = 0.0;
@@ -382,14 +382,14 @@ void QuasiStaticTips::memory(Archive& archive, Self& self) {
           self.measured_, self.predicted_, self.fracture_, self.advances_);
 }
 
-void QuasiStaticTips::remember(plate::OutArchive& archive) const {
+void QuasiStaticTips::save(plate::OutArchive& archive) const {
   memory(archive, *this);
 }
 
-void QuasiStaticTips::recall(plate::InArchive& archive) {
+void QuasiStaticTips::restore(plate::InArchive& archive) {
   memory(archive, *this);
   const auto warnings = warnings_;
-  plate_ = whole_load(cracks_);
+  plate_ = full_load(cracks_);
   warnings_ = warnings;  // those of the solution have been said
 }
 

@@ -50,13 +50,13 @@ public:
   std::vector<double> lengths() const override;
   const std::vector<geometry::Polyline>& cracks() const { return cracks_; }
 
-  void remember(plate::OutArchive& archive) const override;
+  void save(plate::OutArchive& archive) const override;
   /// The plate is solved again.
-  void recall(plate::InArchive& archive) override;
+  void restore(plate::InArchive& archive) override;
 
 protected:
   /// The plate with these cracks under the whole load.
-  virtual LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) = 0;
+  virtual LoadedPlate full_load(const std::vector<geometry::Polyline>& cracks) = 0;
   /// Remedy that improves the factors of the last plate.
   virtual std::string remedy() const { return "refine"; }
   /// Where a tip without a ring breaks through to.
@@ -94,7 +94,7 @@ private:
   void extend(const geometry::Tip& tip, const TipAdvance& step);
   void draw_cracks(double advance);
 
-  struct Moved {
+  struct AdvancedTip {
     std::size_t crack;
     bool at_back;
     double G, length;
@@ -110,7 +110,7 @@ private:
   std::string stuck_;                                     // why the last advance was not made
   double most_ = 0;                                       // energy release rate of a tip that may grow
   std::vector<char> moves_;                               // per tip
-  std::vector<Moved> moved_;                              // by the last advance
+  std::vector<AdvancedTip> advanced_;                     // by the last advance
   double last_given_ = 0;                                 // before it
   double calibrated_ = 0, measured_ = 0, predicted_ = 0;  // length of a tip's way, energies of all advances
   double fracture_ = 0;

@@ -67,7 +67,7 @@ private:
     std::ranges::sort(points, {}, [&](std::uint32_t k) { return std::tuple(x[k][axis], x[k][1 - axis], k); });
     const auto parts = [&](std::size_t i) {
       const auto k = points[i], before = points[i - 1];
-      if (axis == 0 && !cells_.graded) return stretch_of(cells_, k) != stretch_of(cells_, before);
+      if (axis == 0 && !cells_.graded) return column_block_of(cells_, k) != column_block_of(cells_, before);
       return x[k][axis] != x[before][axis];
     };
     for (std::size_t away = 0; away < points.size(); ++away) {
@@ -111,12 +111,12 @@ CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted) {
   return result;
 }
 
-long stretch_at(double x, double spacing) {
-  return std::lround(std::floor(std::round(x / spacing) / double(stretch)));
+long column_block_at(double x, double spacing) {
+  return std::lround(std::floor(std::round(x / spacing) / double(columns_per_block)));
 }
 
-long stretch_of(const Tessellation& cells, std::size_t k) {
-  return stretch_at(cells.local[k].x(), cells.units.spacing);
+long column_block_of(const Tessellation& cells, std::size_t k) {
+  return column_block_at(cells.local[k].x(), cells.units.spacing);
 }
 
 std::vector<int> shared_out(const Tessellation& cells, int parts) {

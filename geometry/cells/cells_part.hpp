@@ -15,11 +15,11 @@ struct CellsPart {
 CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted);
 
 /// Columns of a lattice between two places where a row of points may be parted.
-constexpr long stretch = 256;
+constexpr long columns_per_block = 256;
 
 /// The stretch of columns in which a point lies, from 0. `x`: from the left end of the plate [length].
-long stretch_at(double x, double spacing);
-long stretch_of(const Tessellation& cells, std::size_t k);
+long column_block_at(double x, double spacing);
+long column_block_of(const Tessellation& cells, std::size_t k);
 
 /// Which of `parts` every point belongs to: about as many points each, by halving again and again along x or y. A
 /// lattice is parted between rows, and between stretches of columns, so that a row of points is the same pieces for any

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "geometry/cells/global_lattice.hpp"
 #include "geometry/cells/uncracked_cells.hpp"
-#include "geometry/cells/whole_lattice.hpp"
 #include "geometry/shape/predicates.hpp"
 
 namespace geometry {
@@ -88,7 +88,7 @@ Sizing sizing_of(const Outline& outline, const std::vector<CrackPath>& cracks, c
 
 Tessellation tessellation(const Outline& outline, const std::vector<CrackPath>& cracks, double spacing,
                           const std::vector<Point>& singles, const Grading& grading) {
-  if (!grading.at_tips && !grading.at_holes) return WholeLattice(outline, cracks, spacing, singles).cells();
+  if (!grading.at_tips && !grading.at_holes) return GlobalLattice(outline, cracks, spacing, singles).cells();
   Tessellation result;
   result.units = {bounding_box(outline).first, spacing}, result.graded = true;
   const auto place = [&](const Point& x) -> Point { return result.units.to_units(x); };
@@ -186,7 +186,7 @@ Families exact_cell_families(const Tessellation& cells) {
   return {std::move(vectors), std::move(pattern), std::move(first), std::move(steps)};
 }
 
-std::vector<Point> seen_positions(const Tessellation& cells) {
+std::vector<Point> positions_inside_faces(const Tessellation& cells) {
   constexpr double step = 2e-6;
   std::vector<Point> inwards(cells.local.size(), Point(0, 0)), result = cells.positions;
   std::vector<double> near(result.size(), std::numeric_limits<double>::infinity());

@@ -78,7 +78,7 @@ Families exact_cell_families(const Tessellation& tessellation);
 
 /// Positions, those on the faces of cracks moved into their cells by 2e-6 of the distance to the next points of the
 /// crack: so they tell on which face they are.
-std::vector<Point> seen_positions(const Tessellation& tessellation);
+std::vector<Point> positions_inside_faces(const Tessellation& tessellation);
 
 /// Which cell is about a place.
 class CellLocator {

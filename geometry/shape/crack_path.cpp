@@ -119,7 +119,7 @@ bool runs_along(const Point& a, const Point& b, const Point& c, const Point& d, 
   return std::min(end, (d - c).norm()) - std::max(start, 0.0) > tolerance;
 }
 
-std::vector<std::string> faults_alone(const Polyline& crack, double tolerance) {
+std::vector<std::string> errors_alone(const Polyline& crack, double tolerance) {
   if (crack.size() < 2) return {text("has ", crack.size(), " vertices; a crack needs at least 2")};
   std::vector<std::string> found;
   for (std::size_t i = 0; i < crack.size(); ++i) {
@@ -141,7 +141,7 @@ std::vector<std::string> faults_alone(const Polyline& crack, double tolerance) {
   return found;
 }
 
-std::vector<std::string> faults_in_plate(const Outline& outline, const Polyline& crack, double tolerance) {
+std::vector<std::string> errors_in_plate(const Outline& outline, const Polyline& crack, double tolerance) {
   std::vector<std::string> found;
   for (std::size_t i = 0; i < crack.size(); ++i) {
     if (!outside(outline, crack[i], tolerance)) continue;
@@ -194,14 +194,14 @@ std::vector<Tip> tips(const std::vector<CrackPath>& paths) {
   return all;
 }
 
-bool severs(const CrackPath& crack, const Point& p, const Point& q) {
+bool separates(const CrackPath& crack, const Point& p, const Point& q) {
   for (std::size_t i = 0; i + 1 < crack.vertices.size(); ++i)
     if (near(p, q, crack.vertices[i], crack.vertices[i + 1]) && crosses(crack, i, p, q)) return true;
   return false;
 }
 
-std::vector<Fault> faults(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance) {
-  std::vector<Fault> found;
+std::vector<GeometryError> errors(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance) {
+  std::vector<GeometryError> found;
   const auto where = [](std::size_t i) { return text("cracks[", i, "]"); };
   constexpr std::size_t most_crossings = 10000;  // cells between more of them take minutes
   std::size_t crossings = 0;
@@ -216,8 +216,8 @@ std::vector<Fault> faults(const Outline& outline, const std::vector<Polyline>& p
   };
   std::vector<Eigen::AlignedBox2d> boxes;
   for (std::size_t i = 0; i < polylines.size(); ++i) {
-    auto all = faults_alone(polylines[i], tolerance);
-    if (all.empty()) all = faults_in_plate(outline, polylines[i], tolerance);
+    auto all = errors_alone(polylines[i], tolerance);
+    if (all.empty()) all = errors_in_plate(outline, polylines[i], tolerance);
     for (const std::string& what : all) found.push_back({where(i), what});
     auto& box = boxes.emplace_back();
     for (const Point& x : polylines[i]) box.extend(x);

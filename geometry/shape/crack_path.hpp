@@ -39,11 +39,11 @@ std::vector<Tip> tips(const std::vector<CrackPath>& paths);
 /// a bond that merely touches a tip stays; a point exactly on the crack lies on the side of +x
 /// (+y where the crack is horizontal), as if all points were moved by the infinitesimal (e, e^2).
 /// Mouths and junctions are closed ends: a bond through them is severed.
-bool severs(const CrackPath& crack, const Point& p, const Point& q);
+bool separates(const CrackPath& crack, const Point& p, const Point& q);
 
 /// Everything that is wrong with the cracks: fewer than two vertices, zero length, self-crossing, outside the plate,
 /// through a hole, wholly on an edge.
-std::vector<Fault> faults(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance);
+std::vector<GeometryError> errors(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance);
 
 /// Distance of a point from a polyline.
 double distance(const Polyline& polyline, const Point& point);

@@ -267,7 +267,7 @@ std::vector<std::string> self_crossings(const Ring& ring) {
   return found;
 }
 
-std::vector<std::string> faults_alone(const Polygon& polygon) {
+std::vector<std::string> errors_alone(const Polygon& polygon) {
   const Ring& ring = polygon.vertices;
   std::vector<std::string> found;
   if (ring.size() < 3) return {text("has ", ring.size(), " vertices; a polygon needs at least 3")};
@@ -284,13 +284,13 @@ std::vector<std::string> faults_alone(const Polygon& polygon) {
   return self_crossings(ring);
 }
 
-std::vector<std::string> faults_alone(const Circle& circle) {
+std::vector<std::string> errors_alone(const Circle& circle) {
   if (!circle.centre.allFinite()) return {text("centre ", at(circle.centre), " is not finite")};
   if (circle.radius > 0 && std::isfinite(circle.radius)) return {};
   return {text("radius ", circle.radius, " must be positive")};
 }
 
-std::vector<std::string> faults_inside(const Polygon& outer, const Circle& circle) {
+std::vector<std::string> errors_inside(const Polygon& outer, const Circle& circle) {
   const auto self = text("circle of radius ", circle.radius, " about ", at(circle.centre));
   const double room = distance_to(outer.vertices, circle.centre);
   if (position(outer.vertices, circle.centre) <= 0)
@@ -299,7 +299,7 @@ std::vector<std::string> faults_inside(const Polygon& outer, const Circle& circl
   return {text(self, " reaches ", circle.radius - room, " beyond the outline")};
 }
 
-std::vector<std::string> faults_inside(const Polygon& outer, const Polygon& hole) {
+std::vector<std::string> errors_inside(const Polygon& outer, const Polygon& hole) {
   std::vector<std::string> found;
   const Ring &ring = hole.vertices, &bound = outer.vertices;
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -339,23 +339,23 @@ bool collide(const Hole& a, const Hole& b) {
 
 }  // namespace
 
-std::vector<Fault> faults(const Outline& outline) {
-  std::vector<Fault> found;
+std::vector<GeometryError> errors(const Outline& outline) {
+  std::vector<GeometryError> found;
   const auto note = [&](const std::string& where, const std::vector<std::string>& all) {
     for (const std::string& what : all) found.push_back({where, what});
     return all.empty();
   };
-  bool relations = note("outline", faults_alone(outline.outer));
+  bool relations = note("outline", errors_alone(outline.outer));
   if (relations && signed_area(outline.outer.vertices) < 0)
     found.push_back({"outline", "is clockwise; list the vertices counter-clockwise"});
   const auto where = [](std::size_t i) { return text("holes[", i, "]"); };
   for (std::size_t i = 0; i < outline.holes.size(); ++i)
-    if (!note(where(i), std::visit([](const auto& shape) { return faults_alone(shape); }, outline.holes[i])))
+    if (!note(where(i), std::visit([](const auto& shape) { return errors_alone(shape); }, outline.holes[i])))
       relations = false;
   if (!relations) return found;
   for (std::size_t i = 0; i < outline.holes.size(); ++i) {
     note(where(i),
-         std::visit([&](const auto& shape) { return faults_inside(outline.outer, shape); }, outline.holes[i]));
+         std::visit([&](const auto& shape) { return errors_inside(outline.outer, shape); }, outline.holes[i]));
     for (std::size_t j = 0; j < i; ++j)
       if (collide(outline.holes[i], outline.holes[j])) found.push_back({where(i), text("overlaps ", where(j))});
   }

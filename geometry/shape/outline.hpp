@@ -38,7 +38,7 @@ struct Edge {
 };
 
 /// One thing that is wrong with a geometry: `where` is "outline", "holes[1]" or "cracks[0]".
-struct Fault {
+struct GeometryError {
   std::string where;
   std::string what;
 };
@@ -73,7 +73,7 @@ bool meet(const Point& p, const Point& q, const Point& a, const Point& b);
 
 /// Everything that is wrong with the outline and its holes: fewer than three vertices, repeated vertices,
 /// self-crossing, clockwise, no area, radius <= 0, holes outside, crossing the outline or each other.
-std::vector<Fault> faults(const Outline& outline);
+std::vector<GeometryError> errors(const Outline& outline);
 
 /// Lower left and upper right corner of the bounding box.
 std::pair<Point, Point> bounding_box(const Outline& outline);

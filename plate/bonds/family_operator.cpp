@@ -33,9 +33,9 @@ double shear(const PatternBond& bond, const Kinematics<>& k, const Kinematics<>&
 }  // namespace
 
 bool OperatedPart::waits(std::uint32_t first, std::uint32_t length, std::span<const PatternBond> bonds) const {
-  if (awaited.empty()) return false;
+  if (pending.empty()) return false;
   const auto any = [&](std::int64_t from) {
-    return std::any_of(awaited.begin() + from, awaited.begin() + from + length, [](char one) { return one; });
+    return std::any_of(pending.begin() + from, pending.begin() + from + length, [](char one) { return one; });
   };
   return any(first) || std::ranges::any_of(bonds, [&](const auto& bond) { return any(first + bond.step); });
 }
@@ -125,7 +125,7 @@ void FamilyOperator::product(const State& state, const Patterns& patterns, const
 
 void FamilyOperator::internal_force(const State& state, Forces& forces) const {
   product<false>(state, patterns_, dilatation_stiffness_, forces);
-  attached_.add_force(state, forces);
+  elastic_supports_.add_force(state, forces);
 }
 
 void FamilyOperator::absolute_product(const State& state, Forces& forces) const {
@@ -133,7 +133,7 @@ void FamilyOperator::absolute_product(const State& state, Forces& forces) const 
   for (auto& bond : absolute.bonds)
     for (double* value : {&bond.mx, &bond.my, &bond.D_kj, &bond.D_jk}) *value = std::abs(*value);
   product<true>(state, absolute, dilatation_stiffness_.abs(), forces);
-  attached_.add_absolute_product(state, forces);
+  elastic_supports_.add_absolute_product(state, forces);
 }
 
 Forces FamilyOperator::diagonal() const {
@@ -158,7 +158,7 @@ Forces FamilyOperator::diagonal() const {
       result.col(Eigen::Index(k)) << force, couple.x(), couple.y();
     }
   }
-  attached_.add_diagonal(result);
+  elastic_supports_.add_diagonal(result);
   return result;
 }
 
@@ -180,7 +180,7 @@ Eigen::VectorXd FamilyOperator::energies(const State& state) const {
     }
     result[k] = dilatation_stiffness_[k] / 2 * dilatation * dilatation + area_[k] * sum;
   }
-  attached_.add_energies(state, result);
+  elastic_supports_.add_energies(state, result);
   return result;
 }
 

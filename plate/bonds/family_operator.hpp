@@ -3,13 +3,13 @@
 #include <span>
 #include "geometry/lattice/families.hpp"
 #include "plate/bonds/horizon_parameters.hpp"
-#include "plate/formulation/attached_stiffness.hpp"
+#include "plate/formulation/elastic_supports.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/communicator.hpp"
 
 namespace plate {
 
-class Exchange;
+class HaloExchange;
 
 /// A bond of a pattern, with what both ends give to it.
 struct PatternBond {
@@ -33,10 +33,10 @@ struct Patterns {
 /// Where a process holds a part of the plate only: what it computes of it.
 struct OperatedPart {
   const Communicator* communicator = &single_process();
-  std::vector<std::uint32_t> block;          // of every point: runs and columns are of one each
-  std::vector<char> wanted;                  // points whose dilatations and forces are asked for here
-  std::shared_ptr<const Exchange> exchange;  // of the dilatations of the others; none: one process holds all
-  std::vector<char> awaited;                 // points whose values depend on others' (Constraints); empty: none
+  std::vector<std::uint32_t> block;              // of every point: runs and columns are of one each
+  std::vector<char> wanted;                      // points whose dilatations and forces are asked for here
+  std::shared_ptr<const HaloExchange> exchange;  // of the dilatations of the others; none: one process holds all
+  std::vector<char> pending;                     // points whose values depend on others' (Constraints); empty: none
 
   /// Is one of some points in a row awaited, or one that they see by these bonds, which all of them have?
   bool waits(std::uint32_t first, std::uint32_t length, std::span<const PatternBond> bonds) const;
@@ -51,8 +51,8 @@ public:
                  HorizonWeights weights, OperatedPart part = {});
 
   /// From now on what these have is part of all that follows.
-  void attach(AttachedStiffness attached) { attached_ = std::move(attached); }
-  const AttachedStiffness& attached() const { return attached_; }
+  void set_elastic_supports(ElasticSupports elastic_supports) { elastic_supports_ = std::move(elastic_supports); }
+  const ElasticSupports& elastic_supports() const { return elastic_supports_; }
 
   std::size_t points() const override { return families_.points(); }
 
@@ -85,7 +85,7 @@ private:
   HorizonWeights weights_;
   Eigen::ArrayXd area_, dilatation_stiffness_;  // by point: A, 2 A a
   Patterns patterns_;
-  AttachedStiffness attached_;
+  ElasticSupports elastic_supports_;
   OperatedPart part_;
 };
 

@@ -38,7 +38,7 @@ using geometry::Point;
 double iterations_with_diagonal(const Problem& problem) {
   const auto [low, high] = geometry::bounding_box(problem.outline);
   const double side = (high - low).maxCoeff();
-  const bool held = problem.elastically_held() ||
+  const bool held = problem.elastically_supported() ||
                     std::ranges::any_of(problem.supports, [](const auto& s) { return !s.edges.empty(); });
   return (held ? 1 : 3) * (2.2 + 0.084 * side / problem.section.thickness) * side / problem.discretization.spacing;
 }
@@ -82,8 +82,8 @@ public:
 
   std::size_t points() const override { return op_.points(); }
   void internal_force(const State& state, Forces& forces) const override { op_.internal_force(state, forces); }
-  void internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const override {
-    op_.internal_force_meanwhile(state, rest, forces);
+  void internal_force_overlapped(const State& state, PendingExchange& rest, Forces& forces) const override {
+    op_.internal_force_overlapped(state, rest, forces);
   }
   void absolute_product(const State& state, Forces& forces) const override { op_.absolute_product(state, forces); }
   Forces diagonal() const override { return op_.diagonal(); }
@@ -103,15 +103,16 @@ public:
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
   std::unique_ptr<Preconditioner> factor() const override;
   SingleForce single_precision() const override {
-    return [rows = op_.single_rows(), attached = op_.attached()](const Values<float>& state, Values<float>& force) {
+    return [rows = op_.single_rows(), elastic_supports = op_.elastic_supports()](const Values<float>& state,
+                                                                                 Values<float>& force) {
       rows.internal_force(state, force);
-      attached.add_force(state, force);
+      elastic_supports.add_force(state, force);
     };
   }
   const FamilyOperator* breaking() const override { return &op_; }
   std::vector<MemoryPart> memory(bool single) const override;
   std::optional<MatchCounts> matched() const override { return match_; }
-  std::vector<std::string> distrust(bool factors) const override { return distrust_of_bonds(*this, factors); }
+  std::vector<std::string> warnings(bool factors) const override { return warnings_about_bonds(*this, factors); }
   std::string remedy() const override;
   double error_of_edges() const override { return error_of_stairs(*this); }
   std::optional<double> width_of_pins() const override { return plate::width_of_pins(problem(), cloud().units); }
@@ -125,7 +126,7 @@ std::vector<PlaceShare> OrdinaryPlate::interpolation(const Point& at) const {
   if (const double away = distance_to_points(cloud(), at); away > reach_of_places)
     throw Refused({{Subject::geometry, 0, too_far("place", at, away, reach_of_places)}});
   const auto& units = cloud().units;
-  return seen_place(at, units, boundary().lattice, cloud().plate_points, geometry::to_lattice(paths(), units));
+  return visible_place(at, units, boundary().lattice, cloud().plate_points, geometry::to_lattice(paths(), units));
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {
@@ -134,8 +135,8 @@ std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {
   // forces of a point, and of its image beyond an edge, are of what is two horizons away
   const auto near =
       surroundings(problem().outline, discretization(), boundary(), 4 * discretization().horizon_ratio + 2);
-  return std::make_unique<SharedFactor>(communicator(), op_, boundary(), stiffness_matrix(op_, true, near->known),
-                                        near->exchange.get());
+  return std::make_unique<DistributedFactor>(communicator(), op_, boundary(), stiffness_matrix(op_, true, near->known),
+                                             near->exchange.get());
 }
 
 ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const {
@@ -147,14 +148,15 @@ ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const
   };
   if (wanted == automatic) wanted = usual();
   if (wanted == diagonal) return {nullptr, "diagonal"};
-  if (wanted == local) return {std::make_unique<LocalPlate>(op_, boundary(), section(), discretization()), "local"};
-  return {std::make_unique<TwoLevelPlate>(op_, boundary(), section(), discretization()), "two_level"};
+  if (wanted == local)
+    return {std::make_unique<ShortHorizonPreconditioner>(op_, boundary(), section(), discretization()), "local"};
+  return {std::make_unique<TwoLevelPreconditioner>(op_, boundary(), section(), discretization()), "two_level"};
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::inverse_of_shifted(double shift) const {
   if (communicator().distributed() || 4 * factor_bytes(double(points())) > free_memory() / 2)
     return Formulation::inverse_of_shifted(shift);
-  return std::make_unique<LocalPlate>(op_, boundary(), section(), discretization(), shift * mass());
+  return std::make_unique<ShortHorizonPreconditioner>(op_, boundary(), section(), discretization(), shift * mass());
 }
 
 std::vector<MemoryPart> OrdinaryPlate::memory(bool single) const {
@@ -237,8 +239,9 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   warn_of_edges(boundary, d.spacing, result.warnings);
   stopwatch.lap("geometry");
   const auto whole = geometry::families(boundary.cloud, d.horizon(), sees(boundary, outline, d.horizon_ratio));
-  auto families = sever(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
-  boundary.attached = attached_stiffness(problem, boundary.cloud);
+  auto families =
+      without_crossing_bonds(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
+  boundary.elastic_supports = elastic_supports_of(problem, boundary.cloud);
   OperatedPart operated_part;
   if (part) operated_part = operated(*part, boundary, families, layout.tips);
   layout.pieces = pieces(boundary, families);
@@ -263,7 +266,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   if (layout.mechanisms.twisting > 0 && !all.distributed()) tie_twists(boundary, families);
   LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights),
                                     std::move(operated_part)));
-  op.attach(boundary.attached);
+  op.set_elastic_supports(boundary.elastic_supports);
   layout.paths = std::move(paths);
   result.plate = std::make_unique<OrdinaryPlate>(std::move(layout), std::move(op), counts);
   stopwatch.lap("parameters");

@@ -16,9 +16,9 @@ namespace {
 using geometry::Cell;
 
 /// Points of the plate that are not one's own, and what they follow.
-class Seen {
+class Overlap {
 public:
-  Seen(const PartOfLattice& part, const Boundary& boundary) : part_(part), boundary_(boundary) {
+  Overlap(const PartOfLattice& part, const Boundary& boundary) : part_(part), boundary_(boundary) {
     for (const auto& tie : boundary.constraints.ties()) leaders_.emplace_back(tie.follower / 3, tie.leader / 3);
     std::sort(leaders_.begin(), leaders_.end());
     leaders_.erase(std::unique(leaders_.begin(), leaders_.end()), leaders_.end());
@@ -47,7 +47,7 @@ public:
     for (std::uint32_t k = 0; k < wanted.size(); ++k)
       if (wanted[k])
         for (const auto& bond : families[k]) seen[bond.neighbour] = 1;
-    see_attached(seen, families);
+    include_elastic_supports(seen, families);
     for (const auto& [follower, leader] : leaders_)
       if (seen[follower]) seen[leader] = 1;
     std::vector<std::uint32_t> result;
@@ -68,9 +68,9 @@ public:
 
 private:
   /// Soil ties points that no bond does, across cracks: these too, and what they see.
-  void see_attached(std::vector<char>& seen, const geometry::Families& families) const {
+  void include_elastic_supports(std::vector<char>& seen, const geometry::Families& families) const {
     std::vector<std::uint32_t> tied;
-    for (const auto& one : boundary_.attached.parts())
+    for (const auto& one : boundary_.elastic_supports.parts())
       one->for_each([&](std::uint32_t row, std::uint32_t column, double) {
         const auto k = row / 3, j = column / 3;
         if (k != j && seen[k] && families[k].find(j) == families[k].size()) tied.push_back(j);
@@ -87,7 +87,7 @@ private:
 };
 
 /// Asks the owners of copies for their numbers.
-std::vector<Copy> numbered(const Communicator& all, const PartOfLattice& part, const Seen& seen,
+std::vector<Copy> numbered(const Communicator& all, const PartOfLattice& part, const Overlap& seen,
                            const Boundary& boundary, const std::vector<std::uint32_t>& copies) {
   const auto size = std::size_t(all.size());
   std::vector<std::vector<std::uint32_t>> of_owner(size);
@@ -120,7 +120,7 @@ std::vector<Copy> numbered(const Communicator& all, const PartOfLattice& part, c
 
 /// Fictitious points: those that follow a w are of whom that is, the others of whose block is nearest. Whatever is held
 /// alone reacts there, and each reaction must count once.
-void own_fictitious(const PartOfLattice& part, const Seen& seen, Boundary& boundary) {
+void own_fictitious(const PartOfLattice& part, const Overlap& seen, Boundary& boundary) {
   const int self = boundary.map.communicator->rank();
   for (std::uint32_t k = boundary.cloud.plate_points; k < boundary.cloud.size(); ++k)
     boundary.map.owned[k] = part.partition.nearest_owner(seen.cell(k)) == self;
@@ -164,19 +164,19 @@ std::optional<Surroundings> surroundings(const geometry::Outline& outline, const
   const Communicator& all = *boundary.map.communicator;
   const auto part = part_of_lattice(all, outline, discretization);
   if (!part) return std::nullopt;
-  const Seen seen(*part, boundary);
+  const Overlap seen(*part, boundary);
   Surroundings result{seen.near(long(std::ceil(reach))), nullptr};
   std::vector<std::uint32_t> copies;
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k)
     if (result.known[k] && !seen.own(k)) copies.push_back(k);
-  result.exchange = all.exchange(boundary.cloud.size(), numbered(all, *part, seen, boundary, copies));
+  result.exchange = all.halo_exchange(boundary.cloud.size(), numbered(all, *part, seen, boundary, copies));
   return result;
 }
 
 OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geometry::Families& families,
                       const std::vector<geometry::Tip>& tips) {
   const Communicator& all = *boundary.map.communicator;
-  const Seen seen(part, boundary);
+  const Overlap seen(part, boundary);
   OperatedPart result;
   result.communicator = &all;
   for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k) result.block.push_back(part.partition.number(seen.cell(k)));
@@ -192,12 +192,12 @@ OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geome
   for (std::uint32_t k = boundary.cloud.plate_points; k < boundary.cloud.size(); ++k)
     if (boundary.map.owned[k]) result.wanted[k] = 1;
   const auto copies = seen.copies(result.wanted, families, own_tips);
-  result.exchange = all.exchange(boundary.cloud.size(), numbered(all, part, seen, boundary, copies));
+  result.exchange = all.halo_exchange(boundary.cloud.size(), numbered(all, part, seen, boundary, copies));
   std::vector<std::uint32_t> others;  // copies, and what nobody here needs
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k)
     if (!seen.own(k)) others.push_back(k);
   boundary.constraints.share(all, std::move(others), result.exchange);
-  result.awaited = boundary.constraints.awaited(boundary.cloud.size());
+  result.pending = boundary.constraints.pending(boundary.cloud.size());
   return result;
 }
 

@@ -37,8 +37,8 @@ OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geome
 
 /// Points that a rank knows beside its owned points, where more are requested than their forces need.
 struct Surroundings {
-  std::vector<char> known;                   // points whose states are known
-  std::shared_ptr<const Exchange> exchange;  // of those that others own
+  std::vector<char> known;                       // points whose states are known
+  std::shared_ptr<const HaloExchange> exchange;  // of those that others own
 };
 
 /// All that is within `reach` of the box of a process [spacings], at most reach_about_tips(). Nothing where one process

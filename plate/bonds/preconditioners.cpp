@@ -45,13 +45,15 @@ FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& bound
   const auto kinds = family_kinds(families, areas, boundary.active);
   auto weights = position_aware(families, shapes, areas, boundary.active, kinds, bond_based(section)).weights;
   FamilyOperator result(std::move(families), std::move(shapes), areas, std::move(weights));
-  result.attach(plate.attached());
+  result.set_elastic_supports(plate.elastic_supports());
   return result;
 }
 
-LocalPlate::LocalPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
-                       const Discretization& discretization, const Forces& added)
-    : plate_(plate, plate.attached(), everywhere(plate.attached())), constraints_(boundary.constraints) {
+ShortHorizonPreconditioner::ShortHorizonPreconditioner(const FamilyOperator& plate, const Boundary& boundary,
+                                                       const Section& section, const Discretization& discretization,
+                                                       const Forces& added)
+    : plate_(plate, plate.elastic_supports(), everywhere(plate.elastic_supports())),
+      constraints_(boundary.constraints) {
   const Forces diagonal = folded_diagonal(plate, constraints_);
   inverse_diagonal_ = diagonal.unaryExpr([](double d) { return d > 0 ? sweep / d : 0.0; });
   const FamilyOperator local = local_operator(plate, boundary, section, discretization);
@@ -63,7 +65,7 @@ LocalPlate::LocalPlate(const FamilyOperator& plate, const Boundary& boundary, co
   factor_ = factorised(of_unknowns(matrix, unknowns_));
 }
 
-void LocalPlate::apply(const Forces& residual, State& result) const {
+void ShortHorizonPreconditioner::apply(const Forces& residual, State& result) const {
   const auto subtract_product = [&](State& direction) {  // rest = residual - K direction
     constraints_.impose(direction);
     plate_.internal_force(direction, product_);
@@ -90,7 +92,7 @@ struct Source {
 
 /// Weights with sum 1, and the lever that the rotations have: half the distance where the weights are balanced, which
 /// is exact for quadratic deflections, all of it where they are not, which is exact for rigid motions.
-void settle(std::vector<Source>& sources, double spacing) {
+void normalise(std::vector<Source>& sources, double spacing) {
   double sum = 0;
   Point mean(0, 0);
   for (const auto& s : sources) sum += s.weight;
@@ -132,7 +134,7 @@ Transfer::Transfer(const geometry::Families& families, const Boundary& boundary)
       if (coarse_of[k] == none)
         for (const auto& bond : families[k]) add(bond.neighbour);
     }
-    if (!sources.empty()) settle(sources, boundary.cloud.units.spacing);
+    if (!sources.empty()) normalise(sources, boundary.cloud.units.spacing);
     for (const auto& s : sources)
       fine_.shares.push_back({s.coarse, float(s.weight), float(s.weight * s.away.x()), float(s.weight * s.away.y())});
     fine_.first[k + 1] = fine_.shares.size();
@@ -301,9 +303,9 @@ private:
   std::unique_ptr<Factor> factor_;
 };
 
-class SharedCoarsePlate : public CoarsePlate {
+class DistributedCoarsePlate : public CoarsePlate {
 public:
-  SharedCoarsePlate(const Communicator& all, const Operator& L, const Transfer& transfer, const Boundary& boundary)
+  DistributedCoarsePlate(const Communicator& all, const Operator& L, const Transfer& transfer, const Boundary& boundary)
       : constraints_(boundary.constraints),
         points_(Eigen::Index(boundary.cloud.size())),
         fine_(transfer.fine_points()) {
@@ -347,8 +349,8 @@ private:
     return result;
   }
 
-  SharedRows rows(const Operator& L, const Transfer& transfer, const Boundary& boundary,
-                  const std::vector<std::int64_t>& number) const {
+  DistributedRows rows(const Operator& L, const Transfer& transfer, const Boundary& boundary,
+                       const std::vector<std::int64_t>& number) const {
     constexpr std::size_t most = coarse_window * coarse_window;
     constexpr double rounding = 1e-12;
     struct Block {
@@ -372,7 +374,7 @@ private:
                              block.column = number[j];
                              for (int c = 0; c < 3; ++c) block.entries[std::size_t(3 * c + component)] = K_ij[c];
                            });
-    SharedRows result;
+    DistributedRows result;
     for (std::size_t n = 0; n < own_.size(); ++n) {
       auto& blocks = found[n];
       std::ranges::sort(blocks, {}, &Block::column);
@@ -395,14 +397,14 @@ private:
   Eigen::Index points_;
   std::vector<std::uint32_t> fine_;  // the point of the plate that each coarse one is
   std::vector<std::uint32_t> own_;   // coarse points of this process
-  std::unique_ptr<SharedInverse> inverse_;
+  std::unique_ptr<DistributedInverse> inverse_;
 };
 
 }  // namespace
 
 std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& transfer, const Boundary& boundary) {
   if (boundary.map.distributed())
-    return std::make_unique<SharedCoarsePlate>(*boundary.map.communicator, L, transfer, boundary);
+    return std::make_unique<DistributedCoarsePlate>(*boundary.map.communicator, L, transfer, boundary);
   return std::make_unique<FactorisedCoarsePlate>(coarse_stiffness(L, transfer, boundary.constraints));
 }
 
@@ -413,19 +415,19 @@ constexpr double weight = 0.6;  // of a sweep
 
 }  // namespace
 
-TwoLevelPlate::TwoLevelPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
-                             const Discretization& discretization)
-    : plate_(plate, plate.attached(), everywhere(plate.attached())),
+TwoLevelPreconditioner::TwoLevelPreconditioner(const FamilyOperator& plate, const Boundary& boundary,
+                                               const Section& section, const Discretization& discretization)
+    : plate_(plate, plate.elastic_supports(), everywhere(plate.elastic_supports())),
       constraints_(boundary.constraints),
       transfer_(plate.families(), boundary) {
   const Forces diagonal = folded_diagonal(plate, constraints_);
   inverse_diagonal_ = diagonal.unaryExpr([](double d) { return d > 0 ? weight / d : 0.0; });
   const LatticeOperator local(local_operator(plate, boundary, section, discretization));
-  const TouchedPlate touched(local, local.attached(), everywhere(local.attached()));
+  const PlateInContact touched(local, local.elastic_supports(), everywhere(local.elastic_supports()));
   coarse_plate_ = coarse_plate(touched, transfer_, boundary);
 }
 
-void TwoLevelPlate::apply(const Forces& residual, State& result) const {
+void TwoLevelPreconditioner::apply(const Forces& residual, State& result) const {
   const auto subtract_product = [&] {  // rest = residual - K result
     constraints_.impose(result);
     plate_.internal_force(result, product_);

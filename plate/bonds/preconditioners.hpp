@@ -10,25 +10,25 @@
 #include "plate/model/state.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/matrices/factor.hpp"
-#include "plate/solve/touched_plate.hpp"
+#include "plate/solve/plate_in_contact.hpp"
 
 namespace plate {
 
 /// Preconditioner of a plate with the short horizon of 1.5 spacings and without dilatation, factorised, between two
 /// Jacobi sweeps: its stiffness follows that of the plate for every wave that the lattice carries (theory.md,
 /// "Statics").
-class LocalPlate : public Preconditioner {
+class ShortHorizonPreconditioner : public Preconditioner {
 public:
   /// `plate` and `boundary` must outlive this. `added`: to the diagonal of what is factorised; empty: nothing.
-  LocalPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
-             const Discretization& discretization, const Forces& added = {});
+  ShortHorizonPreconditioner(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
+                             const Discretization& discretization, const Forces& added = {});
 
   void apply(const Forces& residual, State& result) const override;
 
   std::size_t bytes() const override { return factor_->bytes(); }
 
 private:
-  TouchedPlate plate_;  // on soil that lifts off as if it touched everywhere
+  PlateInContact plate_;  // on soil that lifts off as if it touched everywhere
   const Constraints& constraints_;
   Forces inverse_diagonal_;  // of the plate, times the weight of a sweep
   Unknowns unknowns_;
@@ -36,7 +36,8 @@ private:
   mutable Forces product_, rest_;
 };
 
-/// The plate of LocalPlate: bonds up to 1.5 spacings, bond-based, with the stiffness of the plate given.
+/// The plate of ShortHorizonPreconditioner: bonds up to 1.5 spacings, bond-based, with the stiffness of the plate
+/// given.
 FamilyOperator local_operator(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
                               const Discretization& discretization);
 
@@ -115,20 +116,20 @@ public:
 /// their own points and the copies that they have. `transfer` and `boundary` must outlive it.
 std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& transfer, const Boundary& boundary);
 
-/// The local plate (LocalPlate) on every second point in both directions, factorised, between Jacobi sweeps on the
-/// plate itself: a quarter of the unknowns, for plates of many points (theory.md, "Statics").
-class TwoLevelPlate : public Preconditioner {
+/// The local plate (ShortHorizonPreconditioner) on every second point in both directions, factorised, between Jacobi
+/// sweeps on the plate itself: a quarter of the unknowns, for plates of many points (theory.md, "Statics").
+class TwoLevelPreconditioner : public Preconditioner {
 public:
   /// `plate` and `boundary` must outlive this.
-  TwoLevelPlate(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
-                const Discretization& discretization);
+  TwoLevelPreconditioner(const FamilyOperator& plate, const Boundary& boundary, const Section& section,
+                         const Discretization& discretization);
 
   void apply(const Forces& residual, State& result) const override;
 
   std::size_t bytes() const override { return coarse_plate_->bytes(); }
 
 private:
-  TouchedPlate plate_;  // on soil that lifts off as if it touched everywhere: another plate would not be linear
+  PlateInContact plate_;  // on soil that lifts off as if it touched everywhere: another plate would not be linear
   const Constraints& constraints_;
   Forces inverse_diagonal_;  // of the plate, times the weight of a sweep
   Transfer transfer_;

@@ -102,9 +102,9 @@ namespace {
 using geometry::Point;
 
 /// The plate's energy in the bonds of the ring, at two positions of the tip one step before and after.
-class MovedBonds : public EnergyRelease {
+class BondEnergyRelease : public EnergyRelease {
 public:
-  MovedBonds(const TipView& plate, const TipFrame& frame, const Ring& ring) {
+  BondEnergyRelease(const TipView& plate, const TipFrame& frame, const Ring& ring) {
     const double step = 1e-4 * plate.spacing;
     const auto extension = [&](std::uint32_t k) { return ring.extension((plate.positions[k] - frame.origin).norm()); };
     double longest = 0;
@@ -230,7 +230,7 @@ Eigen::Matrix2d BondView::shear_stiffness(std::uint32_t) const {
 }
 
 std::unique_ptr<EnergyRelease> BondView::virtual_extension(const TipFrame& frame, const Ring& ring) const {
-  return std::make_unique<MovedBonds>(*this, frame, ring);
+  return std::make_unique<BondEnergyRelease>(*this, frame, ring);
 }
 
 }  // namespace plate

@@ -110,7 +110,7 @@ PointMatrix stiffness_matrix(const FamilyOperator& plate, bool with_dilatation, 
       if (with_dilatation) add_dilatations(plate, bonds, k, column);
     }
   }
-  return with(std::move(result), plate.attached());
+  return with(std::move(result), plate.elastic_supports());
 }
 
 }  // namespace plate

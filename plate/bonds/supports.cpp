@@ -39,7 +39,7 @@ bool convex_corner(const Side& first, const Side& second) {
 /// Builds the fictitious points and ties of one plate.
 class Builder {
 public:
-  Builder(Boundary& target, const MovedSupports& moved, double reach, double spacing)
+  Builder(Boundary& target, const SupportOffsets& moved, double reach, double spacing)
       : b_(target), moved_(moved), reach_(reach * (1 + 1e-9)), spacing_(spacing), cells_(target.lattice) {}
 
   void mirror_images();
@@ -57,7 +57,7 @@ private:
   }
   std::uint32_t last() const { return static_cast<std::uint32_t>(b_.lattice.size() - 1); }
   /// Constrains a degree of freedom that a side holds: tie() to those that it follows, fix() to none.
-  void tie(std::uint32_t dof, const Side& side, const MovedSupports::Leaders& leaders) {
+  void tie(std::uint32_t dof, const Side& side, const SupportOffsets::Leaders& leaders) {
     b_.constraints.tie(dof, leaders, moved_.of(dof, side, leaders));
   }
   void fix(std::uint32_t dof, const Side& side) { b_.constraints.fix(dof, moved_.of(dof, side, {})); }
@@ -71,7 +71,7 @@ private:
   void outside_cell(const Point& u, int s);
 
   Boundary& b_;
-  const MovedSupports& moved_;
+  const SupportOffsets& moved_;
   double reach_, spacing_;
   geometry::CellIndex cells_;
 };
@@ -280,7 +280,7 @@ Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const
   result.sides = sides_of(outline, supports);
   result.holders = holders_of(supports);
   warn_of_general_images(result);
-  const MovedSupports moved(result, motions);
+  const SupportOffsets moved(result, motions);
   Builder builder(result, moved, discretization.horizon_ratio, discretization.spacing);
   builder.pins();
   hold_inside(result, supports, moved);

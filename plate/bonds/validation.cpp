@@ -161,7 +161,7 @@ void check_places(const Problem& problem, const geometry::Cloud& cloud, const Se
     }
     const Point u = cloud.units.to_lattice(x),
                 nearest = cloud.units.to_lattice(cloud.positions[geometry::nearest_plate_point(cloud, x)]);
-    if (std::ranges::any_of(cracks, [&](const auto& crack) { return geometry::severs(crack, u, nearest); }))
+    if (std::ranges::any_of(cracks, [&](const auto& crack) { return geometry::separates(crack, u, nearest); }))
       refusals.push_back(
           {subject, number,
            fmt::format("a crack parts the {} at ({:g}, {:g}) from the nearest point of the lattice, which "
@@ -227,7 +227,7 @@ std::optional<double> width_of_pins(const Problem& problem, const geometry::Latt
   const auto holds = [](const Support& s) {
     return s.holds_edges() || s.holds_inside() || s.kind == SupportKind::clamped;
   };
-  if (problem.elastically_held() || std::ranges::any_of(problem.supports, holds)) return std::nullopt;
+  if (problem.elastically_supported() || std::ranges::any_of(problem.supports, holds)) return std::nullopt;
   std::vector<Point> pins;
   for (const auto& support : problem.supports)
     for (const auto& x : support.points) pins.push_back(units.to_lattice(x));
@@ -343,15 +343,15 @@ double error_of_stairs(const Formulation& plate) {
   return 3 * plate.discretization().spacing / (high - low).minCoeff();
 }
 
-std::vector<std::string> foretold_errors(const Formulation& plate) {
+std::vector<std::string> estimated_errors(const Formulation& plate) {
   std::vector<std::string> warnings;
   check_thickness(plate, warnings);
   check_stress(plate, warnings);
   return warnings;
 }
 
-std::vector<std::string> distrust_of_bonds(const Formulation& plate, bool factors) {
-  auto warnings = foretold_errors(plate);
+std::vector<std::string> warnings_about_bonds(const Formulation& plate, bool factors) {
+  auto warnings = estimated_errors(plate);
   check_edge_layer(plate, factors, warnings);
   check_isotropy(plate, warnings);
   check_oblique_edges(plate, warnings);

@@ -25,11 +25,11 @@ std::string too_far(const std::string& what, const geometry::Point& x, double aw
 
 /// Warnings for a plate of bonds over a horizon: thin plates, the layer beside free edges, lattices that are not
 /// isotropic, oblique edges. `factors`: intensity factors are requested.
-std::vector<std::string> distrust_of_bonds(const Formulation& plate, bool factors);
+std::vector<std::string> warnings_about_bonds(const Formulation& plate, bool factors);
 
-/// Warnings of distrust_of_bonds() that a comparison with the Galerkin plate replaces by numbers: shear locking of thin
-/// plates, and stress at holes and clamped edges.
-std::vector<std::string> foretold_errors(const Formulation& plate);
+/// Warnings of warnings_about_bonds() that a comparison with the Galerkin plate replaces by numbers: shear locking of
+/// thin plates, and stress at holes and clamped edges.
+std::vector<std::string> estimated_errors(const Formulation& plate);
 
 /// Share by which deflections usually are too large where edges are oblique to the lattice: stairs of the spacing.
 double error_of_stairs(const Formulation& plate);

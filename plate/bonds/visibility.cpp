@@ -134,21 +134,21 @@ std::vector<char> near_cracks(const Boundary& boundary, const std::vector<geomet
 
 }  // namespace
 
-geometry::Families sever(const Boundary& boundary, const geometry::Families& families,
-                         const std::vector<geometry::CrackPath>& paths, double horizon_ratio) {
+geometry::Families without_crossing_bonds(const Boundary& boundary, const geometry::Families& families,
+                                          const std::vector<geometry::CrackPath>& paths, double horizon_ratio) {
   if (paths.empty()) return families;
   const auto near = near_cracks(boundary, paths, horizon_ratio);
   return geometry::without(families, [&](std::uint32_t k, std::uint32_t j) {
     if (!near[k] && !near[j]) return false;
     return boundary.any_image(k, j, [&](const Point& p, const Point& q) {
       for (const auto& path : paths)
-        if (geometry::severs(path, p, q)) return true;
+        if (geometry::separates(path, p, q)) return true;
       return false;
     });
   });
 }
 
-std::vector<double> cut_share(const geometry::Families& whole, const geometry::Families& severed,
+std::vector<double> cut_share(const geometry::Families& whole, const geometry::Families& remaining,
                               const std::vector<BondShape>& shapes, std::size_t plate_points) {
   std::vector<double> share(plate_points, 0);
   const auto weight = [&](const geometry::Families& families, std::size_t k) {
@@ -157,8 +157,8 @@ std::vector<double> cut_share(const geometry::Families& whole, const geometry::F
     return sum;
   };
   for (std::size_t k = 0; k < plate_points; ++k) {
-    const auto before = whole[k].size(), after = severed[k].size();
-    if (after < before) share[k] = 1 - weight(severed, k) / weight(whole, k);
+    const auto before = whole[k].size(), after = remaining[k].size();
+    if (after < before) share[k] = 1 - weight(remaining, k) / weight(whole, k);
   }
   return share;
 }

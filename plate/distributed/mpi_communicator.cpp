@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "plate/distributed/petsc_inverse.hpp"
-#include "plate/distributed/slepc_pairs.hpp"
+#include "plate/distributed/slepc_eigenpairs.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/halo_exchange.hpp"
 
@@ -61,21 +61,21 @@ struct Shipment {
 
 /// Neighbourhood collectives on the graph of who has copies of whose points. Of every kind of values that it ever
 /// fetched it keeps what they are sent from and received in.
-class MpiExchange : public Exchange {
+class MpiHaloExchange : public HaloExchange {
 public:
-  MpiExchange(MPI_Comm all, std::size_t points, Route out, Route in)
+  MpiHaloExchange(MPI_Comm all, std::size_t points, Route out, Route in)
       : points_(points), out_(std::move(out)), in_(std::move(in)) {
     MPI_Dist_graph_create_adjacent(all, int(in_.neighbours.size()), in_.neighbours.data(), MPI_UNWEIGHTED,
                                    int(out_.neighbours.size()), out_.neighbours.data(), MPI_UNWEIGHTED, MPI_INFO_NULL,
                                    0, &graph_);
   }
-  ~MpiExchange() override {
+  ~MpiHaloExchange() override {
     int over = 0;
     MPI_Finalized(&over);
     if (!over) MPI_Comm_free(&graph_);
   }
-  MpiExchange(const MpiExchange&) = delete;
-  MpiExchange& operator=(const MpiExchange&) = delete;
+  MpiHaloExchange(const MpiHaloExchange&) = delete;
+  MpiHaloExchange& operator=(const MpiHaloExchange&) = delete;
 
   void start(std::span<double> values) const override { start_with(values, double_); }
   void start(std::span<float> values) const override { start_with(values, single_); }
@@ -167,7 +167,8 @@ std::vector<std::string> MpiCommunicator::exchanged(std::vector<std::string> tex
   return result;
 }
 
-std::unique_ptr<Exchange> MpiCommunicator::exchange(std::size_t points, const std::vector<Copy>& copies) const {
+std::unique_ptr<HaloExchange> MpiCommunicator::halo_exchange(std::size_t points,
+                                                             const std::vector<Copy>& copies) const {
   const auto processes = std::size_t(size_);
   std::vector<std::vector<std::uint32_t>> here(processes), there(processes);
   for (const auto& copy : copies) {
@@ -182,16 +183,16 @@ std::unique_ptr<Exchange> MpiCommunicator::exchange(std::size_t points, const st
     out.add(other, values_of<std::uint32_t>(wanted[std::size_t(other)]));
     in.add(other, here[std::size_t(other)]);
   }
-  return std::make_unique<MpiExchange>(all_, points, std::move(out), std::move(in));
+  return std::make_unique<MpiHaloExchange>(all_, points, std::move(out), std::move(in));
 }
 
-std::unique_ptr<SharedInverse> MpiCommunicator::inverse(const SharedRows& rows) const {
+std::unique_ptr<DistributedInverse> MpiCommunicator::inverse(const DistributedRows& rows) const {
   return petsc_inverse(all_, rows);
 }
 
-SharedPairs MpiCommunicator::largest_pairs(const SharedProduct& product, std::span<const double> start,
-                                           const PairsWanted& wanted) const {
-  return slepc_pairs(all_, product, start, wanted);
+DistributedEigenpairs MpiCommunicator::largest_pairs(const DistributedProduct& product, std::span<const double> start,
+                                                     const EigenpairRequest& wanted) const {
+  return slepc_eigenpairs(all_, product, start, wanted);
 }
 
 }  // namespace plate

@@ -16,10 +16,10 @@ public:
   void sum(std::span<std::int64_t> values) const override;
   void largest(std::span<double> values) const override;
   std::vector<std::string> exchanged(std::vector<std::string> texts) const override;
-  std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const override;
-  std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const override;
-  SharedPairs largest_pairs(const SharedProduct& product, std::span<const double> start,
-                            const PairsWanted& wanted) const override;
+  std::unique_ptr<HaloExchange> halo_exchange(std::size_t points, const std::vector<Copy>& copies) const override;
+  std::unique_ptr<DistributedInverse> inverse(const DistributedRows& rows) const override;
+  DistributedEigenpairs largest_pairs(const DistributedProduct& product, std::span<const double> start,
+                                      const EigenpairRequest& wanted) const override;
 
 private:
   MPI_Comm all_;

@@ -14,9 +14,9 @@ namespace {
 
 constexpr PetscInt most_factorised = 3000000;
 
-class PetscInverse : public SharedInverse {
+class PetscInverse : public DistributedInverse {
 public:
-  PetscInverse(MPI_Comm all, const SharedRows& rows) : unknowns_(PetscInt(3 * (rows.first.size() - 1))) {
+  PetscInverse(MPI_Comm all, const DistributedRows& rows) : unknowns_(PetscInt(3 * (rows.first.size() - 1))) {
     assemble(all, rows);
     PetscInt size = 0;
     require(MatGetSize(matrix_, &size, nullptr));
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  void assemble(MPI_Comm all, const SharedRows& rows) {
+  void assemble(MPI_Comm all, const DistributedRows& rows) {
     require(MatCreate(all, &matrix_));
     require(MatSetSizes(matrix_, unknowns_, unknowns_, PETSC_DETERMINE, PETSC_DETERMINE));
     require(MatSetBlockSize(matrix_, 3));
@@ -118,7 +118,7 @@ private:
   }
 
   /// The rigid motions: w = 1; w = x, theta_y = -1; w = y, theta_x = 1, orthogonal and of length 1.
-  void near_null_space(MPI_Comm all, const SharedRows& rows) {
+  void near_null_space(MPI_Comm all, const DistributedRows& rows) {
     Vec motions[3];
     for (int motion = 0; motion < 3; ++motion) {
       require(MatCreateVecs(matrix_, &motions[motion], nullptr));
@@ -172,7 +172,7 @@ void require(int code) {
   throw std::runtime_error("PETSc: " + std::string(text ? text : "unknown error"));
 }
 
-std::unique_ptr<SharedInverse> petsc_inverse(MPI_Comm all, const SharedRows& rows) {
+std::unique_ptr<DistributedInverse> petsc_inverse(MPI_Comm all, const DistributedRows& rows) {
   return std::make_unique<PetscInverse>(all, rows);
 }
 

@@ -18,6 +18,6 @@ public:
 void require(int code);
 
 /// By MUMPS, a factor of the matrix; of more than `most_factorised` unknowns by smoothed aggregation (GAMG).
-std::unique_ptr<SharedInverse> petsc_inverse(MPI_Comm all, const SharedRows& rows);
+std::unique_ptr<DistributedInverse> petsc_inverse(MPI_Comm all, const DistributedRows& rows);
 
 }  // namespace plate

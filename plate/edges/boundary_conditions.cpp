@@ -38,8 +38,9 @@ MultipliedSolution solution_with_multipliers(const SparseStiffness& K, const Spa
   return {both.head(f.size()), both.tail(c.size()), B.transpose() * both.tail(c.size())};
 }
 
-HeldSolution solution_held(const SparseStiffness& K, const Eigen::VectorXd& f, const std::vector<HeldUnknown>& held) {
-  HeldSolution result{Eigen::VectorXd::Zero(K.cols()), Eigen::VectorXd(Eigen::Index(held.size()))};
+ConstrainedSolution constrained_solution(const SparseStiffness& K, const Eigen::VectorXd& f,
+                                         const std::vector<PrescribedUnknown>& held) {
+  ConstrainedSolution result{Eigen::VectorXd::Zero(K.cols()), Eigen::VectorXd(Eigen::Index(held.size()))};
   std::vector<char> is_held(std::size_t(K.cols()), false);
   for (const auto& [unknown, value] : held) result.values[unknown] = value, is_held[std::size_t(unknown)] = true;
   std::vector<Eigen::Index> place(std::size_t(K.cols())), free;

@@ -30,20 +30,21 @@ MultipliedSolution solution_with_multipliers(const SparseStiffness& K, const Spa
                                              const Eigen::VectorXd& f, const Eigen::VectorXd& c);
 
 /// An unknown that has its value.
-struct HeldUnknown {
+struct PrescribedUnknown {
   Eigen::Index unknown;
   double value;
 };
 
 /// u of K u = f without the rows of held unknowns, and what holds these: their rows of K u - f (Sca23 3.5).
-struct HeldSolution {
+struct ConstrainedSolution {
   Eigen::VectorXd values;
   Eigen::VectorXd reactions;  // in the order of the held unknowns
 };
 
 /// Boundary conditions on unknowns of surface nodes: values are held, fluxes are in f.
 /// @throws NumericalError  where the body is loose
-HeldSolution solution_held(const SparseStiffness& K, const Eigen::VectorXd& f, const std::vector<HeldUnknown>& held);
+ConstrainedSolution constrained_solution(const SparseStiffness& K, const Eigen::VectorXd& f,
+                                         const std::vector<PrescribedUnknown>& held);
 
 /// The factors of a matrix that need not be symmetric, rows and columns scaled to their largest entries first: those of
 /// values and of forces have other units.

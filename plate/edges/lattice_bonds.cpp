@@ -53,15 +53,15 @@ Point place(const LatticeBody::Index& node) {
   return node.head<2>().cast<double>() + 0.5;
 }
 
-std::vector<BondHalf> halves(const LatticeBonds& lattice, const FamilyRule& rule, const std::vector<bool>& severed) {
+std::vector<BondHalf> halves(const LatticeBonds& lattice, const FamilyRule& rule, const std::vector<bool>& broken) {
   std::vector<FamilyBond> left;
-  for (std::size_t i = 0; i < severed.size(); ++i)
-    if (!severed[i]) left.push_back(family_bond(lattice, i));
+  for (std::size_t i = 0; i < broken.size(); ++i)
+    if (!broken[i]) left.push_back(family_bond(lattice, i));
   const FamilyWeights weights = rule(left);
   const double area = lattice.spacing * lattice.spacing;
-  std::vector<BondHalf> result(severed.size(), {0, 0, 0, 0});
-  for (std::size_t i = 0, next = 0; i < severed.size(); ++i) {
-    if (severed[i]) continue;
+  std::vector<BondHalf> result(broken.size(), {0, 0, 0, 0});
+  for (std::size_t i = 0, next = 0; i < broken.size(); ++i) {
+    if (broken[i]) continue;
     const auto& [D, B, S] = weights.bonds[next++];
     result[i] = {2 * area * weights.a * D, D, 2 * area * B, 2 * area * S};
   }
@@ -70,43 +70,43 @@ std::vector<BondHalf> halves(const LatticeBonds& lattice, const FamilyRule& rule
 
 }  // namespace
 
-CutFamilies::CutFamilies(const LatticeBody& body, const LatticeBonds& lattice, const FamilyRule& rule,
-                         const std::vector<geometry::CrackPath>& paths)
+CrackedFamilies::CrackedFamilies(const LatticeBody& body, const LatticeBonds& lattice, const FamilyRule& rule,
+                                 const std::vector<geometry::CrackPath>& paths)
     : of_(std::size_t(body.count()), -1) {
   std::map<std::vector<bool>, int> known;
   const double reach = rule.discretization().horizon_ratio;
   for (std::size_t k = 0; k < of_.size(); ++k) {
     const Point p = place(body.nodes[k]);
-    std::vector<bool> severed(lattice.bonds.size(), false);
+    std::vector<bool> broken(lattice.bonds.size(), false);
     for (const auto& path : paths) {
       if (geometry::distance(path.vertices, p) > reach) continue;
-      for (std::size_t i = 0; i < severed.size(); ++i)
-        if (geometry::severs(path, p, place(body.nodes[k] + lattice.bonds[i].away))) severed[i] = true;
+      for (std::size_t i = 0; i < broken.size(); ++i)
+        if (geometry::separates(path, p, place(body.nodes[k] + lattice.bonds[i].away))) broken[i] = true;
     }
-    if (std::ranges::find(severed, true) == severed.end()) continue;
-    const auto [entry, fresh] = known.try_emplace(severed, int(families_.size()));
-    if (fresh) families_.push_back(halves(lattice, rule, severed));
+    if (std::ranges::find(broken, true) == broken.end()) continue;
+    const auto [entry, fresh] = known.try_emplace(broken, int(families_.size()));
+    if (fresh) families_.push_back(halves(lattice, rule, broken));
     of_[k] = entry->second;
   }
 }
 
-const std::vector<BondHalf>* CutFamilies::of(int node) const {
+const std::vector<BondHalf>* CrackedFamilies::of(int node) const {
   const int family = of_.empty() ? -1 : of_[std::size_t(node)];
   return family < 0 ? nullptr : &families_[std::size_t(family)];
 }
 
-bool CutFamilies::severed(int node, std::size_t bond) const {
+bool CrackedFamilies::broken(int node, std::size_t bond) const {
   const auto* cut = of(node);
   return cut && (*cut)[bond].curvature == 0;
 }
 
-BondHalf half(const LatticeBonds& lattice, const CutFamilies& cuts, int node, std::size_t i) {
+BondHalf half(const LatticeBonds& lattice, const CrackedFamilies& cuts, int node, std::size_t i) {
   if (const auto* cut = cuts.of(node)) return (*cut)[i];
   const auto& bond = lattice.bonds[i];
   return {lattice.dilatation_stiffness * bond.D, bond.D, bond.curvature / 2, bond.shear / 2};
 }
 
-ActingBond acting(const LatticeBonds& lattice, const CutFamilies& cuts, int k, int j, std::size_t i) {
+ActingBond acting(const LatticeBonds& lattice, const CrackedFamilies& cuts, int k, int j, std::size_t i) {
   const BondHalf own = half(lattice, cuts, k, i), other = half(lattice, cuts, j, lattice.opposite(i));
   const auto& bond = lattice.bonds[i];
   return {bond.mx,

@@ -53,17 +53,17 @@ struct BondHalf {
 };
 
 /// The families that cracks cut, with weights of their own; all others are full.
-class CutFamilies {
+class CrackedFamilies {
 public:
-  CutFamilies() = default;  // no cracks
+  CrackedFamilies() = default;  // no cracks
   /// `paths` in spacings from where the node (0, 0) is half a spacing from both axes. Fictitious nodes see cracks like
   /// others.
-  CutFamilies(const LatticeBody& body, const LatticeBonds& bonds, const FamilyRule& rule,
-              const std::vector<geometry::CrackPath>& paths);
+  CrackedFamilies(const LatticeBody& body, const LatticeBonds& bonds, const FamilyRule& rule,
+                  const std::vector<geometry::CrackPath>& paths);
 
   /// Nothing where the family of the node is full; else in the order of the lattice's bonds.
   const std::vector<BondHalf>* of(int node) const;
-  bool severed(int node, std::size_t bond) const;
+  bool broken(int node, std::size_t bond) const;
 
 private:
   std::vector<int> of_;  // per node: which of the families, -1: full
@@ -71,7 +71,7 @@ private:
 };
 
 /// Contribution of a node's energy to its bond `i`.
-BondHalf half(const LatticeBonds& bonds, const CutFamilies& cuts, int node, std::size_t i);
+BondHalf half(const LatticeBonds& bonds, const CrackedFamilies& cuts, int node, std::size_t i);
 
 /// A bond from a node as the energies of its two ends make it.
 struct ActingBond {
@@ -82,6 +82,6 @@ struct ActingBond {
 };
 
 /// Bond `i` of node k to node j.
-ActingBond acting(const LatticeBonds& bonds, const CutFamilies& cuts, int k, int j, std::size_t i);
+ActingBond acting(const LatticeBonds& bonds, const CrackedFamilies& cuts, int k, int j, std::size_t i);
 
 }  // namespace plate

@@ -60,7 +60,7 @@ MultipliedPlate multiplied_plate(const SurfacePlate& p, const std::vector<char>&
   const RowMatrix own = forces_and_fluxes(p, p.rule), crossed = forces_and_fluxes(p, FluxRule::crossing_point),
                   values = edge_values(p);
   const int real = 3 * p.body.real, surface = 3 * int(p.body.surface.size()), count = real + 2 * surface;
-  const RowMatrix booked =
+  const RowMatrix assigned =
       rows_with_reactions(p, own, crossed, [&](int i) { return i >= real && held[std::size_t(i - real)]; });
 
   MultipliedPlate result{SparseStiffness(count, count), {}};
@@ -69,7 +69,7 @@ MultipliedPlate multiplied_plate(const SurfacePlate& p, const std::vector<char>&
   for (int i = 0; i < surface; ++i) {
     const int value = real + i, multiplier = value + surface;
     const bool holds = held[std::size_t(i)];
-    add(booked, value, value, entries);
+    add(assigned, value, value, entries);
     if (implied(p.body, held, i / 3, i % 3)) {
       result.idle.push_back(multiplier);
       continue;
@@ -105,7 +105,7 @@ Eigen::VectorXd multiplied_solution(const SurfacePlate& p, const EdgeConditions&
   for (const int one : idle) all_held.push_back({one, 0});
   Eigen::VectorXd loads = Eigen::VectorXd::Zero(stiffness.rows());
   loads.head(right.size()) = right;
-  return solution_held(stiffness, loads, all_held).values.head(real);
+  return constrained_solution(stiffness, loads, all_held).values.head(real);
 }
 
 }  // namespace plate

@@ -93,7 +93,8 @@ std::vector<std::pair<int, double>> seen(const LatticeBody& b, int k, int j) {
 }
 
 /// The shear force along the edge turns what lies between the border of a cell and an edge beyond it.
-void add_shear_of_strip(const LatticeBody& b, int s, const LatticeBonds& family, const CutFamilies& cuts, Rows& rows) {
+void add_shear_of_strip(const LatticeBody& b, int s, const LatticeBonds& family, const CrackedFamilies& cuts,
+                        Rows& rows) {
   const auto& face = b.surface[std::size_t(s)];
   const int rotation = tangential_rotation(face.axis);
   if (strip(b, s) == 0) return;
@@ -121,14 +122,14 @@ std::vector<char> near_edges(const LatticeBody& b, int reach) {
 
 }  // namespace
 
-PlateActions actions(const LatticeBody& b, const LatticeBonds& family, FluxRule rule, const CutFamilies& cuts) {
+PlateActions actions(const LatticeBody& b, const LatticeBonds& family, FluxRule rule, const CrackedFamilies& cuts) {
   Rows rows;
   Triplets dilatation;
   const auto near = near_edges(b, family.reach);
   for (int k = 0; k < b.count(); ++k)
     for (std::size_t i = 0; i < family.bonds.size(); ++i) {
       const int j = b.node(b.nodes[std::size_t(k)] + family.bonds[i].away);
-      if (j < 0 || cuts.severed(k, i)) continue;
+      if (j < 0 || cuts.broken(k, i)) continue;
       const ActingBond bond = acting(family, cuts, k, j, i);
       if (k < b.real) {
         for (const auto& [value, share] : seen(b, k, j)) {
@@ -153,12 +154,12 @@ PlateActions actions(const LatticeBody& b, const LatticeBonds& family, FluxRule 
 }
 
 PlateActions edge_actions(const LatticeBody& b, const LatticeBonds& family, const ObliqueEdges& edges,
-                          const CutFamilies& cuts) {
+                          const CrackedFamilies& cuts) {
   Rows rows;
   for (int k = 0; k < b.real; ++k)
     for (std::size_t i = 0; i < family.bonds.size(); ++i) {
       const int j = b.node(b.nodes[std::size_t(k)] + family.bonds[i].away);
-      if (j < b.real || cuts.severed(k, i)) continue;
+      if (j < b.real || cuts.broken(k, i)) continue;
       const ActingBond bond = acting(family, cuts, k, j, i);
       const auto& nearest = edges.nearest[std::size_t(j - b.real)];
       const double share = 1.0 / double(nearest.size());
@@ -228,7 +229,7 @@ void add_row(const StiffnessRows& from, int of, double factor, int row, Triplets
 }
 
 /// Rows of theta where not both rotations are held: for each direction the moment or the rotation.
-void add_turning_rows(const StiffnessRows& forces, int s, int row, const EdgeNode& node, const HeldOfNode& held,
+void add_turning_rows(const StiffnessRows& forces, int s, int row, const EdgeNode& node, const PrescribedOfNode& held,
                       double D, Triplets& to) {
   const auto directions = turning_directions(node.normal);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -243,7 +244,8 @@ void add_turning_rows(const StiffnessRows& forces, int s, int row, const EdgeNod
 }
 
 /// The nearest edge node that holds something; -1: none.
-int nearest_held(const ObliqueEdges& edges, const std::vector<HeldOfNode>& held, std::size_t from, bool rotations) {
+int nearest_held(const ObliqueEdges& edges, const std::vector<PrescribedOfNode>& held, std::size_t from,
+                 bool rotations) {
   int result = -1;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < held.size(); ++s) {
@@ -257,7 +259,7 @@ int nearest_held(const ObliqueEdges& edges, const std::vector<HeldOfNode>& held,
 /// nearest node that holds the deflection, with its couple there if that holds it, and a couple on the nearest clamped
 /// one: nothing in homogeneous states.
 void add_left_over(const StiffnessRows& beyond, const StiffnessRows& forces, const ObliqueEdges& edges,
-                   const std::vector<HeldOfNode>& held, int real, double spacing, Triplets& to) {
+                   const std::vector<PrescribedOfNode>& held, int real, double spacing, Triplets& to) {
   for (std::size_t s = 0; s < held.size(); ++s) {
     const auto move = [&](int component, int target, double factor) {
       add_row(beyond, 3 * int(s) + component, factor, target, to);
@@ -279,10 +281,10 @@ void add_left_over(const StiffnessRows& beyond, const StiffnessRows& forces, con
 /// Least weights of a node in its own derivatives along the normal, per spacing. Measured: 0.63, 0.25 and more on
 /// squares, hexagons, Ls, holes at any angle; 0.08, 0.15 in corners of 46 degrees, where free edges had motions that
 /// grow.
-void check_own_weights(const ObliqueEdges& edges, const std::vector<HeldOfNode>& held) {
+void check_own_weights(const ObliqueEdges& edges, const std::vector<PrescribedOfNode>& held) {
   constexpr double least_of_rotation = 0.3, least_of_deflection = 0.2;
   for (std::size_t s = 0; s < held.size(); ++s) {
-    if (held[s] == HeldOfNode{true, true, true}) continue;
+    if (held[s] == PrescribedOfNode{true, true, true}) continue;
     const auto own = [&](const EdgeFit& fit) { return fit.terms.rightCols<1>().head<2>().dot(edges.nodes[s].normal); };
     const Point at = edges.units.from_lattice(edges.nodes[s].at);
     if (own(edges.rotation[s]) < least_of_rotation || (!held[s][0] && own(edges.deflection[s]) < least_of_deflection))
@@ -313,9 +315,9 @@ WeightRows section_force_rows(const LatticeBody& b, const ObliqueEdges& edges, c
   return rows;
 }
 
-SparseStiffness oblique_stiffness(const LatticeBody& b, const LatticeBonds& bonds, const CutFamilies& cuts,
+SparseStiffness oblique_stiffness(const LatticeBody& b, const LatticeBonds& bonds, const CrackedFamilies& cuts,
                                   const ObliqueEdges& edges, const Section& section,
-                                  const std::vector<HeldOfNode>& held) {
+                                  const std::vector<PrescribedOfNode>& held) {
   check_own_weights(edges, held);
   const WeightRows expanded = oblique_expansion(b, edges);
   const PlateActions inside = actions(b, bonds, FluxRule::lever, cuts);

@@ -24,16 +24,17 @@ struct PlateActions {
 /// with f and m (c - t xi f): the force alone has a moment about the cut. Where an edge lies beyond the border of its
 /// cells, the shear force along it, of the inner node's family, turns the strip between: bonds along the edge do not
 /// cross it, and the couple along the edge is therefore that at the border and this one.
-PlateActions actions(const LatticeBody& body, const LatticeBonds& bonds, FluxRule rule, const CutFamilies& cuts = {});
+PlateActions actions(const LatticeBody& body, const LatticeBonds& bonds, FluxRule rule,
+                     const CrackedFamilies& cuts = {});
 
 /// Actions on the plate of bonds to points beyond the edges. Rows of each edge node: the forces of the bonds to the
 /// points that are expanded about it, and their couples about it. They balance the actions of all bonds on the real
 /// nodes. The result has no rows of dilatations.
 PlateActions edge_actions(const LatticeBody& body, const LatticeBonds& bonds, const ObliqueEdges& edges,
-                          const CutFamilies& cuts = {});
+                          const CrackedFamilies& cuts = {});
 
 /// Flags for w, psi_n and psi_s of an edge node: true where the support holds the value.
-using HeldOfNode = std::array<bool, 3>;
+using PrescribedOfNode = std::array<bool, 3>;
 
 /// The section forces of the local plate at edge nodes as what the edge does there: Q and the couples of M_nn and M_ns,
 /// conjugate to w, theta_x and theta_y, times the length of the part. Derivatives are those of the expansion.
@@ -47,9 +48,9 @@ WeightRows section_force_rows(const LatticeBody& body, const ObliqueEdges& edges
 /// else M_nn or D psi_n along the one, M_ns or D psi_s along the other direction.
 /// @throws Refused  a node of an edge that is not clamped in a corner so sharp that its own value all but drops out of
 ///                  the derivatives along the normal: nothing determines it
-SparseStiffness oblique_stiffness(const LatticeBody& body, const LatticeBonds& bonds, const CutFamilies& cuts,
+SparseStiffness oblique_stiffness(const LatticeBody& body, const LatticeBonds& bonds, const CrackedFamilies& cuts,
                                   const ObliqueEdges& edges, const Section& section,
-                                  const std::vector<HeldOfNode>& held);
+                                  const std::vector<PrescribedOfNode>& held);
 
 /// The directions in the plane of theta about which M_nn and M_ns turn; psi_n = -first . theta, psi_s = -second .
 /// theta.

@@ -75,7 +75,7 @@ struct Surroundings {
     for (const auto& x : cloud.positions) places.push_back(units.to_lattice(x));
     families = geometry::families(cloud, horizon, [&](std::uint32_t k, std::uint32_t j) {
       if (!plate.cuts.of(int(k))) return true;
-      const auto parts = [&](const auto& crack) { return geometry::severs(crack, places[k], places[j]); };
+      const auto parts = [&](const auto& crack) { return geometry::separates(crack, places[k], places[j]); };
       return std::ranges::none_of(cracks, parts);
     });
     areas = std::move(cloud.areas);
@@ -127,7 +127,7 @@ public:
     constexpr std::size_t entry = sizeof(double) + sizeof(int);
     return {{"stiffness with surface nodes", "parameters", double(std::size_t(stiffness_.nonZeros()) * entry)}};
   }
-  std::vector<std::string> distrust(bool factors) const override { return distrust_of_bonds(*this, factors); }
+  std::vector<std::string> warnings(bool factors) const override { return warnings_about_bonds(*this, factors); }
   std::string of_edges() const override;
   std::optional<double> multipliers(const State& state) const override;
   std::string remedy() const override {
@@ -166,7 +166,7 @@ Eigen::VectorXd SurfaceNodePlate::energies(const State& state) const {
   for (int k = 0; k < plate_.body.real; ++k) {
     double couple = 0, dilatation = 0, sum = 0;  // couple: 2 A a theta
     for (std::size_t i = 0; i < plate_.bonds.bonds.size(); ++i) {
-      if (plate_.cuts.severed(k, i)) continue;
+      if (plate_.cuts.broken(k, i)) continue;
       const int j = plate_.body.node(plate_.body.nodes[std::size_t(k)] + plate_.bonds.bonds[i].away);
       const auto& bond = plate_.bonds.bonds[i];
       const BondHalf own = half(plate_.bonds, plate_.cuts, k, i);
@@ -181,7 +181,7 @@ Eigen::VectorXd SurfaceNodePlate::energies(const State& state) const {
 
 /// Surface nodes are points like others there.
 std::vector<PlaceShare> SurfaceNodePlate::interpolation(const Point& at) const {
-  return seen_place(at, cloud().units, boundary().lattice, std::size_t(plate_.unknowns() / 3), cracks_);
+  return visible_place(at, cloud().units, boundary().lattice, std::size_t(plate_.unknowns() / 3), cracks_);
 }
 
 /// Over the sizes of the loads, as the residual of the balance (post::Balance).

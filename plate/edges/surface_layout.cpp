@@ -275,7 +275,7 @@ EdgeAction action_of(const Load& load, const Point& n) {
 }
 
 /// Forces per area at points of the plate, as conditions at edges in any direction say nothing of parts of cells.
-geometry::Cloud whole_cells(geometry::Cloud cloud) {
+geometry::Cloud with_full_cells(geometry::Cloud cloud) {
   std::fill_n(cloud.areas.begin(), cloud.plate_points, cloud.units.spacing * cloud.units.spacing);
   return cloud;
 }
@@ -296,7 +296,7 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
                  const geometry::Outline& outline) {
   const auto* pressure = load.as<Pressure>();
   if (load.as<PointForce>() || load.as<LineLoad>() || load.moves() || (pressure && !pressure->uniform()))
-    return nodal_forces(load, plate.oblique ? whole_cells(b.cloud) : b.cloud, outline);
+    return nodal_forces(load, plate.oblique ? with_full_cells(b.cloud) : b.cloud, outline);
   const double everywhere = pressure ? pressure->value : 0;
   const auto on_edges = [&](const Point& at, const Point& n) {
     const auto& side = b.sides[side_at(b, at, n)];
@@ -364,13 +364,14 @@ SurfaceLayout surface_layout(const Problem& problem, EdgeMethod method) {
   Layout layout{problem, {}, geometry::tips(paths), boundary_of(problem, plate, multiplied), {}, {}};
   auto& b = layout.boundary;
   const auto in_spacings = geometry::to_lattice(paths, b.cloud.units);
-  plate.cuts = CutFamilies(plate.body, plate.bonds, FamilyRule(problem.section, problem.discretization), in_spacings);
+  plate.cuts =
+      CrackedFamilies(plate.body, plate.bonds, FamilyRule(problem.section, problem.discretization), in_spacings);
   const auto side_of = sides_of_nodes(plate, b);
   hold(plate, side_of, b);
   warn_of_lengths(problem, plate, side_of, b);
   auto stiffness = stiffness_of(plate, method, b);
   const auto whole = families_of(b, problem.outline, problem.discretization.horizon());
-  auto families = sever(b, whole, in_spacings, problem.discretization.horizon_ratio);
+  auto families = without_crossing_bonds(b, whole, in_spacings, problem.discretization.horizon_ratio);
   const auto shapes = bond_shapes(families.vectors(), problem.section, problem.discretization);
   layout.cut = cut_share(whole, families, shapes, b.cloud.plate_points);
   layout.pieces = pieces(b, tied(families, plate, b.cloud.size()));

@@ -190,12 +190,12 @@ EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, con
 
 SparseStiffness stiffness_under(const SurfacePlate& p, const EdgeConditions& edges) {
   if (!p.oblique) return stiffness(p);
-  std::vector<HeldOfNode> held;
+  std::vector<PrescribedOfNode> held;
   for (int s = 0; s < p.surfaces(); ++s) held.push_back(edges(p.at_surface(s), p.normal(s)).held);
   return oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, p.oblique->section, held);
 }
 
-int rigid_motions(const SurfacePlate& p, const std::vector<HeldUnknown>& held) {
+int rigid_motions(const SurfacePlate& p, const std::vector<PrescribedUnknown>& held) {
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(3, Eigen::Index(held.size())), 3);
   for (std::size_t i = 0; i < held.size(); ++i) {
     const int node = int(held[i].unknown) / 3, component = int(held[i].unknown) % 3;
@@ -208,10 +208,10 @@ int rigid_motions(const SurfacePlate& p, const std::vector<HeldUnknown>& held) {
   return 3 - int(pseudo_inverse(motions).rank);
 }
 
-HeldSolution solution(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {
+ConstrainedSolution solution(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {
   const auto [right, held] = edge_problem(p, edges, load);
   if (rigid_motions(p, held) > 0) throw Refused({{Subject::support, 0, "the supports leave the plate free to move"}});
-  return solution_held(stiffness_under(p, edges), right, held);
+  return constrained_solution(stiffness_under(p, edges), right, held);
 }
 
 namespace {
@@ -221,11 +221,11 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// The face beside a face: the next one in its line, or the other one at a corner that points out- or inwards; -1:
 /// none.
-struct Beside {
+struct NextFace {
   int surface;
   bool in_line;
 };
-Beside beside(const LatticeBody& b, int s, int towards) {
+NextFace next_face(const LatticeBody& b, int s, int towards) {
   const auto& face = b.surface[std::size_t(s)];
   const int along = 1 - face.axis;
   Index step(0, 0, 0), out(0, 0, 0);
@@ -240,9 +240,9 @@ Beside beside(const LatticeBody& b, int s, int towards) {
 struct End {
   int surface, away;
 };
-End end_of_stretch(const SurfacePlate& p, const std::function<bool(int)>& held, int s, int component, int towards) {
+End end_of_free_faces(const SurfacePlate& p, const std::function<bool(int)>& held, int s, int component, int towards) {
   for (int away = 1;; ++away) {
-    const auto [next, in_line] = beside(p.body, s, towards);
+    const auto [next, in_line] = next_face(p.body, s, towards);
     if (next < 0) return {-1, away};
     if (held(3 * (p.body.real + next) + component)) return {next, away};
     if (!in_line) return {-1, away};
@@ -264,8 +264,8 @@ StiffnessRows rows_with_reactions(const SurfacePlate& p, const StiffnessRows& ow
     for (int component = 0; component < 3; ++component) {
       const int row = 3 * (p.body.real + s) + component;
       if (held(row)) continue;
-      const std::array<End, 2> ends{end_of_stretch(p, held, s, component, -1),
-                                    end_of_stretch(p, held, s, component, 1)};
+      const std::array<End, 2> ends{end_of_free_faces(p, held, s, component, -1),
+                                    end_of_free_faces(p, held, s, component, 1)};
       for (std::size_t i = 0; i < 2; ++i) {
         const auto [surface, away] = ends[i];
         if (surface < 0 || away > ends[1 - i].away) continue;

@@ -30,7 +30,7 @@ struct SurfacePlate {
   geometry::Point first{0, 0};  // the node (0, 0) of the lattice [length]
   ExpansionOrders orders = {};
   FluxRule rule = FluxRule::lever;
-  CutFamilies cuts = {};
+  CrackedFamilies cuts = {};
   std::optional<LocalEdges> oblique = {};  // where not all edges are along the axes; body.surface is empty then
 
   int surfaces() const { return int(oblique ? oblique->nodes.size() : body.surface.size()); }
@@ -77,8 +77,8 @@ using EdgeConditions = std::function<EdgeCondition(const geometry::Point& at, co
 
 /// Right sides and what is held.
 struct EdgeProblem {
-  Eigen::VectorXd right;          // [unknowns()]
-  std::vector<HeldUnknown> held;  // of surface nodes
+  Eigen::VectorXd right;                // [unknowns()]
+  std::vector<PrescribedUnknown> held;  // of surface nodes
 };
 
 /// Right sides and held unknowns under these conditions and this load. The strip between the border of an outermost
@@ -89,11 +89,11 @@ EdgeProblem edge_problem(const SurfacePlate& plate, const EdgeConditions& edges,
 SparseStiffness stiffness_under(const SurfacePlate& plate, const EdgeConditions& edges);
 
 /// How many of the three rigid motions leave all that is held at rest.
-int rigid_motions(const SurfacePlate& plate, const std::vector<HeldUnknown>& held);
+int rigid_motions(const SurfacePlate& plate, const std::vector<PrescribedUnknown>& held);
 
 /// Values of real and surface nodes, and what holds the held unknowns, in their order.
 /// @throws Refused  where the plate can move, and as stiffness() does
-HeldSolution solution(const SurfacePlate& plate, const EdgeConditions& edges, const AreaLoad& load);
+ConstrainedSolution solution(const SurfacePlate& plate, const EdgeConditions& edges, const AreaLoad& load);
 
 using StiffnessRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 

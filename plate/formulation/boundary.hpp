@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geometry/lattice/families.hpp"
-#include "plate/formulation/attached_stiffness.hpp"
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/elastic_supports.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/numerical_method.hpp"
 #include "plate/model/supports.hpp"
@@ -73,7 +73,7 @@ struct Boundary {
   std::vector<Holder> holders;
   std::vector<Hold> holds;  // of points of the plate; a fictitious point is held by its sides
   std::vector<std::string> warnings;
-  AttachedStiffness attached = {};  // of foundations and springs
+  ElasticSupports elastic_supports = {};  // of foundations and springs
   PointMap map = {};
 
   bool owns(std::size_t k) const { return map.owns(k); }

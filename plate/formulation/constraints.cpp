@@ -152,26 +152,26 @@ void for_each_sum(const Sums& sums, const Values<Real>& values, const Weight& we
 }  // namespace
 
 void Constraints::share(const Communicator& communicator, std::vector<std::uint32_t> ghosts,
-                        std::shared_ptr<const Exchange> exchange) {
+                        std::shared_ptr<const HaloExchange> exchange) {
   communicator_ = &communicator, copies_ = std::move(ghosts), exchange_ = std::move(exchange);
   const std::unordered_set<std::uint32_t> copied(copies_.begin(), copies_.end());
   std::erase_if(zero_, [&](const Place& place) {
-    const bool awaited = copied.contains(place.point);
-    if (awaited) awaited_zero_.push_back(place);
-    return awaited;
+    const bool pending = copied.contains(place.point);
+    if (pending) pending_zero_.push_back(place);
+    return pending;
   });
-  std::vector<Tie> own, awaited;
+  std::vector<Tie> own, pending;
   for (std::size_t i = 0, end = 0; i < ties_.size(); i = end) {
     bool waits = copied.contains(ties_[i].follower / 3);
     for (end = i; end < ties_.size() && ties_[end].follower == ties_[i].follower; ++end)
       waits = waits || copied.contains(ties_[end].leader / 3);
-    auto& sum = waits ? awaited : own;
+    auto& sum = waits ? pending : own;
     sum.insert(sum.end(), ties_.begin() + std::ptrdiff_t(i), ties_.begin() + std::ptrdiff_t(end));
   }
-  followers_ = sums(own, false), awaited_followers_ = sums(awaited, false);
+  followers_ = sums(own, false), pending_followers_ = sums(pending, false);
 }
 
-Constraints Constraints::fetching(std::shared_ptr<const Exchange> exchange) const {
+Constraints Constraints::fetching(std::shared_ptr<const HaloExchange> exchange) const {
   Constraints result = *this;
   result.exchange_ = std::move(exchange);
   return result;
@@ -196,18 +196,18 @@ void Constraints::impose_own(Values<Real>& state, const Weight& weight) const {
 }
 
 template <typename Real, typename Weight>
-void Constraints::impose_awaited(Values<Real>& state, const Weight& weight) const {
+void Constraints::impose_pending(Values<Real>& state, const Weight& weight) const {
   if (!exchange_) return;
   exchange_->finish();
-  for (const Place& place : awaited_zero_) state(place.component, place.point) = 0;
-  for_each_sum(awaited_followers_, state, weight,
+  for (const Place& place : pending_zero_) state(place.component, place.point) = 0;
+  for_each_sum(pending_followers_, state, weight,
                [&](const Place& to, Real sum) { state(to.component, to.point) = sum; });
 }
 
 template <typename Real, typename Weight>
 void Constraints::impose_with(Values<Real>& state, const Weight& weight) const {
   impose_own(state, weight);
-  impose_awaited(state, weight);
+  impose_pending(state, weight);
 }
 
 namespace {
@@ -235,14 +235,14 @@ void Constraints::progress() const {
 }
 
 void Constraints::end_imposing(State& state) const {
-  impose_awaited(state, itself);
+  impose_pending(state, itself);
 }
 
-std::vector<char> Constraints::awaited(std::size_t points) const {
+std::vector<char> Constraints::pending(std::size_t points) const {
   std::vector<char> result(exchange_ ? points : 0, 0);
   if (!exchange_) return result;
   for (const auto k : copies_) result[k] = 1;
-  for (const auto& place : awaited_followers_.target) result[place.point] = 1;
+  for (const auto& place : pending_followers_.target) result[place.point] = 1;
   return result;
 }
 
@@ -272,7 +272,7 @@ Eigen::VectorXd Constraints::on_held(const Values<float>& forces) const {
 template <typename Real, typename Weight>
 void Constraints::fold_with(Values<Real>& forces, const Weight& weight) const {
   for_each_sum(leaders_, forces, weight, [&](const Place& to, Real sum) { forces(to.component, to.point) += sum; });
-  for (const auto* places : {&zero_, &followers_.target, &awaited_followers_.target})
+  for (const auto* places : {&zero_, &followers_.target, &pending_followers_.target})
     for (const Place& place : *places) forces(place.component, place.point) = 0;
   for (const auto point : copies_) forces.col(point).setZero();
 }

@@ -10,7 +10,7 @@
 
 namespace plate {
 
-class Exchange;
+class HaloExchange;
 
 /// Degrees of freedom (3 * point + component) that are zero or follow others. Together they are the matrix P of
 /// u = P q; forces go back by its transpose, so that a symmetric stiffness stays symmetric.
@@ -44,12 +44,12 @@ public:
   /// Sets the ghosts, points that other ranks own: impose() fetches their values before anything follows them, fold()
   /// leaves no forces on them. After resolve(). `communicator` must outlive this.
   void share(const Communicator& communicator, std::vector<std::uint32_t> ghosts,
-             std::shared_ptr<const Exchange> exchange);
+             std::shared_ptr<const HaloExchange> exchange);
   /// The ranks whose sums over degrees of freedom count.
   const Communicator& communicator() const { return *communicator_; }
 
   /// The same, but copies are fetched by this exchange, of more of them.
-  Constraints fetching(std::shared_ptr<const Exchange> exchange) const;
+  Constraints fetching(std::shared_ptr<const HaloExchange> exchange) const;
 
   const std::vector<Tie>& ties() const { return ties_; }  // ascending by follower
   const std::vector<std::uint32_t>& fixed() const { return fixed_; }
@@ -74,7 +74,7 @@ public:
   void end_imposing(State& state) const;
   /// Flags the points that lack values between begin_imposing() and end_imposing() [points]; empty where there are
   /// none.
-  std::vector<char> awaited(std::size_t points) const;
+  std::vector<char> pending(std::size_t points) const;
 
   void impose(State& state) const;  // u = P q
   void impose(Values<float>& state) const;
@@ -102,7 +102,7 @@ private:
   template <typename Real, typename Weight>
   void impose_own(Values<Real>& state, const Weight& weight) const;
   template <typename Real, typename Weight>
-  void impose_awaited(Values<Real>& state, const Weight& weight) const;
+  void impose_pending(Values<Real>& state, const Weight& weight) const;
   template <typename Real, typename Weight>
   void impose_with(Values<Real>& state, const Weight& weight) const;
   template <typename Real, typename Weight>
@@ -116,38 +116,38 @@ private:
   std::vector<std::uint32_t> held_;  // sorted, by resolve()
   std::vector<Place> zero_;          // held and follows none
   Sums followers_, leaders_;         // of resolve()
-  std::vector<Place> awaited_zero_;  // of the zeros those of copies
-  Sums awaited_followers_;           // of the followers those that are copies, or follow some
+  std::vector<Place> pending_zero_;  // of the zeros those of copies
+  Sums pending_followers_;           // of the followers those that are copies, or follow some
   std::vector<std::uint32_t> copies_;
   const Communicator* communicator_ = &single_process();
-  std::shared_ptr<const Exchange> exchange_;  // none where one process holds the plate
+  std::shared_ptr<const HaloExchange> exchange_;  // none where one process holds the plate
 };
 
 /// Halo exchange in progress: a state waits for the ghost values of points that other ranks own. As long as it lives,
 /// the state must stay where it is.
-class Awaited {
+class PendingExchange {
 public:
   /// Begins to impose the constraints.
-  Awaited(const Constraints& constraints, State& state) : constraints_(constraints), state_(state) {
+  PendingExchange(const Constraints& constraints, State& state) : constraints_(constraints), state_(state) {
     constraints_.begin_imposing(state_);
   }
-  ~Awaited() { complete(); }
-  Awaited(const Awaited&) = delete;
-  Awaited& operator=(const Awaited&) = delete;
+  ~PendingExchange() { complete(); }
+  PendingExchange(const PendingExchange&) = delete;
+  PendingExchange& operator=(const PendingExchange&) = delete;
 
   /// Helps what is on its way along.
   void progress() const {
-    if (awaited_) constraints_.progress();
+    if (pending_) constraints_.progress();
   }
   /// Waits. Afterwards the constraints are imposed.
   void complete() {
-    if (std::exchange(awaited_, false)) constraints_.end_imposing(state_);
+    if (std::exchange(pending_, false)) constraints_.end_imposing(state_);
   }
 
 private:
   const Constraints& constraints_;
   State& state_;
-  bool awaited_ = true;
+  bool pending_ = true;
 };
 
 }  // namespace plate

@@ -165,8 +165,8 @@ std::vector<MemoryPart> memory_of(const Formulation& plate, bool single) {
   if (fictitious > 0)
     parts.push_back({"fictitious points (part of the points)", "",
                      fictitious * (sizeof(FictitiousPoint) + 3 * sizeof(Constraints::Tie))});
-  if (const auto& attached = plate.boundary().attached; !attached.parts().empty())
-    parts.push_back({"foundations and springs", "parameters", double(attached.bytes())});
+  if (const auto& elastic_supports = plate.boundary().elastic_supports; !elastic_supports.parts().empty())
+    parts.push_back({"foundations and springs", "parameters", double(elastic_supports.bytes())});
   if (!plate.loads().empty()) parts.push_back({"loads", "", double(plate.loads().size()) * 3 * sizeof(double) * all});
   return parts;
 }
@@ -183,7 +183,7 @@ double lowest_wave(const Formulation& plate) {
   return std::numbers::pi * std::hypot(held[0] / sides.x(), held[1] / sides.y());
 }
 
-std::vector<std::string> distrust_of_rotary_inertia(const Formulation& plate, double factor) {
+std::vector<std::string> warnings_about_rotary_inertia(const Formulation& plate, double factor) {
   if (factor == 1) return {};
   const double kh = lowest_wave(plate) * plate.section().thickness, share = kh * kh / 12;
   const double lower = 1 - std::sqrt((1 + share) / (1 + factor * share));

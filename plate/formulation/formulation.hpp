@@ -126,7 +126,7 @@ public:
   /// The forces that multipliers add in the equilibrium under all loads, over these; of kinds with multipliers.
   virtual std::optional<double> multipliers(const State&) const { return std::nullopt; }
   /// Warnings about results that are unreliable at this discretisation. `factors`: intensity factors are asked for.
-  virtual std::vector<std::string> distrust(bool factors) const = 0;
+  virtual std::vector<std::string> warnings(bool factors) const = 0;
   /// Advice on how to resolve the layer beside faces that carries K2 and K3: "take discretization.spacing = 0.01".
   virtual std::string remedy() const = 0;
   /// How far the pins that alone hold the plate are from one line, where places of points decide about it [spacings].
@@ -150,6 +150,6 @@ double lowest_wave(const Formulation& plate);
 
 /// Warning about the effect of a factor of the rotary inertia other than 1 on the lowest frequency, which goes as
 /// (1 + (k h)^2 / 12)^(-1/2) with the rotary inertia of the plate (theory.md, "Dynamics").
-std::vector<std::string> distrust_of_rotary_inertia(const Formulation& plate, double factor);
+std::vector<std::string> warnings_about_rotary_inertia(const Formulation& plate, double factor);
 
 }  // namespace plate

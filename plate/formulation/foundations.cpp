@@ -159,7 +159,7 @@ void for_each_place(const Shape& patch, const CellRing& cell, const Visit& visit
 
 template <std::size_t N>
 void add_cell(const Foundation& foundation, const Shape& patch, const std::array<std::uint32_t, N>& cell,
-              const std::vector<Point>& positions, AttachmentSum& sum) {
+              const std::vector<Point>& positions, ElasticSupportSum& sum) {
   CellRing ring;
   Point middle(0, 0);
   for (const auto k : cell) ring.push_back(positions[k]), middle += positions[k] / double(N);
@@ -174,13 +174,13 @@ void add_cell(const Foundation& foundation, const Shape& patch, const std::array
     linear.row(Eigen::Index(i)) << 1 / double(N), (inverse * (ring[i] - middle)).transpose();
     dofs.push_back(3 * cell[i]);
   }
-  if (foundation.lifts_off) {
+  if (foundation.unilateral) {
     for_each_place(patch, ring, [&](const Point& x, double area) {
       std::vector<FormTerm> form;
       for (std::size_t i = 0; i < N; ++i)
         form.push_back({dofs[i], linear(Eigen::Index(i), 0) +
                                      linear.row(Eigen::Index(i)).template tail<2>().dot((x - middle).transpose())});
-      sum.touch(foundation.modulus * area, form);
+      sum.add_unilateral(foundation.modulus * area, form);
     });
     return;
   }
@@ -200,7 +200,7 @@ Corner corner_at(const Point& x) {
 
 /// The soil goes on beneath a crack: between its faces it is sheared over a share of what parts the points of a face
 /// (theory (73)). Over all of it the faces part by the first order of that.
-void add_below_cracks(const Foundation& foundation, const geometry::Tessellation& cells, AttachmentSum& sum) {
+void add_below_cracks(const Foundation& foundation, const geometry::Tessellation& cells, ElasticSupportSum& sum) {
   geometry::Outline outline;
   if (const auto patch = patch_of(foundation))
     outline.outer = {patch->ring(), std::vector<std::string>(patch->ring().size())};
@@ -241,7 +241,7 @@ private:
 };
 
 /// Half of a cell has the slope to the neighbour on its side, and that of the other half where there is none.
-void add_shear(double stiffness, const Cells& cells, std::uint32_t k, double spacing, AttachmentSum& sum) {
+void add_shear(double stiffness, const Cells& cells, std::uint32_t k, double spacing, ElasticSupportSum& sum) {
   for (const bool along_x : {true, false}) {
     const auto beside = [&](int step) { return cells.beside(k, along_x ? step : 0, along_x ? 0 : step); };
     const auto before = beside(-1), after = beside(1);
@@ -253,7 +253,7 @@ void add_shear(double stiffness, const Cells& cells, std::uint32_t k, double spa
 
 }  // namespace
 
-void add_foundation(const Foundation& foundation, const geometry::Cloud& cloud, AttachmentSum& sum) {
+void add_foundation(const Foundation& foundation, const geometry::Cloud& cloud, ElasticSupportSum& sum) {
   const auto patch = patch_of(foundation);
   const double side = cloud.units.spacing, half = side / 2;
   const auto cells = foundation.shear > 0 ? std::optional<Cells>(cloud) : std::nullopt;
@@ -265,10 +265,10 @@ void add_foundation(const Foundation& foundation, const geometry::Cloud& cloud, 
     const auto moments = moments_of(patch, cell, x);
     if (!(moments.area > 0)) continue;
     const double share = cloud.areas[k] / (side * side);
-    if (foundation.lifts_off) {  // w + (x - x_k) . psi
+    if (foundation.unilateral) {  // w + (x - x_k) . psi
       for_each_place(patch, cell, [&](const Point& at, double area) {
-        sum.touch(share * foundation.modulus * area,
-                  {{3 * k, 1}, {3 * k + 1, (at - x).y()}, {3 * k + 2, -(at - x).x()}});
+        sum.add_unilateral(share * foundation.modulus * area,
+                           {{3 * k, 1}, {3 * k + 1, (at - x).y()}, {3 * k + 2, -(at - x).x()}});
       });
       continue;
     }
@@ -278,7 +278,7 @@ void add_foundation(const Foundation& foundation, const geometry::Cloud& cloud, 
   }
 }
 
-void add_foundation(const Foundation& foundation, const geometry::Tessellation& cells, AttachmentSum& sum) {
+void add_foundation(const Foundation& foundation, const geometry::Tessellation& cells, ElasticSupportSum& sum) {
   const auto patch = patch_of(foundation);
   for (const auto& square : cells.squares) add_cell(foundation, patch, square, cells.positions, sum);
   for (const auto& triangle : cells.triangles) add_cell(foundation, patch, triangle, cells.positions, sum);

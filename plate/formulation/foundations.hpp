@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "plate/formulation/attached_stiffness.hpp"
+#include "plate/formulation/elastic_supports.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -68,9 +68,9 @@ struct Foundation;
 /// The stiffness of a foundation under points in the middles of cells: its pressure under a deflection that is linear
 /// in each cell acts as any pressure does (theory.md, "Elastic foundations"), the shear by differences between
 /// neighbouring points, on either side of cracks too.
-void add_foundation(const Foundation& foundation, const geometry::Cloud& cloud, AttachmentSum& sum);
+void add_foundation(const Foundation& foundation, const geometry::Cloud& cloud, ElasticSupportSum& sum);
 
 /// Foundation under a plate whose points are corners of cells: acts on the linear function that the corners carry.
-void add_foundation(const Foundation& foundation, const geometry::Tessellation& cells, AttachmentSum& sum);
+void add_foundation(const Foundation& foundation, const geometry::Tessellation& cells, ElasticSupportSum& sum);
 
 }  // namespace plate

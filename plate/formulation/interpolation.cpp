@@ -13,12 +13,13 @@
 
 namespace plate {
 
-std::vector<PlacedPoint> seen_from(const geometry::Point& at, double reach, const std::vector<geometry::Point>& points,
-                                   std::size_t count, const std::vector<geometry::CrackPath>& cracks) {
+std::vector<PlacedPoint> visible_from(const geometry::Point& at, double reach,
+                                      const std::vector<geometry::Point>& points, std::size_t count,
+                                      const std::vector<geometry::CrackPath>& cracks) {
   std::vector<PlacedPoint> result;
   for (std::uint32_t k = 0; k < count; ++k) {
     const geometry::Point& x = points[k];
-    const auto part = [&](const auto& crack) { return geometry::severs(crack, at, x); };
+    const auto part = [&](const auto& crack) { return geometry::separates(crack, at, x); };
     if ((x - at).norm() <= reach && std::ranges::none_of(cracks, part)) result.emplace_back(k, x);
   }
   return result;
@@ -78,11 +79,11 @@ std::vector<PlaceShare> place_shares(const std::vector<PlacedPoint>& points, con
   return result;
 }
 
-std::vector<PlaceShare> seen_place(const geometry::Point& at, const geometry::LatticeUnits& units,
-                                   const std::vector<geometry::Point>& points, std::size_t count,
-                                   const std::vector<geometry::CrackPath>& cracks) {
+std::vector<PlaceShare> visible_place(const geometry::Point& at, const geometry::LatticeUnits& units,
+                                      const std::vector<geometry::Point>& points, std::size_t count,
+                                      const std::vector<geometry::CrackPath>& cracks) {
   for (const double reach : {reach_of_places, 2 * reach_of_places})
-    if (const auto near = seen_from(units.to_lattice(at), reach, points, count, cracks); !near.empty())
+    if (const auto near = visible_from(units.to_lattice(at), reach, points, count, cracks); !near.empty())
       return place_shares(near, units.to_units(at), units.spacing);
   throw Refused(
       {{Subject::geometry, 0,

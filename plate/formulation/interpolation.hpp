@@ -38,8 +38,9 @@ using PlacedPoint = std::pair<std::uint32_t, geometry::Point>;
 
 /// Points among the first `count` that lie within `reach` of the place and that no crack separates from it. Lengths in
 /// spacings.
-std::vector<PlacedPoint> seen_from(const geometry::Point& at, double reach, const std::vector<geometry::Point>& points,
-                                   std::size_t count, const std::vector<geometry::CrackPath>& cracks);
+std::vector<PlacedPoint> visible_from(const geometry::Point& at, double reach,
+                                      const std::vector<geometry::Point>& points, std::size_t count,
+                                      const std::vector<geometry::CrackPath>& cracks);
 
 /// Linear moving least squares with weight 1/distance^2 over the points given: exact for linear fields where the
 /// points span the plane, the point's own value where `at` is one of them, empty without points. Points on one line
@@ -56,9 +57,9 @@ std::vector<PlaceShare> place_shares(const std::vector<PlacedPoint>& points, con
 
 /// The state at a place [length] by the first `count` points that it sees within 1.6 spacings, else within 3.2;
 /// `cracks` in spacings. Throws Refused where it sees none.
-std::vector<PlaceShare> seen_place(const geometry::Point& at, const geometry::LatticeUnits& units,
-                                   const std::vector<geometry::Point>& points, std::size_t count,
-                                   const std::vector<geometry::CrackPath>& cracks);
+std::vector<PlaceShare> visible_place(const geometry::Point& at, const geometry::LatticeUnits& units,
+                                      const std::vector<geometry::Point>& points, std::size_t count,
+                                      const std::vector<geometry::CrackPath>& cracks);
 
 /// Linear in a triangle, bilinear in a square: in the cell about `at` [length], or nearest to it. A place on a crack
 /// belongs to the cell on the side of +x, or of +y where the crack is horizontal.

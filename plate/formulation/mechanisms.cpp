@@ -116,7 +116,7 @@ public:
     for (std::uint32_t k = 0; k < boundary.lattice.size(); ++k)
       if (const Point& n = parts.line(k); parts.has(k) && parts.on_line(k))
         add({{parts.part(k), parts.slope(parts.part(k), {-n.y(), n.x()})}});
-    for (const auto& part : boundary.attached.holding()) add_elastic(*part);
+    for (const auto& part : boundary.elastic_supports.holding()) add_elastic(*part);
   }
   const Eigen::MatrixXd& gram() const { return gram_; }
 
@@ -127,7 +127,7 @@ private:
   }
 
   /// A foundation or spring, over its largest entry.
-  void add_elastic(const Attachment& part) {
+  void add_elastic(const ElasticSupport& part) {
     const auto length = [&](std::uint32_t dof) { return dof % 3 == 0 ? boundary_.cloud.units.spacing : 1; };
     Eigen::MatrixXd own = Eigen::MatrixXd::Zero(gram_.rows(), gram_.cols());
     part.for_each([&](std::uint32_t row, std::uint32_t column, double value) {
@@ -345,7 +345,7 @@ std::vector<Refusal> loose(const Formulation& plate) {
   return result;
 }
 
-std::vector<Refusal> swinging(const Formulation& plate) {
+std::vector<Refusal> unresisted_motions(const Formulation& plate) {
   const auto& found = plate.mechanisms();
   const bool twists = plate.communicator().distributed() && found.twisting > 0;  // tied by one process only
   if (!plate.held() || (found.motions == 0 && found.searched && !twists)) return {};
@@ -355,7 +355,7 @@ std::vector<Refusal> swinging(const Formulation& plate) {
        "frequency 0; a finer spacing gives them two rows"}};
 }
 
-std::vector<std::string> distrust_of_mechanisms(const Formulation& plate) {
+std::vector<std::string> warnings_about_mechanisms(const Formulation& plate) {
   const auto& found = plate.mechanisms();
   std::vector<std::string> warnings;
   if (found.twisting > 0)

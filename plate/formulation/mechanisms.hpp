@@ -112,10 +112,10 @@ void tie_twists(Boundary& boundary, const geometry::Families& families);
 std::vector<Refusal> loose(const Formulation& plate);
 
 /// Warnings about parts that can move without resistance.
-std::vector<std::string> distrust_of_mechanisms(const Formulation& plate);
+std::vector<std::string> warnings_about_mechanisms(const Formulation& plate);
 
 /// The part that hangs by bonds along one line and has the frequency 0 although every piece is held. Empty for a plate
 /// that has no such part.
-std::vector<Refusal> swinging(const Formulation& plate);
+std::vector<Refusal> unresisted_motions(const Formulation& plate);
 
 }  // namespace plate

@@ -4,7 +4,7 @@
 
 namespace plate {
 
-void Operator::internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const {
+void Operator::internal_force_overlapped(const State& state, PendingExchange& rest, Forces& forces) const {
   rest.complete();
   internal_force(state, forces);
 }

@@ -3,7 +3,7 @@
 
 namespace plate {
 
-class Awaited;
+class PendingExchange;
 
 /// Stiffness operator of a plate as the solvers use it: K = d2U/d(state)2 and its bounds.
 class Operator {
@@ -16,7 +16,7 @@ public:
   virtual void internal_force(const State& state, Forces& forces) const = 0;
   /// The same of a state some of whose values may be on their way: what needs none of these goes ahead. Afterwards it
   /// is complete.
-  virtual void internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const;
+  virtual void internal_force_overlapped(const State& state, PendingExchange& rest, Forces& forces) const;
 
   /// An upper bound of |K| state for a state without negative entries [3 x points].
   virtual void absolute_product(const State& state, Forces& forces) const = 0;

@@ -97,7 +97,7 @@ Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_o
   Grams result, sizes;
   const double spacing = boundary.cloud.units.spacing;
   const auto length = [&](std::uint32_t dof) { return dof % 3 == 0 ? spacing : 1; };
-  for (const auto& part : boundary.attached.holding())
+  for (const auto& part : boundary.elastic_supports.holding())
     part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
       if (!boundary.owns(row / 3)) return;
       const auto number = piece_of[row / 3];
@@ -107,7 +107,7 @@ Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_o
       result.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one;
       sizes.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one.cwiseAbs();
     });
-  if (!boundary.attached.parts().empty())
+  if (!boundary.elastic_supports.parts().empty())
     share(*boundary.map.communicator, result), share(*boundary.map.communicator, sizes);
   for (auto& [number, own] : result) {
     const double largest = own.cwiseAbs().maxCoeff();
@@ -217,7 +217,7 @@ std::vector<std::pair<std::int64_t, Piece>> numbered(const Boundary& boundary,
 
 }  // namespace
 
-std::vector<std::uint32_t> fallen(const Boundary& boundary, const geometry::Families& families) {
+std::vector<std::uint32_t> detached_points(const Boundary& boundary, const geometry::Families& families) {
   auto sets = connected(boundary, families);
   const auto piece_of = set_numbers(sets, boundary);
   const auto all = numbered(boundary, piece_of);

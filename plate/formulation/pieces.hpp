@@ -40,6 +40,6 @@ std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& fa
 
 /// The points that have fallen off: of all pieces that no support holds in any way; of a plate that is not held at all,
 /// all but the largest.
-std::vector<std::uint32_t> fallen(const Boundary& boundary, const geometry::Families& families);
+std::vector<std::uint32_t> detached_points(const Boundary& boundary, const geometry::Families& families);
 
 }  // namespace plate

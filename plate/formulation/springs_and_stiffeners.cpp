@@ -45,7 +45,7 @@ void add_slope(const Node& node, const Point& along, double factor, Sum& form) {
 
 /// Between two places: E I and G J by the difference of the slopes, and the shear angle by what makes it the cubic line
 /// of Hermite, one after the other with the beam's own shear.
-void add_element(const Stiffener& beam, const Node& a, const Node& b, AttachmentSum& sum) {
+void add_element(const Stiffener& beam, const Node& a, const Node& b, ElasticSupportSum& sum) {
   const Point way = b.at - a.at, along = way.normalized(), across(-along.y(), along.x());
   const double length = way.norm();
   const auto add = [&](double stiffness, const std::function<void(Sum&)>& fill) {
@@ -106,7 +106,7 @@ void for_elements(const Stiffener& beam, const geometry::Tessellation& cells,
 
 }  // namespace
 
-void add_stiffener(const Stiffener& stiffener, const geometry::Tessellation& cells, AttachmentSum& sum) {
+void add_stiffener(const Stiffener& stiffener, const geometry::Tessellation& cells, ElasticSupportSum& sum) {
   for_elements(stiffener, cells, [&](const Node& a, const Node& b) { add_element(stiffener, a, b, sum); });
 }
 
@@ -154,21 +154,21 @@ Form slope(const Place& at, const Point& n) {
 }
 
 /// A spring over a length of an edge or line with the unit normal n.
-void add_piece(const Spring& spring, double length, const Place& at, const Point& n, AttachmentSum& sum) {
+void add_piece(const Spring& spring, double length, const Place& at, const Point& n, ElasticSupportSum& sum) {
   if (spring.deflection > 0) sum.add(length * spring.deflection, deflection(at));
   if (spring.rotation_normal > 0) sum.add(length * spring.rotation_normal, slope(at, n));
   if (spring.rotation_tangential > 0) sum.add(length * spring.rotation_tangential, slope(at, {-n.y(), n.x()}));
 }
 
 void add_line(const Spring& spring, const std::vector<LinePiece>& pieces, const std::vector<Point>& positions,
-              AttachmentSum& sum) {
+              ElasticSupportSum& sum) {
   for (const auto& [k, middle, way] : pieces) {
     const Point n = Point(way.y(), -way.x()) / way.norm();
     add_piece(spring, way.norm(), {{{std::uint32_t(k), 1}}, middle - positions[k]}, n, sum);
   }
 }
 
-void add_point(const Spring& spring, const std::vector<Point>& positions, std::size_t count, AttachmentSum& sum) {
+void add_point(const Spring& spring, const std::vector<Point>& positions, std::size_t count, ElasticSupportSum& sum) {
   const auto away = [&](const Point& x) { return (x - *spring.position).squaredNorm(); };
   const auto end = positions.begin() + std::ptrdiff_t(count);
   const auto k = std::uint32_t(std::ranges::min_element(positions.begin(), end, {}, away) - positions.begin());
@@ -179,7 +179,7 @@ void add_point(const Spring& spring, const std::vector<Point>& positions, std::s
 }
 
 /// Portion of an edge that belongs to one of the points beside it: its length, and where its middle is.
-struct Stretch {
+struct EdgePortion {
   double length = 0;
   Point moment{0, 0}, normal{0, 0};  // integrals of the place and of the outward normal
 };
@@ -212,26 +212,26 @@ Spring behind(Spring spring, double away, const Section& section, const EdgeLoad
   return spring;
 }
 
-void add_edges(const Spring& spring, const Problem& problem, const geometry::Cloud& cloud, AttachmentSum& sum) {
+void add_edges(const Spring& spring, const Problem& problem, const geometry::Cloud& cloud, ElasticSupportSum& sum) {
   for (const auto& name : spring.edges) {
     const auto loads = loads_on(name, problem);
     for (const auto& border : edge_borders(name, cloud, problem.outline)) {
-      std::map<std::uint32_t, Stretch> by_point;
+      std::map<std::uint32_t, EdgePortion> by_point;
       for (const auto& [middle, normal] : border.pieces) {
-        auto& stretch = by_point[nearest(border.near, cloud, middle)];
-        stretch.length += normal.norm(), stretch.moment += normal.norm() * middle, stretch.normal += normal;
+        auto& portion = by_point[nearest(border.near, cloud, middle)];
+        portion.length += normal.norm(), portion.moment += normal.norm() * middle, portion.normal += normal;
       }
-      for (const auto& [k, stretch] : by_point) {
-        const Point n = stretch.normal.normalized(), lever = stretch.moment / stretch.length - cloud.positions[k];
+      for (const auto& [k, portion] : by_point) {
+        const Point n = portion.normal.normalized(), lever = portion.moment / portion.length - cloud.positions[k];
         const double away = std::max(0.0, lever.dot(n));
-        add_piece(behind(spring, away, problem.section, loads), stretch.length, {{{k, 1}}, lever}, n, sum);
+        add_piece(behind(spring, away, problem.section, loads), portion.length, {{{k, 1}}, lever}, n, sum);
       }
     }
   }
 }
 
 /// Between the ends of a piece all is linear; two places of Gauss are exact for its square.
-void add_edges(const Spring& spring, const geometry::Tessellation& cells, AttachmentSum& sum) {
+void add_edges(const Spring& spring, const geometry::Tessellation& cells, ElasticSupportSum& sum) {
   const double gauss = (1 - 1 / std::sqrt(3.0)) / 2;
   for (const auto& border : cells.borders) {
     if (border.edge == geometry::Curves::crack) continue;
@@ -245,51 +245,51 @@ void add_edges(const Spring& spring, const geometry::Tessellation& cells, Attach
 
 /// `found(foundation, sum)`, `hold(spring, sum)`, `stiffen(stiffener, sum)`: what they add.
 template <typename Found, typename Hold, typename Stiffen>
-AttachedStiffness all(const Problem& problem, std::size_t points, const Found& found, const Hold& hold,
-                      const Stiffen& stiffen) {
-  std::vector<Attachment> parts;
+ElasticSupports all(const Problem& problem, std::size_t points, const Found& found, const Hold& hold,
+                    const Stiffen& stiffen) {
+  std::vector<ElasticSupport> parts;
   for (std::size_t i = 0; i < problem.foundations.size(); ++i) {
-    AttachmentSum sum(points);
+    ElasticSupportSum sum(points);
     found(problem.foundations[i], sum);
     parts.push_back(std::move(sum).taken(fmt::format("foundation{}", i), std::nullopt));
   }
   for (std::size_t i = 0; i < problem.springs.size(); ++i) {
-    AttachmentSum sum(points);
+    ElasticSupportSum sum(points);
     hold(problem.springs[i], sum);
     parts.push_back(std::move(sum).taken(fmt::format("spring{}", i), problem.springs[i].position));
   }
   for (std::size_t i = 0; i < problem.stiffeners.size(); ++i) {
-    AttachmentSum sum(points);
+    ElasticSupportSum sum(points);
     stiffen(problem.stiffeners[i], sum);
     parts.push_back(std::move(sum).taken(fmt::format("stiffener{}", i), std::nullopt, false));
   }
-  return AttachedStiffness(std::move(parts));
+  return ElasticSupports(std::move(parts));
 }
 
 }  // namespace
 
-AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Cloud& cloud) {
+ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud) {
   return all(
-      problem, cloud.size(), [&](const Foundation& one, AttachmentSum& sum) { add_foundation(one, cloud, sum); },
-      [&](const Spring& one, AttachmentSum& sum) {
+      problem, cloud.size(), [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cloud, sum); },
+      [&](const Spring& one, ElasticSupportSum& sum) {
         add_edges(one, problem, cloud, sum);
         if (!one.along.empty())
           add_line(one, line_pieces(one.along, cloud, crack_paths(problem)), cloud.positions, sum);
         if (one.position && cloud.seeded(*one.position)) add_point(one, cloud.positions, cloud.plate_points, sum);
       },
-      [](const Stiffener&, AttachmentSum&) {});  // refused before
+      [](const Stiffener&, ElasticSupportSum&) {});  // refused before
 }
 
-AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Tessellation& cells) {
+ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Tessellation& cells) {
   const auto points = cells.positions.size();
   return all(
-      problem, points, [&](const Foundation& one, AttachmentSum& sum) { add_foundation(one, cells, sum); },
-      [&](const Spring& one, AttachmentSum& sum) {
+      problem, points, [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cells, sum); },
+      [&](const Spring& one, ElasticSupportSum& sum) {
         add_edges(one, cells, sum);
         if (!one.along.empty()) add_line(one, line_pieces(one.along, cells), cells.positions, sum);
         if (one.position && cells.sees(*one.position)) add_point(one, cells.positions, points, sum);
       },
-      [&](const Stiffener& one, AttachmentSum& sum) { add_stiffener(one, cells, sum); });
+      [&](const Stiffener& one, ElasticSupportSum& sum) { add_stiffener(one, cells, sum); });
 }
 
 }  // namespace plate

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "plate/formulation/attached_stiffness.hpp"
+#include "plate/formulation/elastic_supports.hpp"
 
 namespace geometry {
 struct Tessellation;
@@ -14,7 +14,7 @@ struct Stiffener;
 
 /// The stiffness of a beam on points on the edges and between them: elements of the beam of Bernoulli (Hermite's cubic
 /// lines), or of Timoshenko, between places a spacing apart (theory.md, "Stiffeners").
-void add_stiffener(const Stiffener& stiffener, const geometry::Tessellation& cells, AttachmentSum& sum);
+void add_stiffener(const Stiffener& stiffener, const geometry::Tessellation& cells, ElasticSupportSum& sum);
 
 /// Mass of all stiffeners at every point [mass]; empty where none has any.
 std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells);
@@ -31,9 +31,9 @@ namespace plate {
 struct Problem;
 
 /// All foundations and springs of a problem on points in the middles of cells.
-AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Cloud& cloud);
+ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud);
 
 /// Foundations and springs of a problem on points that are corners of cells.
-AttachedStiffness attached_stiffness(const Problem& problem, const geometry::Tessellation& cells);
+ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Tessellation& cells);
 
 }  // namespace plate

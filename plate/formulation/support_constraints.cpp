@@ -16,17 +16,17 @@ namespace plate {
 
 using geometry::Point;
 
-bool MovedSupports::moves(const SupportMotion& motion, const Side& side) const {
+bool SupportOffsets::moves(const SupportMotion& motion, const Side& side) const {
   const auto number = holder(boundary_->holders, side.name);
   return number < boundary_->holders.size() && boundary_->holders[number].support == motion.support;
 }
 
-Eigen::Vector3d MovedSupports::at(const SupportMotion& motion, const Point& lattice, const Side& side) const {
+Eigen::Vector3d SupportOffsets::at(const SupportMotion& motion, const Point& lattice, const Side& side) const {
   const auto& units = boundary_->cloud.units;
   return motion.at(units.from_lattice(lattice), side.outward(lattice), -side.inside(lattice) * units.spacing);
 }
 
-MovedSupports::Offsets MovedSupports::of(std::uint32_t dof, const Side& side, const Leaders& leaders) const {
+SupportOffsets::Offsets SupportOffsets::of(std::uint32_t dof, const Side& side, const Leaders& leaders) const {
   Offsets result;
   for (const auto& motion : motions_) {
     if (!moves(motion, side)) continue;
@@ -38,9 +38,9 @@ MovedSupports::Offsets MovedSupports::of(std::uint32_t dof, const Side& side, co
   return result;
 }
 
-MovedSupports::Offsets MovedSupports::of_corner(std::uint32_t image, std::uint32_t point, std::uint32_t component,
-                                                const Side& first, double first_sign, const Side& second,
-                                                double second_sign) const {
+SupportOffsets::Offsets SupportOffsets::of_corner(std::uint32_t image, std::uint32_t point, std::uint32_t component,
+                                                  const Side& first, double first_sign, const Side& second,
+                                                  double second_sign) const {
   Offsets result;
   const Point &u = boundary_->lattice[point], between = first.mirrored(u), &last = boundary_->lattice[image];
   for (const auto& motion : motions_) {
@@ -53,7 +53,7 @@ MovedSupports::Offsets MovedSupports::of_corner(std::uint32_t image, std::uint32
   return result;
 }
 
-MovedSupports::Offsets MovedSupports::inside(std::size_t support, const Point& x, std::uint32_t component) const {
+SupportOffsets::Offsets SupportOffsets::inside(std::size_t support, const Point& x, std::uint32_t component) const {
   Offsets result;
   for (const auto& motion : motions_)
     if (motion.support == support) result.push_back({motion.load, motion.at(x)[component]});
@@ -62,7 +62,7 @@ MovedSupports::Offsets MovedSupports::inside(std::size_t support, const Point& x
 
 namespace {
 
-void hold_line(Boundary& boundary, const geometry::Polyline& along, std::uint32_t holder, const MovedSupports& moved) {
+void hold_line(Boundary& boundary, const geometry::Polyline& along, std::uint32_t holder, const SupportOffsets& moved) {
   const auto& cloud = boundary.cloud;
   std::map<std::size_t, std::pair<Point, double>> feet;  // of every point: sum of places times lengths, of lengths
   for (const auto& [k, middle, way] : line_pieces(along, cloud, {})) {
@@ -74,7 +74,7 @@ void hold_line(Boundary& boundary, const geometry::Polyline& along, std::uint32_
 }
 
 /// Points that lie on the boundary of a part belong to it.
-void hold_part(Boundary& boundary, const geometry::Hole& shape, std::uint32_t holder, const MovedSupports& moved) {
+void hold_part(Boundary& boundary, const geometry::Hole& shape, std::uint32_t holder, const SupportOffsets& moved) {
   constexpr double nothing = 1e-6;  // spacings
   const auto& cloud = boundary.cloud;
   const auto* circle = std::get_if<geometry::Circle>(&shape);
@@ -123,7 +123,7 @@ geometry::Polyline around(const geometry::Hole& shape, double spacing) {
 
 }  // namespace
 
-void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const MovedSupports& moved) {
+void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const SupportOffsets& moved) {
   const auto& by = boundary.holders[holder];
   const bool clamps = by.kind == SupportKind::clamped;
   for (std::uint32_t c = 0; c < (clamps ? 3U : 1U); ++c)
@@ -133,7 +133,7 @@ void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, c
 }
 
 void hold_place(Boundary& boundary, std::uint32_t k, const Point& at, std::uint32_t holder,
-                const MovedSupports& moved) {
+                const SupportOffsets& moved) {
   constexpr double nothing = 1e-9;  // spacings
   const Point lever = at - boundary.cloud.positions[k];
   const auto& by = boundary.holders[holder];
@@ -143,7 +143,7 @@ void hold_place(Boundary& boundary, std::uint32_t k, const Point& at, std::uint3
   boundary.holds.push_back({k, holder, false});
 }
 
-void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const MovedSupports& moved) {
+void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const SupportOffsets& moved) {
   for (std::uint32_t i = 0; i < boundary.holders.size(); ++i) {
     if (boundary.holders[i].place != Holder::Place::inside) continue;
     const auto& support = supports[boundary.holders[i].support];

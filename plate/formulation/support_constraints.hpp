@@ -13,13 +13,13 @@ struct Side;
 /// Offsets of held degrees of freedom where settlements move the supports: every rule of a support applies to the
 /// difference from the motion of the support (theory.md, "Supports that move"). Without settlements everything here is
 /// empty.
-class MovedSupports {
+class SupportOffsets {
 public:
   using Offsets = std::vector<Constraints::Offset>;
   using Leaders = std::vector<Constraints::Leader>;
 
   /// `boundary` must outlive this.
-  MovedSupports(const Boundary& boundary, const std::vector<SupportMotion>& motions)
+  SupportOffsets(const Boundary& boundary, const std::vector<SupportMotion>& motions)
       : boundary_(&boundary), motions_(motions) {}
 
   /// Offsets of a degree of freedom that a side holds by these leaders.
@@ -43,14 +43,14 @@ struct Problem;
 
 /// Adds what supports along lines and on parts of the plate hold. Of a part: the points in it. Along a line: at every
 /// point next to it the value at the piece of the line that is next to the point, w + (x - x_k) . psi.
-void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const MovedSupports& moved);
+void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const SupportOffsets& moved);
 
 /// Fixes w, and of a clamp the rotations, of a point for a holder.
-void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const MovedSupports& moved);
+void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const SupportOffsets& moved);
 
 /// Holds a place next to a point: w + (x - x_k) . psi is held there, or of a clamp the point itself.
 void hold_place(Boundary& boundary, std::uint32_t point, const geometry::Point& at, std::uint32_t holder,
-                const MovedSupports& moved);
+                const SupportOffsets& moved);
 
 /// Places that lie on the lines and boundaries of parts that supports hold, at most `spacing` apart [length]; none
 /// nearer to edges and cracks than half of that.

@@ -19,8 +19,8 @@ struct TipFrame {
   geometry::Point local(const geometry::Point& x) const { return {ahead.dot(x - origin), left().dot(x - origin)}; }
 };
 
-/// Side of the crack on which geometry::severs puts a point: +1 for y' > 0, -1 for y' < 0. A point on the line itself
-/// lies where moving it by (e, e^2) would put it. `y`: its y' [length], zero below 1e-7 spacings.
+/// Side of the crack on which geometry::separates puts a point: +1 for y' > 0, -1 for y' < 0. A point on the line
+/// itself lies where moving it by (e, e^2) would put it. `y`: its y' [length], zero below 1e-7 spacings.
 int face_of(double y, const geometry::Point& left, double spacing);
 
 /// Polar coordinates in the tip's axes; angle in [-pi, pi], +-pi on the faces.
@@ -69,7 +69,7 @@ struct GradientShares {
 
 /// Weights in the error estimates of intensity factors, with the quantity that each multiplies: measured for each
 /// formulation (theory.md, "What the estimated errors mean").
-struct TipTrust {
+struct TipErrorWeights {
   double energy, shear;  // of the difference between energies of the fit and of the integrals, in K1 and K2, and in K3
   double fits, fits_shear;  // of the largest difference between fits: their turn, in K1 and K2, and in K3
   double near;              // of the largest factor, where a spacing lies between a tip and what is next to it
@@ -97,7 +97,7 @@ public:
   double spacing, horizon;       // at the tips [length]
   bool graded, points_on_faces;  // points of varying distance; on the faces of cracks
   double doubtful;  // points nearer to the line of a crack do not tell their side, or are not accurate [length]
-  TipTrust trust;
+  TipErrorWeights trust;
 
   virtual Gradients gradients(std::uint32_t k, const State& state) const = 0;
   virtual GradientShares gradient_shares(std::uint32_t k) const = 0;

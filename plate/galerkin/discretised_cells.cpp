@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "geometry/cells/shared_lattice.hpp"
+#include "geometry/cells/distributed_lattice.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "geometry/shape/predicates.hpp"
 #include "plate/formulation/springs_and_stiffeners.hpp"
@@ -102,22 +102,24 @@ Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& 
 
 namespace {
 
-WholeCells whole_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor, bool shared) {
+GlobalCells global_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor,
+                         bool distributed) {
   const auto& d = c.discretization;
-  if (!shared || d.tip_spacing || d.hole_spacing) return cells_of(c, paths, factor);
+  if (!distributed || d.tip_spacing || d.hole_spacing) return cells_of(c, paths, factor);
   const double spacing = factor * d.spacing;
-  return geometry::WholeLattice(c.outline, paths, spacing, own_places(c, paths, spacing));
+  return geometry::GlobalLattice(c.outline, paths, spacing, own_places(c, paths, spacing));
 }
 
 }  // namespace
 
-WholeCells whole_cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor, bool shared) {
-  return whole_cells(c, paths, factor, shared);
+GlobalCells global_cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor,
+                            bool distributed) {
+  return global_cells(c, paths, factor, distributed);
 }
 
-WholeCells required_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, bool shared) {
+GlobalCells required_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, bool distributed) {
   try {
-    return whole_cells(c, paths, 1, shared);
+    return global_cells(c, paths, 1, distributed);
   } catch (const std::invalid_argument& error) {
     throw Refused({{Subject::geometry, 0, fmt::format("{}; refine", error.what())}});
   } catch (const std::length_error& error) {
@@ -150,7 +152,7 @@ struct Acting {
 /// Cells of the plate that this rank sees (all of them on one process) and the part of these that it keeps.
 class Plan {
 public:
-  Plan(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole, const Communicator& all)
+  Plan(const Problem& problem, std::vector<geometry::CrackPath> paths, GlobalCells whole, const Communicator& all)
       : problem_(problem), all_(all) {
     if (all.distributed())
       share(std::move(paths), std::move(whole));
@@ -158,7 +160,7 @@ public:
       keep_all(std::move(paths), std::move(std::get<Tessellation>(whole)));
   }
 
-  LaidOut laid_out() && {
+  DiscretisedPart discretised_part() && {
     auto& layout = *layout_;
     auto families = part_ ? galerkin_families(cells_, inside_) : galerkin_families(cells_);
     require_few_neighbours(families);
@@ -169,14 +171,14 @@ public:
     for (std::size_t i = 0; i < problem_.loads.size(); ++i) add(problem_.loads[i], std::move(acting_[i]), families);
     if (!part_) return {std::move(layout), std::move(cells_), std::move(families), {}, {}};
     return {std::move(layout), std::move(cells_), std::move(families), std::move(part_->number),
-            std::move(part_->stretch)};
+            std::move(part_->column_block)};
   }
 
 private:
   Boundary boundary_of(const Tessellation& cells, const std::vector<double>& areas) const {
     auto result = galerkin_boundary(cells, areas, geometry::to_lattice(problem_.outline, cells.units),
                                     problem_.supports, support_motions(problem_), all_);
-    result.attached = attached_stiffness(problem_, cells);
+    result.elastic_supports = elastic_supports_of(problem_, cells);
     return result;
   }
 
@@ -192,14 +194,14 @@ private:
     cells_ = std::move(cells);
   }
 
-  void share(std::vector<geometry::CrackPath> paths, WholeCells whole) {
+  void share(std::vector<geometry::CrackPath> paths, GlobalCells whole) {
     const auto tips = geometry::tips(paths);
     inside_ = about_first_inside(whole);
-    const auto seen = seen_cells(all_, problem_, whole, tips);
+    const auto seen = cells_with_overlap(all_, problem_, whole, tips);
     const auto& cells = seen.cells;
     const auto areas = areas_of(cells);
     auto boundary = boundary_of(cells, areas);
-    part_ = part_of_cells(all_, problem_, seen, boundary.attached, tips);
+    part_ = part_of_cells(all_, problem_, seen, boundary.elastic_supports, tips);
     boundary = restricted(boundary, *part_, problem_.loads.size());
     const auto& part = part_->part;
     layout_.emplace(
@@ -289,9 +291,9 @@ private:
 
 }  // namespace
 
-LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole,
-                 const Communicator& all, Stopwatch& stopwatch) {
-  auto result = Plan(problem, std::move(paths), std::move(whole), all).laid_out();
+DiscretisedPart discretised_part(const Problem& problem, std::vector<geometry::CrackPath> paths, GlobalCells whole,
+                                 const Communicator& all, Stopwatch& stopwatch) {
+  auto result = Plan(problem, std::move(paths), std::move(whole), all).discretised_part();
   stopwatch.lap("families");
   return result;
 }
@@ -310,8 +312,8 @@ struct Shares {
   bool whole = false;
 };
 
-Shares shares_of(const geometry::WholeLattice& lattice, int processes) {
-  const geometry::SharedLattice shared(lattice, processes);
+Shares shares_of(const geometry::GlobalLattice& lattice, int processes) {
+  const geometry::DistributedLattice shared(lattice, processes);
   Shares result{lattice.units(), {}, {}, {}, false};
   for (int one = 0; one < processes; ++one) {
     const auto& part = shared.part(one);
@@ -363,7 +365,7 @@ double beyond(const Shares& shares, const Point& x, double reach, const CellBox&
 
 }  // namespace
 
-std::vector<ForetoldPart> foretold_parts(const Problem& problem, int processes) {
+std::vector<PartEstimate> estimated_parts(const Problem& problem, int processes) {
   constexpr long seen = 4, rings = 3;  // cells about own points, and about these: part_of_cells(), cells_about()
   const auto paths = crack_paths(problem);
   const auto& d = problem.discretization;
@@ -371,10 +373,10 @@ std::vector<ForetoldPart> foretold_parts(const Problem& problem, int processes) 
   const auto whole = required_cells(problem, paths, true);
   require_parts(whole, processes);
   const auto shares = std::visit([&](const auto& cells) { return shares_of(cells, processes); }, whole);
-  std::vector<ForetoldPart> result;
+  std::vector<PartEstimate> result;
   for (std::size_t one = 0; one < shares.boxes.size(); ++one) {
     const auto box = shares.boxes[one].grown(seen + rings);
-    ForetoldPart part{shares.points[one], shares.count(box), 0, graded};
+    PartEstimate part{shares.points[one], shares.count(box), 0, graded};
     std::vector<CellBox> looked_at{box};
     for (const auto& tip : geometry::tips(paths)) {
       if (!shares.boxes[one].contains(geometry::cell_of(shares.units.to_lattice(tip.position)))) continue;

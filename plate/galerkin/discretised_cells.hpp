@@ -13,36 +13,36 @@ namespace plate {
 geometry::Tessellation cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
 
 /// The same; where processes share them and they are on a lattice, what tells them.
-WholeCells whole_cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor,
-                          bool shared);
-/// Cells of the plate itself (factor 1). `shared`: true where ranks share the cells, or are to.
+GlobalCells global_cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor,
+                            bool distributed);
+/// Cells of the plate itself (factor 1). `distributed`: true where ranks share the cells, or are to.
 /// @throws Refused  cracks and edges are too close to each other, or the points too many to be numbered
-WholeCells required_cells(const Problem& problem, const std::vector<geometry::CrackPath>& paths, bool shared);
+GlobalCells required_cells(const Problem& problem, const std::vector<geometry::CrackPath>& paths, bool distributed);
 
 /// The share of what lies about a place that other points there stand for: both faces of a crack, parted from each
 /// other.
 std::vector<double> cut_share(const geometry::Tessellation& cells, const std::vector<double>& areas);
 
 /// A Galerkin plate before its forces; where several processes share it, the part of this one.
-struct LaidOut {
+struct DiscretisedPart {
   Layout layout;
   geometry::Tessellation cells;
   GalerkinFamilies families;
   // where processes share the plate:
-  std::vector<std::uint32_t> number;   // of every point in the whole
-  std::vector<std::uint32_t> stretch;  // of GalerkinOperator
+  std::vector<std::uint32_t> number;        // of every point in the whole
+  std::vector<std::uint32_t> column_block;  // of GalerkinOperator
 };
 
 /// Discretises the plate. Where ranks share a lattice, each rank makes the points and cells about its own part, with
 /// their supports and nodal forces, and keeps its part; with graded points every rank makes those of the whole plate.
 /// @throws Refused
-LaidOut laid_out(const Problem& problem, std::vector<geometry::CrackPath> paths, WholeCells whole,
-                 const Communicator& all, Stopwatch& stopwatch);
+DiscretisedPart discretised_part(const Problem& problem, std::vector<geometry::CrackPath> paths, GlobalCells whole,
+                                 const Communicator& all, Stopwatch& stopwatch);
 
 struct Problem;
 
 /// Estimated size of one rank's part of a shared Galerkin plate.
-struct ForetoldPart {
+struct PartEstimate {
   double points = 0, seen = 0;  // its own; with others' that it has copies of
   double neighbours = 0;        // whose points these are
   bool whole = false;           // makes all points before it keeps these
@@ -50,6 +50,6 @@ struct ForetoldPart {
 
 /// Told without processes: the shares of a lattice by its rows, of graded points by the points themselves.
 /// @throws Refused  too few points, or rows of them, for so many processes
-std::vector<ForetoldPart> foretold_parts(const Problem& problem, int processes);
+std::vector<PartEstimate> estimated_parts(const Problem& problem, int processes);
 
 }  // namespace plate

@@ -49,16 +49,16 @@ std::optional<std::array<std::int32_t, 5>> steps_about(const GalerkinFamilies& f
 }  // namespace
 
 GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const PointSections& sections,
-                           const std::vector<std::uint32_t>& stretch, const std::vector<char>& awaited) {
+                           const std::vector<std::uint32_t>& column_block, const std::vector<char>& pending) {
   const auto points = std::uint32_t(families.areas.size());
   const auto lattice = lattice_family(families);
   const double spacing = lattice ? std::sqrt(lattice->families->areas[lattice->point]) : 0;
   std::vector<std::optional<std::array<std::int32_t, 5>>> steps(points);
 #pragma omp parallel for schedule(static)
   for (std::uint32_t k = 0; k < points; ++k) steps[k] = steps_about(families, k, spacing);
-  const auto asked = [&](std::uint32_t k) { return stretch.empty() || stretch[k] > 0; };
+  const auto asked = [&](std::uint32_t k) { return column_block.empty() || column_block[k] > 0; };
   const auto goes_on = [&](std::uint32_t k, std::uint32_t end) {
-    return steps[k] && steps[end] == steps[k] && (stretch.empty() || stretch[end] == stretch[k]);
+    return steps[k] && steps[end] == steps[k] && (column_block.empty() || column_block[end] == column_block[k]);
   };
   for (std::uint32_t k = 0; k < points;) {
     std::uint32_t end = k + 1;
@@ -75,12 +75,12 @@ GalerkinRows::GalerkinRows(const GalerkinFamilies& families, const PointSections
   }
   const auto inside = [&](const Row& row) {
     return std::ranges::all_of(row.step, [&](std::int32_t step) {
-      const auto from = awaited.begin() + row.first + step - reach;
+      const auto from = pending.begin() + row.first + step - reach;
       return std::none_of(from, from + row.length + 2 * reach, [](char one) { return one; });
     });
   };
   const auto waiting =
-      awaited.empty() ? std::ranges::subrange(rows_.end(), rows_.end()) : std::ranges::stable_partition(rows_, inside);
+      pending.empty() ? std::ranges::subrange(rows_.end(), rows_.end()) : std::ranges::stable_partition(rows_, inside);
   inside_ = std::size_t(waiting.begin() - rows_.begin());
   if (lattice) find_factors(*lattice, sections, spacing);
 }
@@ -244,7 +244,7 @@ struct CellResultants {
 }  // namespace
 
 GalerkinLists::GalerkinLists(const GalerkinFamilies& families, const PointSections& sections,
-                             const std::vector<std::uint32_t>& points, const std::vector<char>& awaited)
+                             const std::vector<std::uint32_t>& points, const std::vector<char>& pending)
     : points_(points), poisson_(sections[0].bending(0, 1) / sections[0].bending(0, 0)) {
   std::vector<char> acts(families.areas.size(), 0);
   for (const auto i : points) {
@@ -253,7 +253,7 @@ GalerkinLists::GalerkinLists(const GalerkinFamilies& families, const PointSectio
   }
   for (std::uint32_t k = 0; k < acts.size(); ++k)
     if (acts[k]) kept_.push_back(k);
-  const auto waits = [&](std::uint32_t k) { return !awaited.empty() && awaited[k]; };
+  const auto waits = [&](std::uint32_t k) { return !pending.empty() && pending[k]; };
   const auto waiting = std::ranges::stable_partition(kept_, [&](std::uint32_t k) {
     bool goes_ahead = !waits(k);
     for (const auto& bond : families.families[k]) goes_ahead = goes_ahead && !waits(bond.neighbour);

@@ -10,10 +10,10 @@ namespace plate {
 /// point and of its neighbours, summed once for all. Of simple sections.
 class GalerkinRows {
 public:
-  /// `stretch`: 0 of points whose forces are not asked for; rows end where it changes. Empty: all are. `awaited`:
+  /// `column_block`: 0 of points whose forces are not asked for; rows end where it changes. Empty: all are. `pending`:
   /// points whose values may be on their way; empty: none.
   GalerkinRows(const GalerkinFamilies& families, const PointSections& sections,
-               const std::vector<std::uint32_t>& stretch = {}, const std::vector<char>& awaited = {});
+               const std::vector<std::uint32_t>& column_block = {}, const std::vector<char>& pending = {});
 
   /// Points that are in no row, among those whose forces are requested.
   const std::vector<std::uint32_t>& others() const { return others_; }
@@ -49,9 +49,9 @@ private:
 /// families at once as a machine vector has lanes. Of simple sections.
 class GalerkinLists {
 public:
-  /// `points`: those in no row. `awaited`: points of the plate whose values may be on their way; empty: none.
+  /// `points`: those in no row. `pending`: points of the plate whose values may be on their way; empty: none.
   GalerkinLists(const GalerkinFamilies& families, const PointSections& sections,
-                const std::vector<std::uint32_t>& points, const std::vector<char>& awaited = {});
+                const std::vector<std::uint32_t>& points, const std::vector<char>& pending = {});
 
   /// Sets the forces on those points. One call at a time.
   void internal_force(const State& state, Forces& forces) const { internal_force_from(0, state, forces); }

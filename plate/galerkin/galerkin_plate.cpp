@@ -47,19 +47,19 @@ std::vector<BondShape> shapes_of(const std::vector<Point>& vectors) {
 
 class GalerkinPlate : public Formulation {
 public:
-  explicit GalerkinPlate(LaidOut laid)
-      : Formulation(std::move(laid.layout)),
-        cells_(std::move(laid.cells)),
-        shapes_(shapes_of(laid.families.families.vectors())),
-        op_(std::move(laid.families), sections(), boundary().attached, laid.stretch,
-            constraints().awaited(cells_.positions.size())),
-        seen_(geometry::seen_positions(cells_)),
-        number_(std::move(laid.number)) {}
+  explicit GalerkinPlate(DiscretisedPart part)
+      : Formulation(std::move(part.layout)),
+        cells_(std::move(part.cells)),
+        shapes_(shapes_of(part.families.families.vectors())),
+        op_(std::move(part.families), sections(), boundary().elastic_supports, part.column_block,
+            constraints().pending(cells_.positions.size())),
+        seen_(geometry::positions_inside_faces(cells_)),
+        number_(std::move(part.number)) {}
 
   std::size_t points() const override { return op_.points(); }
   void internal_force(const State& state, Forces& forces) const override { op_.internal_force(state, forces); }
-  void internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const override {
-    op_.internal_force_meanwhile(state, rest, forces);
+  void internal_force_overlapped(const State& state, PendingExchange& rest, Forces& forces) const override {
+    op_.internal_force_overlapped(state, rest, forces);
   }
   void absolute_product(const State& state, Forces& forces) const override { op_.absolute_product(state, forces); }
   Forces diagonal() const override { return op_.diagonal(); }
@@ -95,20 +95,20 @@ public:
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
   std::unique_ptr<Preconditioner> factor() const override {
     if (communicator().distributed())
-      return std::make_unique<SharedFactor>(communicator(), op_, boundary(), stiffness_matrix(op_));
+      return std::make_unique<DistributedFactor>(communicator(), op_, boundary(), stiffness_matrix(op_));
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
   }
   std::vector<MemoryPart> memory(bool single) const override;
-  std::vector<std::string> distrust(bool factors) const override;
+  std::vector<std::string> warnings(bool factors) const override;
   std::string remedy() const override;
 
 private:
-  std::unique_ptr<Preconditioner> levels() const;
+  std::unique_ptr<Preconditioner> multigrid() const;
 
   geometry::Tessellation cells_;
   std::vector<BondShape> shapes_;
   GalerkinOperator op_;
-  std::vector<Point> seen_;            // geometry::seen_positions()
+  std::vector<Point> seen_;            // geometry::positions_inside_faces()
   std::vector<std::uint32_t> number_;  // in the whole plate, where processes share it
 };
 
@@ -123,10 +123,10 @@ std::vector<double> GalerkinPlate::cut_at(const StartOfCracks& start) const {
   return result;
 }
 
-std::unique_ptr<Preconditioner> GalerkinPlate::levels() const {
-  auto coarser = coarser_levels(*this, seen_);
+std::unique_ptr<Preconditioner> GalerkinPlate::multigrid() const {
+  auto coarser = multigrid_levels(*this, seen_);
   if (coarser.empty()) return factor();
-  return std::make_unique<GalerkinLevels>(op_, constraints(), seen_, std::move(coarser));
+  return std::make_unique<GalerkinMultigrid>(op_, constraints(), seen_, std::move(coarser));
 }
 
 ChosenPreconditioner GalerkinPlate::preconditioner(Preconditioning wanted) const {
@@ -134,7 +134,7 @@ ChosenPreconditioner GalerkinPlate::preconditioner(Preconditioning wanted) const
   if (wanted == Preconditioning::automatic)
     wanted = usual_preconditioner_of_cells(problem(), double(points_of_all(boundary())));
   if (wanted == Preconditioning::automatic) return {factor(), "factor"};
-  return {levels(), "levels"};
+  return {multigrid(), "levels"};
 }
 
 /// Coarser plates alone do not see the rigid motions of a plate that nothing holds.
@@ -154,7 +154,7 @@ std::vector<MemoryPart> GalerkinPlate::memory(bool) const {
 
 /// K3 of a twisted plate is 7 % off with 3.8 spacings in the layer, 1.1 % with 7.9.
 /// Round holes that are held and smaller than two spacings: 2 to 15 % in deflections of plates that nothing else holds.
-std::vector<std::string> distrust_of_small_holes(const Problem& problem) {
+std::vector<std::string> warnings_about_small_holes(const Problem& problem) {
   constexpr double least = 2;
   const double spacing = problem.discretization.hole_spacing.value_or(problem.discretization.spacing);
   std::vector<std::string> result;
@@ -172,9 +172,9 @@ std::vector<std::string> distrust_of_small_holes(const Problem& problem) {
   return result;
 }
 
-std::vector<std::string> GalerkinPlate::distrust(bool factors) const {
+std::vector<std::string> GalerkinPlate::warnings(bool factors) const {
   const double spacing = discretization().spacing_at_tips(), layer = section().layer();
-  auto result = distrust_of_small_holes(problem());
+  auto result = warnings_about_small_holes(problem());
   if (factors && spacing > layer / 6)
     result.push_back(
         fmt::format("spacing at the tips is {:.2g} times the edge layer, K3 needs a sixth; set "
@@ -194,7 +194,8 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   auto paths = crack_paths(problem);
   auto cells = required_cells(problem, paths, all.distributed());
   stopwatch.lap("geometry");
-  result.plate = std::make_unique<GalerkinPlate>(laid_out(problem, std::move(paths), std::move(cells), all, stopwatch));
+  result.plate =
+      std::make_unique<GalerkinPlate>(discretised_part(problem, std::move(paths), std::move(cells), all, stopwatch));
   stopwatch.lap("parameters");
   return result;
 }

@@ -75,7 +75,7 @@ LevelTransfer transfer_to(const std::vector<geometry::Point>& seen, const geomet
   return result;
 }
 
-GalerkinLevels::Transfer GalerkinLevels::transposed(const Transfer& transfer, std::size_t others) {
+GalerkinMultigrid::Transfer GalerkinMultigrid::transposed(const Transfer& transfer, std::size_t others) {
   Transfer result;
   result.first.assign(others + 1, 0);
   for (const auto& share : transfer.shares) ++result.first[share.other + 1];
@@ -90,8 +90,8 @@ GalerkinLevels::Transfer GalerkinLevels::transposed(const Transfer& transfer, st
   return result;
 }
 
-GalerkinLevels::GalerkinLevels(const GalerkinOperator& plate, const Constraints& constraints,
-                               const std::vector<geometry::Point>& seen, std::vector<GalerkinLevel> coarser)
+GalerkinMultigrid::GalerkinMultigrid(const GalerkinOperator& plate, const Constraints& constraints,
+                                     const std::vector<geometry::Point>& seen, std::vector<MultigridLevel> coarser)
     : coarser_(std::move(coarser)) {
   for (std::size_t level = 0; level < coarser_.size(); ++level) {
     const auto& finer = level == 0 ? plate : coarser_[level - 1].plate;
@@ -108,12 +108,12 @@ GalerkinLevels::GalerkinLevels(const GalerkinOperator& plate, const Constraints&
   }
   const auto& [cells, beside, boundary, last, to_finer, sum] = coarser_.back();
   if (boundary.map.distributed())
-    last_ = std::make_unique<SharedFactor>(*boundary.map.communicator, last, boundary, stiffness_matrix(last));
+    last_ = std::make_unique<DistributedFactor>(*boundary.map.communicator, last, boundary, stiffness_matrix(last));
   else
     last_ = std::make_unique<AssembledPlate>(last, boundary.constraints, stiffness_matrix(last));
 }
 
-void GalerkinLevels::cycle(std::size_t level, const Forces& residual, State& result) const {
+void GalerkinMultigrid::cycle(std::size_t level, const Forces& residual, State& result) const {
   if (level == sweeps_.size()) {
     last_->apply(residual, result);
     return;
@@ -164,11 +164,11 @@ void GalerkinLevels::cycle(std::size_t level, const Forces& residual, State& res
   }
 }
 
-void GalerkinLevels::apply(const Forces& residual, State& result) const {
+void GalerkinMultigrid::apply(const Forces& residual, State& result) const {
   cycle(0, residual, result);
 }
 
-std::size_t GalerkinLevels::bytes() const {
+std::size_t GalerkinMultigrid::bytes() const {
   std::size_t sum = last_->bytes();
   for (const auto& level : coarser_)
     sum +=
@@ -182,22 +182,22 @@ namespace {
 
 /// Part of a multigrid level that a rank needs for itself and for its points of a finer plate, of which `own`
 /// interpolate from the level.
-class LevelOfParts {
+class DistributedMultigridLevel {
 public:
-  LevelOfParts(const Communicator& all, const Problem& problem, WholeCells whole,
-               const std::vector<geometry::Point>& seen, const std::vector<char>& own)
+  DistributedMultigridLevel(const Communicator& all, const Problem& problem, GlobalCells whole,
+                            const std::vector<geometry::Point>& seen, const std::vector<char>& own)
       : problem_(problem) {
     inside_ = about_first_inside(whole);
     const auto besides = box_of(whole, seen, own);
-    const auto here = seen_cells(all, problem, whole, {}, besides);
+    const auto here = cells_with_overlap(all, problem, whole, {}, besides);
     const auto& cells = here.cells;
     to_finer_ = transfer_to(seen, cells, own);
     std::vector<char> asked(cells.positions.size(), 0);
     for (const auto& share : to_finer_.shares) asked[share.other] = 1;
     auto boundary = galerkin_boundary(cells, areas_of(cells), geometry::to_lattice(problem.outline, cells.units),
                                       problem.supports, {}, all);
-    boundary.attached = attached_stiffness(problem, cells);
-    part_ = part_of_cells(all, problem, here, boundary.attached, {}, asked);
+    boundary.elastic_supports = elastic_supports_of(problem, cells);
+    part_ = part_of_cells(all, problem, here, boundary.elastic_supports, {}, asked);
     boundary_ = restricted(boundary, part_, 0);
     const auto& number = part_.part.number;
     for (auto& share : to_finer_.shares)
@@ -206,13 +206,13 @@ public:
   }
 
   /// Asks no other rank; absent where cracks, edges and supports have no room for such points.
-  std::optional<GalerkinLevel> level() && try {
+  std::optional<MultigridLevel> level() && try {
     auto& cells = part_.part.cells;
-    auto beside = geometry::seen_positions(cells);
+    auto beside = geometry::positions_inside_faces(cells);
     GalerkinOperator plate(galerkin_families(cells, inside_), PointSections(problem_.section, cells),
-                           boundary_.attached, part_.stretch);
-    return GalerkinLevel{std::move(cells), std::move(beside),    std::move(boundary_),
-                         std::move(plate), std::move(to_finer_), std::move(sum_)};
+                           boundary_.elastic_supports, part_.column_block);
+    return MultigridLevel{std::move(cells), std::move(beside),    std::move(boundary_),
+                          std::move(plate), std::move(to_finer_), std::move(sum_)};
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   } catch (const Refused&) {
@@ -221,9 +221,9 @@ public:
 
 private:
   /// The cells about the finer points that take from these.
-  static std::optional<geometry::CellBox> box_of(const WholeCells& whole, const std::vector<geometry::Point>& seen,
+  static std::optional<geometry::CellBox> box_of(const GlobalCells& whole, const std::vector<geometry::Point>& seen,
                                                  const std::vector<char>& own) {
-    const auto* lattice = std::get_if<geometry::WholeLattice>(&whole);
+    const auto* lattice = std::get_if<geometry::GlobalLattice>(&whole);
     if (!lattice) return std::nullopt;
     std::optional<geometry::CellBox> result;
     for (std::size_t k = 0; k < seen.size(); ++k) {
@@ -244,14 +244,14 @@ private:
   std::shared_ptr<const SumByOwners> sum_;
 };
 
-std::optional<GalerkinLevel> whole_level(const Problem& c, geometry::Tessellation cells) try {
+std::optional<MultigridLevel> global_level(const Problem& c, geometry::Tessellation cells) try {
   auto families = galerkin_families(cells);
   auto boundary = galerkin_boundary(cells, families.areas, geometry::to_lattice(c.outline, cells.units), c.supports);
-  auto seen = geometry::seen_positions(cells);
-  auto attached = attached_stiffness(c, cells);
+  auto seen = geometry::positions_inside_faces(cells);
+  auto elastic_supports = elastic_supports_of(c, cells);
   PointSections sections(c.section, cells);
-  return GalerkinLevel{std::move(cells), std::move(seen), std::move(boundary),
-                       GalerkinOperator(std::move(families), std::move(sections), std::move(attached))};
+  return MultigridLevel{std::move(cells), std::move(seen), std::move(boundary),
+                        GalerkinOperator(std::move(families), std::move(sections), std::move(elastic_supports))};
 } catch (const std::invalid_argument&) {
   return std::nullopt;
 } catch (const Refused&) {
@@ -266,24 +266,24 @@ std::size_t points_of_all(const Boundary& boundary) {
   return std::size_t(sum_of_all(*boundary.map.communicator, double(here)));
 }
 
-std::vector<GalerkinLevel> coarser_levels(const Formulation& plate, const std::vector<geometry::Point>& seen) {
+std::vector<MultigridLevel> multigrid_levels(const Formulation& plate, const std::vector<geometry::Point>& seen) {
   const Communicator& all = plate.communicator();
   const Problem& c = plate.problem();
   constexpr std::size_t few = 4000;  // points; their factor costs some ten products of a hundred thousand points
   const auto [low, high] = geometry::bounding_box(c.outline);
-  std::vector<GalerkinLevel> result;
+  std::vector<MultigridLevel> result;
   std::size_t points = points_of_all(plate.boundary());
   for (double factor = 2; points > few && factor * c.discretization.spacing <= (high - low).minCoeff() / 8;
        factor *= 2) {
     try {
-      auto whole = whole_cells_of(c, plate.paths(), factor, all.distributed());
+      auto whole = global_cells_of(c, plate.paths(), factor, all.distributed());
       points = points_of(whole);
       const bool first = result.empty();
-      auto level = all.distributed()
-                       ? LevelOfParts(all, c, std::move(whole), first ? seen : result.back().seen,
-                                      first ? plate.boundary().map.owned : result.back().boundary.map.owned)
-                             .level()
-                       : whole_level(c, std::get<geometry::Tessellation>(std::move(whole)));
+      auto level = all.distributed() ? DistributedMultigridLevel(
+                                           all, c, std::move(whole), first ? seen : result.back().seen,
+                                           first ? plate.boundary().map.owned : result.back().boundary.map.owned)
+                                           .level()
+                                     : global_level(c, std::get<geometry::Tessellation>(std::move(whole)));
       if (all.largest_of(level ? 0 : 1) > 0) break;
       if (pieces(level->boundary, level->plate.families().families).size() != plate.pieces().size()) break;
       result.push_back(std::move(*level));

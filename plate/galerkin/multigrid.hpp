@@ -37,8 +37,8 @@ struct LevelTransfer {
 LevelTransfer transfer_to(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse,
                           const std::vector<char>& own = {});
 
-/// A Galerkin plate with its supports; `seen`: geometry::seen_positions() of its cells.
-struct GalerkinLevel {
+/// A Galerkin plate with its supports; `seen`: geometry::positions_inside_faces() of its cells.
+struct MultigridLevel {
   geometry::Tessellation cells;
   std::vector<geometry::Point> seen;
   Boundary boundary;
@@ -51,11 +51,11 @@ struct GalerkinLevel {
 /// The same plate on coarser and coarser points, the last of them factorised, between Jacobi sweeps on each (theory.md,
 /// "Statics"): rotations interpolated in the coarser cells, the deflection with what the rotations add to it in a plate
 /// without shear.
-class GalerkinLevels : public Preconditioner {
+class GalerkinMultigrid : public Preconditioner {
 public:
   /// `plate`, `constraints` and `seen` must outlive this. `coarser`: at least one.
-  GalerkinLevels(const GalerkinOperator& plate, const Constraints& constraints,
-                 const std::vector<geometry::Point>& seen, std::vector<GalerkinLevel> coarser);
+  GalerkinMultigrid(const GalerkinOperator& plate, const Constraints& constraints,
+                    const std::vector<geometry::Point>& seen, std::vector<MultigridLevel> coarser);
 
   void apply(const Forces& residual, State& result) const override;
 
@@ -75,7 +75,7 @@ private:
   static Transfer transposed(const Transfer& transfer, std::size_t others);
   void cycle(std::size_t level, const Forces& residual, State& result) const;
 
-  std::vector<GalerkinLevel> coarser_;
+  std::vector<MultigridLevel> coarser_;
   std::vector<Sweeps> sweeps_;  // of every level but the last
   std::unique_ptr<Preconditioner> last_;
 };
@@ -85,8 +85,8 @@ std::size_t points_of_all(const Boundary& boundary);
 
 /// Coarser levels of a plate, on points two, four, ... times as far apart, as long as a level has the same pieces as
 /// the plate and the level before has more than 4,000 points. Where ranks share the plate, each level is shared out by
-/// itself, and every rank has what its points of the finer one take from it. `seen`: geometry::seen_positions() of the
-/// plate's points. Collective.
-std::vector<GalerkinLevel> coarser_levels(const Formulation& plate, const std::vector<geometry::Point>& seen);
+/// itself, and every rank has what its points of the finer one take from it. `seen`: geometry::positions_inside_faces()
+/// of the plate's points. Collective.
+std::vector<MultigridLevel> multigrid_levels(const Formulation& plate, const std::vector<geometry::Point>& seen);
 
 }  // namespace plate

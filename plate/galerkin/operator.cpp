@@ -71,22 +71,22 @@ std::size_t PointRows::bytes() const {
          points_.size() * sizeof(std::uint32_t);
 }
 
-GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached,
-                                   const std::vector<std::uint32_t>& stretch, const std::vector<char>& awaited)
+GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sections, ElasticSupports elastic_supports,
+                                   const std::vector<std::uint32_t>& column_block, const std::vector<char>& pending)
     : families_(std::move(families)),
       sections_(std::move(sections)),
-      attached_(std::move(attached)),
-      knows_awaited_(!awaited.empty()) {
-  if (sections_.uniform()) rows_.emplace(families_, sections_, stretch, awaited);
+      elastic_supports_(std::move(elastic_supports)),
+      knows_pending_(!pending.empty()) {
+  if (sections_.uniform()) rows_.emplace(families_, sections_, column_block, pending);
   if (sections_.simple()) {
-    lists_.emplace(families_, sections_, rows_->others(), awaited);
+    lists_.emplace(families_, sections_, rows_->others(), pending);
   } else {
     std::vector<std::uint32_t> others(families_.areas.size());
     std::iota(others.begin(), others.end(), 0);
     whole_.emplace(stiffness_matrix(families_, sections_), rows_ ? rows_->others() : others);
   }
-  for (std::uint32_t k = 0; k < stretch.size(); ++k)
-    if (stretch[k] == 0) copies_.push_back(k);
+  for (std::uint32_t k = 0; k < column_block.size(); ++k)
+    if (column_block[k] == 0) copies_.push_back(k);
 }
 
 void GalerkinOperator::internal_force(const State& state, Forces& forces) const {
@@ -100,8 +100,8 @@ void GalerkinOperator::internal_force(const State& state, Forces& forces) const 
 }
 
 /// One process that holds the plate waits for nothing, and assembled rows do not know what they see of others.
-void GalerkinOperator::internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const {
-  if (whole_ || !knows_awaited_) {
+void GalerkinOperator::internal_force_overlapped(const State& state, PendingExchange& rest, Forces& forces) const {
+  if (whole_ || !knows_pending_) {
     rest.complete();
     return internal_force(state, forces);
   }
@@ -118,7 +118,7 @@ void GalerkinOperator::internal_force_meanwhile(const State& state, Awaited& res
 /// Forces of rows and lists, with what is attached.
 void GalerkinOperator::complete(const State& state, Forces& forces) const {
   for (const auto k : copies_) forces.col(k).setZero();
-  attached_.add_force(state, forces);
+  elastic_supports_.add_force(state, forces);
 }
 
 /// Adds to every point in no row what the families that it belongs to have for it: own(family, k, found) leaves three
@@ -160,7 +160,7 @@ void GalerkinOperator::absolute_product(const State& state, Forces& forces) cons
   if (rows_) rows_->absolute_product(state, forces);
   if (whole_) {
     whole_->absolute_product(state, forces);
-    return attached_.add_absolute_product(state, forces);
+    return elastic_supports_.add_absolute_product(state, forces);
   }
   const auto own = [&](const FamilyStiffness& K, std::uint32_t k, Eigen::Vector3d* found) {
     const auto family = families_.families[k];
@@ -171,7 +171,7 @@ void GalerkinOperator::absolute_product(const State& state, Forces& forces) cons
     }
   };
   gather(own, forces);
-  attached_.add_absolute_product(state, forces);
+  elastic_supports_.add_absolute_product(state, forces);
 }
 
 Forces GalerkinOperator::diagonal() const {
@@ -185,7 +185,7 @@ Forces GalerkinOperator::diagonal() const {
     };
     gather(own, result);
   }
-  attached_.add_diagonal(result);
+  elastic_supports_.add_diagonal(result);
   return result;
 }
 
@@ -194,7 +194,7 @@ Eigen::VectorXd GalerkinOperator::energies(const State& state) const {
 #pragma omp parallel for schedule(static)
   for (Eigen::Index k = 0; k < result.size(); ++k)
     result[k] = family_energy(families_, sections_[std::size_t(k)], std::size_t(k), state);
-  attached_.add_energies(state, result);
+  elastic_supports_.add_energies(state, result);
   return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "plate/formulation/attached_stiffness.hpp"
+#include "plate/formulation/elastic_supports.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/galerkin/force_kernels.hpp"
 #include "plate/model/communicator.hpp"
@@ -45,14 +45,14 @@ private:
 /// Forces are gathered: any number of threads gives the same bits. One call at a time.
 class GalerkinOperator : public Operator {
 public:
-  /// `stretch`: 0 of points whose forces are not asked for, and zero; rows end where it changes. Empty: all are.
-  /// `awaited`: points whose values may be on their way (Constraints); empty: none.
-  GalerkinOperator(GalerkinFamilies families, PointSections sections, AttachedStiffness attached = {},
-                   const std::vector<std::uint32_t>& stretch = {}, const std::vector<char>& awaited = {});
+  /// `column_block`: 0 of points whose forces are not asked for, and zero; rows end where it changes. Empty: all are.
+  /// `pending`: points whose values may be on their way (Constraints); empty: none.
+  GalerkinOperator(GalerkinFamilies families, PointSections sections, ElasticSupports elastic_supports = {},
+                   const std::vector<std::uint32_t>& column_block = {}, const std::vector<char>& pending = {});
 
   std::size_t points() const override { return families_.areas.size(); }
   void internal_force(const State& state, Forces& forces) const override;
-  void internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const override;
+  void internal_force_overlapped(const State& state, PendingExchange& rest, Forces& forces) const override;
   void absolute_product(const State& state, Forces& forces) const override;
   Forces diagonal() const override;
 
@@ -63,7 +63,7 @@ public:
   const PointSections& sections() const { return sections_; }
   /// The stiffness without what is attached.
   PointMatrix own_matrix() const;
-  const AttachedStiffness& attached() const { return attached_; }
+  const ElasticSupports& elastic_supports() const { return elastic_supports_; }
   std::size_t bytes() const;
 
 private:
@@ -76,9 +76,9 @@ private:
   std::optional<GalerkinRows> rows_;    // of uniform sections
   std::optional<GalerkinLists> lists_;  // of simple sections, all other points
   std::optional<PointRows> whole_;      // of other sections, likewise
-  AttachedStiffness attached_;
+  ElasticSupports elastic_supports_;
   std::vector<std::uint32_t> copies_;  // points that are not one's own
-  bool knows_awaited_;
+  bool knows_pending_;
 };
 
 /// Nodal forces [3 x points] of a free thermal curvature kappa_0 given by points: minus the derivative of

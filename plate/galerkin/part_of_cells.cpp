@@ -6,7 +6,7 @@
 #include <map>
 #include <ranges>
 
-#include "geometry/cells/shared_lattice.hpp"
+#include "geometry/cells/distributed_lattice.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/foundations.hpp"
 #include "plate/model/communicator.hpp"
@@ -19,9 +19,9 @@ namespace plate {
 namespace {
 
 using geometry::CellBox;
+using geometry::GlobalLattice;
 using geometry::Point;
 using geometry::Tessellation;
-using geometry::WholeLattice;
 
 void require_enough(const std::vector<std::size_t>& counts, double spacing, std::size_t points) {
   constexpr std::size_t least = 8;  // points of a process
@@ -39,8 +39,8 @@ std::vector<int> checked_owners(const Tessellation& whole, int processes) {
   return owners;
 }
 
-geometry::SharedLattice checked_shares(const WholeLattice& whole, int processes) {
-  geometry::SharedLattice shares(whole, processes);
+geometry::DistributedLattice checked_shares(const GlobalLattice& whole, int processes) {
+  geometry::DistributedLattice shares(whole, processes);
   std::vector<std::size_t> counts;
   for (int one = 0; one < processes; ++one) counts.push_back(shares.part(one).points);
   require_enough(counts, whole.units().spacing, whole.size());
@@ -52,8 +52,8 @@ void extend(CellBox& box, const CellBox& by) {
     box.low[axis] = std::min(box.low[axis], by.low[axis]), box.high[axis] = std::max(box.high[axis], by.high[axis]);
 }
 
-SeenCells all_cells(const Communicator& all, Tessellation whole) {
-  SeenCells result;
+CellsWithOverlap all_cells(const Communicator& all, Tessellation whole) {
+  CellsWithOverlap result;
   result.owners = checked_owners(whole, all.size());
   Point low = Point::Constant(INFINITY), high = -low;
   for (std::size_t k = 0; k < result.owners.size(); ++k)
@@ -67,13 +67,13 @@ SeenCells all_cells(const Communicator& all, Tessellation whole) {
 /// The cells of own points and those that they see, `inner`, are among those with a place of which all is known; what
 /// presses on points of these may be as far beyond as beams have between two places, with two cells to the nearest
 /// point.
-SeenCells cells_about(const Communicator& all, const Problem& problem, const WholeLattice& whole,
-                      const std::vector<geometry::Tip>& tips, const std::optional<CellBox>& besides) {
+CellsWithOverlap cells_about(const Communicator& all, const Problem& problem, const GlobalLattice& whole,
+                             const std::vector<geometry::Tip>& tips, const std::optional<CellBox>& besides) {
   constexpr long seen = 8;  // part_of_cells() sees half of that, and what is attached to the last of it
   const auto shares = checked_shares(whole, all.size());
   const auto& units = whole.units();
   const auto& part = shares.part(all.rank());
-  SeenCells result;
+  CellsWithOverlap result;
   result.own = geometry::box_between(units, part.low, part.high);
   auto inner = result.own.grown(seen);
   if (besides) extend(inner, *besides);
@@ -94,26 +94,26 @@ SeenCells cells_about(const Communicator& all, const Problem& problem, const Who
 
 }  // namespace
 
-std::size_t points_of(const WholeCells& whole) {
-  if (const auto* lattice = std::get_if<WholeLattice>(&whole)) return lattice->size();
+std::size_t points_of(const GlobalCells& whole) {
+  if (const auto* lattice = std::get_if<GlobalLattice>(&whole)) return lattice->size();
   return std::get<Tessellation>(whole).positions.size();
 }
 
-void require_parts(const WholeCells& whole, int processes) {
-  if (const auto* lattice = std::get_if<WholeLattice>(&whole))
+void require_parts(const GlobalCells& whole, int processes) {
+  if (const auto* lattice = std::get_if<GlobalLattice>(&whole))
     checked_shares(*lattice, processes);
   else
     checked_owners(std::get<Tessellation>(whole), processes);
 }
 
-SeenCells seen_cells(const Communicator& all, const Problem& problem, WholeCells& whole,
-                     const std::vector<geometry::Tip>& tips, const std::optional<CellBox>& besides) {
+CellsWithOverlap cells_with_overlap(const Communicator& all, const Problem& problem, GlobalCells& whole,
+                                    const std::vector<geometry::Tip>& tips, const std::optional<CellBox>& besides) {
   if (auto* cells = std::get_if<Tessellation>(&whole)) return all_cells(all, std::move(*cells));
-  return cells_about(all, problem, std::get<WholeLattice>(whole), tips, besides);
+  return cells_about(all, problem, std::get<GlobalLattice>(whole), tips, besides);
 }
 
-Tessellation about_first_inside(const WholeCells& whole) {
-  const auto* lattice = std::get_if<WholeLattice>(&whole);
+Tessellation about_first_inside(const GlobalCells& whole) {
+  const auto* lattice = std::get_if<GlobalLattice>(&whole);
   const auto first = lattice ? lattice->first_inside() : std::nullopt;
   if (!first) return {};
   const auto [i, j] = *first;
@@ -141,8 +141,9 @@ std::size_t nearest(const std::vector<Point>& positions, const Point& x) {
 }
 
 /// Foundations and beams tie points that no cell does.
-void see_attached(const AttachedStiffness& attached, const std::vector<char>& own, std::vector<char>& wanted) {
-  for (const auto& one : attached.parts())
+void include_elastic_supports(const ElasticSupports& elastic_supports, const std::vector<char>& own,
+                              std::vector<char>& wanted) {
+  for (const auto& one : elastic_supports.parts())
     one->for_each([&](std::uint32_t row, std::uint32_t column, double) {
       if (own[row / 3]) wanted[column / 3] = 1;
     });
@@ -195,8 +196,8 @@ double reach_about_tip(const Problem& problem, const geometry::Tip& tip) {
   return result;
 }
 
-PartOfCells part_of_cells(const Communicator& all, const Problem& problem, const SeenCells& seen,
-                          const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
+PartOfCells part_of_cells(const Communicator& all, const Problem& problem, const CellsWithOverlap& seen,
+                          const ElasticSupports& elastic_supports, const std::vector<geometry::Tip>& tips,
                           const std::vector<char>& asked) {
   constexpr long near = 2;  // cells about the points: a place of the plate is as near to one of them
   const auto& positions = seen.cells.positions;
@@ -206,7 +207,7 @@ PartOfCells part_of_cells(const Communicator& all, const Problem& problem, const
   const auto box = seen.own.grown(2 * near);
   result.about = seen.own.grown(near);
   auto wanted = own;
-  see_attached(attached, own, wanted);
+  include_elastic_supports(elastic_supports, own, wanted);
   for (std::size_t k = 0; k < asked.size(); ++k)
     if (asked[k]) wanted[k] = 1;
   for (std::size_t k = 0; k < own.size(); ++k)
@@ -219,20 +220,20 @@ PartOfCells part_of_cells(const Communicator& all, const Problem& problem, const
   }
   result.part = geometry::cells_about(seen.cells, std::move(wanted));
   for (const auto k : result.part.number) {
-    result.number.push_back(seen.of_whole(k)), result.own.push_back(own[k]);
-    result.stretch.push_back(own[k] ? std::uint32_t(1 + geometry::stretch_of(seen.cells, k)) : 0);
+    result.number.push_back(seen.global_number(k)), result.own.push_back(own[k]);
+    result.column_block.push_back(own[k] ? std::uint32_t(1 + geometry::column_block_of(seen.cells, k)) : 0);
   }
   result.copies = numbered(all, seen.owners, result);
-  result.exchange = all.exchange(result.part.number.size(), result.copies);
+  result.exchange = all.halo_exchange(result.part.number.size(), result.copies);
   return result;
 }
 
 namespace {
 
 /// Offsets of what is held, by degrees of freedom of the whole plate, found again from where it goes in every motion.
-class Lifts {
+class DirichletLifts {
 public:
-  Lifts(const Constraints& whole, std::size_t motions, std::size_t points) {
+  DirichletLifts(const Constraints& whole, std::size_t motions, std::size_t points) {
     for (std::size_t motion = 0; motion < motions; ++motion)
       if (auto lift = whole.lift(motion, points); lift.cols() > 0) lifts_.emplace(motion, std::move(lift));
   }
@@ -249,7 +250,7 @@ private:
 
 Constraints restricted(const Constraints& whole, const std::vector<std::uint32_t>& place, std::size_t motions) {
   Constraints result;
-  const Lifts lifts(whole, motions, place.size());
+  const DirichletLifts lifts(whole, motions, place.size());
   const auto here = [&](std::uint32_t dof) { return 3 * place[dof / 3] + dof % 3; };
   for (const auto dof : whole.fixed())
     if (place[dof / 3] != none) result.fix(here(dof), lifts.of(dof));
@@ -278,7 +279,7 @@ Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t 
   for (const auto& hold : whole.holds)
     if (place[hold.point] != none) result.holds.push_back({place[hold.point], hold.holder, hold.rotations});
   result.constraints = restricted(whole.constraints, place, motions);
-  result.attached = restricted(whole.attached, part.part);
+  result.elastic_supports = restricted(whole.elastic_supports, part.part);
   result.map = {whole.map.communicator, part.own, part.number};
   std::vector<std::uint32_t> others;
   for (std::uint32_t i = 0; i < part.own.size(); ++i)
@@ -304,8 +305,8 @@ std::shared_ptr<const Contact> restricted(const Contact& whole, const Here& here
 
 }  // namespace
 
-AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::CellsPart& part) {
-  std::vector<Attachment> parts;
+ElasticSupports restricted(const ElasticSupports& whole, const geometry::CellsPart& part) {
+  std::vector<ElasticSupport> parts;
   for (const auto& one : whole.parts()) {
     const auto place = places(part, one->points);
     const auto points = part.number.size();
@@ -313,7 +314,7 @@ AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::Cel
       const auto at = place[flat % one->points];
       return at == none ? none : std::uint32_t(flat / one->points * points + at);
     };
-    Attachment own{one->name, one->position, one->holds, points, {}, {}, {}, {}, {}};
+    ElasticSupport own{one->name, one->position, one->holds, points, {}, {}, {}, {}, {}};
     for (std::size_t r = 0; r < one->row.size(); ++r) {
       if (here(one->row[r]) == none) continue;
       own.row.push_back(here(one->row[r])), own.first.push_back(own.column.size());
@@ -325,7 +326,7 @@ AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::Cel
     if (one->contact) own.contact = restricted(*one->contact, here);
     parts.push_back(std::move(own));
   }
-  return AttachedStiffness(std::move(parts));
+  return ElasticSupports(std::move(parts));
 }
 
 Forces restricted(const Forces& whole, const geometry::CellsPart& part) {

@@ -2,7 +2,7 @@
 #include <memory>
 #include <variant>
 
-#include "geometry/cells/whole_lattice.hpp"
+#include "geometry/cells/global_lattice.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/state.hpp"
@@ -13,34 +13,35 @@ struct Load;
 struct Problem;
 
 /// The points and cells of a plate; of one on a lattice that processes share only what tells them.
-using WholeCells = std::variant<geometry::Tessellation, geometry::WholeLattice>;
+using GlobalCells = std::variant<geometry::Tessellation, geometry::GlobalLattice>;
 
-std::size_t points_of(const WholeCells& whole);
+std::size_t points_of(const GlobalCells& whole);
 
 /// Points and cells of a plate that a rank sees: all, or of a lattice those about its own part. All that the rank
 /// computes of them near its own points, and of the supports, loads, soil and beams there, is bitwise equal to the
 /// values of the whole plate.
-struct SeenCells {
+struct CellsWithOverlap {
   geometry::Tessellation cells;
   std::vector<std::uint32_t> number;  // of its points in the whole, ascending; empty: all are here
   std::vector<int> owners;            // of its points
   geometry::CellBox own;              // about its own points
 
-  std::uint32_t of_whole(std::uint32_t k) const { return number.empty() ? k : number[k]; }
+  std::uint32_t global_number(std::uint32_t k) const { return number.empty() ? k : number[k]; }
 };
 
 /// @throws Refused  too few points, or rows of them, for so many processes
-void require_parts(const WholeCells& whole, int processes);
+void require_parts(const GlobalCells& whole, int processes);
 
 /// Points and cells that this rank sees. `whole`: cells are taken from it. `tips`: crack tips, of which the rank may
 /// own some. `besides`: cells about which it needs points too.
 /// @throws Refused  too few points for so many processes
-SeenCells seen_cells(const Communicator& all, const Problem& problem, WholeCells& whole,
-                     const std::vector<geometry::Tip>& tips, const std::optional<geometry::CellBox>& besides = {});
+CellsWithOverlap cells_with_overlap(const Communicator& all, const Problem& problem, GlobalCells& whole,
+                                    const std::vector<geometry::Tip>& tips,
+                                    const std::optional<geometry::CellBox>& besides = {});
 
 /// The first point with squares all about it and its neighbours, with the cells that tell its weights; empty where
 /// there is none.
-geometry::Tessellation about_first_inside(const WholeCells& whole);
+geometry::Tessellation about_first_inside(const GlobalCells& whole);
 
 struct MovingForces;
 struct Problem;
@@ -48,13 +49,13 @@ struct Problem;
 /// Part that one rank holds of the cells of a shared plate: its owned points, ghosts that their forces and plots need,
 /// and ghosts about its crack tips.
 struct PartOfCells {
-  geometry::CellsPart part;                  // of the cells that it sees
-  std::vector<std::uint32_t> number;         // of its points in the whole, ascending
-  std::vector<char> own;                     // of its points
-  std::vector<std::uint32_t> stretch;        // 0 of others' points; in which stretch of columns an own one lies, from 1
-  std::vector<Copy> copies;                  // the others
-  std::shared_ptr<const Exchange> exchange;  // of these
-  geometry::CellBox about;                   // where the point of the plate nearest to a place is known
+  geometry::CellsPart part;                 // of the cells that it sees
+  std::vector<std::uint32_t> number;        // of its points in the whole, ascending
+  std::vector<char> own;                    // of its points
+  std::vector<std::uint32_t> column_block;  // 0 of others' points; in which stretch of columns an own one lies, from 1
+  std::vector<Copy> copies;                 // the others
+  std::shared_ptr<const HaloExchange> exchange;  // of these
+  geometry::CellBox about;                       // where the point of the plate nearest to a place is known
 };
 
 /// How far about a tip its process knows the state, for intensity factors [length].
@@ -64,14 +65,14 @@ double widest_window(const Problem& problem);
 
 /// Part of the cells that this rank holds, for a plate with some supports, foundations and springs. `asked`: further
 /// points that the rank sees and needs; empty: none. Collective: every rank must call it.
-PartOfCells part_of_cells(const Communicator& all, const Problem& problem, const SeenCells& seen,
-                          const AttachedStiffness& attached, const std::vector<geometry::Tip>& tips,
+PartOfCells part_of_cells(const Communicator& all, const Problem& problem, const CellsWithOverlap& seen,
+                          const ElasticSupports& elastic_supports, const std::vector<geometry::Tip>& tips,
                           const std::vector<char>& asked = {});
 
 /// Restricts a quantity of all that a rank sees to the points of its part. `motions`: number of loads that may move
 /// supports.
 Boundary restricted(const Boundary& whole, const PartOfCells& part, std::size_t motions);
-AttachedStiffness restricted(const AttachedStiffness& whole, const geometry::CellsPart& part);
+ElasticSupports restricted(const ElasticSupports& whole, const geometry::CellsPart& part);
 Forces restricted(const Forces& whole, const geometry::CellsPart& part);
 std::vector<double> restricted(const std::vector<double>& whole, const geometry::CellsPart& part);
 MovingForces restricted(MovingForces whole, const PartOfCells& part);

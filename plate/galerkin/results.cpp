@@ -24,9 +24,9 @@ namespace {
 using geometry::Point;
 
 /// The energy of the Galerkin plate's families about the ring, at two positions of the tip one step before and after.
-class MovedPoints : public EnergyRelease {
+class PointEnergyRelease : public EnergyRelease {
 public:
-  MovedPoints(const TipView& plate, const geometry::Tessellation& cells, const TipFrame& frame, const Ring& ring)
+  PointEnergyRelease(const TipView& plate, const geometry::Tessellation& cells, const TipFrame& frame, const Ring& ring)
       : section_(plate.section.at(frame.origin)), step_(1e-4 * plate.spacing) {
     geometry::Tessellation about{cells.units, cells.graded, {}, {}, {}, {}, {}, {}};
     std::unordered_map<std::uint32_t, std::uint32_t> index;
@@ -140,7 +140,7 @@ Eigen::Matrix2d GalerkinView::shear_stiffness(std::uint32_t k) const {
 }
 
 std::unique_ptr<EnergyRelease> GalerkinView::virtual_extension(const TipFrame& frame, const Ring& ring) const {
-  return std::make_unique<MovedPoints>(*this, cells_, frame, ring);
+  return std::make_unique<PointEnergyRelease>(*this, cells_, frame, ring);
 }
 
 }  // namespace plate

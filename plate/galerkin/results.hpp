@@ -12,7 +12,7 @@ Resultants resultants(const State& state, const GalerkinFamilies& families, cons
 /// The Galerkin plate: gradients of its families, virtual crack extension by moving its points.
 class GalerkinView : public TipView {
 public:
-  /// `seen`: geometry::seen_positions() of the cells.
+  /// `seen`: geometry::positions_inside_faces() of the cells.
   GalerkinView(const geometry::Tessellation& cells, const GalerkinFamilies& galerkin,
                const std::vector<geometry::Point>& seen, const std::vector<BondShape>& shapes, const Problem& problem,
                const PointSections& sections);

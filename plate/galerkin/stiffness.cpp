@@ -203,7 +203,7 @@ PointMatrix stiffness_matrix(const GalerkinFamilies& all, const PointSections& s
 }
 
 PointMatrix stiffness_matrix(const GalerkinOperator& plate) {
-  return with(plate.own_matrix(), plate.attached());
+  return with(plate.own_matrix(), plate.elastic_supports());
 }
 
 }  // namespace plate

@@ -116,7 +116,7 @@ void impose(Constraints& constraints, std::uint32_t k, const HeldPoint& held) {
 }
 
 /// Points at one place, as on both faces of a crack, are held together.
-void hold_places(Boundary& boundary, const MovedSupports& moved) {
+void hold_places(Boundary& boundary, const SupportOffsets& moved) {
   const auto& positions = boundary.cloud.positions;
   for (std::uint32_t pin = 0; pin < boundary.holders.size(); ++pin) {
     if (!boundary.holders[pin].position || !boundary.cloud.seeded(*boundary.holders[pin].position)) continue;
@@ -160,7 +160,7 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
     for (const auto by : what.holders_of_w) result.holds.push_back({k, by, false});
     for (const auto by : what.holders_of_psi) result.holds.push_back({k, by, true});
   }
-  const MovedSupports moved(result, motions);
+  const SupportOffsets moved(result, motions);
   hold_places(result, moved);
   hold_inside(result, supports, moved);
   result.constraints.resolve();

@@ -19,9 +19,10 @@ public:
   void sum(std::span<std::int64_t>) const override {}
   void largest(std::span<double>) const override {}
   std::vector<std::string> exchanged(std::vector<std::string> texts) const override { return texts; }
-  std::unique_ptr<Exchange> exchange(std::size_t, const std::vector<Copy>&) const override { return nullptr; }
-  std::unique_ptr<SharedInverse> inverse(const SharedRows&) const override { refuse_parts(); }
-  SharedPairs largest_pairs(const SharedProduct&, std::span<const double>, const PairsWanted&) const override {
+  std::unique_ptr<HaloExchange> halo_exchange(std::size_t, const std::vector<Copy>&) const override { return nullptr; }
+  std::unique_ptr<DistributedInverse> inverse(const DistributedRows&) const override { refuse_parts(); }
+  DistributedEigenpairs largest_pairs(const DistributedProduct&, std::span<const double>,
+                                      const EigenpairRequest&) const override {
     refuse_parts();
   }
 };

@@ -10,7 +10,7 @@
 
 namespace plate {
 
-class Exchange;
+class HaloExchange;
 
 /// A point that a process has a copy of: where it is there, and whose it is.
 struct Copy {
@@ -21,7 +21,7 @@ struct Copy {
 
 /// Rows of a symmetric matrix of 3 x 3 blocks that is positive but for rows of zeros, of the points of one process:
 /// all points are numbered process by process.
-struct SharedRows {
+struct DistributedRows {
   std::vector<std::size_t> first{0};  // where the blocks of a row begin [own points + 1]
   std::vector<std::int64_t> column;   // numbers among all, ascending in every row
   std::vector<double> block;          // [9 x columns], row by row
@@ -29,9 +29,9 @@ struct SharedRows {
 };
 
 /// An approximate inverse of such a matrix, symmetric; unknowns without stiffness stay zero.
-class SharedInverse {
+class DistributedInverse {
 public:
-  virtual ~SharedInverse() = default;
+  virtual ~DistributedInverse() = default;
   /// Applies the inverse to the unknowns of the rank's own points [3 x points, point by point]. Collective: every rank
   /// must call it.
   virtual void apply(std::span<double> values) const = 0;
@@ -39,10 +39,10 @@ public:
 
 struct Traffic;
 /// A symmetric matrix by its product with a vector: y = A x, of the unknowns of the process. All call it at once.
-using SharedProduct = std::function<void(std::span<const double> x, std::span<double> y)>;
+using DistributedProduct = std::function<void(std::span<const double> x, std::span<double> y)>;
 
 /// Which eigenpairs of such a matrix are wanted, and how they are found.
-struct PairsWanted {
+struct EigenpairRequest {
   std::size_t count = 1;    // of the largest eigenvalues
   std::size_t basis = 2;    // vectors kept at once, above `count`
   double tolerance = 1e-4;  // |A v - lambda v| <= tolerance lambda
@@ -50,7 +50,7 @@ struct PairsWanted {
 };
 
 /// Eigenvalues, largest first, and of every eigenvector, of length 1 over all processes, the unknowns of the process.
-struct SharedPairs {
+struct DistributedEigenpairs {
   std::vector<double> values;
   std::vector<std::vector<double>> vectors;
 };
@@ -74,14 +74,14 @@ public:
   }
   /// `texts`: one for every rank; returns what every rank has sent here.
   virtual std::vector<std::string> exchanged(std::vector<std::string> texts) const = 0;
-  virtual std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const = 0;
-  virtual std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const = 0;
+  virtual std::unique_ptr<HaloExchange> halo_exchange(std::size_t points, const std::vector<Copy>& copies) const = 0;
+  virtual std::unique_ptr<DistributedInverse> inverse(const DistributedRows& rows) const = 0;
   /// Traffic that this rank has received so far; null where it is not counted.
   virtual const Traffic* traffic() const { return nullptr; }
   /// `start`: a vector to begin with. Fewer pairs than wanted where they are not found in so many restarts. What the
   /// product throws is thrown.
-  virtual SharedPairs largest_pairs(const SharedProduct& product, std::span<const double> start,
-                                    const PairsWanted& wanted) const = 0;
+  virtual DistributedEigenpairs largest_pairs(const DistributedProduct& product, std::span<const double> start,
+                                              const EigenpairRequest& wanted) const = 0;
 };
 
 /// The communicator of a program that is one process: nothing is exchanged, plates are not laid out in parts.

@@ -21,10 +21,10 @@ private:
   Clock::time_point begin_ = Clock::now();
 };
 
-class CountedExchange : public Exchange {
+class CountedHaloExchange : public HaloExchange {
 public:
-  CountedExchange(std::unique_ptr<Exchange> exchange, std::size_t points, const std::vector<Copy>& copies,
-                  Traffic& traffic)
+  CountedHaloExchange(std::unique_ptr<HaloExchange> exchange, std::size_t points, const std::vector<Copy>& copies,
+                      Traffic& traffic)
       : exchange_(std::move(exchange)), points_(points), copies_(std::int64_t(copies.size())), traffic_(traffic) {
     std::set<int> owners;
     for (const auto& copy : copies) owners.insert(copy.owner);
@@ -50,7 +50,7 @@ private:
     exchange_->start(values);
   }
 
-  std::unique_ptr<Exchange> exchange_;
+  std::unique_ptr<HaloExchange> exchange_;
   std::size_t points_;
   std::int64_t copies_, owners_ = 0;
   Traffic& traffic_;
@@ -59,7 +59,7 @@ private:
 }  // namespace
 
 /// By their bits, in numbers of the same size.
-void Exchange::fetch(std::vector<std::int64_t>& numbers) const {
+void HaloExchange::fetch(std::vector<std::int64_t>& numbers) const {
   std::vector<double> bits(numbers.size());
   std::memcpy(bits.data(), numbers.data(), numbers.size() * sizeof(double));
   fetch(std::span(bits));
@@ -92,8 +92,9 @@ std::vector<std::string> CountedCommunicator::exchanged(std::vector<std::string>
   return ranks_.exchanged(std::move(texts));
 }
 
-std::unique_ptr<Exchange> CountedCommunicator::exchange(std::size_t points, const std::vector<Copy>& copies) const {
-  return std::make_unique<CountedExchange>(ranks_.exchange(points, copies), points, copies, traffic_);
+std::unique_ptr<HaloExchange> CountedCommunicator::halo_exchange(std::size_t points,
+                                                                 const std::vector<Copy>& copies) const {
+  return std::make_unique<CountedHaloExchange>(ranks_.halo_exchange(points, copies), points, copies, traffic_);
 }
 
 }  // namespace plate

@@ -7,9 +7,9 @@ namespace plate {
 
 /// Fetches values of points that a process has copies of from the processes that own them. All processes call it at
 /// once, in the same order, from one thread each.
-class Exchange {
+class HaloExchange {
 public:
-  virtual ~Exchange() = default;
+  virtual ~HaloExchange() = default;
 
   /// Begins with `values` [components x points] of the process, component by component, 1 or 3 of them: those that
   /// others have copies of are taken as they are now, those of the copies are nobody's until finish(). One at a time.
@@ -30,7 +30,7 @@ public:
 };
 
 /// Traffic that a rank receives from others: ghost values of their points, and sums and maxima over all. Exchanges in
-/// the libraries behind SharedInverse are not counted.
+/// the libraries behind DistributedInverse are not counted.
 struct Traffic {
   std::int64_t messages = 0, bytes = 0;  // of copies
   std::int64_t sums = 0;                 // calls
@@ -51,10 +51,12 @@ public:
   void sum(std::span<std::int64_t> values) const override;
   void largest(std::span<double> values) const override;
   std::vector<std::string> exchanged(std::vector<std::string> texts) const override;
-  std::unique_ptr<Exchange> exchange(std::size_t points, const std::vector<Copy>& copies) const override;
-  std::unique_ptr<SharedInverse> inverse(const SharedRows& rows) const override { return ranks_.inverse(rows); }
-  SharedPairs largest_pairs(const SharedProduct& product, std::span<const double> start,
-                            const PairsWanted& wanted) const override {
+  std::unique_ptr<HaloExchange> halo_exchange(std::size_t points, const std::vector<Copy>& copies) const override;
+  std::unique_ptr<DistributedInverse> inverse(const DistributedRows& rows) const override {
+    return ranks_.inverse(rows);
+  }
+  DistributedEigenpairs largest_pairs(const DistributedProduct& product, std::span<const double> start,
+                                      const EigenpairRequest& wanted) const override {
     return ranks_.largest_pairs(product, start, wanted);
   }
   const Traffic* traffic() const override { return &traffic_; }

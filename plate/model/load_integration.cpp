@@ -370,8 +370,8 @@ std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometr
       line, segments, cloud.positions, cloud.plate_points, cloud.units.spacing,
       [&](const Point& x) { return cloud.seeded(x); },
       [&](const Point& x, std::size_t k) {
-        return std::ranges::any_of(cracks,
-                                   [&](const auto& crack) { return geometry::severs(crack, x, cloud.positions[k]); });
+        return std::ranges::any_of(
+            cracks, [&](const auto& crack) { return geometry::separates(crack, x, cloud.positions[k]); });
       });
 }
 
@@ -382,7 +382,7 @@ std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometr
       segments.emplace_back(cells.positions[border.from], cells.positions[border.to]);
   // points on the faces are nearer than any beyond the crack, and know their side
   return pieces_of(
-      line, segments, geometry::seen_positions(cells), cells.positions.size(), cells.units.spacing,
+      line, segments, geometry::positions_inside_faces(cells), cells.positions.size(), cells.units.spacing,
       [&](const Point& x) { return cells.sees(x); }, [](const Point&, std::size_t) { return false; });
 }
 

@@ -17,13 +17,13 @@ std::vector<std::string> names_of(const std::vector<LoadCase>& cases) {
   return names;
 }
 
-void check_names(const Problem& problem, std::vector<KeyFault>& faults) {
+void check_names(const Problem& problem, std::vector<KeyError>& errors) {
   std::map<std::string, std::string> seen;  // name, key
   const auto look = [&](const std::string& name, const std::string& key) {
     if (name.empty()) return;  // complained about where it is read
     const auto [first, is_new] = seen.emplace(name, key);
     if (!is_new)
-      faults.push_back({key + ".name", fmt::format("\"{}\" is the name of {} already", name, first->second)});
+      errors.push_back({key + ".name", fmt::format("\"{}\" is the name of {} already", name, first->second)});
   };
   for (std::size_t i = 0; i < problem.load_cases.size(); ++i)
     look(problem.load_cases[i].name, fmt::format("case[{}]", i));
@@ -31,34 +31,34 @@ void check_names(const Problem& problem, std::vector<KeyFault>& faults) {
     look(problem.combinations[i].name, fmt::format("combination[{}]", i));
 }
 
-void check_combination(const Problem& problem, std::size_t i, std::vector<KeyFault>& faults) {
+void check_combination(const Problem& problem, std::size_t i, std::vector<KeyError>& errors) {
   const auto& one = problem.combinations[i];
   const auto names = names_of(problem.load_cases);
   const auto key = fmt::format("combination[{}].of", i);
-  if (one.of.empty()) faults.push_back({key, "names no load case: give { name = factor, ... }"});
+  if (one.of.empty()) errors.push_back({key, "names no load case: give { name = factor, ... }"});
   for (const auto& [name, factor] : one.of) {
     if (!names.empty() && std::ranges::find(names, name) == names.end())
-      faults.push_back({key + "." + name, fmt::format("\"{}\" is no load case{}", name, did_you_mean(name, names))});
-    if (!std::isfinite(factor)) faults.push_back({key + "." + name, "must be finite"});
+      errors.push_back({key + "." + name, fmt::format("\"{}\" is no load case{}", name, did_you_mean(name, names))});
+    if (!std::isfinite(factor)) errors.push_back({key + "." + name, "must be finite"});
   }
 }
 
 }  // namespace
 
-std::vector<KeyFault> faults_of_load_cases(const Problem& problem) {
-  std::vector<KeyFault> faults;
-  check_names(problem, faults);
+std::vector<KeyError> errors_in_load_cases(const Problem& problem) {
+  std::vector<KeyError> errors;
+  check_names(problem, errors);
   for (std::size_t i = 0; i < problem.load_cases.size(); ++i)
     if (shared_loads(problem) == 0 && problem.load_cases[i].loads.empty())
-      faults.push_back({fmt::format("case[{}]", i), "nothing loads the plate in it: give it a [[case.load]]"});
-  for (std::size_t i = 0; i < problem.combinations.size(); ++i) check_combination(problem, i, faults);
+      errors.push_back({fmt::format("case[{}]", i), "nothing loads the plate in it: give it a [[case.load]]"});
+  for (std::size_t i = 0; i < problem.combinations.size(); ++i) check_combination(problem, i, errors);
   if (!problem.combinations.empty() && problem.load_cases.empty())
-    faults.push_back({"combination", "there is no [[case]] that could be combined"});
+    errors.push_back({"combination", "there is no [[case]] that could be combined"});
   if (!problem.combinations.empty() && !problem.load_cases.empty() && shared_loads(problem) > 0)
-    faults.push_back({"combination",
+    errors.push_back({"combination",
                       "every load case has the loads of [[load]], and a sum of them would count these as often as its "
                       "factors say: give them to a [[case]] of their own"});
-  return faults;
+  return errors;
 }
 
 void join_loads(Problem& problem) {
@@ -66,7 +66,7 @@ void join_loads(Problem& problem) {
     problem.loads.insert(problem.loads.end(), one.loads.begin(), one.loads.end());
 }
 
-std::optional<std::size_t> settle_weights(Problem& problem) {
+std::optional<std::size_t> resolve_weights(Problem& problem) {
   const auto& section = problem.section;
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
     auto* pressure = problem.loads[i].as<Pressure>();
@@ -113,7 +113,7 @@ std::vector<double> factors_of(const Combination& combination, const std::vector
   return result;
 }
 
-std::vector<Support> settled_supports(const Problem& problem) {
+std::vector<Support> resolved_supports(const Problem& problem) {
   auto supports = problem.supports;
   if (problem.discretization.boundary == EdgeMethod::layer)
     for (auto& support : supports)

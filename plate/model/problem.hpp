@@ -28,19 +28,19 @@ struct Combination {
 };
 
 /// A key of a case, such as "combination[0].of", and what is wrong with it.
-struct KeyFault {
+struct KeyError {
   std::string key, what;
 };
 
 /// Names that are given twice or unknown, load cases without loads, and combinations of nothing or of loads that all
 /// load cases share, which would be counted as often as the factors say.
-std::vector<KeyFault> faults_of_load_cases(const Problem& problem);
+std::vector<KeyError> errors_in_load_cases(const Problem& problem);
 
 /// The problem with the loads of all its load cases behind those that they share.
 void join_loads(Problem& problem);
 /// Gives loads by gravity their value, density thickness gravity [force/length^2]; the first of them where the section
 /// has no density.
-std::optional<std::size_t> settle_weights(Problem& problem);
+std::optional<std::size_t> resolve_weights(Problem& problem);
 /// How many loads all load cases share, after join_loads().
 std::size_t shared_loads(const Problem& problem);
 /// The loads of a problem, after join_loads(), that act in its load case `which`.
@@ -68,14 +68,14 @@ struct Problem {
   std::optional<Impact> impact = {};    // likewise
 
   /// Is there soil that lets the plate lift off?
-  bool lifts_off() const {
-    return std::ranges::any_of(foundations, [](const Foundation& one) { return one.lifts_off; });
+  bool unilateral() const {
+    return std::ranges::any_of(foundations, [](const Foundation& one) { return one.unilateral; });
   }
-  bool elastically_held() const { return !foundations.empty() || !springs.empty(); }
+  bool elastically_supported() const { return !foundations.empty() || !springs.empty(); }
 };
 
 /// Its supports as the discretisation holds them: in layers where it says so.
-std::vector<Support> settled_supports(const Problem& problem);
+std::vector<Support> resolved_supports(const Problem& problem);
 
 /// Its cracks as paths [length].
 std::vector<geometry::CrackPath> crack_paths(const Problem& problem);

@@ -55,12 +55,12 @@ bool lies_along(const geometry::Polyline& a, const geometry::Polyline& b, double
   return on(a, b) || on(b, a);
 }
 
-/// A line without length, or along a crack, where nobody knows which face it acts on. `fault`: what it would be.
-void check_line(const geometry::Polyline& along, Refusal fault, const Problem& problem, std::vector<Refusal>& found) {
+/// A line without length, or along a crack, where nobody knows which face it acts on. `refusal`: what it would be.
+void check_line(const geometry::Polyline& along, Refusal refusal, const Problem& problem, std::vector<Refusal>& found) {
   const double tolerance = 1e3 * geometry::tolerance(problem.outline);
   const auto say = [&](const std::string& what) {
-    fault.what = what;
-    found.push_back(fault);
+    refusal.what = what;
+    found.push_back(refusal);
   };
   if (along.empty()) return;
   if (geometry::length(along) < tolerance) say("the line has no length");
@@ -69,26 +69,26 @@ void check_line(const geometry::Polyline& along, Refusal fault, const Problem& p
       say(fmt::format("the line lies along crack {}: move it to the face that it loads", i));
 }
 
-/// A patch that misses the plate, or whose boundary crosses itself. `fault`: what it would be, "the pressure acts".
-void check_patch(const std::optional<geometry::Hole>& shape, const Refusal& fault, const geometry::Outline& outline,
+/// A patch that misses the plate, or whose boundary crosses itself. `refusal`: what it would be, "the pressure acts".
+void check_patch(const std::optional<geometry::Hole>& shape, const Refusal& refusal, const geometry::Outline& outline,
                  std::vector<Refusal>& found) {
-  const auto say = [&](const std::string& what) { found.push_back({fault.subject, fault.number, what}); };
+  const auto say = [&](const std::string& what) { found.push_back({refusal.subject, refusal.number, what}); };
   const auto* circle = shape ? std::get_if<geometry::Circle>(&*shape) : nullptr;
   if (circle && !(circle->radius > 0)) {
     say(fmt::format("radius {:g} given, must be > 0", circle->radius));
   } else if (shape) {
     const geometry::Patch patch(*shape);
     const geometry::Polygon ring{patch.ring(), std::vector<std::string>(patch.ring().size())};
-    const auto faults = geometry::faults({ring, {}});
-    for (const auto& one : faults) say(fmt::format("the polygon that {} on: {}", fault.what, one.what));
-    if (faults.empty() && !patch.meets(outline)) say(fault.what + " on nothing of the plate");
+    const auto errors = geometry::errors({ring, {}});
+    for (const auto& one : errors) say(fmt::format("the polygon that {} on: {}", refusal.what, one.what));
+    if (errors.empty() && !patch.meets(outline)) say(refusal.what + " on nothing of the plate");
   }
 }
 
 /// A line that leaves the plate.
-void check_along(const geometry::Polyline& along, const Refusal& fault, const geometry::Outline& outline,
+void check_along(const geometry::Polyline& along, const Refusal& refusal, const geometry::Outline& outline,
                  std::vector<Refusal>& found) {
-  const auto say = [&](const std::string& what) { found.push_back({fault.subject, fault.number, what}); };
+  const auto say = [&](const std::string& what) { found.push_back({refusal.subject, refusal.number, what}); };
   for (std::size_t i = 0; i < along.size(); ++i) {
     const auto& x = along[i];
     if (!on_plate(outline, x))
@@ -166,15 +166,15 @@ void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& f
 }
 
 /// Is there nothing that layers, which the discretisation asks for, would hold?
-bool layers_in_vain(const Problem& problem, const std::vector<Support>& settled) {
+bool layers_in_vain(const Problem& problem, const std::vector<Support>& resolved) {
   return problem.discretization.boundary == EdgeMethod::layer &&
          problem.discretization.formulation->offers(Feature::surface_nodes) &&
-         std::ranges::none_of(settled, [](const Support& support) { return is_layer(support.kind); });
+         std::ranges::none_of(resolved, [](const Support& support) { return is_layer(support.kind); });
 }
 
 void check_supports(const Problem& problem, std::vector<Refusal>& found) {
   const auto existing = geometry::edge_names(problem.outline);
-  const auto supports = settled_supports(problem);
+  const auto supports = resolved_supports(problem);
   std::map<std::string, std::size_t> holder;
   if (layers_in_vain(problem, supports))
     found.push_back({Subject::edge_method, 0,
@@ -238,10 +238,10 @@ bool on_plate(const geometry::Outline& outline, const geometry::Point& point) {
          geometry::distance_to_boundary(outline, point) <= geometry::tolerance(outline);
 }
 
-std::vector<Refusal> faults_of_edges(const Problem& problem) {
+std::vector<Refusal> errors_in_edges(const Problem& problem) {
   std::vector<Refusal> found;
   check_supports(problem, found);
-  for (const auto& fault : faults_of_settlements(problem)) found.push_back(fault);
+  for (const auto& refusal : errors_in_settlements(problem)) found.push_back(refusal);
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
     const auto& load = problem.loads[i];
     check_names(load.edges(), geometry::edge_names(problem.outline), Subject::load_edges, i, found);
@@ -253,7 +253,7 @@ std::vector<Refusal> faults_of_edges(const Problem& problem) {
     check_force(load, i, problem, found);
   }
   for (std::size_t i = 0; i < problem.foundations.size(); ++i)
-    if (problem.foundations[i].lifts_off && problem.foundations[i].shear > 0)
+    if (problem.foundations[i].unilateral && problem.foundations[i].shear > 0)
       found.push_back(
           {Subject::foundation, i, "a shear layer holds the plate where it lifts off: remove shear or lifts_off"});
   for (std::size_t i = 0; i < problem.foundations.size(); ++i)
@@ -277,12 +277,12 @@ std::vector<Refusal> faults_of_edges(const Problem& problem) {
       found.push_back({Subject::spring_position, i,
                        text_of(*spring.position) + " given, must lie in the plate or on its boundary"});
   }
-  for (const auto& fault : faults_of_springs(problem)) found.push_back(fault);
+  for (const auto& refusal : errors_in_springs(problem)) found.push_back(refusal);
   return found;
 }
 
-std::vector<KeyFault> faults_of_heat(const Problem& problem) {
-  std::vector<KeyFault> found;
+std::vector<KeyError> errors_in_heat(const Problem& problem) {
+  std::vector<KeyError> found;
   if (!heated(problem)) return found;
   const auto say = [&](const std::string& key, const std::string& what) { found.push_back({key, what}); };
   if (problem.section.thermal_expansion == 0)

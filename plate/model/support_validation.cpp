@@ -18,20 +18,20 @@ constexpr auto of_lines = " resists along edges and lines; a position has deflec
 
 /// All that is wrong with a spring as such, in one sentence.
 void check_keys(const Spring& spring, std::size_t number, std::vector<Refusal>& found) {
-  std::vector<std::string> faults;
+  std::vector<std::string> errors;
   const int places = !spring.edges.empty() + !spring.along.empty() + spring.position.has_value();
   if (places != 1)
-    faults.push_back(
+    errors.push_back(
         fmt::format("{} given, must be one of edges, along and position", places == 0 ? "none" : "several"));
   if (spring.deflection + spring.rotation_normal + spring.rotation_tangential + spring.rotation <= 0)
-    faults.push_back("resists nothing: give deflection, rotation_normal, rotation_tangential or rotation > 0");
-  if (spring.position && spring.rotation_normal > 0) faults.push_back(fmt::format("rotation_normal{}", of_lines));
+    errors.push_back("resists nothing: give deflection, rotation_normal, rotation_tangential or rotation > 0");
+  if (spring.position && spring.rotation_normal > 0) errors.push_back(fmt::format("rotation_normal{}", of_lines));
   if (spring.position && spring.rotation_tangential > 0)
-    faults.push_back(fmt::format("rotation_tangential{}", of_lines));
+    errors.push_back(fmt::format("rotation_tangential{}", of_lines));
   if (!spring.position && places > 0 && spring.rotation > 0)
-    faults.push_back(
+    errors.push_back(
         "rotation is of a spring at a position; edges and lines have rotation_normal and rotation_tangential");
-  if (!faults.empty()) found.push_back({Subject::spring, number, fmt::format("{}", fmt::join(faults, "; "))});
+  if (!errors.empty()) found.push_back({Subject::spring, number, fmt::format("{}", fmt::join(errors, "; "))});
 }
 
 void check_edge(const Spring& spring, const std::string& edge, std::size_t number, const Problem& problem,
@@ -53,13 +53,13 @@ void check_edge(const Spring& spring, const std::string& edge, std::size_t numbe
 
 void check_stiffener(const Problem& problem, std::size_t number, std::vector<Refusal>& found) {
   const auto& beam = problem.stiffeners[number];
-  std::vector<std::string> faults;
+  std::vector<std::string> errors;
   const int places = !beam.edges.empty() + !beam.along.empty();
   if (places != 1)
-    faults.push_back(fmt::format("{} given, must be one of edges and along", places == 0 ? "none" : "both"));
-  if (beam.bending + beam.torsion <= 0) faults.push_back("stiffens nothing: give bending or torsion > 0");
-  if (beam.shear && beam.bending <= 0) faults.push_back("shear is of a beam with bending > 0: remove it");
-  if (!faults.empty()) found.push_back({Subject::stiffener, number, fmt::format("{}", fmt::join(faults, "; "))});
+    errors.push_back(fmt::format("{} given, must be one of edges and along", places == 0 ? "none" : "both"));
+  if (beam.bending + beam.torsion <= 0) errors.push_back("stiffens nothing: give bending or torsion > 0");
+  if (beam.shear && beam.bending <= 0) errors.push_back("shear is of a beam with bending > 0: remove it");
+  if (!errors.empty()) found.push_back({Subject::stiffener, number, fmt::format("{}", fmt::join(errors, "; "))});
   for (std::size_t i = 0; i < problem.supports.size(); ++i)
     for (const auto& edge : beam.edges)
       if (const auto& s = problem.supports[i];
@@ -71,7 +71,7 @@ void check_stiffener(const Problem& problem, std::size_t number, std::vector<Ref
 
 }  // namespace
 
-std::vector<Refusal> faults_of_springs(const Problem& problem) {
+std::vector<Refusal> errors_in_springs(const Problem& problem) {
   std::vector<Refusal> found;
   for (std::size_t i = 0; i < problem.stiffeners.size(); ++i) check_stiffener(problem, i, found);
   for (std::size_t i = 0; i < problem.springs.size(); ++i) {
@@ -79,7 +79,8 @@ std::vector<Refusal> faults_of_springs(const Problem& problem) {
     for (const auto& edge : problem.springs[i].edges) check_edge(problem.springs[i], edge, i, problem, found);
   }
   const auto boundary = problem.discretization.boundary;
-  if (problem.elastically_held() && (boundary == EdgeMethod::surface_nodes || boundary == EdgeMethod::fictitious_nodes))
+  if (problem.elastically_supported() &&
+      (boundary == EdgeMethod::surface_nodes || boundary == EdgeMethod::fictitious_nodes))
     found.push_back({Subject::edge_method, 0,
                      "the stiffness of a plate with conditions at its edges has no place for foundations and springs: "
                      "choose \"images\""});
@@ -270,7 +271,7 @@ std::vector<Together> together(const Problem& problem) {
 
 }  // namespace
 
-std::vector<Refusal> faults_of_settlements(const Problem& problem) {
+std::vector<Refusal> errors_in_settlements(const Problem& problem) {
   std::vector<Refusal> found;
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
     const auto* settlement = problem.loads[i].as<Settlement>();

@@ -9,12 +9,12 @@ struct Problem;
 
 /// Springs that are nowhere or at several places at once, that resist nothing, that resist what their place does not
 /// have or what a support of the same edge holds; foundations and springs beside edges that no images stand for.
-std::vector<Refusal> faults_of_springs(const Problem& problem);
+std::vector<Refusal> errors_in_springs(const Problem& problem);
 
 struct Problem;
 
 /// Settlements of supports that there are not, that hold nothing of what is moved, or that meet others which hold the
 /// same place elsewhere; settlements beside nodes at edges.
-std::vector<Refusal> faults_of_settlements(const Problem& problem);
+std::vector<Refusal> errors_in_settlements(const Problem& problem);
 
 }  // namespace plate

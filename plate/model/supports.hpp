@@ -55,7 +55,7 @@ struct Foundation {
   double modulus = 0;                   // k [force/length^3]
   double shear = 0;                     // G_p [force/length]
   std::optional<geometry::Hole> patch;  // under this part of the plate alone
-  bool lifts_off = false;               // presses along +w where w < 0, and does not pull
+  bool unilateral = false;              // presses along +w where w < 0, and does not pull
 };
 
 /// Springs along edges, along a line, or one at a point: of these three one is given.

@@ -84,8 +84,8 @@ struct Block {
 };
 
 /// Rows of P^T K P of own points, without what is held. `free`: degrees of freedom with stiffness are above 0.
-SharedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::vector<std::uint32_t>& own,
-                const std::vector<std::int64_t>& number, const State& free) {
+DistributedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::vector<std::uint32_t>& own,
+                     const std::vector<std::int64_t>& number, const State& free) {
   std::vector<std::vector<Block>> found(matrix.points());
   const auto add = [&](std::uint32_t row, std::uint32_t column, Eigen::Matrix3d entries) {
     if (!boundary.owns(row)) return;
@@ -105,7 +105,7 @@ SharedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::
       }
       add(k, k, matrix.block[b]);
     }
-  SharedRows result;
+  DistributedRows result;
   for (const auto k : own) {
     std::ranges::sort(found[k], {}, &Block::column);
     for (const auto& [column, entries] : found[k]) {
@@ -123,8 +123,8 @@ SharedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::
 
 }  // namespace
 
-SharedFactor::SharedFactor(const Communicator& all, const Operator& plate, const Boundary& boundary,
-                           const PointMatrix& stiffness, const Exchange* seen)
+DistributedFactor::DistributedFactor(const Communicator& all, const Operator& plate, const Boundary& boundary,
+                                     const PointMatrix& stiffness, const HaloExchange* seen)
     : boundary_(boundary) {
   for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k)
     if (boundary.owns(k)) own_.push_back(k);
@@ -138,7 +138,7 @@ SharedFactor::SharedFactor(const Communicator& all, const Operator& plate, const
   inverse_ = all.inverse(rows(folded(stiffness, boundary.constraints), boundary, own_, number, free));
 }
 
-void SharedFactor::apply(const Forces& residual, State& result) const {
+void DistributedFactor::apply(const Forces& residual, State& result) const {
   std::vector<double> values;
   values.reserve(3 * own_.size());
   for (const auto k : own_)

@@ -40,12 +40,12 @@ Forces folded_diagonal(const Operator& plate, const Constraints& constraints);
 
 /// The inverse of a plate that processes share, as the libraries behind Communicator::inverse() find it: exact as far
 /// as they factorise.
-class SharedFactor : public Preconditioner {
+class DistributedFactor : public Preconditioner {
 public:
   /// `stiffness`: right in the rows and columns of own points. `seen`: of all points that these are coupled to, where
   /// that are more than the copies of `boundary`. `plate`, `boundary` must outlive this.
-  SharedFactor(const Communicator& all, const Operator& plate, const Boundary& boundary, const PointMatrix& stiffness,
-               const Exchange* seen = nullptr);
+  DistributedFactor(const Communicator& all, const Operator& plate, const Boundary& boundary,
+                    const PointMatrix& stiffness, const HaloExchange* seen = nullptr);
 
   void apply(const Forces& residual, State& result) const override;
   std::size_t bytes() const override { return 0; }  // the libraries do not say
@@ -53,7 +53,7 @@ public:
 private:
   const Boundary& boundary_;
   std::vector<std::uint32_t> own_;  // points of this process
-  std::unique_ptr<SharedInverse> inverse_;
+  std::unique_ptr<DistributedInverse> inverse_;
 };
 
 }  // namespace plate

@@ -15,8 +15,8 @@
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/settled.hpp"
-#include "plate/solve/touched_plate.hpp"
+#include "plate/solve/plate_in_contact.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 
 namespace plate {
 namespace {
@@ -191,8 +191,8 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
                                    const StaticOptions& options, const Preconditioner* preconditioner,
                                    const State* start) {
   const auto product = [&](State& direction, Forces& forces) {
-    Awaited rest(constraints, direction);
-    plate.internal_force_meanwhile(direction, rest, forces);
+    PendingExchange rest(constraints, direction);
+    plate.internal_force_overlapped(direction, rest, forces);
     constraints.fold(forces);
   };
   const Forces weight = inverse(folded_diagonal(plate, constraints));
@@ -203,8 +203,8 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
                                    const Forces& load, const StaticOptions& options,
                                    const Preconditioner* preconditioner) {
   const auto product = [&](State& direction, Forces& forces) {
-    Awaited rest(constraints, direction);
-    plate.internal_force_meanwhile(direction, rest, forces);
+    PendingExchange rest(constraints, direction);
+    plate.internal_force_overlapped(direction, rest, forces);
     constraints.fold(forces);
     forces -= shift.cwiseProduct(direction);
   };
@@ -316,13 +316,13 @@ constexpr auto flies = "nothing holds the plate any more where its soil lets it 
 void require_sound(const Formulation& plate, const Forces& load, const State& state) {
   constexpr double left = 1e-3;  // of the load
   const State rests(3, 0);
-  if (Settled(plate, load, rests).left(state).share > left) throw NumericalError(flies);
+  if (PrescribedDisplacements(plate, load, rests).residual(state).share > left) throw NumericalError(flies);
 }
 
 /// Does soil touch at the same places, of whichever process?
-bool same_everywhere(const Formulation& plate, const Touching& one, const Touching& other) {
+bool same_everywhere(const Formulation& plate, const ContactState& one, const ContactState& other) {
   bool differ = false;
-  const auto& parts = plate.boundary().attached.parts();
+  const auto& parts = plate.boundary().elastic_supports.parts();
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t p = 0; p < one[i].size(); ++p)
       if (one[i][p] != other[i][p] && plate.boundary().owns(parts[i]->contact->point(p, plate.points()))) differ = true;
@@ -342,14 +342,14 @@ double potential(const Formulation& plate, const Forces& load, const State& stat
 /// The energy is convex and has a continuous slope: a step of Newton that does not lower it is halved until it does.
 StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& options) {
   constexpr int most = 60, halvings = 12;
-  const auto& attached = plate_->boundary().attached;
+  const auto& elastic_supports = plate_->boundary().elastic_supports;
   const auto energy = [&](const State& now) { return plate_->strain_energy(now) + potential(*plate_, load, now); };
   StaticResult result;
   std::size_t iterations = 0;
-  auto touching = everywhere(attached);
+  auto touching = everywhere(elastic_supports);
   State state;
   for (int n = 0;; ++n) {
-    const TouchedPlate plate(*plate_, attached, touching);
+    const PlateInContact plate(*plate_, elastic_supports, touching);
     try {
       result = solved(plate, load, options, false, n == 0 ? nullptr : &state);
     } catch (const NotPositive&) {
@@ -362,7 +362,7 @@ StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& o
       solution.stop_reason += fmt::format(", in step {} of the search for what soil touches", n + 1);
       return result;
     }
-    auto now = attached.touching(solution.state);
+    auto now = elastic_supports.touching(solution.state);
     if (same_everywhere(*plate_, now, touching)) {
       require_sound(*plate_, load, solution.state);
       solution.stop_reason += fmt::format(", what soil touches found in {} steps", n + 1);
@@ -378,23 +378,23 @@ StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& o
       const double before = energy(state);
       double share = 1;
       for (int i = 0; i < halvings && energy(state + share * step) > before; ++i) share /= 2;
-      if (share < 1) now = attached.touching(solution.state = state + share * step);
+      if (share < 1) now = elastic_supports.touching(solution.state = state + share * step);
     }
     touching = std::move(now), state = std::move(solution.state);
   }
 }
 
 StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& options, bool again, const State& lift) {
-  if (plate_->boundary().attached.lifts_off()) return in_contact(load, options);
+  if (plate_->boundary().elastic_supports.unilateral()) return in_contact(load, options);
   if (lift.cols() == 0) return solved(*plate_, load, options, again);
   constexpr int most = 4;
-  const auto [rigid, rest] = parted(*plate_, lift);
-  const Settled settled(*plate_, load, rest);
-  auto result = solved(*plate_, settled.pull(), options, again);
+  const auto [rigid, rest] = split_lift(*plate_, lift);
+  const PrescribedDisplacements prescribed(*plate_, load, rest);
+  auto result = solved(*plate_, prescribed.pull(), options, again);
   auto& [state, iterations, residual, converged, stop_reason] = result.solution;
   state += rest;
   for (int n = 0; converged; ++n) {
-    const auto left = settled.left(state);
+    const auto left = prescribed.residual(state);
     residual = left.share;
     converged = residual <= options.tolerance;
     if (converged || n == most) break;

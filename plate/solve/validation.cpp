@@ -19,7 +19,7 @@
 namespace plate {
 namespace {
 
-void check_modes(const Formulation& plate, const Analysis& analysis, Suitability& result) {
+void check_modes(const Formulation& plate, const Analysis& analysis, Validation& result) {
   if (analysis.kind != Analysis::Kind::frequencies) return;
   const auto most = std::size_t(sum_of_all(plate.communicator(), double((plate.mass().array() > 0).count()))) / 4;
   if (analysis.modes > most)
@@ -29,7 +29,7 @@ void check_modes(const Formulation& plate, const Analysis& analysis, Suitability
 }
 
 /// Pins alone hold a plate by their triangle; each acts up to 0.7 of a spacing beside its place.
-void check_pins(const Formulation& plate, const Analysis& analysis, Suitability& result) {
+void check_pins(const Formulation& plate, const Analysis& analysis, Validation& result) {
   constexpr double least = 1, few = 5;  // spacings
   const auto wide = plate.width_of_pins();
   if (!wide || analysis.kind != Analysis::Kind::static_) return;
@@ -42,9 +42,9 @@ void check_pins(const Formulation& plate, const Analysis& analysis, Suitability&
 }
 
 /// In motion a plate may move as it is; that pieces do is worth a word.
-void check_held(const Formulation& plate, const Analysis& analysis, Suitability& result) {
+void check_held(const Formulation& plate, const Analysis& analysis, Validation& result) {
   if (analysis.kind == Analysis::Kind::frequencies) {
-    const auto zero = swinging(plate);
+    const auto zero = unresisted_motions(plate);
     result.refusals.insert(result.refusals.end(), zero.begin(), zero.end());
   }
   const auto found = loose(plate);
@@ -54,7 +54,7 @@ void check_held(const Formulation& plate, const Analysis& analysis, Suitability&
     for (const auto& one : found) result.warnings.push_back(one.what);
 }
 
-void check_two_level(const Formulation& plate, const Analysis& analysis, Suitability& result) {
+void check_two_level(const Formulation& plate, const Analysis& analysis, Validation& result) {
   if (plate.may_move() && analysis.preconditioner == Preconditioning::two_level)
     result.refusals.push_back(
         {Subject::preconditioner, 0,
@@ -64,8 +64,8 @@ void check_two_level(const Formulation& plate, const Analysis& analysis, Suitabi
 
 }  // namespace
 
-Suitability suitability(const Formulation& plate, const Analysis& analysis) {
-  Suitability result;
+Validation validate(const Formulation& plate, const Analysis& analysis) {
+  Validation result;
   check_modes(plate, analysis, result);
   check_pins(plate, analysis, result);
   check_held(plate, analysis, result);
@@ -73,7 +73,7 @@ Suitability suitability(const Formulation& plate, const Analysis& analysis) {
   return result;
 }
 
-std::vector<Refusal> faults_of_lengths(const Problem& problem, const Analysis& analysis) {
+std::vector<Refusal> errors_in_lengths(const Problem& problem, const Analysis& analysis) {
   std::vector<Refusal> found;
   const double spacing = problem.discretization.spacing;
   const auto [low, high] = geometry::bounding_box(problem.outline);

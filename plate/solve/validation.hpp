@@ -13,18 +13,18 @@ struct Analysis;
 struct Problem;
 
 /// Refusals that keep a plate from its analysis, and warnings about it.
-struct Suitability {
+struct Validation {
   std::vector<Refusal> refusals;
   std::vector<std::string> warnings;
 };
 
 /// Fewer modes than frequencies are asked for, pins within a spacing of one line, an equilibrium of a plate that is not
 /// held, in whole or in a piece that cracks cut off, a preconditioner that cannot be made.
-Suitability suitability(const Formulation& plate, const Analysis& analysis);
+Validation validate(const Formulation& plate, const Analysis& analysis);
 
 /// Refusals that can be found before there is a plate: a spacing with fewer than four cells across the plate, internal
 /// forces in single precision in which so thin a plate would lose its shear strains.
-std::vector<Refusal> faults_of_lengths(const Problem& problem, const Analysis& analysis);
+std::vector<Refusal> errors_in_lengths(const Problem& problem, const Analysis& analysis);
 
 /// Throws NumericalError of the first point with a displacement or rotation that is not finite, on every rank where one
 /// has such a point; collective.

@@ -16,16 +16,16 @@ namespace {
 using geometry::Point;
 
 /// A point beside the crack in the tip's axes: r behind the tip, y' to the left.
-struct Beside {
+struct PointByCrack {
   std::uint32_t point;
   double r, y;
   int face;  // +1 upper (y' > 0), -1 lower
 };
 
-std::vector<Beside> beside_crack(const std::vector<Point>& positions, const geometry::Tip& tip, double window,
-                                 double height, double spacing) {
+std::vector<PointByCrack> points_by_crack(const std::vector<Point>& positions, const geometry::Tip& tip, double window,
+                                          double height, double spacing) {
   const Point normal(-tip.direction.y(), tip.direction.x());
-  std::vector<Beside> found;
+  std::vector<PointByCrack> found;
   for (std::uint32_t k = 0; k < positions.size(); ++k) {
     const Point x = positions[k] - tip.position;
     const double r = -x.dot(tip.direction), y = x.dot(normal);
@@ -36,28 +36,29 @@ std::vector<Beside> beside_crack(const std::vector<Point>& positions, const geom
 }
 
 /// Weights that give the value at (r, y) on one face from the points about it.
-std::vector<plate::Share> face_value(const std::vector<Beside>& beside, int face, double r, double y, double spacing) {
+std::vector<plate::Share> face_value(const std::vector<PointByCrack>& by_crack, int face, double r, double y,
+                                     double spacing) {
   std::vector<std::pair<std::uint32_t, Point>> near;
-  for (const auto& b : beside)
+  for (const auto& b : by_crack)
     if (b.face == face && std::hypot(b.r - r, b.y - y) < 1.6 * spacing)
       near.emplace_back(b.point, Point(b.r, b.y) / spacing);
   return plate::interpolation(near, Point(r, y) / spacing);
 }
 
 /// The heights of the first rows of points on one face; on a lattice along the crack these are rows of points.
-double first_row(const std::vector<Beside>& beside, int face, double spacing) {
+double first_row(const std::vector<PointByCrack>& by_crack, int face, double spacing) {
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
-  for (const auto& b : beside)
+  for (const auto& b : by_crack)
     if (b.face == face && b.r > 0) lowest = std::min(lowest, std::abs(b.y));
-  for (const auto& b : beside)  // points of one row share one height: then the row itself, else half a spacing
+  for (const auto& b : by_crack)  // points of one row share one height: then the row itself, else half a spacing
     if (b.face == face && b.r > 0 && std::abs(b.y) < lowest + 0.9 * spacing) highest = std::max(highest, std::abs(b.y));
   return highest - lowest < 1e-6 * spacing ? lowest : spacing / 2;
 }
 
 /// Distances behind the tip, one spacing apart: where the points of the first row lie, if they form one.
-std::vector<double> distances(const std::vector<Beside>& beside, double row, double window, double spacing) {
+std::vector<double> distances(const std::vector<PointByCrack>& by_crack, double row, double window, double spacing) {
   double first = std::numeric_limits<double>::infinity();
-  for (const auto& b : beside)
+  for (const auto& b : by_crack)
     if (b.face > 0 && std::abs(std::abs(b.y) - row) < 1e-6 * spacing && b.r > 1e-6 * spacing)
       first = std::min(first, b.r);
   if (first > spacing * (1 + 1e-6)) first = spacing / 2;  // the crack does not follow the lattice
@@ -67,9 +68,9 @@ std::vector<double> distances(const std::vector<Beside>& beside, double row, dou
 }
 
 /// Distances behind the tip of the points on one face, from 2.5 spacings on: next to the tip their opening is 17 % off.
-std::vector<double> face_distances(const std::vector<Beside>& beside, double window, double spacing) {
+std::vector<double> face_distances(const std::vector<PointByCrack>& by_crack, double window, double spacing) {
   std::vector<double> r;
-  for (const auto& b : beside)
+  for (const auto& b : by_crack)
     if (b.face > 0 && std::abs(b.y) < 1e-4 * spacing && b.r > 2.5 * spacing * (1 - 1e-9) && b.r <= window * (1 + 1e-9))
       r.push_back(b.r);
   std::sort(r.begin(), r.end());
@@ -122,12 +123,12 @@ DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& p
   const auto& v = path.vertices;
   const double straight = tip.at_back ? (v.back() - v[v.size() - 2]).norm() : (v.front() - v[1]).norm();
   const double window = std::min(how.window, straight);
-  const auto beside = beside_crack(positions, tip, window, (how.rows + 1.5) * scale.spacing, scale.spacing);
-  const double upper = how.points_on_faces ? 0 : first_row(beside, 1, scale.spacing);
-  const double lower = how.points_on_faces ? 0 : first_row(beside, -1, scale.spacing);
+  const auto by_crack = points_by_crack(positions, tip, window, (how.rows + 1.5) * scale.spacing, scale.spacing);
+  const double upper = how.points_on_faces ? 0 : first_row(by_crack, 1, scale.spacing);
+  const double lower = how.points_on_faces ? 0 : first_row(by_crack, -1, scale.spacing);
 
-  const auto r_of_samples = how.points_on_faces ? face_distances(beside, window, scale.spacing)
-                                                : distances(beside, upper, window, scale.spacing);
+  const auto r_of_samples = how.points_on_faces ? face_distances(by_crack, window, scale.spacing)
+                                                : distances(by_crack, upper, window, scale.spacing);
   const bool between = how.tip_between_columns && !r_of_samples.empty() && r_of_samples[0] < scale.spacing * (1 - 1e-6);
   const double shift = between ? scale.spacing / 2 - r_of_samples[0] : 0;
   int skipped = 0;
@@ -140,7 +141,7 @@ DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& p
         const double first = face > 0 ? upper : lower, second = first + scale.spacing;
         const double share = how.rows == 1 ? 1 : row == 0 ? second / scale.spacing : -first / scale.spacing;
         const double y = face * (row == 0 ? first : second);
-        const auto values = face_value(beside, face, r, y, scale.spacing);
+        const auto values = face_value(by_crack, face, r, y, scale.spacing);
         if (values.empty()) throw std::invalid_argument("no points beside the crack behind the tip");
         for (const auto& [point, weight] : values) {
           sample.jump.push_back({point, face * share * weight});

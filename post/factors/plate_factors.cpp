@@ -242,7 +242,7 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
   plate::Forces force;
   const bool together = plate.communicator().distributed();  // no process can find forces alone
   if (together || std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
-    plate.internal_force(state, force), plate.boundary().attached.take_force(state, force);
+    plate.internal_force(state, force), plate.boundary().elastic_supports.take_force(state, force);
   const bool heated = heat && !heat->none();
   if (heated && force.size() > 0) force += heat->forces;
   if (force.size() > 0) plate.constraints().fetch(force);
@@ -279,7 +279,7 @@ std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const 
   return result;
 }
 
-std::vector<std::string> distrust_of_ligaments(const plate::Formulation& plate) {
+std::vector<std::string> warnings_about_ligaments(const plate::Formulation& plate) {
   std::vector<std::string> warnings;
   constexpr double resolved = 2;  // spacings
   const double spacing = plate.discretization().spacing_at_tips();
@@ -295,8 +295,8 @@ std::vector<std::string> distrust_of_ligaments(const plate::Formulation& plate) 
   return warnings;
 }
 
-std::vector<std::string> distrust_of_factors(const std::vector<Srif>& srifs, const std::vector<double>& largest,
-                                             double h, const std::string& remedy) {
+std::vector<std::string> warnings_about_factors(const std::vector<Srif>& srifs, const std::vector<double>& largest,
+                                                double h, const std::string& remedy) {
   constexpr double uncertain = 0.03;
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < srifs.size(); ++i) {

@@ -56,11 +56,11 @@ std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const 
 
 /// A warning for each tip that has something within two spacings: what lies between is not resolved, and the whole
 /// plate may be wrong.
-std::vector<std::string> distrust_of_ligaments(const plate::Formulation& plate);
+std::vector<std::string> warnings_about_ligaments(const plate::Formulation& plate);
 
 /// Factors that are not resolved, and those whose estimated error is above 3 % of the largest factor. `largest`: that
 /// every tip ever has. `remedy`: Formulation::remedy().
-std::vector<std::string> distrust_of_factors(const std::vector<Srif>& srifs, const std::vector<double>& largest,
-                                             double thickness, const std::string& remedy);
+std::vector<std::string> warnings_about_factors(const std::vector<Srif>& srifs, const std::vector<double>& largest,
+                                                double thickness, const std::string& remedy);
 
 }  // namespace post

@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "post/files/whole_file.hpp"
+#include "post/files/atomic_file.hpp"
 
 namespace post {
 namespace {
@@ -39,7 +39,7 @@ std::string checksum(std::string_view line, std::string_view memory) {
 }
 
 /// Describes the fault of a checkpoint; empty where there is none.
-std::string fault_of(std::string_view all, const std::string& of) {
+std::string error_in(std::string_view all, const std::string& of) {
   const auto line = all.find('\n');
   if (!all.starts_with(magic) || line == std::string_view::npos) return "is no checkpoint of this version";
   const auto before = all.substr(0, std::max(all.size(), digits) - digits);
@@ -59,7 +59,7 @@ std::string content_of(std::string text) {
 
 void Checkpoints::write(const std::string& memory) const {
   const auto newest = folder_ / names[0];
-  write_whole(newest, [&](const fs::path& beside) {
+  write_atomically(newest, [&](const fs::path& beside) {
     const auto line = magic + of_ + "\n";
     errno = 0;
     std::ofstream file(beside, std::ios::binary);
@@ -73,25 +73,25 @@ void Checkpoints::write(const std::string& memory) const {
   wait_for_disk(folder_);
 }
 
-std::optional<std::string> Checkpoints::read(std::size_t which, std::string& fault) const {
+std::optional<std::string> Checkpoints::read(std::size_t which, std::string& problem) const {
   const auto path = folder_ / names.at(which);
   if (!fs::exists(path)) return std::nullopt;
   try {
     auto text = read_text(path);
-    const auto found = fault_of(text, of_);
+    const auto found = error_in(text, of_);
     if (found.empty()) return content_of(std::move(text));
-    fault = fmt::format("{} {}", path.string(), found);
+    problem = fmt::format("{} {}", path.string(), found);
   } catch (const fs::filesystem_error& error) {
-    fault = error.what();
+    problem = error.what();
   }
   return std::nullopt;
 }
 
 std::optional<std::string> Checkpoints::read(std::vector<std::string>& refused) const {
   for (std::size_t which = 0; which < kept; ++which) {
-    std::string fault;
-    if (auto found = read(which, fault)) return found;
-    if (!fault.empty()) refused.push_back(fault);
+    std::string problem;
+    if (auto found = read(which, problem)) return found;
+    if (!problem.empty()) refused.push_back(problem);
   }
   return std::nullopt;
 }
@@ -153,7 +153,7 @@ bool meets(const std::array<std::int64_t, 4>& box, const geometry::CellBox& want
 
 std::string write_cells(const fs::path& path, const CellValues& values) {
   Checksum sum;
-  write_whole(path, [&](const fs::path& beside) {
+  write_atomically(path, [&](const fs::path& beside) {
     std::ofstream file(beside, std::ios::binary);
     std::string text;
     const auto flush = [&] {
@@ -227,28 +227,28 @@ std::string first_of(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-SharedCheckpoints::SharedCheckpoints(const plate::Communicator& all, fs::path folder, std::string of)
+DistributedCheckpoints::DistributedCheckpoints(const plate::Communicator& all, fs::path folder, std::string of)
     : all_(&all), folder_(std::move(folder)), first_(folder_, std::move(of)) {}
 
 /// Gathers the text `own` of every rank.
-std::vector<std::string> SharedCheckpoints::told(const std::string& own) const {
+std::vector<std::string> DistributedCheckpoints::told(const std::string& own) const {
   return all_->exchanged(std::vector<std::string>(std::size_t(all_->size()), own));
 }
 
-fs::path SharedCheckpoints::part(std::size_t turn, std::size_t rank) const {
+fs::path DistributedCheckpoints::part(std::size_t turn, std::size_t rank) const {
   return folder_ / fmt::format("checkpoint.{}.{}", turn, rank);
 }
 
-void SharedCheckpoints::write(const std::string& memory, const CellValues& own) {
+void DistributedCheckpoints::write(const std::string& memory, const CellValues& own) {
   const auto together = [&](const auto& write) {
-    std::string result, fault;
+    std::string result, problem;
     try {
       result = write();
     } catch (const fs::filesystem_error& error) {
-      fault = error.what();
+      problem = error.what();
     }
-    if (fault = first_of(told(fault)); !fault.empty())
-      throw fs::filesystem_error(fault, std::make_error_code(std::errc::io_error));
+    if (problem = first_of(told(problem)); !problem.empty())
+      throw fs::filesystem_error(problem, std::make_error_code(std::errc::io_error));
     return result;
   };
   const auto checksums = told(together([&] { return write_cells(part(turn_, std::size_t(all_->rank())), own); }));
@@ -260,7 +260,7 @@ void SharedCheckpoints::write(const std::string& memory, const CellValues& own) 
   turn_ = (turn_ + 1) % turns;
 }
 
-SharedCheckpoints::Main SharedCheckpoints::main_of(const std::string& text) {
+DistributedCheckpoints::Main DistributedCheckpoints::main_of(const std::string& text) {
   Main main;
   const auto line = text.find('\n');
   std::istringstream words(text.substr(0, line));
@@ -272,20 +272,20 @@ SharedCheckpoints::Main SharedCheckpoints::main_of(const std::string& text) {
 }
 
 /// Every process looks at some of the parts.
-std::string SharedCheckpoints::fault_of_parts(const Main& main) const {
+std::string DistributedCheckpoints::error_in_parts(const Main& main) const {
   for (auto rank = std::size_t(all_->rank()); rank < main.checksums.size(); rank += std::size_t(all_->size()))
     if (const auto path = part(main.turn, rank); checksum_of(path) != main.checksums[rank])
       return path.string() + " is damaged or not whole";
   return "";
 }
 
-std::optional<SharedCheckpoints::Found> SharedCheckpoints::read(std::vector<std::string>& refused) {
+std::optional<DistributedCheckpoints::Found> DistributedCheckpoints::read(std::vector<std::string>& refused) {
   for (std::size_t which = 0; which < Checkpoints::kept; ++which) {
-    std::string fault;
-    const auto text = first_.read(which, fault);
+    std::string problem;
+    const auto text = first_.read(which, problem);
     const auto main = text ? main_of(*text) : Main{};
-    if (text) fault = fault_of_parts(main);
-    const auto found = told(text ? "+" + fault : fault.empty() ? "" : "-" + fault);  // nothing: there is none
+    if (text) problem = error_in_parts(main);
+    const auto found = told(text ? "+" + problem : problem.empty() ? "" : "-" + problem);  // nothing: there is none
     const auto missing = std::ranges::count(found, std::string());
     const auto wrong = std::ranges::find_if(found, [](const std::string& one) { return one.size() > 1; });
     if (wrong != found.end())
@@ -301,7 +301,7 @@ std::optional<SharedCheckpoints::Found> SharedCheckpoints::read(std::vector<std:
   return std::nullopt;
 }
 
-void SharedCheckpoints::remove() const {
+void DistributedCheckpoints::remove() const {
   if (all_->rank() > 0) return;
   first_.remove();
   std::vector<fs::path> parts;

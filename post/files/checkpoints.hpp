@@ -23,8 +23,9 @@ public:
   void write(const std::string& memory) const;
 
   static constexpr std::size_t kept = 2;
-  /// The memory in one of them, 0: the newest, if it is whole and of this run. What is wrong with it goes into `fault`.
-  std::optional<std::string> read(std::size_t which, std::string& fault) const;
+  /// The memory in one of them, 0: the newest, if it is whole and of this run. What is wrong with it goes into
+  /// `problem`.
+  std::optional<std::string> read(std::size_t which, std::string& problem) const;
   /// The memory in the newest checkpoint that is whole and of this run, if there is one. What is wrong with others goes
   /// into `refused`.
   std::optional<std::string> read(std::vector<std::string>& refused) const;
@@ -60,10 +61,10 @@ std::size_t read_cells(const std::filesystem::path& path, const geometry::CellBo
 /// rank writes what all ranks know (Checkpoints). Each rank writes the values of its points to checkpoint.N.RANK, N
 /// from 0 to 2 in turn, so that the last two stay complete while the next is written. The checksums of these files are
 /// in that of the first rank. Collective: every rank must call each member function. All ranks must see the folder.
-class SharedCheckpoints {
+class DistributedCheckpoints {
 public:
   /// `all` must outlive this.
-  SharedCheckpoints(const plate::Communicator& all, std::filesystem::path folder, std::string of);
+  DistributedCheckpoints(const plate::Communicator& all, std::filesystem::path folder, std::string of);
   const plate::Communicator& communicator() const { return *all_; }
 
   /// Throws std::filesystem::filesystem_error in all processes where one cannot write; the last one stays then.
@@ -87,7 +88,7 @@ private:
   };
   static Main main_of(const std::string& text);
   std::filesystem::path part(std::size_t turn, std::size_t rank) const;
-  std::string fault_of_parts(const Main& main) const;
+  std::string error_in_parts(const Main& main) const;
   std::vector<std::string> told(const std::string& own) const;
 
   const plate::Communicator* all_;

@@ -11,7 +11,7 @@
 #include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/solve/settled.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/hdf5/state_file.hpp"
@@ -48,7 +48,7 @@ Table FactorRows::table(const std::vector<double>& times) {
   return result;
 }
 
-std::vector<std::string> FactorRows::distrust(double tolerance) const {
+std::vector<std::string> FactorRows::warnings(double tolerance) const {
   std::vector<std::string> result;
   for (std::size_t tip = 0; tip < truncated_.size(); ++tip)
     if (truncated_[tip] > 0.03)
@@ -162,7 +162,7 @@ Table stored_factors(const StoredRun& run, const plate::Formulation& plate, cons
   for (std::size_t frame = 0; frame < run.times.size(); ++frame) {
     state.leftCols(Eigen::Index(cloud.plate_points)) = run.states[frame];
     plate.constraints().impose(state);
-    if (plate::settles(plate)) state += lift_of_frame(frame, run.times[frame], plate);
+    if (plate::has_prescribed_displacements(plate)) state += lift_of_frame(frame, run.times[frame], plate);
     const auto heat = heat_of_frame(frame, run.times[frame], plate);
     auto found = srifs(plate, options, methods, state, true, &heat);
     require_finite(found, fmt::format("at time {:g}", run.times[frame]));

@@ -36,7 +36,7 @@ public:
   /// Largest of |K1|, |K2|, |K3| h of every tip so far, by any method.
   const std::vector<double>& largest() const { return largest_; }
   /// Warnings of tips where truncation leaves out more than 3 % of the largest factor. `tolerance`: of the analysis.
-  std::vector<std::string> distrust(double tolerance) const;
+  std::vector<std::string> warnings(double tolerance) const;
 
   /// The rows so far.
   template <typename Archive>

@@ -48,7 +48,7 @@ std::vector<double> PointOrder::at_first(std::size_t first, std::size_t count, s
     return result;
   }
   std::vector<double> sent;  // of every stretch: where it begins in this part, how many points, their numbers
-  const auto behind = std::ranges::upper_bound(own_, first, {}, &Stretch::first);
+  const auto behind = std::ranges::upper_bound(own_, first, {}, &PointRun::first);
   for (auto one = behind == own_.begin() ? behind : behind - 1; one != own_.end() && one->first < first + count;
        ++one) {
     const auto low = std::max(one->first, first), high = std::min(one->first + one->points, first + count);

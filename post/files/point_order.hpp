@@ -28,13 +28,13 @@ public:
 
 private:
   /// Own points that follow each other among all.
-  struct Stretch {
+  struct PointRun {
     std::size_t first, begin, points;  // first: among all; begin: among the own
   };
 
   const plate::Communicator& all_;
   std::size_t points_ = 0;
-  std::vector<Stretch> own_;
+  std::vector<PointRun> own_;
 };
 
 /// The order of the points of a mesh whose own points come first.

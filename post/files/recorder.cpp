@@ -116,11 +116,11 @@ void Recorder::cracks(Cracks cracks, const std::vector<Srif>& factors) {
   sink_->cracks(cracks);
 }
 
-void Recorder::remember(plate::OutArchive& archive) {
+void Recorder::save(plate::OutArchive& archive) {
   archive(history_, probes_, sink_->written());
 }
 
-void Recorder::recall(plate::InArchive& archive) {
+void Recorder::restore(plate::InArchive& archive) {
   std::vector<double> frames;
   archive(history_, probes_, frames);
   sink_->go_on(frames);

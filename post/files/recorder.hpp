@@ -126,9 +126,9 @@ public:
   const Table& history() const { return history_; }
 
   /// Saves what has been recorded; on return all frames so far are written.
-  void remember(plate::OutArchive& archive);
+  void save(plate::OutArchive& archive);
   /// Goes on after open().
-  void recall(plate::InArchive& archive);
+  void restore(plate::InArchive& archive);
 
 private:
   std::unique_ptr<Sink> sink_;

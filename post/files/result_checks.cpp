@@ -9,7 +9,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/reduction.hpp"
-#include "plate/solve/settled.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/validation.hpp"
 
 namespace post {
@@ -44,8 +44,8 @@ namespace {
 double work_of_all(const plate::Formulation& plate, const plate::State& state, const plate::State& strained) {
   double work = 0;
   for (const auto& load : plate.loads()) work += slow_work(plate, load.forces, state);
-  if (!plate::settles(plate)) return work;
-  return work + plate::Settled(plate, plate.total_load(), plate::total_lift(plate)).work(strained);
+  if (!plate::has_prescribed_displacements(plate)) return work;
+  return work + plate::PrescribedDisplacements(plate, plate.total_load(), plate::total_lift(plate)).work(strained);
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ std::vector<plate::Forces> forces_of(const plate::Formulation& plate) {
     if (moving)  // half way
       result.push_back(load.moving->whole((*moving)[moving->size() / 2].time, plate.points()));
     else
-      result.push_back(plate::Settled(plate, load.forces, load.lift).pull());
+      result.push_back(plate::PrescribedDisplacements(plate, load.forces, load.lift).pull());
   }
   return result;
 }
@@ -110,17 +110,17 @@ void require_motion(const plate::Formulation& plate, const std::vector<plate::Fo
     throw plate::NumericalError(
         "nothing has moved although loads act: numbers are too small for double precision, or no load acts at any "
         "step");
-  if (!plate::settles(plate) && !moves(state, work, plate.communicator()))
+  if (!plate::has_prescribed_displacements(plate) && !moves(state, work, plate.communicator()))
     throw plate::NumericalError(fmt::format(
         "the loads do a work of {:g}: numbers are too small for double precision; choose other units", work));
 }
 
-void EnergyGate::look(const Books& now, const std::string& when) {
+void EnergyBalance::check(const Terms& now, const std::string& when) {
   constexpr double allowed = 0.01, rounding = 1e-9;
   constexpr double much = 4;  // near the stable step, energies of full steps are up to 2.8 times those that are kept
-  if (!before_) before_ = plate_ == Plate::rests ? 0 : now.kept - now.work;
+  if (!before_) before_ = plate_ == Plate::rests ? 0 : now.discrete - now.work;
   largest_work_ = std::max(largest_work_, std::abs(now.work));
-  const double beyond = std::abs(now.kept - now.work - *before_);
+  const double beyond = std::abs(now.discrete - now.work - *before_);
   const bool open = plate_ != Plate::grows && beyond > allowed * largest_work_ && beyond > rounding * now.energy;
   if (open || last_energy_ > much * largest_work_)
     throw plate::NumericalError(

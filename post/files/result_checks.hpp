@@ -40,20 +40,20 @@ void require_motion(const plate::Formulation& plate, const std::vector<plate::Fo
 
 /// Looks after the energy of a plate, which is the work of its loads: what is not comes of steps that are too long, of
 /// a force that is not the derivative of an energy, or of a state that is no equilibrium.
-class EnergyGate {
+class EnergyBalance {
 public:
   enum class Plate { rests, moves, grows };
-  explicit EnergyGate(Plate plate) : plate_(plate) {}
+  explicit EnergyBalance(Plate plate) : plate_(plate) {}
 
-  struct Books {
-    double energy;  // strain, kinetic, and spent on growth so far: none is negative
-    double kept;    // the same, as central differences keep it, be they stable or not
-    double work;    // of the loads so far
+  struct Terms {
+    double energy;    // strain, kinetic, and spent on growth so far: none is negative
+    double discrete;  // the same, as central differences keep it, be they stable or not
+    double work;      // of the loads so far
   };
   /// Throws plate::NumericalError where what is kept and the work, in motion both since the first call, differ by more
   /// than a hundredth of the largest work that there has been; and where the energy of the last call was some times as
   /// much: loads that set in have done no work yet when the plate begins to move.
-  void look(const Books& now, const std::string& when);
+  void check(const Terms& now, const std::string& when);
 
   template <typename Archive>
   void serialize(Archive& archive) {

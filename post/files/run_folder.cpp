@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "post/files/whole_file.hpp"
+#include "post/files/atomic_file.hpp"
 
 namespace post {
 

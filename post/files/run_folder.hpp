@@ -19,15 +19,15 @@ inline std::string digest(const std::string& text) {
 
 /// A folder that stays the same one while it gets another name; it is found by its path where no file can be opened any
 /// more.
-class HeldFolder {
+class OpenedFolder {
 public:
-  explicit HeldFolder(const std::filesystem::path& path)
+  explicit OpenedFolder(const std::filesystem::path& path)
       : path_(path), opened_(::open(path.empty() ? "." : path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {}
-  ~HeldFolder() {
+  ~OpenedFolder() {
     if (opened_ >= 0) ::close(opened_);
   }
-  HeldFolder(const HeldFolder&) = delete;
-  HeldFolder& operator=(const HeldFolder&) = delete;
+  OpenedFolder(const OpenedFolder&) = delete;
+  OpenedFolder& operator=(const OpenedFolder&) = delete;
 
   bool has(const std::filesystem::path& name) const { return ::faccessat(opened_, at(name).c_str(), F_OK, 0) == 0; }
   void remove(const std::filesystem::path& name) const { ::unlinkat(opened_, at(name).c_str(), 0); }

@@ -1,20 +1,20 @@
 #include "post/files/sinks.hpp"
 
+#include "post/files/atomic_file.hpp"
 #include "post/files/frame.hpp"
-#include "post/files/whole_file.hpp"
 
 namespace post {
 namespace {
 
 template <typename Rows>
-Kept::Array array(const Eigen::MatrixBase<Rows>& rows) {
-  Kept::Array result{std::vector<double>(std::size_t(rows.size())), std::size_t(rows.rows())};
+ResultsInMemory::Array array(const Eigen::MatrixBase<Rows>& rows) {
+  ResultsInMemory::Array result{std::vector<double>(std::size_t(rows.size())), std::size_t(rows.rows())};
   Eigen::Map<Eigen::MatrixXd>(result.values.data(), rows.rows(), rows.cols()) = rows;
   return result;
 }
 
-Kept::Array array(const std::vector<Eigen::Vector2d>& points) {
-  Kept::Array result{{}, 2};
+ResultsInMemory::Array array(const std::vector<Eigen::Vector2d>& points) {
+  ResultsInMemory::Array result{{}, 2};
   for (const auto& x : points) result.values.insert(result.values.end(), {x.x(), x.y()});
   return result;
 }
@@ -32,9 +32,9 @@ std::vector<std::uint32_t> flat(const Cells& cells) {
 
 }  // namespace
 
-void KeptSink::frame(Frame frame, std::optional<Mesh> mesh, plate::State) {
+void MemorySink::frame(Frame frame, std::optional<Mesh> mesh, plate::State) {
   if (mesh) mesh_ = std::move(*mesh);
-  auto& [time, arrays, quads, triangles] = kept_.frames.emplace_back();
+  auto& [time, arrays, quads, triangles] = in_memory_.frames.emplace_back();
   time = frame.time;
   const auto linear = [&](const auto& rows) { return array(at_vertices(mesh_, rows, &Mesh::Source::linear)); };
   const auto mean = [&](const auto& rows) { return array(at_vertices(mesh_, rows, &Mesh::Source::mean)); };
@@ -53,17 +53,17 @@ void KeptSink::frame(Frame frame, std::optional<Mesh> mesh, plate::State) {
   triangles = flat(mesh_.triangles);
 }
 
-void KeptSink::cracks(const Cracks& cracks) {
-  for (const auto& line : cracks.lines) kept_.cracks.push_back(array(line.vertices));
+void MemorySink::cracks(const Cracks& cracks) {
+  for (const auto& line : cracks.lines) in_memory_.cracks.push_back(array(line.vertices));
 }
 
-void KeptSink::tables(const Tables& tables) {
-  for (const auto& [name, table] : tables) kept_.tables.emplace_back(name, *table);
+void MemorySink::tables(const Tables& tables) {
+  for (const auto& [name, table] : tables) in_memory_.tables.emplace_back(name, *table);
 }
 
 Folder::Folder(FolderOptions options, std::optional<FolderLock> lock)
     : options_(std::move(options)), lock_(std::move(lock)) {
-  if (lock_) write_whole(options_.folder / "case.resolved.toml", options_.resolved);
+  if (lock_) write_atomically(options_.folder / "case.resolved.toml", options_.resolved);
 }
 
 void Folder::open(const Mesh& mesh) {
@@ -110,7 +110,7 @@ void Folder::cracks(const Cracks& cracks) {
 }
 
 void Folder::plot(const std::string& name, const std::string& svg) {
-  if (lock_) write_whole(options_.folder / (name + ".svg"), svg);
+  if (lock_) write_atomically(options_.folder / (name + ".svg"), svg);
 }
 
 void Folder::tables(const Tables& tables) {
@@ -136,7 +136,7 @@ void Folder::go_on(const std::vector<double>& times) {
 }
 
 void Folder::summary(const std::string& json) {
-  if (lock_) write_whole(options_.folder / "summary.json", json);
+  if (lock_) write_atomically(options_.folder / "summary.json", json);
 }
 
 }  // namespace post

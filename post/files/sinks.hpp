@@ -3,19 +3,19 @@
 #include <future>
 
 #include "post/files/hdf5/state_file.hpp"
-#include "post/files/kept.hpp"
 #include "post/files/recorder.hpp"
+#include "post/files/results_in_memory.hpp"
 #include "post/files/run_folder.hpp"
 #include "post/files/vtk_series.hpp"
 
 namespace post {
 
 /// Keeps results in a value that outlives it.
-class KeptSink : public Sink {
+class MemorySink : public Sink {
 public:
-  explicit KeptSink(Kept& kept) : kept_(kept) {}
+  explicit MemorySink(ResultsInMemory& in_memory) : in_memory_(in_memory) {}
 
-  bool draws() const override { return kept_.wants_fields; }
+  bool draws() const override { return in_memory_.wants_fields; }
   bool stores() const override { return false; }
   bool plots() const override { return false; }
   void open(const Mesh& mesh) override { mesh_ = mesh; }
@@ -24,10 +24,10 @@ public:
   void cracks(const Cracks& cracks) override;
   void plot(const std::string&, const std::string&) override {}
   void tables(const Tables& tables) override;
-  void summary(const std::string& json) override { kept_.summary = json; }
+  void summary(const std::string& json) override { in_memory_.summary = json; }
 
 private:
-  Kept& kept_;
+  ResultsInMemory& in_memory_;
   Mesh mesh_;
 };
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "post/files/whole_file.hpp"
+#include "post/files/atomic_file.hpp"
 
 namespace post {
 namespace {
@@ -153,7 +153,7 @@ std::string csv_text(const Table& table) {
 }
 
 void write_csv(const std::filesystem::path& path, const Table& table) {
-  write_whole(path, csv_text(table));
+  write_atomically(path, csv_text(table));
 }
 
 Table read_csv(const std::filesystem::path& path) {

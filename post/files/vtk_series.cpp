@@ -8,9 +8,9 @@
 #include <regex>
 #include <stdexcept>
 
+#include "post/files/atomic_file.hpp"
 #include "post/files/data_arrays.hpp"
 #include "post/files/frame.hpp"
-#include "post/files/whole_file.hpp"
 
 namespace post {
 namespace {
@@ -83,14 +83,15 @@ VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh, const plate::Commu
 void VtkSeries::write(const Frame& frame) {
   const auto number = times_.size();
   const bool in_pieces = communicator_->distributed();
-  write_whole(folder_ / (in_pieces ? piece_name(number, communicator_->rank()) : fields(number)), vtu(mesh_, frame));
+  write_atomically(folder_ / (in_pieces ? piece_name(number, communicator_->rank()) : fields(number)),
+                   vtu(mesh_, frame));
   times_.push_back(frame.time);
   wait_for_all(*communicator_);
   if (communicator_->rank() > 0) return;
-  if (in_pieces) write_whole(folder_ / fields_in_pieces(number), pvtu(number, communicator_->size()));
-  if (frame.cracks) write_whole(folder_ / cracks(number), vtp(*frame.cracks));
-  write_whole(folder_ / "fields.pvd", pvd(times_, in_pieces ? fields_in_pieces : fields, gone_));
-  if (frame.cracks) write_whole(folder_ / "cracks.pvd", pvd(times_, cracks, gone_));
+  if (in_pieces) write_atomically(folder_ / fields_in_pieces(number), pvtu(number, communicator_->size()));
+  if (frame.cracks) write_atomically(folder_ / cracks(number), vtp(*frame.cracks));
+  write_atomically(folder_ / "fields.pvd", pvd(times_, in_pieces ? fields_in_pieces : fields, gone_));
+  if (frame.cracks) write_atomically(folder_ / "cracks.pvd", pvd(times_, cracks, gone_));
 }
 
 /// Pieces of later frames may be of more ranks than there are now.
@@ -123,7 +124,7 @@ std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder
 }
 
 void write_cracks(const std::filesystem::path& path, const Cracks& cracks) {
-  write_whole(path, vtp(cracks));
+  write_atomically(path, vtp(cracks));
 }
 
 namespace {

@@ -190,14 +190,14 @@ private:
   /// Adds a discretisation to the path; else why there is none.
   std::string step(double size) {
     const auto begin = Clock::now();
-    std::variant<AccuracyTrial, Unfit> next;
+    std::variant<AccuracyTrial, Infeasible> next;
     try {
       next = solve_(size);
     } catch (const plate::NumericalError& error) {
       if (found_.path.empty()) throw;
       return error.what();
     }
-    if (const auto* unfit = std::get_if<Unfit>(&next))
+    if (const auto* unfit = std::get_if<Infeasible>(&next))
       return fmt::format("what forbids the next discretisation: {}", unfit->why);
     auto& trial = std::get<AccuracyTrial>(next);
     const auto& problem = trial.plate->problem();
@@ -238,7 +238,7 @@ std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<
   return rows;
 }
 
-std::vector<std::string> distrust_of(const AccuracySummary& found) {
+std::vector<std::string> warnings_about(const AccuracySummary& found) {
   if (found.outcome == "reached") return {};
   return {fmt::format("srif.accuracy = {:g} not reached, estimated error {}: ended by {}", found.asked,
                       found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.outcome)};

@@ -36,12 +36,12 @@ struct AccuracyTrial {
 };
 
 /// Why a discretisation cannot be had: points that are too coarse may not do where finer ones do.
-struct Unfit {
+struct Infeasible {
   std::string why;
 };
 
 /// A discretisation of a size, solved.
-using Solve = std::function<std::variant<AccuracyTrial, Unfit>(double size)>;
+using Solve = std::function<std::variant<AccuracyTrial, Infeasible>(double size)>;
 
 struct AccuracyFound {
   AccuracySummary summary;                 // without a path where no discretisation could be had
@@ -60,6 +60,6 @@ std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<
                                        const SrifOptions& options, double thickness);
 
 /// That the accuracy was not reached, and what ended the search.
-std::vector<std::string> distrust_of(const AccuracySummary& found);
+std::vector<std::string> warnings_about(const AccuracySummary& found);
 
 }  // namespace post

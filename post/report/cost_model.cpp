@@ -83,7 +83,7 @@ double by_area(const Samples& s, double small, double large) {
 }
 
 /// Computing time of the factors: of rings of points about the tips, and at each row of the energies of all points.
-double of_factors(const Samples& s, const WholeRun& whole) {
+double of_factors(const Samples& s, const RunSize& whole) {
   const auto& without = s.large;
   const auto& with = s.factors.value_or(s.large);
   const double per_point = without.seconds("srif") / without.rows / without.points();
@@ -96,7 +96,7 @@ double of_factors(const Samples& s, const WholeRun& whole) {
   return result + std::max(0.0, row - per_point * with.points()) * wider * whole.rows;
 }
 
-double of_solution(const Samples& s, const WholeRun& whole) {
+double of_solution(const Samples& s, const RunSize& whole) {
   const double more = whole.points / s.large.points();
   const auto& with = s.factors.value_or(s.large);
   if (!s.longer || s.longer->steps() <= with.steps())
@@ -106,7 +106,7 @@ double of_solution(const Samples& s, const WholeRun& whole) {
   return more * (once + std::max(0.0, step) * whole.steps);
 }
 
-double of_files(const Samples& s, const WholeRun& whole) {
+double of_files(const Samples& s, const RunSize& whole) {
   const double frames = whole.frames / s.large.frames;
   return s.opening + by_points(s, frames * whole.points, s.small.seconds("output"), s.large.seconds("output"));
 }
@@ -128,26 +128,26 @@ double SampleRun::seconds(const std::string& stage) const {
   return found == summary.seconds.end() ? 0 : share * found->second;
 }
 
-double Foretold::total() const {
+double CostEstimate::total() const {
   return std::accumulate(seconds.begin(), seconds.end(), 0.0, [](double sum, const auto& s) { return sum + s.second; });
 }
 
-double whole_points(const Samples& s) {
+double total_points(const Samples& s) {
   return by_area(s, s.small.points(), s.large.points());
 }
 
-double whole_bonds(const Samples& s) {
+double total_bonds(const Samples& s) {
   return by_area(s, double(s.small.summary.bonds), double(s.large.summary.bonds));
 }
 
-double whole_parts(const Samples& s, double points) {
+double bytes_of_parts(const Samples& s, double points) {
   const auto of = [](const SampleRun& run) {
     double sum = 0;
     for (const auto& part : run.summary.scene)
       if (part.name != "factor") sum += part.bytes_per_point * run.points();
     return sum;
   };
-  return by_area(s, of(s.small), of(s.large)) / whole_points(s) * points;
+  return by_area(s, of(s.small), of(s.large)) / total_points(s) * points;
 }
 
 double bytes_of_rings(double radius) {
@@ -158,7 +158,7 @@ double bytes_of_program(bool fields) {
   return fields ? 37e6 : 14e6;
 }
 
-double whole_time_step(const Samples& s) {
+double stable_step_of_run(const Samples& s) {
   const auto square = [](const SampleRun& run) {
     return std::pow(run.summary.analysis.time_step_limit.value_or(0), -2);
   };
@@ -166,8 +166,8 @@ double whole_time_step(const Samples& s) {
   return 1 / std::sqrt(TwoTerms({of(s.small), 1, square(s.small)}, {of(s.large), 1, square(s.large)})(1, 1));
 }
 
-Foretold foretold(const Samples& s, const WholeRun& whole) {
-  Foretold result;
+CostEstimate estimated_cost(const Samples& s, const RunSize& whole) {
+  CostEstimate result;
   const double more = whole.points / s.large.points();
   result.iterations = double(s.large.summary.analysis.iterations.value_or(0)) * std::pow(more, whole.iterations_order);
   result.seconds = {

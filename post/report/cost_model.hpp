@@ -65,7 +65,7 @@ struct Samples {
 };
 
 /// Size of the run whose cost is estimated, and the orders of its solution's cost in the number of points.
-struct WholeRun {
+struct RunSize {
   double points = 0, rings = 0;
   double steps = 0, rows = 1, frames = 1;  // in motion
   double iterations_order = 0, seconds_order = 1;
@@ -73,7 +73,7 @@ struct WholeRun {
 };
 
 /// Estimated cost of a run.
-struct Foretold {
+struct CostEstimate {
   std::vector<std::pair<std::string, double>> seconds;  // setting up, solution, factors, files
   double iterations = 0, files = 0;                     // files: [bytes]
 
@@ -81,10 +81,10 @@ struct Foretold {
 };
 
 /// Points, or bonds, of the whole plate: their numbers follow its area and, at edges, its sides.
-double whole_points(const Samples& samples);
-double whole_bonds(const Samples& samples);
+double total_points(const Samples& samples);
+double total_bonds(const Samples& samples);
 /// Memory of its parts, as the samples tell it [bytes]; a factor is none of them.
-double whole_parts(const Samples& samples, double points);
+double bytes_of_parts(const Samples& samples, double points);
 /// Memory for the unit fields of rings of so many spacings: measured 30 MB for 24, 13 for 15 [bytes].
 double bytes_of_rings(double radius);
 /// Memory of a program that has opened nothing, and of the libraries for files of fields [bytes]: measured 14 MB, 23
@@ -92,8 +92,8 @@ double bytes_of_rings(double radius);
 double bytes_of_program(bool fields);
 /// The stable step of the whole plate: the highest frequency is that of waves as short as the spacing, or of rotations,
 /// which the thickness gives.
-double whole_time_step(const Samples& samples);
+double stable_step_of_run(const Samples& samples);
 
-Foretold foretold(const Samples& samples, const WholeRun& whole);
+CostEstimate estimated_cost(const Samples& samples, const RunSize& whole);
 
 }  // namespace post

@@ -101,7 +101,7 @@ PlotAxis y_axis(const Panel& panel) {
   return plot_axis(marks ? widened(found, panel.y_scale) : found, panel.y_scale, count, !marks);
 }
 
-struct Laid {
+struct PanelLayout {
   PlotAxis t, y;
   double height = 0;  // of the plot
   bool shows_t = true;
@@ -114,8 +114,8 @@ struct Laid {
   double end() const { return floor() + (shows_t ? labels_height : 0); }
 };
 
-Laid laid(const Panel& panel, double from) {
-  Laid result;
+PanelLayout panel_layout(const Panel& panel, double from) {
+  PanelLayout result;
   result.t = t_axis(panel);
   result.y = y_axis(panel);
   result.height = panel.height;
@@ -138,11 +138,11 @@ Laid laid(const Panel& panel, double from) {
   return result;
 }
 
-std::vector<Laid> laid(const std::vector<Panel>& panels) {
-  std::vector<Laid> result;
+std::vector<PanelLayout> panel_layout(const std::vector<Panel>& panels) {
+  std::vector<PanelLayout> result;
   double from = top;
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    result.push_back(laid(panels[i], from));
+    result.push_back(panel_layout(panels[i], from));
     const bool is_last = i + 1 == panels.size();
     result[i].shows_t = is_last || panels[i + 1].t_title != panels[i].t_title ||
                         panels[i + 1].t_scale != panels[i].t_scale || t_axis(panels[i + 1]).range != result[i].t.range;
@@ -151,7 +151,7 @@ std::vector<Laid> laid(const std::vector<Panel>& panels) {
   return result;
 }
 
-std::string axes(const Panel& panel, const Laid& at) {
+std::string axes(const Panel& panel, const PanelLayout& at) {
   std::string text;
   for (const auto& [value, label] : at.t.ticks) {
     const double x = at.x_of(value);
@@ -188,7 +188,7 @@ std::string mark(const Series& series, double x, double y) {
   return series.line == Line::rings ? svg::ring(x, y) : svg::mark(x, y, svg::Look(series.number));
 }
 
-std::string path(const Panel& panel, const Series& series, const Laid& at) {
+std::string path(const Panel& panel, const Series& series, const PanelLayout& at) {
   const Curve curve = thinned(series.curve, static_cast<std::size_t>(plot_width));
   std::string points, marks;
   bool joined = false;
@@ -216,7 +216,7 @@ std::string legend_entry(const Series& series, double x, double y) {
                             escaped(series.label));
 }
 
-std::string drawn(const Panel& panel, const Laid& at) {
+std::string drawn(const Panel& panel, const PanelLayout& at) {
   std::string text = axes(panel, at);
   for (const Series& series : panel.series) text += path(panel, series, at);
   text += fmt::format("  <rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", left,
@@ -249,7 +249,7 @@ void add_extremes(Curve& result, const Curve& curve, std::size_t from, std::size
 }  // namespace
 
 std::string to_svg(const CurvePlot& plot) {
-  const std::vector<Laid> at = laid(plot.panels);
+  const std::vector<PanelLayout> at = panel_layout(plot.panels);
   const double height = (at.empty() ? top : at.back().end()) + bottom;
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

@@ -221,7 +221,7 @@ std::string text_of(const plate::Load& load) {
 
 std::string text_of(const plate::Foundation& foundation) {
   Members members{{"modulus", json_number(foundation.modulus)}, {"shear", json_number(foundation.shear)}};
-  if (foundation.lifts_off) members.emplace_back("lifts_off", "true");
+  if (foundation.unilateral) members.emplace_back("lifts_off", "true");
   if (foundation.patch) members.emplace_back("patch", text_of(*foundation.patch));
   return json_object(members);
 }

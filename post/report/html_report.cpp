@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "plate/model/problem.hpp"
+#include "post/files/atomic_file.hpp"
 #include "post/files/table.hpp"
 #include "post/files/vtk_series.hpp"
-#include "post/files/whole_file.hpp"
 #include "post/report/html_data.hpp"
 #include "post/report/html_page.hpp"
 
@@ -56,7 +56,7 @@ void write_report(const fs::path& folder, const ReportedCase& about, const Pictu
                                  {"tables", tables(folder)},
                                  {"pictures", pictures.json()},
                                  {"case", json_text(read_text(folder / "case.resolved.toml"))}});
-  write_whole(folder / "report.html", page(about.title, data));
+  write_atomically(folder / "report.html", page(about.title, data));
 }
 
 void write_report(const fs::path& folder, const ReportedCase& about) {
@@ -125,7 +125,7 @@ void write_study_report(const fs::path& folder, const std::string& title) {
                                  {"study", table_json(study, most)},
                                  {"orders", table_in(folder / "orders.csv")},
                                  {"runs", reports_in(folder)}});
-  write_whole(folder / "report.html", page(title, data));
+  write_atomically(folder / "report.html", page(title, data));
 }
 
 void write_extremes_report(const fs::path& folder, const std::string& title) {
@@ -133,7 +133,7 @@ void write_extremes_report(const fs::path& folder, const std::string& title) {
                                  {"title", json_text(title)},
                                  {"extremes", table_in(folder / "extremes.csv")},
                                  {"runs", reports_in(folder)}});
-  write_whole(folder / "report.html", page(title, data));
+  write_atomically(folder / "report.html", page(title, data));
 }
 
 bool write_report_of_many(const fs::path& folder) {

@@ -75,9 +75,9 @@ std::vector<FaceOverlaps> face_overlaps(const Table& srifs) {
   return result;
 }
 
-std::vector<std::string> distrust_of_faces(const std::vector<FaceOverlaps>& found, const plate::Section& section,
-                                           const std::function<std::size_t(std::size_t tip)>& crack,
-                                           const std::function<std::string(double time)>& row) {
+std::vector<std::string> warnings_about_faces(const std::vector<FaceOverlaps>& found, const plate::Section& section,
+                                              const std::function<std::size_t(std::size_t tip)>& crack,
+                                              const std::function<std::string(double time)>& row) {
   std::map<std::size_t, std::vector<const FaceOverlaps*>> by_crack;
   for (const auto& tip : found)
     if (tip.above > 0) by_crack[crack ? crack(tip.tip) : 0].push_back(&tip);

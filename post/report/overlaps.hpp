@@ -16,8 +16,8 @@ std::vector<FaceOverlaps> face_overlaps(const Table& srifs);
 
 /// A line for every crack with a tip that has or had K1 < 0. `crack` of a tip; without it all tips are one crack's.
 /// `row`: the words for a row, by its time; without it there is one row.
-std::vector<std::string> distrust_of_faces(const std::vector<FaceOverlaps>& found, const plate::Section& section,
-                                           const std::function<std::size_t(std::size_t tip)>& crack,
-                                           const std::function<std::string(double time)>& row);
+std::vector<std::string> warnings_about_faces(const std::vector<FaceOverlaps>& found, const plate::Section& section,
+                                              const std::function<std::size_t(std::size_t tip)>& crack,
+                                              const std::function<std::string(double time)>& row);
 
 }  // namespace post

@@ -14,7 +14,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/settled.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "post/report/response.hpp"
 
 namespace post {
@@ -134,7 +134,8 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
         });
     result.supports[h] = {force, moment_x, moment_y};
   }
-  for (const auto& part : boundary_->attached.holding()) result.supports.push_back(applied(part->force(state)).sum);
+  for (const auto& part : boundary_->elastic_supports.holding())
+    result.supports.push_back(applied(part->force(state)).sum);
   Wrench left = result.sum();
   left += loads.sum;
   double largest = loads.size;
@@ -151,9 +152,9 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
 Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
   constexpr std::size_t most = 16;
   const auto& held = boundary_->constraints.held();
-  const auto attached = boundary_->attached.holding();
+  const auto elastic_supports = boundary_->elastic_supports.holding();
   const auto points = Eigen::Index(plate.points());
-  const auto holders = boundary_->holders.size(), all = holders + attached.size();
+  const auto holders = boundary_->holders.size(), all = holders + elastic_supports.size();
   const bool each = all <= most;
   std::vector<plate::State> units(each ? holders : 1, plate::State::Zero(3, points));
   for (const auto& [holder, i, unit] : shares_) units[each ? holder : 0].reshaped()[held[i]] += unit.force;
@@ -168,8 +169,8 @@ Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
   }
   plate::State along_w = plate::State::Zero(3, points);
   along_w.row(0).setOnes();
-  for (std::size_t i = 0; i < attached.size(); ++i) {  // what they do to the plate is the support's own force
-    forces = -attached[i]->force(along_w);
+  for (std::size_t i = 0; i < elastic_supports.size(); ++i) {  // what they do to the plate is the support's own force
+    forces = -elastic_supports[i]->force(along_w);
     add(each ? holders + i : 0);
   }
   return result;
@@ -186,7 +187,7 @@ Eigen::VectorXd on_held(const plate::Formulation& plate, const plate::Operator& 
 std::vector<ReactionSummary::Support> supports_of(const plate::Formulation& plate) {
   std::vector<ReactionSummary::Support> result;
   for (const auto& holder : plate.boundary().holders) result.push_back({holder.name, holder.position});
-  for (const auto& part : plate.boundary().attached.holding()) result.push_back({part->name, part->position});
+  for (const auto& part : plate.boundary().elastic_supports.holding()) result.push_back({part->name, part->position});
   return result;
 }
 
@@ -197,14 +198,14 @@ std::function<plate::Forces(const plate::State&)> inertial_force(const plate::Fo
     return [inertia = std::make_shared<plate::Inertia>(plate.inertia(rotary))](const plate::State& acceleration) {
       return inertia->whole(acceleration);
     };
-  return [mass = plate::whole_mass(plate, rotary)](const plate::State& acceleration) -> plate::Forces {
+  return [mass = plate::unconstrained_mass(plate, rotary)](const plate::State& acceleration) -> plate::Forces {
     return mass.cwiseProduct(acceleration);
   };
 }
 
-plate::Forces pressing(const plate::Blow& blow, Eigen::Index points) {
+plate::Forces pressing(const plate::ContactForce& contact_force, Eigen::Index points) {
   plate::Forces result = plate::Forces::Zero(3, points);
-  for (const auto& [dof, factor] : blow.terms) plate::at_dof(result, dof) += factor * blow.force;
+  for (const auto& [dof, factor] : contact_force.terms) plate::at_dof(result, dof) += factor * contact_force.force;
   return result;
 }
 
@@ -235,7 +236,7 @@ void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces)
     const double factor = plate::factor(one.history, now.time);
     loads.add(factor, one.moving ? supports.applied(one.moving->whole(now.time, plate_->points())) : each[i]);
   }
-  if (now.blow) loads.add(1, supports.applied(pressing(*now.blow, now.state.cols())));
+  if (now.contact_force) loads.add(1, supports.applied(pressing(*now.contact_force, now.state.cols())));
   plate::State acceleration = now.acceleration();
   if (drag_ > 0) acceleration += drag_ * now.velocity();
   const auto inertia = supports.applied(inertial_force(acceleration));

@@ -165,10 +165,10 @@ void statics(benchmark::State& run) {
     else if constexpr (way == Way::diagonal)
       iterations = plate::conjugate_gradients(p.op(), constraints, p.load, options).iterations;
     else if constexpr (way == Way::local) {
-      const plate::LocalPlate local(p.op(), p.boundary(), c.section, c.discretization);
+      const plate::ShortHorizonPreconditioner local(p.op(), p.boundary(), c.section, c.discretization);
       iterations = plate::conjugate_gradients(p.op(), constraints, p.load, options, &local).iterations;
     } else if constexpr (way == Way::two_level) {
-      const plate::TwoLevelPlate coarse(p.op(), p.boundary(), c.section, c.discretization);
+      const plate::TwoLevelPreconditioner coarse(p.op(), p.boundary(), c.section, c.discretization);
       iterations = plate::conjugate_gradients(p.op(), constraints, p.load, options, &coarse).iterations;
     } else {
       const plate::AssembledPlate factor(p.op(), constraints, plate::stiffness_matrix(p.op(), true));
@@ -218,8 +218,8 @@ BENCHMARK(statics<Way::adr>)->Arg(100)->Arg(250)->Unit(ms)->UseRealTime()->Itera
 BENCHMARK(statics<Way::diagonal>)->Arg(100)->Arg(250)->Arg(500)->Unit(ms)->UseRealTime()->Iterations(1);
 BENCHMARK(statics<Way::local>)->Arg(100)->Arg(250)->Arg(500)->Unit(ms)->UseRealTime()->Iterations(1);
 BENCHMARK(statics<Way::two_level>)->Arg(100)->Arg(250)->Arg(500)->Arg(1000)->Unit(ms)->UseRealTime()->Iterations(1);
-BENCHMARK(next_load<plate::LocalPlate>)->Arg(250)->Unit(ms)->UseRealTime()->Iterations(1);
-BENCHMARK(next_load<plate::TwoLevelPlate>)->Arg(250)->Unit(ms)->UseRealTime()->Iterations(1);
+BENCHMARK(next_load<plate::ShortHorizonPreconditioner>)->Arg(250)->Unit(ms)->UseRealTime()->Iterations(1);
+BENCHMARK(next_load<plate::TwoLevelPreconditioner>)->Arg(250)->Unit(ms)->UseRealTime()->Iterations(1);
 BENCHMARK(statics<Way::direct>)->Arg(100)->Unit(ms)->UseRealTime()->Iterations(1);
 BENCHMARK(loads_on_one_factor)->Args({100, 1})->Args({100, 10})->Unit(ms)->UseRealTime()->Iterations(1);
 

@@ -79,7 +79,7 @@ void check_xml(const fs::path& folder) {
     const auto kind = entry.path().extension();
     if (kind != ".vtu" && kind != ".vtp" && kind != ".pvd") continue;
     INFO(entry.path());
-    CHECK(xml::fault(text_of(entry.path())) == "");
+    CHECK(xml::error(text_of(entry.path())) == "");
     ++files;
   }
   CHECK(files >= 2);

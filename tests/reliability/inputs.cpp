@@ -20,7 +20,7 @@
 #include "plate/model/loads.hpp"
 #include "post/files/checkpoints.hpp"
 #include "post/files/hdf5/state_file.hpp"
-#include "post/files/kept.hpp"
+#include "post/files/results_in_memory.hpp"
 #include "post/files/run_folder.hpp"
 #include "post/files/summary.hpp"
 #include "tests/reliability/mutated.hpp"
@@ -120,8 +120,8 @@ void run_a_case(const std::string& bytes) {
       const auto& grid = prepared.steps->grid;
       if (grid.steps > steps || grid.steps > rows * grid.steps_per_row) return;
     }
-    post::Kept kept;
-    cases::run(file, {folder() / "results", true, &kept});
+    post::ResultsInMemory in_memory;
+    cases::run(file, {folder() / "results", true, &in_memory});
   } catch (const cases::CaseError&) {
   } catch (const plate::NumericalError&) {
   }

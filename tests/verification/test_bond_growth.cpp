@@ -183,9 +183,9 @@ TEST_CASE("bonds in motion: a slow crack takes the fracture energy within a tent
 }
 
 TEST_CASE("bonds in motion: a plate that falls to pieces keeps its books, and pieces may be frozen") {
-  for (const auto fallen : {Growth::Fallen::move, Growth::Fallen::freeze}) {
+  for (const auto detached : {Growth::Detached::move, Growth::Detached::freeze}) {
     auto c = struck(8);
-    c.growth->fallen = fallen;
+    c.growth->detached = detached;
     const auto found = moved(c);
     CAPTURE(found.summary.growth->outcome, found.residual);
     CHECK(*found.summary.growth->broken_bonds > 1000);
@@ -196,7 +196,7 @@ TEST_CASE("bonds in motion: a plate that falls to pieces keeps its books, and pi
         if (of == name) return value;
       return 0.0;
     };
-    const bool frozen = fallen == Growth::Fallen::freeze;
+    const bool frozen = detached == Growth::Detached::freeze;
     CHECK((energy("frozen") > 0.1 * energy("external_work")) == frozen);
     CHECK((energy("kinetic") > 0.5 * energy("external_work")) == !frozen);
   }

@@ -88,7 +88,7 @@ public:
   std::vector<plate::MemoryPart> memory(bool) const override {
     return {{"bonds", "parameters", double(bonds_.size() * sizeof(Bond))}};
   }
-  std::vector<std::string> distrust(bool) const override { return {"bare bonds"}; }
+  std::vector<std::string> warnings(bool) const override { return {"bare bonds"}; }
   std::string remedy() const override { return "take another formulation"; }
 
 private:
@@ -127,7 +127,8 @@ plate::Discretised bare_bonds(const plate::Problem& problem, const plate::Commun
       problem, {}, geometry::tips(paths), plate::boundary(std::move(cloud), outline, problem.supports, d), {}, {}};
   const auto& boundary = layout.boundary;
   const auto whole = geometry::families(boundary.cloud, d.horizon(), plate::sees(boundary, outline, d.horizon_ratio));
-  auto families = plate::sever(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
+  auto families = plate::without_crossing_bonds(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units),
+                                                d.horizon_ratio);
   auto shapes = plate::bond_shapes(families.vectors(), problem.section, d);
   layout.pieces = plate::pieces(boundary, families);
   layout.cut = plate::cut_share(whole, families, shapes, boundary.cloud.plate_points);
@@ -187,7 +188,7 @@ TEST_CASE("third formulation: in statics as the ordinary plate with the same par
   CHECK(ours.srif.front().K1 > 0);
   CHECK(ours.srif.front().K1 == Approx(theirs.srif.front().K1).epsilon(1e-4));
   for (const char* name : {"fields.pvd", "fields_0000.vtu"})
-    CHECK(xml::fault(small_run::text_of(folder / "bare" / name)) == "");
+    CHECK(xml::error(small_run::text_of(folder / "bare" / name)) == "");
   CHECK(fs::file_size(folder / "bare/state.h5") > 1000);
 }
 

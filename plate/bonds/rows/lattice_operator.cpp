@@ -72,7 +72,7 @@ struct LatticeRows<Real>::Scratch {
 
 template <typename Real>
 LatticeRows<Real>::LatticeRows(const FamilyOperator& plate) : exchange_(plate.part().exchange) {
-  if (exchange_ && plate.part().awaited.size() != plate.points())
+  if (exchange_ && plate.part().pending.size() != plate.points())
     throw std::invalid_argument("what of a part of a plate waits for others is not known");
   q_.setZero(Eigen::Index(plate.points()));
   const double spacing = shortest_bond(plate);
@@ -80,7 +80,7 @@ LatticeRows<Real>::LatticeRows(const FamilyOperator& plate) : exchange_(plate.pa
   for (const auto& run : plate.runs().runs) std::fill_n(pattern_of.begin() + run.first_point, run.length, run.pattern);
   const Patterns patterns = rounded<Real>(plate.patterns(), pattern_of, plate.part());
   add_columns(patterns, add_rows(plate.runs(), patterns, spacing, plate.part()), pattern_of, spacing, plate.part());
-  keep_wanted(plate.part().wanted);
+  select_wanted(plate.part().wanted);
   share_out();
 }
 
@@ -145,7 +145,7 @@ void LatticeRows<Real>::add_columns(const Patterns& patterns, const std::vector<
 /// Leaves out rows and columns of which nothing is wanted; they are found with all, so that what is wanted is computed
 /// the same way in every part.
 template <typename Real>
-void LatticeRows<Real>::keep_wanted(const std::vector<char>& wanted) {
+void LatticeRows<Real>::select_wanted(const std::vector<char>& wanted) {
   if (wanted.empty()) return;
   std::erase_if(rows_, [&](const Row& row) {
     return std::none_of(wanted.begin() + row.first, wanted.begin() + row.first + row.length, [](char w) { return w; });
@@ -250,7 +250,7 @@ void LatticeRows<Real>::for_share(const Tasks& tasks, const OnRow& row, const On
 /// Two exchanges, each behind the work on rows inside: what a state waits for behind their dilatations, dilatations
 /// behind their forces. Of several threads the first waits, while the others go on with what needs nothing of it.
 template <typename Real>
-void LatticeRows<Real>::internal_force(const Values<Real>& state, Values<Real>& forces, Awaited* rest) const {
+void LatticeRows<Real>::internal_force(const Values<Real>& state, Values<Real>& forces, PendingExchange* rest) const {
   const auto count = state.cols();
   if (rest && !exchange_) rest->complete(), rest = nullptr;
   if (forces.cols() != count) forces.setZero(3, count);  // what is not wanted stays zero

@@ -32,7 +32,7 @@ private:
   std::vector<double> until_;  // time of all up to every one
 };
 
-class Awaited;
+class PendingExchange;
 
 /// The forces of a FamilyOperator in the number `Real`, for many points at once. Points that follow each other and
 /// share a pattern of bonds are rows. Points one above the other that look alike, but not to the numbering, are
@@ -45,7 +45,7 @@ public:
   explicit LatticeRows(const FamilyOperator& plate);
 
   /// `rest`: of the state, where that may be on its way; complete afterwards.
-  void internal_force(const Values<Real>& state, Values<Real>& forces, Awaited* rest = nullptr) const;
+  void internal_force(const Values<Real>& state, Values<Real>& forces, PendingExchange* rest = nullptr) const;
 
   double row_share() const { return row_share_; }        // of the points: in rows of their own
   double folded_share() const { return folded_share_; }  // of the points: in rows that are folded
@@ -73,7 +73,7 @@ private:
                                       const OperatedPart& part);
   void add_columns(const Patterns& patterns, const std::vector<std::uint32_t>& points,
                    const std::vector<std::uint32_t>& pattern_of, double spacing, const OperatedPart& part);
-  void keep_wanted(const std::vector<char>& wanted);
+  void select_wanted(const std::vector<char>& wanted);
   void share_out();
 
   void row_dilatation(const Row& row, const Fields<Real>& in, Real* q) const;
@@ -93,7 +93,7 @@ private:
   std::size_t waiting_packets_ = 0;                  // the first of them
   Tasks inside_, waiting_;                           // rows, gathered rows and packets, numbered in this order
   std::size_t field_size_ = 0;                       // of Scratch
-  std::shared_ptr<const Exchange> exchange_;         // of q_, where a process holds a part of the plate only
+  std::shared_ptr<const HaloExchange> exchange_;     // of q_, where a process holds a part of the plate only
   mutable Eigen::Array<Real, Eigen::Dynamic, 1> q_;  // by point, of the state in hand: 2 A a theta
   double row_share_ = 0, folded_share_ = 0, packet_share_ = 0;
 };
@@ -109,11 +109,11 @@ public:
 
   void internal_force(const State& state, Forces& forces) const override {
     rows_.internal_force(state, forces);
-    attached().add_force(state, forces);
+    elastic_supports().add_force(state, forces);
   }
-  void internal_force_meanwhile(const State& state, Awaited& rest, Forces& forces) const override {
+  void internal_force_overlapped(const State& state, PendingExchange& rest, Forces& forces) const override {
     rows_.internal_force(state, forces, &rest);
-    attached().add_force(state, forces);
+    elastic_supports().add_force(state, forces);
   }
 
   const LatticeRows<double>& rows() const { return rows_; }

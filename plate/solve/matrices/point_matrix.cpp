@@ -282,10 +282,10 @@ PointMatrix without_rounding(const PointMatrix& matrix) {
   return result;
 }
 
-PointMatrix with(PointMatrix matrix, const AttachedStiffness& attached) {
-  if (attached.parts().empty()) return matrix;
+PointMatrix with(PointMatrix matrix, const ElasticSupports& elastic_supports) {
+  if (elastic_supports.parts().empty()) return matrix;
   std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Matrix3d> blocks;  // column, row: on and below the diagonal
-  for (const auto& part : attached.parts())
+  for (const auto& part : elastic_supports.parts())
     part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
       if (row / 3 < column / 3) return;
       const auto [entry, fresh] = blocks.try_emplace({column / 3, row / 3}, Eigen::Matrix3d::Zero());

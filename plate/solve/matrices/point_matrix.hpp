@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "plate/formulation/attached_stiffness.hpp"
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/elastic_supports.hpp"
 
 namespace plate {
 
@@ -93,7 +93,7 @@ PointMatrix zeros(std::size_t points, const Couple& couple) {
 }
 
 /// The matrix and what is attached; the matrix itself where nothing is.
-PointMatrix with(PointMatrix matrix, const AttachedStiffness& attached);
+PointMatrix with(PointMatrix matrix, const ElasticSupports& elastic_supports);
 
 /// The matrix and a number for every degree of freedom on its diagonal.
 PointMatrix plus(PointMatrix matrix, const Forces& diagonal);

@@ -20,18 +20,22 @@ double deflection(const Impactor& impactor, const State& state) {
 }  // namespace
 
 ImpactContact::ImpactContact(const Impactor& impactor, const State& state)
-    : impactor_(impactor), striker_{deflection(impactor, state), impactor.velocity} {}
+    : impactor_(impactor), impactor_state_{deflection(impactor, state), impactor.velocity} {}
 
 void ImpactContact::press(const State& state, Forces& forces) {
   const double towards = impactor_.velocity < 0 ? -1 : 1;
-  overlap_ = std::max(0.0, towards * (striker_.place - deflection(impactor_, state)));
+  overlap_ = std::max(0.0, towards * (impactor_state_.place - deflection(impactor_, state)));
   force_ = towards * impactor_.stiffness * overlap_;
-  if (std::abs(force_) > std::abs(striker_.largest)) striker_.largest = force_;
+  if (std::abs(force_) > std::abs(impactor_state_.largest)) impactor_state_.largest = force_;
   for (const auto& [dof, factor] : impactor_.terms) at_dof(forces, dof) += factor * force_;
 }
 
-Blow ImpactContact::blow(double half) const {
-  return {striker_.place, striker_.velocity + half * acceleration(), force_, striker_.largest, striker_.touching,
+ContactForce ImpactContact::contact_force(double half) const {
+  return {impactor_state_.place,
+          impactor_state_.velocity + half * acceleration(),
+          force_,
+          impactor_state_.largest,
+          impactor_state_.touching,
           impactor_.terms};
 }
 
@@ -40,7 +44,7 @@ double ImpactContact::spring() const {
 }
 
 double ImpactContact::kinetic(double half) const {
-  const double v = striker_.velocity + half * acceleration();
+  const double v = impactor_state_.velocity + half * acceleration();
   return impactor_.mass * v * v / 2;
 }
 
@@ -50,9 +54,9 @@ double ImpactContact::discrete_kinetic(double half, double time_step) const {
 }
 
 void ImpactContact::move(double share, double time_step) {
-  striker_.velocity += share * acceleration();
-  striker_.place += time_step * striker_.velocity;
-  if (force_ != 0) striker_.touching += time_step;
+  impactor_state_.velocity += share * acceleration();
+  impactor_state_.place += time_step * impactor_state_.velocity;
+  if (force_ != 0) impactor_state_.touching += time_step;
 }
 
 /// The largest eigenvalue of a sum is at most the sum of theirs. A step on the way into the contact may book too much
@@ -70,15 +74,15 @@ double stable_step(double free, const Impactor& impactor, const Constraints& con
   return std::min(2 / std::sqrt(4 / (free * free) + square), of_contact / std::sqrt(square));
 }
 
-Beside::Beside(const DynamicOptions& options, const State& state)
-    : damping_{options.mass_damping, options.stiffness_damping}, time_step_(options.time_step), kept_(options.keep) {
+ContactAndDamping::ContactAndDamping(const DynamicOptions& options, const State& state)
+    : damping_{options.mass_damping, options.stiffness_damping}, time_step_(options.time_step), kept_(options.save) {
   const auto* from = options.from;
   if (from) earlier_ = from->earlier, dissipated_ = from->dissipated;
   if (options.impact)
-    contact_ = from ? ImpactContact(*options.impact, from->striker) : ImpactContact(*options.impact, state);
+    contact_ = from ? ImpactContact(*options.impact, from->impactor_state) : ImpactContact(*options.impact, state);
 }
 
-void Beside::find(const State& state, const State& velocity, const Forces& force, const ForceOf& force_of) {
+void ContactAndDamping::find(const State& state, const State& velocity, const Forces& force, const ForceOf& force_of) {
   if (damping_.stiffness > 0) {
     if (before_.size() == 0)
       before_ = earlier_.size() > 0 ? force_of(earlier_) : Forces(force - time_step_ * force_of(velocity));
@@ -91,22 +95,22 @@ void Beside::find(const State& state, const State& velocity, const Forces& force
   contact_->press(state, pressed_);
 }
 
-void Beside::add_on_held(const Constraints& constraints, Eigen::VectorXd& held) const {
+void ContactAndDamping::add_on_held(const Constraints& constraints, Eigen::VectorXd& held) const {
   if (viscous_.size() > 0) held += constraints.on_held(viscous_);
 }
 
-void Beside::fold(const Constraints& constraints) {
+void ContactAndDamping::fold(const Constraints& constraints) {
   if (viscous_.size() > 0) constraints.fold(viscous_);
   if (pressed_.size() > 0) constraints.fold(pressed_);
 }
 
-void Beside::move(double share) {
+void ContactAndDamping::move(double share) {
   if (contact_) contact_->move(share, time_step_);
 }
 
-void Beside::remember(MotionMemory& memory) const {
+void ContactAndDamping::save(MotionCheckpoint& memory) const {
   memory.earlier = earlier_, memory.dissipated = dissipated_;
-  if (contact_) memory.striker = contact_->striker();
+  if (contact_) memory.impactor_state = contact_->impactor_state();
 }
 
 }  // namespace plate

@@ -13,24 +13,25 @@ public:
   /// `state`: of the plate at time 0.
   ImpactContact(const Impactor& impactor, const State& state);
   /// Goes on.
-  ImpactContact(const Impactor& impactor, const Striker& striker) : impactor_(impactor), striker_(striker) {}
+  ImpactContact(const Impactor& impactor, const ImpactorState& impactor_state)
+      : impactor_(impactor), impactor_state_(impactor_state) {}
 
   /// The force in this state; adds it to forces that are not folded.
   void press(const State& state, Forces& forces);
   /// At a step whose velocity is `half` a step after that of the striker: after press().
-  Blow blow(double half) const;
+  ContactForce contact_force(double half) const;
   /// Energies: of the spring, of the mass with the velocity of the step, and with the mean of both halves.
   double spring() const;
   double kinetic(double half) const;
   double discrete_kinetic(double half, double time_step) const;
   void move(double share, double time_step);
-  const Striker& striker() const { return striker_; }
+  const ImpactorState& impactor_state() const { return impactor_state_; }
 
 private:
   double acceleration() const { return -force_ / impactor_.mass; }
 
   Impactor impactor_;
-  Striker striker_;
+  ImpactorState impactor_state_;
   double overlap_ = 0, force_ = 0;
 };
 
@@ -43,12 +44,12 @@ class Constraints;
 
 /// Forces in time steps beside loads and stiffness: damping, of the mass with the mean velocity of both halves of a
 /// step, of the stiffness with that of the half step before, and the contact with a mass (theory (84, 85)).
-class Beside {
+class ContactAndDamping {
 public:
   /// Internal forces of a state in which what is held need not follow yet; not folded.
   using ForceOf = std::function<Forces(State)>;
 
-  Beside(const DynamicOptions& options, const State& state);
+  ContactAndDamping(const DynamicOptions& options, const State& state);
 
   bool acts() const { return contact_ || damps(); }
   bool damps() const { return !damping_.none(); }
@@ -65,7 +66,7 @@ public:
   void fold(const Constraints& constraints);
   void lose(double energy) { dissipated_ += energy; }
   void move(double share);
-  void remember(MotionMemory& memory) const;
+  void save(MotionCheckpoint& memory) const;
 
 private:
   Damping damping_;

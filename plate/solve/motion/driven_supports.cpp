@@ -7,7 +7,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/settled.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 
 namespace plate {
 
@@ -44,7 +44,7 @@ DrivenSupports::DrivenSupports(const std::vector<TimedLoad>& loads, const Constr
 }
 
 Forces driven_mass(const Formulation& plate, double rotary) {
-  return settles(plate) ? whole_mass(plate, rotary) : Forces(3, 0);
+  return has_prescribed_displacements(plate) ? unconstrained_mass(plate, rotary) : Forces(3, 0);
 }
 
 double DrivenSupports::place_of(const Driven& one, double time) const {
@@ -114,7 +114,7 @@ Terms(OfItself, OfLeader) -> Terms<OfItself, OfLeader>;  // clang 16 deduces non
 }  // namespace
 
 template <typename Real>
-void DrivenSupports::book(const State& state, const State& velocity, const Values<Real>& folded, double half) {
+void DrivenSupports::add_work(const State& state, const State& velocity, const Values<Real>& folded, double half) {
   if (!any()) return;
   for (auto& leader : leaders_) {
     if (!leader.own) continue;
@@ -132,15 +132,15 @@ void DrivenSupports::book(const State& state, const State& velocity, const Value
             [&](const Driven& one, double mass, const Leader& leader, const auto& add) {
               on_the_way(one, mass * leader.acceleration, add);
             }});
-  if (booked_)
+  if (counted_)
     work_ += (since + ahead_) / 2;
   else if (slow_)
     work_ += slowly / 2;
-  ahead_ = ahead, booked_ = true;
+  ahead_ = ahead, counted_ = true;
 }
 
-template void DrivenSupports::book(const State&, const State&, const Values<double>&, double);
-template void DrivenSupports::book(const State&, const State&, const Values<float>&, double);
+template void DrivenSupports::add_work(const State&, const State&, const Values<double>&, double);
+template void DrivenSupports::add_work(const State&, const State&, const Values<float>&, double);
 
 void DrivenSupports::complete(Instant& seen) const {
   if (!any()) return;
@@ -172,9 +172,9 @@ std::vector<double> DrivenSupports::memory() const {
   return any() ? std::vector<double>{work_, ahead_} : std::vector<double>{};
 }
 
-void DrivenSupports::recall(const std::vector<double>& memory) {
+void DrivenSupports::restore(const std::vector<double>& memory) {
   if (memory.empty()) return;
-  work_ = memory[0], ahead_ = memory[1], booked_ = true;
+  work_ = memory[0], ahead_ = memory[1], counted_ = true;
 }
 
 void DrivenSupports::start() {

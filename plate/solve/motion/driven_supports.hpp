@@ -38,7 +38,7 @@ public:
   void take(Values<Real>& force);
   /// After that: books the work of the supports up to now. `half`: step from the velocity to that of now.
   template <typename Real>
-  void book(const State& state, const State& velocity, const Values<Real>& folded, double half);
+  void add_work(const State& state, const State& velocity, const Values<Real>& folded, double half);
 
   double work() const { return work_; }
   /// Adds the contributions of the held degrees of freedom to kinetic energies, strain energy, velocities and
@@ -47,7 +47,7 @@ public:
 
   /// The numbers to go on from.
   std::vector<double> memory() const;
-  void recall(const std::vector<double>& memory);
+  void restore(const std::vector<double>& memory);
   /// The plate has come to where it is at time 0 slowly.
   void start();
 
@@ -80,7 +80,7 @@ private:
   std::vector<Driven> driven_;
   double time_ = 0, dt_ = 0, work_ = 0;
   double ahead_ = 0;  // work of the reactions of the call before on the way until now
-  bool booked_ = false, slow_ = false;
+  bool counted_ = false, slow_ = false;
 };
 
 }  // namespace plate

@@ -16,7 +16,7 @@
 #include "plate/solve/motion/contact_and_damping.hpp"
 #include "plate/solve/motion/driven_supports.hpp"
 #include "plate/solve/motion/masses_and_loads.hpp"
-#include "plate/solve/touched_plate.hpp"
+#include "plate/solve/plate_in_contact.hpp"
 #include "plate/solve/validation.hpp"
 
 namespace plate {
@@ -24,22 +24,24 @@ namespace {
 
 /// Acceleration of a degree of freedom whose velocity is half a step before, or that of time 0.
 template <typename Real>
-auto acceleration_of(const Values<Real>& force, const State& velocity, const Beside& beside, double time_step) {
-  const double alpha = beside.damping().mass, half = time_step / 2;
-  return [&force, &velocity, &beside, alpha, half](const PointClass& one, std::size_t c, Eigen::Index i) {
-    const double free = (double(force.data()[i]) + beside.force(i) + one.load[c]) * one.inverse_mass[c];
+auto acceleration_of(const Values<Real>& force, const State& velocity, const ContactAndDamping& contact_and_damping,
+                     double time_step) {
+  const double alpha = contact_and_damping.damping().mass, half = time_step / 2;
+  return [&force, &velocity, &contact_and_damping, alpha, half](const PointClass& one, std::size_t c, Eigen::Index i) {
+    const double free = (double(force.data()[i]) + contact_and_damping.force(i) + one.load[c]) * one.inverse_mass[c];
     return alpha > 0 ? (free - alpha * velocity.data()[i]) / (1 + alpha * half) : free;
   };
 }
 
 /// Losses to damping in the half steps before and after a step [energy].
 template <typename Real>
-std::array<double, 2> losses(const Step& now, const Values<Real>& force, const Masses& masses, const Beside& beside) {
-  const double dt = now.time_step, alpha = beside.damping().mass;
-  const auto acceleration = acceleration_of(force, now.velocity, beside, dt);
+std::array<double, 2> losses(const Step& now, const Values<Real>& force, const Masses& masses,
+                             const ContactAndDamping& contact_and_damping) {
+  const double dt = now.time_step, alpha = contact_and_damping.damping().mass;
+  const auto acceleration = acceleration_of(force, now.velocity, contact_and_damping, dt);
   return masses.sum<2>(now.state.cols(), [&](const PointClass& one, std::size_t c, Eigen::Index i) {
     const double a = acceleration(one, c, i), v = now.velocity.data()[i], after = v + (now.step == 0 ? dt / 2 : dt) * a;
-    const double drag = alpha * one.mass[c] * (v + dt / 2 * a) - beside.viscous(i);
+    const double drag = alpha * one.mass[c] * (v + dt / 2 * a) - contact_and_damping.viscous(i);
     return std::array<double, 2>{now.step == 0 ? 0 : dt / 2 * drag * v, dt / 2 * drag * after};
   });
 }
@@ -47,12 +49,12 @@ std::array<double, 2> losses(const Step& now, const Values<Real>& force, const M
 /// Instant that observers receive of a step; all arguments must outlive it. `force`: folded.
 template <typename Real>
 Instant seen(const Step& now, const Values<Real>& force, double work, const Masses& masses,
-             const Constraints& constraints, const Beside& beside) {
+             const Constraints& constraints, const ContactAndDamping& contact_and_damping) {
   const Eigen::Index points = now.state.cols();
   const double dt = now.time_step;
   // velocity at the full step: half a step on from the one before, none at the start
   const double half = now.step == 0 ? 0 : dt / 2;
-  const auto acceleration = acceleration_of(force, now.velocity, beside, dt);
+  const auto acceleration = acceleration_of(force, now.velocity, contact_and_damping, dt);
   const auto [kinetic, product, potential,
               strain] = masses.sum<4>(points, [&](const PointClass& one, std::size_t c, Eigen::Index i) {
     const double a = acceleration(one, c, i), v = now.velocity.data()[i] + half * a, change = dt / 2 * a;
@@ -73,12 +75,12 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
                  strain,     product,
                  -potential, [combined, points] { return combined(State::Zero(3, points), 1); },
                  {}};
-  if (const auto& contact = beside.contact()) {
+  if (const auto& contact = contact_and_damping.contact()) {
     result.kinetic_energy += contact->kinetic(half), result.strain_energy += contact->spring();
     result.discrete_kinetic_energy += contact->discrete_kinetic(half, dt);
-    result.blow = contact->blow(half);
+    result.contact_force = contact->contact_force(half);
   }
-  if (const double beta = beside.damping().stiffness; beta > 0)
+  if (const double beta = contact_and_damping.damping().stiffness; beta > 0)
     result.strained = [&constraints, &now_state = now.state, &velocity = now.velocity, beta] {
       State change = velocity;
       constraints.impose(change);
@@ -102,7 +104,7 @@ struct Begin {
       : state(State::Zero(3, points)), velocity(State::Zero(3, points)) {
     if (const auto* from = options.from) {
       state = from->state, velocity = from->velocity, step = from->step;
-      masses.recall(*from);
+      masses.restore(*from);
       return;
     }
     if (options.velocity.size() > 0)  // of what is held nobody asks before it follows
@@ -117,10 +119,11 @@ struct Begin {
 
 /// Goes on by a step.
 template <typename Real>
-void move(const Step& now, const Values<Real>& force, const Masses& masses, const Beside& beside) {
+void move(const Step& now, const Values<Real>& force, const Masses& masses,
+          const ContactAndDamping& contact_and_damping) {
   const double dt = now.time_step, share = now.step == 0 ? dt / 2 : dt;
-  if (beside.acts()) {
-    const auto acceleration = acceleration_of(force, now.velocity, beside, dt);
+  if (contact_and_damping.acts()) {
+    const auto acceleration = acceleration_of(force, now.velocity, contact_and_damping, dt);
     masses.for_each(now.state.cols(),
                     [&](const PointClass& one, std::size_t c, Eigen::Index first, std::uint32_t length) {
                       for (Eigen::Index i = first; i < first + length; ++i) {
@@ -148,19 +151,19 @@ void move(const Step& now, const Values<Real>& force, const Masses& masses, cons
 /// state, where that may be on its way.
 template <typename Real, typename InternalForce>
 std::optional<Eigen::VectorXd> find_forces(const InternalForce& internal_force, const Constraints& constraints,
-                                           const Step& now, Awaited* rest, bool on_held, Values<Real>& force,
-                                           Beside& beside) {
+                                           const Step& now, PendingExchange* rest, bool on_held, Values<Real>& force,
+                                           ContactAndDamping& contact_and_damping) {
   internal_force(now.state, rest, force);
   if constexpr (std::is_same_v<Real, double>)
-    if (beside.acts())
-      beside.find(now.state, now.velocity, force, [&](State of) {
-        Awaited rest_of(constraints, of);
+    if (contact_and_damping.acts())
+      contact_and_damping.find(now.state, now.velocity, force, [&](State of) {
+        PendingExchange rest_of(constraints, of);
         Forces result;
         internal_force(of, &rest_of, result);
         return result;
       });
   std::optional<Eigen::VectorXd> held;
-  if (on_held) held = constraints.on_held(force), beside.add_on_held(constraints, *held);
+  if (on_held) held = constraints.on_held(force), contact_and_damping.add_on_held(constraints, *held);
   return held;
 }
 
@@ -172,23 +175,23 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   const Communicator& all = constraints.communicator();
   const double dt = options.time_step;
   auto [state, velocity, begin] = Begin(options, masses, points);
-  Beside beside(options, state);
+  ContactAndDamping contact_and_damping(options, state);
   if (const auto* from = options.from) {
-    driven.recall(from->driven), travelling.recall(from->travelling);
+    driven.restore(from->driven), travelling.restore(from->travelling);
     if (all.distributed() && driven.any()) constraints.impose(state), driven.place(state, double(begin) * dt);
   }
   if (!options.from && options.start.size() > 0 && !options.bent) driven.start();
   Values<Real> force;
-  std::optional<Awaited> rest;  // of the state
+  std::optional<PendingExchange> rest;  // of the state
   for (std::size_t step = begin;; ++step) {
     const bool row = step % options.observe_every == 0 || step == options.steps;
     if (rest && (row || options.changes)) rest->complete();
     const bool stops = stops_at(all, row);
-    if (options.keep && (stops || ((row || !all.distributed()) && options.due()))) {
-      MotionMemory memory{step, state, velocity, {}, {}, {}};
-      masses.remember(memory), beside.remember(memory);
+    if (options.save && (stops || ((row || !all.distributed()) && options.due()))) {
+      MotionCheckpoint memory{step, state, velocity, {}, {}, {}};
+      masses.save(memory), contact_and_damping.save(memory);
       memory.driven = driven.memory(), memory.travelling = travelling.memory();
-      options.keep(memory);
+      options.save(memory);
     }
     const double time = static_cast<double>(step) * dt;
     const Step now{step, time, dt, state, velocity};
@@ -196,31 +199,31 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     const bool observed = row || stops;
     driven.at(time, dt, step == 0);
     auto held_force = find_forces(internal_force, constraints, now, rest ? &*rest : nullptr,
-                                  observed && options.held_forces, force, beside);
+                                  observed && options.held_forces, force, contact_and_damping);
     driven.take(force);
     std::optional<Values<Real>> own;  // of the plate alone
     if (options.changes && travelling.any()) constraints.fold(own.emplace(force));
     travelling.add(time, dt, state, force);
-    constraints.fold(force), beside.fold(constraints);
+    constraints.fold(force), contact_and_damping.fold(constraints);
     if constexpr (std::is_same_v<Real, double>)
       if (options.changes) options.changes->after_force(now, own ? *own : force);
     if (masses.varies()) masses.at(time);
     const double work = observed || masses.varies() ? masses.work(time, state) : 0;
-    driven.book(state, velocity, force, step == 0 ? 0 : dt / 2);
-    const auto [before, after] = beside.damps() ? losses(now, force, masses, beside) : std::array<double, 2>{0, 0};
+    driven.add_work(state, velocity, force, step == 0 ? 0 : dt / 2);
+    const auto [before, after] =
+        contact_and_damping.damps() ? losses(now, force, masses, contact_and_damping) : std::array<double, 2>{0, 0};
     if (observed) {
       require_finite(state, fmt::format("at step {}, time {:g}", step, time), all);
-      auto instant = seen(now, force, work, masses, constraints, beside);
-      instant.dissipated = beside.dissipated() + before;
+      auto instant = seen(now, force, work, masses, constraints, contact_and_damping);
+      instant.dissipated = contact_and_damping.dissipated() + before;
       driven.complete(instant), travelling.complete(instant);
-      instant.held_force = std::move(held_force);
-      instant.interrupted = stops;
+      instant.held_force = std::move(held_force), instant.interrupted = stops;
       observe(instant);
     }
     if (step == options.steps) return;
     if (stops) throw Interrupted(fmt::format("asked to stop at step {}, time {:g}", step, time));
-    move(now, force, masses, beside);
-    beside.lose(before + after), beside.move(step == 0 ? dt / 2 : dt);
+    move(now, force, masses, contact_and_damping);
+    contact_and_damping.lose(before + after), contact_and_damping.move(step == 0 ? dt / 2 : dt);
     rest.emplace(constraints, state);
     if (driven.any()) rest->complete(), driven.place_next(state);
   }
@@ -233,18 +236,19 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
                          const std::function<void(const Instant&)>& observe) {
   Masses masses(mass, loads, constraints);
   DrivenSupports driven;
-  if (options.whole_mass.cols() > 0) driven = {loads, constraints, options.whole_mass, mass, options.own};
+  if (options.unconstrained_mass.cols() > 0)
+    driven = {loads, constraints, options.unconstrained_mass, mass, options.own};
   const auto points = mass.cols();
   mass.resize(3, 0);
   if (!options.single) {
-    const auto internal_force = [&](const State& state, Awaited* rest, Forces& force) {
-      rest ? plate.internal_force_meanwhile(state, *rest, force) : plate.internal_force(state, force);
+    const auto internal_force = [&](const State& state, PendingExchange* rest, Forces& force) {
+      rest ? plate.internal_force_overlapped(state, *rest, force) : plate.internal_force(state, force);
     };
     return steps<double>(internal_force, constraints, std::move(masses), std::move(driven),
                          TravellingLoads(loads, constraints.communicator()), points, options, observe);
   }
   Values<float> rounded(3, points);
-  const auto internal_force = [&](const State& state, Awaited* rest, Values<float>& force) {
+  const auto internal_force = [&](const State& state, PendingExchange* rest, Values<float>& force) {
     if (rest) rest->complete();
 #pragma omp parallel for simd schedule(static)
     for (Eigen::Index i = 0; i < state.size(); ++i) rounded.data()[i] = float(state.data()[i]);
@@ -359,8 +363,8 @@ std::optional<State> start_by_place(const Formulation& plate) {
 }
 
 double stable_time_step(const Formulation& plate, double rotary) {
-  if (const auto& attached = plate.boundary().attached; attached.lifts_off())
-    return stable_time_step(TouchedPlate(plate, attached, everywhere(attached)), plate.constraints(),
+  if (const auto& elastic_supports = plate.boundary().elastic_supports; elastic_supports.unilateral())
+    return stable_time_step(PlateInContact(plate, elastic_supports, everywhere(elastic_supports)), plate.constraints(),
                             plate.mass(rotary), start_by_place(plate));
   return stable_time_step(plate, plate.constraints(), plate.mass(rotary), start_by_place(plate));
 }

@@ -37,13 +37,13 @@ struct Impactor {
 };
 
 /// Where the mass is: along w, and half a step before how fast; how it has pressed so far.
-struct Striker {
+struct ImpactorState {
   double place = 0, velocity = 0;
   double largest = 0, touching = 0;  // force, with its sign [force]; for how long [time]
 };
 
 /// Motion and contact force of the impacting mass at an instant.
-struct Blow {
+struct ContactForce {
   double place, velocity;                               // along w [length, length/time]
   double force;                                         // that it presses with, on the plate along w [force]
   double largest, touching;                             // of all steps so far: force, how long it presses [time]
@@ -76,7 +76,7 @@ struct Instant {
   double dissipated = 0;     // by damping until then [energy]
   /// The state to which the stiffness answers: u + beta v; where it does not damp, none.
   std::function<State()> strained = {};
-  std::optional<Blow> blow = {};
+  std::optional<ContactForce> contact_force = {};
   /// In statics the state less a motion as one rigid body (StaticResult); none where it is the state.
   const State* rest = nullptr;
   const State& what_strains() const { return rest ? *rest : state; }
@@ -100,7 +100,7 @@ public:
 };
 
 /// All that a motion must remember between two steps in order to go on, states of own points; empty at rest.
-struct MotionMemory {
+struct MotionCheckpoint {
   std::size_t step = 0;
   State state, velocity;                             // velocity: half a step before
   std::vector<std::pair<double, double>> loads;      // of every load: F . u and factor when its work was last counted
@@ -109,12 +109,13 @@ struct MotionMemory {
   double given = 0;                                  // what else began the motion [energy]
   State earlier = {};                                // of the step before, where the stiffness damps
   double dissipated = 0;
-  Striker striker = {};
+  ImpactorState impactor_state = {};
 
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(step, state, velocity, loads, work, before, driven, travelling);
-    archive(given, earlier, dissipated, striker.place, striker.velocity, striker.largest, striker.touching);
+    archive(given, earlier, dissipated, impactor_state.place, impactor_state.velocity, impactor_state.largest,
+            impactor_state.touching);
   }
 };
 
@@ -126,8 +127,8 @@ struct DynamicOptions {
   std::function<void(const Values<float>&, Values<float>&)> single = {};
   /// In double precision only.
   Changes* changes = nullptr;
-  bool held_forces = false;          // for those who observe
-  Forces whole_mass = Forces(3, 0);  // driven_mass()
+  bool held_forces = false;                  // for those who observe
+  Forces unconstrained_mass = Forces(3, 0);  // driven_mass()
   /// At rest at time 0, under loads that have grown slowly: their work until then counts. Empty: zero.
   State start = {};
   bool bent = false;    // something else than the loads has brought the plate there
@@ -138,11 +139,11 @@ struct DynamicOptions {
   std::optional<Impactor> impact = {};  // likewise
   std::vector<char> own = {};           // points that no other process has; empty: all
   /// Goes on from here instead, with the numbers that it would have had.
-  const MotionMemory* from = nullptr;
+  const MotionCheckpoint* from = nullptr;
   /// Asked before every step, by processes that share the plate at every row: is the memory to be kept now? It is, too,
   /// before a signal ends the motion.
   std::function<bool()> due = {};
-  std::function<void(const MotionMemory&)> keep = {};
+  std::function<void(const MotionCheckpoint&)> save = {};
 };
 
 /// Central differences (Dai 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a

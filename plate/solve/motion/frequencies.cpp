@@ -121,7 +121,7 @@ NumericalError not_converged() {
 }
 
 /// Where processes share the plate.
-Ritz largest(const Communicator& all, const Inverse& inverse, const PairsWanted& wanted, const VectorXd& start) {
+Ritz largest(const Communicator& all, const Inverse& inverse, const EigenpairRequest& wanted, const VectorXd& start) {
   const auto product = [&](std::span<const double> x, std::span<double> y) { inverse.perform_op(x.data(), y.data()); };
   const auto found = all.largest_pairs(product, {start.data(), std::size_t(start.size())}, wanted);
   if (found.values.size() < wanted.count) throw not_converged();

@@ -43,7 +43,7 @@ State bent(const Formulation& plate, const Formula& formula) {
 
 /// Message about a deflection that is not nearly a straight line over a spacing about every point, or not zero where
 /// supports hold an edge, as far as this rank sees; empty where the deflection is sound.
-std::string fault_of(const Formulation& plate, const Formula& formula, const State& state) {
+std::string error_in(const Formulation& plate, const Formula& formula, const State& state) {
   const auto points = Eigen::Index(plate.cloud().plate_points);
   const double spacing = plate.discretization().spacing_at_tips();
   const double size = plate.communicator().largest_of(state.row(0).head(points).cwiseAbs().maxCoeff());
@@ -71,11 +71,11 @@ std::string fault_of(const Formulation& plate, const Formula& formula, const Sta
 }
 
 void require_possible(const Formulation& plate, const Formula& formula, const State& state) {
-  std::vector<std::string> faults{fault_of(plate, formula, state)};
+  std::vector<std::string> errors{error_in(plate, formula, state)};
   const Communicator& all = plate.communicator();
-  faults = all.exchanged(std::vector<std::string>(std::size_t(all.size()), faults.front()));
-  for (const auto& fault : faults)
-    if (!fault.empty()) throw Jumps(formula.text(), fault);
+  errors = all.exchanged(std::vector<std::string>(std::size_t(all.size()), errors.front()));
+  for (const auto& error : errors)
+    if (!error.empty()) throw Jumps(formula.text(), error);
 }
 
 /// Does this process have points so near to the place that it presses on them, or on what follows them?

@@ -185,32 +185,32 @@ public:
 private:
   static double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-  struct Look {
+  struct EarlierValues {
     Index vectors;
     std::vector<MatrixXd> values;  // of every group
   };
 
   std::vector<double> truncated(const LanczosSpace& space, const std::vector<MatrixXd>& groups,
-                                std::vector<Look>& looks) {
+                                std::vector<EarlierValues>& earlier) {
     constexpr double fewer = 0.7, safety = 4;
-    Look now{space.size(), {}};
+    EarlierValues now{space.size(), {}};
     for (const auto& group : groups)
       now.values.push_back(group.rows() > 0 ? MatrixXd(group * space.vectors() * before_) : MatrixXd::Zero(1, 1));
-    const auto other = std::find_if(looks.rbegin(), looks.rend(), [&](const Look& look) {
+    const auto other = std::find_if(earlier.rbegin(), earlier.rend(), [&](const EarlierValues& look) {
       return double(look.vectors) <= fewer * double(now.vectors);
     });
     std::vector<double> result(groups.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t g = 0; g < result.size() && other != looks.rend(); ++g)
+    for (std::size_t g = 0; g < result.size() && other != earlier.rend(); ++g)
       result[g] =
           safety * share((now.values[g] - other->values[g]).cwiseAbs().maxCoeff(), now.values[g].cwiseAbs().maxCoeff());
-    looks.push_back(std::move(now));
+    earlier.push_back(std::move(now));
     return result;
   }
 
   const std::vector<TimedLoad>& loads_;
   const LanczosOptions& options_;
   MatrixXd before_;  // amplitudes of the vectors
-  std::vector<Look> watched_, told_;
+  std::vector<EarlierValues> watched_, told_;
 };
 
 /// Adds vectors until they change the motion, and what is watched, no more.

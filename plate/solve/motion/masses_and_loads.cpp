@@ -144,7 +144,7 @@ std::vector<double> TravellingLoads::memory() const {
   return any() ? std::vector<double>{work_, now_, next_} : std::vector<double>{};
 }
 
-void TravellingLoads::recall(const std::vector<double>& memory) {
+void TravellingLoads::restore(const std::vector<double>& memory) {
   if (memory.empty()) return;
   work_ = memory[0], now_ = memory[1], next_ = memory[2], begun_ = true;
 }

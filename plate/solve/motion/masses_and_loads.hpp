@@ -88,10 +88,10 @@ public:
   /// rule), a constant one does not.
   double work(double time, const State& state);
 
-  void remember(MotionMemory& memory) const {
+  void save(MotionCheckpoint& memory) const {
     memory.loads = last_, memory.work = work_, memory.before = before_, memory.given = given_;
   }
-  void recall(const MotionMemory& memory) {
+  void restore(const MotionCheckpoint& memory) {
     last_ = memory.loads, work_ = memory.work, before_ = memory.before, given_ = memory.given;
   }
 
@@ -128,7 +128,7 @@ public:
 
   /// The numbers to go on from.
   std::vector<double> memory() const;
-  void recall(const std::vector<double>& memory);
+  void restore(const std::vector<double>& memory);
 
 private:
   struct Travelling {

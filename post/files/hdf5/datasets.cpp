@@ -61,8 +61,8 @@ Id new_group(hid_t parent, const std::string& name) {
   return Id(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name);
 }
 
-void write_whole_dataset(hid_t parent, const std::string& name, hid_t type, const Sizes& sizes, const void* values,
-                         const Meaning& meaning) {
+void write_dataset_at_once(hid_t parent, const std::string& name, hid_t type, const Sizes& sizes, const void* values,
+                           const Meaning& meaning) {
   Id dataset = new_dataset(parent, name, type, space_of(sizes), meaning);
   checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
   checked(dataset.release(), name);  // small ones are written here; a file that is closed knows nothing of what failed
@@ -106,22 +106,22 @@ Series::Series(hid_t parent, const std::string& name)
   checked(H5Pget_chunk(properties, static_cast<int>(chunks_.size()), chunks_.data()), name);
 }
 
-void Series::stretch(std::size_t length) {
+void Series::extend(std::size_t length) {
   sizes_.front() = length;
   checked(H5Dset_extent(dataset_, sizes_.data()), name_);
 }
 
 void Series::keep(std::size_t count) {
-  if (count < length()) stretch(count);
+  if (count < length()) extend(count);
 }
 
 void Series::write(std::size_t index, double value) {
-  if (index >= length()) stretch(index + 1);
+  if (index >= length()) extend(index + 1);
   write_part(dataset_, {index}, {1}, &value, name_);
 }
 
 void Series::write(std::size_t index, const InParts& values) {
-  if (index >= length()) stretch(index + 1);
+  if (index >= length()) extend(index + 1);
   for_each_part(std::size_t(sizes_.at(1)), [&](std::size_t first, std::size_t count) {
     Sizes start(sizes_.size(), 0), counts = sizes_;
     start[0] = index, start[1] = first, counts[0] = 1, counts[1] = count;
@@ -139,7 +139,7 @@ void Series::append(const Series& other, std::size_t count) {
   if (chunks_ != other.chunks_) throw std::runtime_error("state.h5: " + name_ + " is not stored alike in its parts");
   std::vector<char> chunk;
   for (std::size_t i = 0; i < count; ++i) {
-    stretch(length() + 1);
+    extend(length() + 1);
     for (hsize_t first = 0; first < sizes_[1]; first += chunks_[1]) append_chunk(other, i, first, chunk);
   }
 }

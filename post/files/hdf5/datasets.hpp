@@ -89,8 +89,8 @@ void write_attribute(hid_t object, const std::string& name, hid_t type, const vo
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 
 Id new_group(hid_t parent, const std::string& name);
-void write_whole_dataset(hid_t parent, const std::string& name, hid_t type, const Sizes& sizes, const void* values,
-                         const Meaning& meaning);
+void write_dataset_at_once(hid_t parent, const std::string& name, hid_t type, const Sizes& sizes, const void* values,
+                           const Meaning& meaning);
 /// Numbers of points, the first of `sizes`.
 void write_dataset_in_parts(hid_t parent, const std::string& name, const Sizes& sizes, const InParts& values,
                             const Meaning& meaning);
@@ -120,7 +120,7 @@ public:
   void append(const Series& other, std::size_t count);
 
 private:
-  void stretch(std::size_t length);
+  void extend(std::size_t length);
   void append_chunk(const Series& other, std::size_t index, hsize_t first, std::vector<char>& chunk);
 
   std::string name_;

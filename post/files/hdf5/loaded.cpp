@@ -3,9 +3,9 @@
 #include <dlfcn.h>
 #include <stdexcept>
 
+#include "post/files/atomic_file.hpp"
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/point_order.hpp"
-#include "post/files/whole_file.hpp"
 
 namespace post {
 namespace {

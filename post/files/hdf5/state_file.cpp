@@ -172,7 +172,7 @@ private:
   void assemble();
 
   StateFile::Options options_;
-  HeldFolder folder_;
+  OpenedFolder folder_;
   hsize_t points_ = 0;
   std::vector<std::size_t> parts_;  // frames of those that are whole
   std::size_t in_part_ = 0;         // of the one that is open

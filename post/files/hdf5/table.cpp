@@ -58,14 +58,14 @@ void write_column(hid_t group, const Table& table, std::size_t column) {
     }
     std::vector<const char*> pointers;
     for (const std::string& text : words) pointers.push_back(text.c_str());
-    write_whole_dataset(group, name, string_type(), sizes, pointers.data(), meaning_of_column(name));
+    write_dataset_at_once(group, name, string_type(), sizes, pointers.data(), meaning_of_column(name));
   } else {
     std::vector<double> values;
     for (const auto& row : table.rows) {
       const auto* value = std::get_if<double>(&row.at(column));
       values.push_back(value ? *value : missing);
     }
-    write_whole_dataset(group, name, H5T_NATIVE_DOUBLE, sizes, values.data(), meaning_of_column(name));
+    write_dataset_at_once(group, name, H5T_NATIVE_DOUBLE, sizes, values.data(), meaning_of_column(name));
   }
 }
 

@@ -55,11 +55,11 @@ public:
       Plate result{{polygon({0, 0}, 0.6, 1.2, 3 + int(uniform(0, 6)), "edge"), {}}, {}};
       for (double some = uniform(0, 1); some > 0.6; some -= 0.2)
         result.outline.holes.push_back(hole(some > 0.8 ? "first" : "second"));
-      if (!geometry::faults(result.outline).empty()) continue;
+      if (!geometry::errors(result.outline).empty()) continue;
       const auto count = std::size_t(uniform(0, 4));
       for (int tries = 0; tries < 100 && result.cracks.size() < count; ++tries) {
         result.cracks.push_back(crack(result.outline));
-        if (!geometry::faults(result.outline, result.cracks, tolerance(result.outline)).empty())
+        if (!geometry::errors(result.outline, result.cracks, tolerance(result.outline)).empty())
           result.cracks.pop_back();
       }
       return result;

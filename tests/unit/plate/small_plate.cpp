@@ -28,7 +28,7 @@ Model model(const geometry::Outline& outline, const std::vector<plate::Support>&
   if (!cracks.empty())
     families = geometry::without(families, [&](std::uint32_t k, std::uint32_t j) {
       for (const auto& crack : cracks)
-        if (geometry::severs(crack, boundary.lattice[k], boundary.lattice[j])) return true;
+        if (geometry::separates(crack, boundary.lattice[k], boundary.lattice[j])) return true;
       return false;
     });
   auto shapes = plate::bond_shapes(families.vectors(), section, d);

@@ -27,7 +27,7 @@ std::pair<Eigen::ArrayXXd, Eigen::ArrayXd> differences(const Solid& s, const Eig
 struct Equations {
   plate::SparseStiffness K;
   Eigen::VectorXd f;
-  std::vector<plate::HeldUnknown> held;
+  std::vector<plate::PrescribedUnknown> held;
 };
 
 Equations equations(const Solid& s, int order, plate::FluxRule rule, const Conditions& c) {
@@ -93,25 +93,25 @@ Eigen::VectorXd loads(const Solid& s, const Conditions& c) {
 
 Eigen::VectorXd with_surface_nodes(const Solid& s, int order, plate::FluxRule rule, const Conditions& c) {
   const auto [K, f, held] = equations(s, order, rule, c);
-  return plate::solution_held(K, f, held).values;
+  return plate::constrained_solution(K, f, held).values;
 }
 
 Eigen::VectorXd with_surface_nodes_mirrored(const Solid& s, int order, plate::FluxRule rule, const Conditions& c,
                                             int axis) {
   const auto [K, f, held] = equations(s, order, rule, c);
   const auto [all, lower] = mirror(s, axis);
-  std::vector<plate::HeldUnknown> lower_held;
+  std::vector<plate::PrescribedUnknown> lower_held;
   for (const auto& one : held)
     if (const auto found = std::ranges::find(lower, one.unknown); found != lower.end())
       lower_held.push_back({found - lower.begin(), one.value});
   const plate::SparseStiffness folded = plate::SparseStiffness(all.transpose()) * K * all;
-  return all * plate::solution_held(folded, all.transpose() * f, lower_held).values;
+  return all * plate::constrained_solution(folded, all.transpose() * f, lower_held).values;
 }
 
 Eigen::VectorXd on_nodes(const Solid& s, const plate::SparseStiffness& K, const Conditions& c, const Field& solution) {
   const int D = s.dimension();
   Eigen::VectorXd f = loads(s, c);
-  std::vector<plate::HeldUnknown> held;
+  std::vector<plate::PrescribedUnknown> held;
   for (int i = 0; i < int(s.body.surface.size()); ++i) {
     const auto& face = s.body.surface[std::size_t(i)];
     const Eigen::Vector3d p = c.traction(s.at_surface(i), normal(face)), u = solution(s.at(face.inner));
@@ -123,7 +123,7 @@ Eigen::VectorXd on_nodes(const Solid& s, const plate::SparseStiffness& K, const 
         f[unknown] += s.area() * p[a];
     }
   }
-  return plate::solution_held(K, f, held).values;
+  return plate::constrained_solution(K, f, held).values;
 }
 
 Eigen::VectorXd uncorrected(const Solid& s, const Conditions& c, const Field& solution) {

@@ -101,12 +101,12 @@ Eigen::VectorXd solution_of_quarter(const SurfacePlate& p, const plate::EdgeCond
                                     const plate::AreaLoad& load) {
   const auto [right, held] = plate::edge_problem(p, edges, load);
   const auto [all, own] = quarter(p);
-  std::vector<plate::HeldUnknown> own_held;
+  std::vector<plate::PrescribedUnknown> own_held;
   for (const auto& one : held)
     if (const auto found = std::ranges::find(own, one.unknown); found != own.end())
       own_held.push_back({found - own.begin(), one.value});
   const plate::SparseStiffness folded = plate::SparseStiffness(all.transpose()) * plate::stiffness(p) * all;
-  return all * plate::solution_held(folded, all.transpose() * right, own_held).values;
+  return all * plate::constrained_solution(folded, all.transpose() * right, own_held).values;
 }
 
 }  // namespace boundary_bodies

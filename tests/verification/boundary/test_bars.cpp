@@ -61,7 +61,7 @@ Solved with_multipliers(const Problem& p, int order) {
 Solved with_surface_nodes(const Problem& p, int order) {
   const Solid s = bar();
   const auto K = bb::stiffness(s, plate::Centre::surface_node, order);
-  const auto solution = plate::solution_held(K, forces(s, p), {{s.body.real, 0.0}});
+  const auto solution = plate::constrained_solution(K, forces(s, p), {{s.body.real, 0.0}});
   return {solution.values, solution.reactions[0]};
 }
 
@@ -70,7 +70,7 @@ Solved uncorrected(const Problem& p) {
   const Solid s = bar();
   Eigen::VectorXd f = forces(s, p).head(s.body.real);
   f[s.body.real - 1] += p.end_force;
-  const auto solution = plate::solution_held(bb::uncorrected_stiffness(s), f, {{0, p.local(s.at(0)[0])}});
+  const auto solution = plate::constrained_solution(bb::uncorrected_stiffness(s), f, {{0, p.local(s.at(0)[0])}});
   return {solution.values, solution.reactions[0]};
 }
 

@@ -51,7 +51,7 @@ TEST_CASE(
   const Solid s = bb::plane_square(0.3);
   for (const auto rule : {FluxRule::crossing_point, FluxRule::lever}) {
     const Eigen::VectorXd exact = bb::at_unknowns(s, bb::made_field), f = bb::actions_of(s, bb::made_field, rule);
-    std::vector<plate::HeldUnknown> left;
+    std::vector<plate::PrescribedUnknown> left;
     for (int i = 0; i < int(s.body.surface.size()); ++i)
       for (int a = 0; a < 2; ++a)
         if (const int unknown = 2 * (s.body.real + i) + a;
@@ -59,7 +59,7 @@ TEST_CASE(
           left.push_back({unknown, exact[unknown]});
     for (const int order : {1, 2, 3}) {
       const auto K = bb::stiffness(s, plate::Centre::surface_node, order, rule);
-      const Eigen::VectorXd u = plate::solution_held(K, f, left).values;
+      const Eigen::VectorXd u = plate::constrained_solution(K, f, left).values;
       const double error = (u - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
       if (order == 3)
         CHECK(error < 1e-11);  // measured: 7e-14

@@ -90,7 +90,7 @@ Eigen::Vector2d patch(plate::SurfacePlate p, const Solution& s, OnEdge condition
   const Eigen::VectorXd exact = bb::at_unknowns(p, s.field);
   if (problem.held.empty())
     for (const Eigen::Index i : {0, 1, 2}) problem.held.push_back({i, exact[i]});
-  return bb::off(p, plate::solution_held(plate::stiffness(p), problem.right, problem.held).values, s.field);
+  return bb::off(p, plate::constrained_solution(plate::stiffness(p), problem.right, problem.held).values, s.field);
 }
 
 /// Largest of all homogeneous states, conditions and ways.

@@ -126,13 +126,13 @@ TEST_CASE("box, made-up loading, all loads from sums over the lattice: the field
   for (const auto rule : {FluxRule::crossing_point, FluxRule::lever}) {
     const auto field = made_field(body.middle);
     const Eigen::VectorXd exact = bb::at_unknowns(s, field), f = bb::actions_of(s, field, rule);
-    std::vector<plate::HeldUnknown> left;
+    std::vector<plate::PrescribedUnknown> left;
     for (int i = 0; i < int(s.body.surface.size()); ++i)
       for (int a = 0; a < 3; ++a)
         if (const auto& face = s.body.surface[std::size_t(i)]; face.axis == 0 && face.side < 0)
           left.push_back({3 * (s.body.real + i) + a, exact[3 * (s.body.real + i) + a]});
     const Eigen::VectorXd u =
-        plate::solution_held(bb::stiffness(s, plate::Centre::surface_node, 3, rule), f, left).values;
+        plate::constrained_solution(bb::stiffness(s, plate::Centre::surface_node, 3, rule), f, left).values;
     CHECK((u - exact).cwiseAbs().maxCoeff() < 1e-10 * exact.cwiseAbs().maxCoeff());  // measured: 2e-13
   }
 }

@@ -124,7 +124,7 @@ TEST_CASE("infinite plate on soil under a point force: Hertz") {
   const auto plate = vp::assembled(c);
   const State u = at_rest(*plate);
   CHECK(at(*plate, u, {0, 0}) == Approx(l * l / (8 * D)).epsilon(0.006));  // measured: +0.42 %; at l / 8 +1.33 %
-  const double carried = plate->boundary().attached.parts()[0]->force(u).row(0).sum();
+  const double carried = plate->boundary().elastic_supports.parts()[0]->force(u).row(0).sum();
   CHECK(carried == Approx(-1).epsilon(1e-7));  // measured: 1e-10
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("a rigid plate on three springs and one on soil") {
     for (std::size_t i = 0; i < 3; ++i) {
       const Point &a = feet[(i + 1) % 3], &b = feet[(i + 2) % 3];
       const double share = cross(a - x, b - x) / all;
-      const double found = plate->boundary().attached.parts()[i]->force(u).row(0).sum();
+      const double found = plate->boundary().elastic_supports.parts()[i]->force(u).row(0).sum();
       CHECK(found == Approx(-2 * share).epsilon(1e-9));  // measured: 6e-13
     }
     // on soil beneath a part: w = (F / A) (1 + x (x0 - xm) / i^2 ...) about the part's middle

@@ -80,7 +80,7 @@ private:
 };
 
 struct Motion {
-  double off = 0, books = 0;  // root of the mean square of w over the largest; energies that are not accounted for
+  double off = 0, imbalance = 0;  // root of the mean square of w over the largest; energies that are not accounted for
 };
 
 /// By steps, or by Lanczos vectors.
@@ -92,9 +92,9 @@ Motion moved(const cases::Case& c, const Wave& wave, double duration, bool by_st
   const auto see = [&](const Instant& now) {
     const double w = at(*plate, now.state, {0.5, 0.5}), expected = wave(now.time);
     squares += (w - expected) * (w - expected), most = std::max(most, std::abs(expected)), ++count;
-    const double book = now.strain_energy + now.discrete_kinetic_energy + now.dissipated - now.external_work;
-    if (now.step == 0) first = book;
-    result.books = std::max(result.books, std::abs(book - first) / begin.given);
+    const double total = now.strain_energy + now.discrete_kinetic_energy + now.dissipated - now.external_work;
+    if (now.step == 0) first = total;
+    result.imbalance = std::max(result.imbalance, std::abs(total - first) / begin.given);
   };
   if (by_steps) {
     const double free = stable_time_step(*plate, 1);
@@ -134,9 +134,9 @@ TEST_CASE("a wave that is let go, or pushed, with three ratios of damping: steps
             if (kind == &ordinary && !by_steps) continue;
             c.discretization.formulation = kind;
             const auto found = moved(c, wave, duration, by_steps);
-            CAPTURE(kind->name, moves, ratio, of_mass, by_steps, found.off, found.books);
+            CAPTURE(kind->name, moves, ratio, of_mass, by_steps, found.off, found.imbalance);
             CHECK(found.off < (kind == &galerkin ? 0.03 : 0.1));
-            CHECK(found.books < (by_steps ? 1e-10 : 1e-9));
+            CHECK(found.imbalance < (by_steps ? 1e-10 : 1e-9));
           }
       }
 }
@@ -197,21 +197,21 @@ TEST_CASE("a mass that hits a large plate is thrown back as from an infinite one
       const auto steps = std::size_t(std::ceil(1.3 * end / step));
       DynamicOptions options{1.3 * end / double(steps), steps, 4};
       options.impact = begin.impact, options.given = begin.given;
-      double after = 0, books = 0, momentum = 0, last = 0;
+      double after = 0, imbalance = 0, momentum = 0, last = 0;
       const Forces mass = plate->mass();
       central_differences(*plate, plate->constraints(), mass, plate->loads(), options, [&](const Instant& now) {
-        after = now.blow->velocity;
-        if (now.blow->force != 0) last = now.time;
-        books = std::max(books, std::abs((now.strain_energy + now.kinetic_energy) / begin.given - 1));
+        after = now.contact_force->velocity;
+        if (now.contact_force->force != 0) last = now.time;
+        imbalance = std::max(imbalance, std::abs((now.strain_energy + now.kinetic_energy) / begin.given - 1));
         const double all = mass.row(0).dot(now.velocity().row(0)) + m * after;
         momentum = std::max(momentum, std::abs(all / (-2 * m) - 1));
       });
       const double restitution = std::exp(-pi * lambda / root);
-      CAPTURE(kind->name, lambda, steps, after / 2, restitution, last / end, books, momentum);
+      CAPTURE(kind->name, lambda, steps, after / 2, restitution, last / end, imbalance, momentum);
       CHECK(after / 2 == Approx(restitution).epsilon(0.1));
       CHECK(last == Approx(end).epsilon(0.1));
       CHECK(momentum < 1e-9);  // the plate is free
-      CHECK(books < 0.02);
+      CHECK(imbalance < 0.02);
     }
 }
 

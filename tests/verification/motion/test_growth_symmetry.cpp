@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "cases/driver/run.hpp"
-#include "post/files/kept.hpp"
+#include "post/files/results_in_memory.hpp"
 #include "post/files/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
@@ -34,7 +34,7 @@ cases::Case square(int cells, const std::vector<geometry::Polyline>& cracks, boo
 }
 
 std::vector<geometry::Point> grown(const cases::Case& c) {
-  post::Kept kept;
+  post::ResultsInMemory kept;
   kept.wants_fields = false;
   cases::run({c, {}}, {{}, true, &kept});
   const auto& table = std::ranges::find(kept.tables, "cracks", &std::pair<std::string, post::Table>::first)->second;

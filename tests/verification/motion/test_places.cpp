@@ -115,7 +115,8 @@ TEST_CASE("places: a mass that hits a free plate beside an acute corner loses wh
     options.impact = begin.impact, options.given = begin.given;
     double of_plate = 0, of_mass = 0;
     central_differences(*plate, plate->constraints(), mass, plate->loads(), options, [&](const Instant& now) {
-      of_plate = mass.row(0).cwiseProduct(now.velocity().row(0)).sum(), of_mass = 0.01 * (now.blow->velocity + 1);
+      of_plate = mass.row(0).cwiseProduct(now.velocity().row(0)).sum(),
+      of_mass = 0.01 * (now.contact_force->velocity + 1);
     });
     CHECK(of_mass > 1e-3);
     CHECK(of_plate == Approx(-of_mass).epsilon(1e-12));  // measured: 2e-15

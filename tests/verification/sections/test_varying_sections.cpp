@@ -63,7 +63,7 @@ TEST_CASE("own weight and mass of plates whose section varies") {
   c.section.thickness_factor = Formula("1 + x");
   c.section.regions = {{geometry::Circle{{0.5, 0.5}, 0.25, ""}, 0.3, {}, {}, 5.0}};
   c.loads = {Load{Pressure{.gravity = -10}}};
-  settle_weights(c);
+  resolve_weights(c);
   const auto plate = vp::assembled(c);
   const double disc = pi / 16, exact = 2 * 0.1 * (1.5 * (1 - disc)) + 5 * 0.3 * disc;
   CHECK(plate->total_load().row(0).sum() == Approx(-10 * exact).epsilon(1e-3));

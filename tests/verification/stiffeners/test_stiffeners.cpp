@@ -161,15 +161,15 @@ TEST_CASE("stiffeners: rigid motions cost nothing, forces balance, the work is t
   auto c = strip(0.05, {beam(3, 1, {"top"}), beam(2, 0.5, {}, {{0.1, -0.4}, {0.43, 0.21}, {0.9, 0.3}})});
   c.cracks = {{{0.3, 0}, {0.6, 0}}};
   const auto plate = vp::assembled(c);
-  const auto& attached = plate->boundary().attached;
-  REQUIRE(attached.parts().size() == 2);
-  CHECK(attached.holding().empty());
+  const auto& elastic_supports = plate->boundary().elastic_supports;
+  REQUIRE(elastic_supports.parts().size() == 2);
+  CHECK(elastic_supports.holding().empty());
   for (const auto& rigid : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0.3, 2, -1)}) {
     const State u = vp::field(*plate, [&](const Point& x) {
       return Eigen::Vector3d(rigid[0] - rigid[2] * x.x() + rigid[1] * x.y(), rigid[1], rigid[2]);
     });
     const State bent = vp::field(*plate, [&](const Point& x) { return Eigen::Vector3d(x.x() * x.x() / 2, 0, -x.x()); });
-    CHECK(attached.energy(u) < 1e-12 * attached.energy(bent));
+    CHECK(elastic_supports.energy(u) < 1e-12 * elastic_supports.energy(bent));
   }
   // a straight line of length l in w = x^2 / 2, psi = grad w: EI l (t_x^2)^2 / 2 and GJ l (t_x n_x)^2 / 2, no shear
   const State bent = vp::field(*plate, [&](const Point& x) { return Eigen::Vector3d(x.x() * x.x() / 2, 0, -x.x()); });
@@ -177,7 +177,7 @@ TEST_CASE("stiffeners: rigid motions cost nothing, forces balance, the work is t
     const double l = std::hypot(x, y), t = x / l, n = y / l;
     return l * t * t * (bending * t * t + torsion * n * n) / 2;
   };
-  CHECK(attached.energy(bent) ==
+  CHECK(elastic_supports.energy(bent) ==
         Approx(length(3, 1, 1, 0) + length(2, 0.5, 0.33, 0.61) + length(2, 0.5, 0.47, 0.09)).epsilon(1e-9));
   const auto u = at_rest(*plate);
   CHECK(plate->strain_energy(u) == Approx(plate->total_load().cwiseProduct(u).sum() / 2).epsilon(1e-9));
@@ -197,7 +197,7 @@ TEST_CASE("stiffeners: frequencies and own weight of a narrow plate between two 
   auto c = strip(0.025, {both});
   c.outline = geometry::rectangle(0, 0, 1, width);
   c.loads = {Load{Pressure{.gravity = -2}}};
-  settle_weights(c);
+  resolve_weights(c);
   const auto plate = vp::assembled(c);
   const double all = 2 * mass + 2 * thickness * width;
   CHECK(plate->total_load().row(0).sum() == Approx(-2 * all).epsilon(1e-12));

@@ -153,8 +153,8 @@ TEST_CASE("surface nodes with a crack: no motion grows at rest, position-aware o
       d.spacing = 0.1, d.surface_correction = correction;
       const Section section{1000, 0.3, thickness};
       auto p = surface_plate(section, d, {0, 0}, {1.2, 0.8});
-      p.cuts = CutFamilies(p.body, p.bonds, FamilyRule(section, d),
-                           {{{{4, 4}, {8, 4}}, geometry::End::tip, geometry::End::tip}});
+      p.cuts = CrackedFamilies(p.body, p.bonds, FamilyRule(section, d),
+                               {{{{4, 4}, {8, 4}}, geometry::End::tip, geometry::End::tip}});
       const auto found = spectrum(
           p,
           [](const geometry::Point&, const geometry::Point& n) {

@@ -75,7 +75,7 @@ Found patch(const plate::SurfacePlate& p, const bb::LatticeLaw& law, const Homog
     for (const Eigen::Index i : {0, 1, 2}) problem.held.push_back({i, exact[i]});
   Eigen::VectorXd right = Eigen::VectorXd::Zero(real + 2 * surface);
   right.head(exact.size()) = problem.right;
-  Found found{plate::solution_held(made.stiffness, right, problem.held).values, 0, 0, 0};
+  Found found{plate::constrained_solution(made.stiffness, right, problem.held).values, 0, 0, 0};
   found.off = bb::off(p, found.values, [&](const Point& at) { return s(at); }).maxCoeff();
   found.added = plate::added_forces(made.stiffness, p, found.values, 1) / (4 * law.D11);
   found.at_edges =

@@ -83,7 +83,7 @@ double patch(const SurfacePlate& p, const plate::Section& section, const Homogen
     exact.segment<3>(3 * k) = s(k < p.body.real ? p.at(k) : p.at_surface(k - p.body.real));
   if (problem.held.empty())
     for (const Eigen::Index i : {0, 1, 2}) problem.held.push_back({i, exact[i]});
-  const auto found = plate::solution_held(plate::stiffness_under(p, condition), problem.right, problem.held);
+  const auto found = plate::constrained_solution(plate::stiffness_under(p, condition), problem.right, problem.held);
   return (found.values - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
 }
 

@@ -86,7 +86,7 @@ Eigen::Vector2d patch(const SurfacePlate& p, const Homogeneous& s, const std::ar
   Eigen::VectorXd right = Eigen::VectorXd::Zero(multiplied.stiffness.rows());
   right.head(exact.size()) = problem.right;
   const auto off = [&](const plate::SparseStiffness& K, const Eigen::VectorXd& load, const auto& known) {
-    return bb::off(p, plate::solution_held(K, load, known).values, field).maxCoeff();
+    return bb::off(p, plate::constrained_solution(K, load, known).values, field).maxCoeff();
   };
   return {off(plate::stiffness(p), problem.right, problem.held), off(multiplied.stiffness, right, all_held)};
 }

@@ -27,17 +27,17 @@ TEST_CASE("results of a case: what it asks for is what is recorded, and a plan r
 TEST_CASE("results of a case: kept in memory nothing is written, and parts keep theirs apart") {
   const small_run::TemporaryFolder folder;
   const auto file = read(plain);
-  post::Kept kept;
-  kept.wants_fields = true;
-  const cases::RunOptions options{folder / "run", true, &kept};
+  post::ResultsInMemory in_memory;
+  in_memory.wants_fields = true;
+  const cases::RunOptions options{folder / "run", true, &in_memory};
   CHECK_FALSE(cases::plan_of(file.content, options).report);
-  CHECK_FALSE(cases::recording_of(file.content, options).keeper);
-  CHECK(kept.resolved == cases::resolved_toml(file.content));
+  CHECK_FALSE(cases::recording_of(file.content, options).checkpoints);
+  CHECK(in_memory.resolved == cases::resolved_toml(file.content));
   CHECK(folder.entries() == 0);
   const auto part = options.part("second");
   CHECK(part.folder == folder / "run/second");
-  CHECK(part.kept == &kept.parts.at("second"));
-  CHECK(part.kept->wants_fields);
+  CHECK(part.in_memory == &in_memory.parts.at("second"));
+  CHECK(part.in_memory->wants_fields);
   const cases::RunOptions files{folder / "run"};
-  CHECK(files.part("second").kept == nullptr);
+  CHECK(files.part("second").in_memory == nullptr);
 }

@@ -70,7 +70,7 @@ TEST_CASE("soil that lifts off is refused where it cannot go") {
   const auto soil = [](const std::string& more) {
     return plain + "[[foundation]]\nmodulus = 2\nlifts_off = true\n" + more;
   };
-  CHECK(read(soil("")).content.foundations[0].lifts_off);
+  CHECK(read(soil("")).content.foundations[0].unilateral);
   expect(soil("shear = 1\n"), ":18", "foundation[0]", "a shear layer holds the plate where it lifts off");
   expect(soil(""), ":18", "foundation", "has no frequencies",
          {"analysis.kind=frequencies", "section.density=1", "-load", "-geometry.cracks"});
@@ -89,15 +89,18 @@ TEST_CASE("supports within the plate, and settlements, are checked") {
   expect(support("kind = \"pinned\"\nalong = [[-0.5, 0], [0.5, 0]]"), ":20", "support[1].along", "lies along crack 0");
   expect(support("kind = \"pinned\"\non = { circle = [7, 7, 1] }"), ":20", "support[1].on",
          "the support lies on nothing of the plate");
-  const auto settles = [](const std::string& lines) {
+  const auto has_prescribed_displacements = [](const std::string& lines) {
     return plain + "[[load]]\nkind = \"settlement\"\n" + lines + "\n";
   };
-  CHECK(problems(settles("value = 0.1\nsupport = 0\nslope = [0.1, 0]\nfrom = [0, 1]\nrotation = 0.2")).empty());
-  expect(settles("value = 0.1"), ":18", "load[1].support", "is missing");
-  expect(settles("value = 0.1\nsupport = 1"), ":21", "load[1].support", "there are the supports 0 to 0");
-  expect(settles("value = 0.1\nsupport = 0"), ":18", "load[1].history", "moves a support at once",
+  CHECK(problems(
+            has_prescribed_displacements("value = 0.1\nsupport = 0\nslope = [0.1, 0]\nfrom = [0, 1]\nrotation = 0.2"))
+            .empty());
+  expect(has_prescribed_displacements("value = 0.1"), ":18", "load[1].support", "is missing");
+  expect(has_prescribed_displacements("value = 0.1\nsupport = 1"), ":21", "load[1].support",
+         "there are the supports 0 to 0");
+  expect(has_prescribed_displacements("value = 0.1\nsupport = 0"), ":18", "load[1].history", "moves a support at once",
          {"analysis.kind=dynamic", "analysis.duration=1", "section.density=1"});
-  expect(settles("value = 0.1\nsupport = 0\nhistory = \"ramp\"\nrise_time = 1"), ":19", "load[1].kind",
-         "supports move by steps alone",
+  expect(has_prescribed_displacements("value = 0.1\nsupport = 0\nhistory = \"ramp\"\nrise_time = 1"), ":19",
+         "load[1].kind", "supports move by steps alone",
          {"analysis.kind=dynamic", "analysis.duration=1", "section.density=1", "analysis.method=lanczos"});
 }

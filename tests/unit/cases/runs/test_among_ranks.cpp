@@ -56,7 +56,7 @@ TEST_CASE("the share of the soil that touches is the same for any number of proc
     plate::State state = plate::State::Zero(3, Eigen::Index(plate->points()));
     for (std::size_t k = 0; k < plate->cloud().plate_points; ++k)
       state(0, Eigen::Index(k)) = plate->cloud().positions[k].y() - 0.3;
-    return plate->boundary().attached.share_touching(state, plate->boundary().map);
+    return plate->boundary().elastic_supports.contact_share(state, plate->boundary().map);
   };
   const double whole = share(plate::single_process());
   std::vector<double> found;

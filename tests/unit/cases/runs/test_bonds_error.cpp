@@ -41,7 +41,7 @@ Seen seen(const cases::Case& c) {
   const auto plate = vp::assembled(c);
   const auto state = vp::solved(*plate, 1e-8).state;
   Seen result{state.row(0).head(Eigen::Index(plate->cloud().plate_points)).cwiseAbs().maxCoeff(), 0, 0,
-              foretold_errors(*plate)};
+              estimated_errors(*plate)};
   fracture::compare_with_galerkin(*plate, state, c, result.warnings);
   result.deflection = said(result.warnings, "largest deflection");
   result.stress = said(result.warnings, "von Mises");
@@ -102,7 +102,7 @@ TEST_CASE("bonds against the Galerkin plate: other analyses of thin plates are c
   auto c = square(0.002, 0.05, {vp::held_all_round(SupportKind::clamped)});
   c.analysis.kind = cases::Analysis::Kind::frequencies, c.section.density = 1;
   const auto plate = vp::assembled(c);
-  auto warnings = foretold_errors(*plate);
+  auto warnings = estimated_errors(*plate);
   REQUIRE(warnings.size() == 2);
   fracture::compare_under_pressure(*plate, c, warnings);
   REQUIRE(warnings.size() == 2);  // stress stays foretold

@@ -12,7 +12,7 @@
 #include "post/factors/plate_factors.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/hdf5/state_file.hpp"
-#include "post/files/kept.hpp"
+#include "post/files/results_in_memory.hpp"
 #include "post/files/summary.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
@@ -37,7 +37,7 @@ const std::string cases_of_three = no_load + "[[case]]\nname = \"dead\"\n[[case.
                                    "[[combination]]\nname = \"all\"\nof = { dead = 1.35, force = -2, moment = 1.5 }\n";
 
 struct Run {
-  post::Kept kept;
+  post::ResultsInMemory in_memory;
   post::Summary summary;
 };
 
@@ -45,8 +45,8 @@ Run run(const std::string& text, const std::string& formulation, const std::vect
   Run result;
   std::vector<std::string> settings{"discretization.formulation=" + formulation, "section.density=3"};
   settings.insert(settings.end(), more.begin(), more.end());
-  result.kept.wants_fields = true;
-  result.summary = cases::run(read(text, settings), {{}, true, &result.kept});
+  result.in_memory.wants_fields = true;
+  result.summary = cases::run(read(text, settings), {{}, true, &result.in_memory});
   return result;
 }
 
@@ -55,7 +55,7 @@ double number(const post::Cell& cell) {
 }
 
 const post::Table& table_of(const Run& run, const std::string& name) {
-  for (const auto& [own, table] : run.kept.tables)
+  for (const auto& [own, table] : run.in_memory.tables)
     if (own == name) return table;
   throw std::out_of_range(name);
 }
@@ -107,7 +107,7 @@ TEST_CASE("load cases: each is what it is alone, and a combination what its load
                   scaled(third, "-0.45")));
     CHECK(all.summary.srif.empty());
     CHECK(all.summary.outcome == "done");
-    CHECK(all.kept.frames.size() == 4);
+    CHECK(all.in_memory.frames.size() == 4);
     const auto& srifs = table_of(all, "srif");
     CHECK(srifs.columns.back() == "case");
     CHECK(table_of(all, "envelope").rows.size() == all.summary.envelope.size());
@@ -156,7 +156,7 @@ TEST_CASE("load cases: factors found again in the states have names and the erro
   const auto plate = plate::discretise(file.content).plate;
   const auto& srif = *file.content.srif;
   post::StoredRun stored{std::vector<Eigen::Vector2d>(plate->cloud().plate_points), {}, {}};
-  for (const auto& frame : all.kept.frames) {
+  for (const auto& frame : all.in_memory.frames) {
     plate::State state(3, Eigen::Index(stored.positions.size()));
     const auto &w = frame.arrays.at("w").values, &theta = frame.arrays.at("theta").values;
     for (Eigen::Index k = 0; k < state.cols(); ++k)
@@ -179,10 +179,10 @@ TEST_CASE("load cases: factors found again in the states have names and the erro
 }
 
 TEST_CASE("load cases: a load case that fails is named, and those before it are written") {
-  post::Kept kept;
-  kept.wants_fields = true;
+  post::ResultsInMemory in_memory;
+  in_memory.wants_fields = true;
   const auto file = read(cases_of_three, {"section.density=3", "analysis.method=cg", "analysis.max_iterations=1",
                                           "analysis.preconditioner=diagonal", "discretization.formulation=ordinary"});
-  CHECK_THROWS_WITH(cases::run(file, {{}, true, &kept}), Catch::Contains("dead, cg: not converged"));
-  CHECK_THAT(kept.summary, Catch::Contains("\"outcome\": \"failed: dead"));
+  CHECK_THROWS_WITH(cases::run(file, {{}, true, &in_memory}), Catch::Contains("dead, cg: not converged"));
+  CHECK_THAT(in_memory.summary, Catch::Contains("\"outcome\": \"failed: dead"));
 }

@@ -12,9 +12,9 @@ namespace {
 std::size_t advances(const cases::CaseFile& file, const std::filesystem::path& folder, bool goes_on) {
   const cases::RunOptions options{folder, true, nullptr, goes_on};
   auto recording = cases::recording_of(file.content, options);
-  CHECK(recording.keeper->goes_on() == goes_on);
+  CHECK(recording.checkpoints->goes_on() == goes_on);
   fracture::QuasiStaticRun run(cases::plan_of(file.content, options), plate::discretise(file.content));
-  return run(std::move(recording.recorder), recording.keeper.get()).growth->advances;
+  return run(std::move(recording.recorder), recording.checkpoints.get()).growth->advances;
 }
 
 }  // namespace

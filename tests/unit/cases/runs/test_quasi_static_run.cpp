@@ -17,12 +17,12 @@ TEST_CASE("quasi-static run: without factors of its own, those that give the ene
 
 TEST_CASE("quasi-static run: a row for every advance, longer cracks in the end") {
   const auto file = read(plain, {"growth={fracture_energy=1,max_advances=1}"});
-  post::Kept kept;
-  fracture::QuasiStaticRun run(cases::plan_of(file.content, {{}, true, &kept}), plate::discretise(file.content));
-  const auto summary = run({std::make_unique<post::KeptSink>(kept), "", ""}, nullptr);
+  post::ResultsInMemory in_memory;
+  fracture::QuasiStaticRun run(cases::plan_of(file.content, {{}, true, &in_memory}), plate::discretise(file.content));
+  const auto summary = run({std::make_unique<post::MemorySink>(in_memory), "", ""}, nullptr);
   REQUIRE(summary.growth);
   CHECK(summary.growth->advances == 1);
   CHECK(geometry::length(run.cracks().front()) > 0.6);
-  for (const auto& [name, table] : kept.tables)
+  for (const auto& [name, table] : in_memory.tables)
     if (name == "growth" || name == "history") CHECK(table.rows.size() == 2);
 }

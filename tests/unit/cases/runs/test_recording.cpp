@@ -33,7 +33,7 @@ TEST_CASE("recording: a folder that holds something strange is refused, and so i
     check_folder(folder.path());
     FAIL("it was taken");
   } catch (const RefusedFolder& refused) {
-    CHECK(refused.wish() == RefusedFolder::Wish::write);
+    CHECK(refused.attempt() == RefusedFolder::Attempt::write);
     CHECK_THAT(refused.what(), Catch::Contains("holds letter.txt, but no results"));
   }
   const auto one = recording(options(folder / "run"));
@@ -62,20 +62,20 @@ TEST_CASE("recording: a run goes on from what it kept, and from nothing else") {
   auto wanted = options(folder / "run", 1e-9);
   {
     auto first = recording(wanted);
-    REQUIRE(first.keeper);
-    first.keeper->keep([](auto&) {});
+    REQUIRE(first.checkpoints);
+    first.checkpoints->save([](auto&) {});
   }
   wanted.goes_on = true;
-  CHECK_FALSE(recording(wanted).keeper->goes_on());  // nothing was remembered
+  CHECK_FALSE(recording(wanted).checkpoints->goes_on());  // nothing was remembered
   std::ofstream(folder / "run" / "checkpoint") << "noise";
   try {
     recording(wanted);
     FAIL("it began anew");
   } catch (const RefusedFolder& refused) {
-    CHECK(refused.wish() == RefusedFolder::Wish::go_on);
+    CHECK(refused.attempt() == RefusedFolder::Attempt::go_on);
   }
   wanted.goes_on = false;  // begins anew
-  CHECK_FALSE(recording(wanted).keeper->goes_on());
+  CHECK_FALSE(recording(wanted).checkpoints->goes_on());
   CHECK_FALSE(std::filesystem::exists(folder / "run" / "checkpoint"));
-  CHECK_FALSE(recording(options(folder / "without")).keeper);
+  CHECK_FALSE(recording(options(folder / "without")).checkpoints);
 }

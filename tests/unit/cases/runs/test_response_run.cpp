@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "cases/driver/run.hpp"
-#include "post/files/kept.hpp"
+#include "post/files/results_in_memory.hpp"
 #include "post/files/summary.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
@@ -18,11 +18,11 @@ namespace {
 const std::string wanted = "[srif]\n[output]\nprobes = { a = [0.5, 0.7] }\n";
 
 struct Run {
-  post::Kept kept;
+  post::ResultsInMemory in_memory;
   post::Summary summary;
 
   const post::Table& table(const std::string& name) const {
-    for (const auto& [own, table] : kept.tables)
+    for (const auto& [own, table] : in_memory.tables)
       if (own == name) return table;
     throw std::out_of_range(name);
   }
@@ -31,8 +31,8 @@ struct Run {
 Run run_text(const std::string& text, std::vector<std::string> settings) {
   Run result;
   settings.insert(settings.begin(), {"section.density=3", "discretization.formulation=galerkin"});
-  result.kept.wants_fields = true;
-  result.summary = cases::run(read(text, settings), {{}, true, &result.kept});
+  result.in_memory.wants_fields = true;
+  result.summary = cases::run(read(text, settings), {{}, true, &result.in_memory});
   return result;
 }
 
@@ -40,7 +40,7 @@ Run run(const std::vector<std::string>& settings) {
   return run_text(plain + wanted, settings);
 }
 
-Run swinging(double from, double to, const std::string& damping, std::size_t count = 2) {
+Run unresisted_motions(double from, double to, const std::string& damping, std::size_t count = 2) {
   return run({"analysis.kind=harmonic", "analysis.damping=" + damping,
               fmt::format("analysis.sweep={{ from = {}, to = {}, count = {} }}", from, to, count)});
 }
@@ -62,7 +62,7 @@ std::complex<double> response(const Run& run, const std::string& place, const st
 
 TEST_CASE("a response at a low frequency is the equilibrium, and its factors are those at rest") {
   const auto at_rest = run({"analysis.tolerance=1e-10"});
-  const auto slow = swinging(1e-6, 2e-6, "{ mass = 1e-3 }");
+  const auto slow = unresisted_motions(1e-6, 2e-6, "{ mass = 1e-3 }");
   REQUIRE(!at_rest.summary.srif.empty());
   const auto& tip = at_rest.summary.srif.front();
   const auto K1 = response(slow, fmt::format("tip {}", tip.tip), "K1", 1e-6);
@@ -81,7 +81,7 @@ TEST_CASE("a response at a low frequency is the equilibrium, and its factors are
   }
   CHECK(slow.summary.outcome == "done");
   CHECK(slow.summary.resonances.empty());
-  CHECK(slow.kept.frames.size() == 8);
+  CHECK(slow.in_memory.frames.size() == 8);
   REQUIRE(!slow.summary.response.empty());
   CHECK(slow.summary.response.back().place == "plate");
 }
@@ -93,7 +93,7 @@ TEST_CASE("a response is what a motion under a sine does after long") {
   const double lowest = modes.summary.frequencies.front().frequency;
   const double omega = 2 * std::numbers::pi * lowest;
   const std::string damping = fmt::format("{{ mass = {}, stiffness = {} }}", 0.1 * omega, 0.1 / omega);  // a tenth
-  const auto swings = swinging(0.7 * lowest, 1.3 * lowest, damping, 3);
+  const auto swings = unresisted_motions(0.7 * lowest, 1.3 * lowest, damping, 3);
   REQUIRE(swings.summary.resonances.size() == 1);
   CHECK(swings.summary.resonances.front() == Approx(lowest).epsilon(1e-3));  // lumped masses there
   for (const double frequency : {0.7 * lowest, 1.3 * lowest}) {

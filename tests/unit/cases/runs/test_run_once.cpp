@@ -16,20 +16,20 @@ namespace {
 
 struct Once {
   cases::CaseFile file;
-  fracture::Ready ready;
-  post::Kept kept;
+  fracture::ValidatedPlate ready;
+  post::ResultsInMemory in_memory;
 
   explicit Once(const std::vector<std::string>& settings) : file(read(plain, settings)) {
     ready.plate = plate::discretise(file.content).plate;
   }
   post::Summary run() {
-    fracture::Results results(cases::plan_of(file.content, {{}, true, &kept}), *ready.plate, ready.tip_methods,
-                              {std::make_unique<post::KeptSink>(kept), "", ""});
+    fracture::Results results(cases::plan_of(file.content, {{}, true, &in_memory}), *ready.plate, ready.tip_methods,
+                              {std::make_unique<post::MemorySink>(in_memory), "", ""});
     plate::Stopwatch stopwatch;
     return fracture::run_once(ready, results, stopwatch);
   }
   bool has(const std::string& name) const {
-    return std::ranges::any_of(kept.tables, [&](const auto& table) { return table.first == name; });
+    return std::ranges::any_of(in_memory.tables, [&](const auto& table) { return table.first == name; });
   }
 };
 
@@ -43,14 +43,14 @@ TEST_CASE("run once: at rest, a row, a frame and the summary") {
   CHECK(once.has("history"));
   CHECK(once.has("reactions"));
   CHECK_FALSE(once.has("srif"));
-  CHECK(once.kept.frames.size() == 1);
+  CHECK(once.in_memory.frames.size() == 1);
 }
 
 TEST_CASE("run once: what was good is kept where the numbers fail") {
   Once once({"discretization.spacing=0.1", "analysis.max_iterations=1", "analysis.preconditioner=diagonal"});
   CHECK_THROWS_AS(once.run(), plate::NumericalError);
   CHECK(once.has("history"));
-  CHECK_THAT(once.kept.summary, Catch::Contains("\"outcome\": \"failed: "));
+  CHECK_THAT(once.in_memory.summary, Catch::Contains("\"outcome\": \"failed: "));
 }
 
 TEST_CASE("run once: frequencies, a frame for each") {
@@ -58,7 +58,7 @@ TEST_CASE("run once: frequencies, a frame for each") {
   const auto summary = once.run();
   CHECK(summary.frequencies.size() == 2);
   CHECK(once.has("frequencies"));
-  CHECK(once.kept.frames.size() == 2);
+  CHECK(once.in_memory.frames.size() == 2);
 }
 
 TEST_CASE("run once: a motion whose energy grows without a load ends, and says where and by what step") {
@@ -76,7 +76,7 @@ TEST_CASE("run once: a motion whose energy grows without a load ends, and says w
   CHECK_THROWS_WITH(once.run(), Catch::Contains("the numbers are wrong") && Catch::Contains("the time step") &&
                                     Catch::Contains("1.02 of the stable one"));
   CHECK(once.has("history"));
-  CHECK_THAT(once.kept.summary, Catch::Contains("\"outcome\": \"failed: the plate has an energy of"));
+  CHECK_THAT(once.in_memory.summary, Catch::Contains("\"outcome\": \"failed: the plate has an energy of"));
 }
 
 TEST_CASE("run once: what is not finite is named with point, place and time") {

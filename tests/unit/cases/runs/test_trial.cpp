@@ -11,7 +11,7 @@ using namespace case_text;
 TEST_CASE("trial: the factors at rest and the plate's solution, or when it was not found") {
   auto c = read(plain + "[srif]\naccuracy = 0.1\n").content;
   c.discretization.spacing = 0.1, c.discretization.tip_spacing.reset(), c.discretization.hole_spacing.reset();
-  fracture::Ready ready;
+  fracture::ValidatedPlate ready;
   ready.plate = plate::discretise(c).plate;
   ready.tip_methods = post::tip_methods(*ready.plate, *c.srif);
   const auto trial = fracture::trial(ready, c.analysis, *c.srif);

@@ -31,20 +31,20 @@ struct Motion {
   plate::Forces mass = start->mass();
   double time_step = 0.8 * plate::stable_time_step(*start, start->constraints(), mass);
 
-  struct Books {
+  struct Energies {
     double work = 0, energy = 0;  // since the first instant; strain and kinetic, as central differences count them
   };
-  using Keep = std::function<void(const plate::MotionMemory&)>;
-  /// Moves up to this step, or on from a memory; `keep` sees that before every step.
-  Books move(MovingGrowth& growth, std::size_t steps, const plate::MotionMemory* from = nullptr,
-             const Keep& keep = {}) const {
-    Books result;
+  using SaveMotion = std::function<void(const plate::MotionCheckpoint&)>;
+  /// Moves up to this step, or on from a memory; `save` sees that before every step.
+  Energies move(MovingGrowth& growth, std::size_t steps, const plate::MotionCheckpoint* from = nullptr,
+                const SaveMotion& save = {}) const {
+    Energies result;
     double first = 0;
     plate::DynamicOptions options;
     options.time_step = time_step, options.steps = steps, options.observe_every = 20;
     options.changes = &growth.changes();
     options.from = from;
-    if (keep) options.due = [] { return true; }, options.keep = keep;
+    if (save) options.due = [] { return true; }, options.save = save;
     plate::central_differences(growth.plate(), start->constraints(), mass, start->loads(), options,
                                [&](const plate::Instant& now) {
                                  growth.look(now.time);
@@ -60,9 +60,9 @@ struct Motion {
 inline void hand_over(const MovingGrowth& from, MovingGrowth& to) {
   std::stringstream stream;
   plate::OutArchive out(stream);
-  from.remember(out);
+  from.save(out);
   plate::InArchive in(stream);
-  to.recall(in);
+  to.restore(in);
 }
 
 }  // namespace moving_plate

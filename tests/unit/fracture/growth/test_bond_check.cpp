@@ -23,13 +23,13 @@ struct Checked {
       : content(std::move(wanted)),
         criterion(std::move(by)),
         whole(vp::assembled(content)),
-        severed(*whole->breaking(), whole->boundary(), {content.section, content.discretization}),
+        damaged(*whole->breaking(), whole->boundary(), {content.section, content.discretization}),
         limits(criterion, content.section, content.discretization),
-        check(criterion, limits, severed, whole->boundary()) {}
+        check(criterion, limits, damaged, whole->boundary()) {}
   cases::Case content;
   Growth criterion;
   std::unique_ptr<plate::Formulation> whole;
-  SeveredPlate severed;
+  DamagedPlate damaged;
   BondLimits limits;
   BondCheck check;
 };
@@ -53,8 +53,8 @@ TEST_CASE("bond check: the energies of all bonds are the energy of the plate, wh
   const auto most = plate.check.at_least(0.9 * plate.check.largest(u), u);
   REQUIRE(most.size() >= 1);
   CHECK(most.front().demand == Approx(plate.check.largest(u)));
-  plate.severed.sever({most.front().bond}, 1);
-  const double drop = plate.severed.carry_on_all({u, {}, 0});
+  plate.damaged.break_bonds({most.front().bond}, 1);
+  const double drop = plate.damaged.carry_on_all({u, {}, 0});
   CHECK(sum() == Approx(plate.whole->strain_energy(u) - drop));
   for (const auto& one : plate.check.at_least(-1e300, u)) CHECK(one.bond != most.front().bond);
 }
@@ -71,7 +71,7 @@ TEST_CASE(
       const plate::State rest = plate::State::Zero(3, vp::size(*plate.whole));
       CHECK(plate.check.largest(rest) == 0);
       CHECK(plate.check.suspects(rest).empty());
-      CHECK(plate.severed.broken().count() == 0);
+      CHECK(plate.damaged.broken().count() == 0);
       // under a uniform curvature no bond at an edge or a crack is loaded out of all proportion
       plate::State bent = rest;
       for (Eigen::Index k = 0; k < bent.cols(); ++k) {

@@ -90,7 +90,7 @@ TEST_CASE("bond cracks: cuts are the given cracks, what has parted since, and no
   for (const double x : {-0.35, -0.25}) cracks.broke({s.across(x)}, 1);  // begins a spacing beyond the tip
   const auto parted = [&](double x) {
     return std::ranges::any_of(cracks.cuts(), [&](const geometry::CrackPath& cut) {
-      return geometry::severs(cut, {x, -0.05}, {x, 0.05});
+      return geometry::separates(cut, {x, -0.05}, {x, 0.05});
     });
   };
   for (const double x : {-0.75, -0.45, -0.35, -0.25}) CHECK(parted(x));

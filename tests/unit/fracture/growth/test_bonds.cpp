@@ -5,7 +5,7 @@
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/solve/archive.hpp"
 #include "tests/catch.hpp"
-#include "tests/unit/fracture/shared_run.hpp"
+#include "tests/unit/fracture/distributed_run.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace fracture;
@@ -52,9 +52,9 @@ TEST_CASE(
   const auto loaded = bonds.solve();
   CHECK(loaded.split.empty());
   CHECK(loaded.displacement == Approx(2 * energy(*s.start, bonds.state())));  // work of the whole load
-  SeveredPlate severed(*s.start->breaking(), s.start->boundary(), {s.c.section, s.c.discretization});
+  DamagedPlate damaged(*s.start->breaking(), s.start->boundary(), {s.c.section, s.c.discretization});
   const BondLimits limits(*s.c.growth, s.c.section, s.c.discretization);
-  BondCheck check(*s.c.growth, limits, severed, s.start->boundary());
+  BondCheck check(*s.c.growth, limits, damaged, s.start->boundary());
   CHECK(check.largest(loaded.critical * bonds.state()) == Approx(1));
   bonds.choose(at(0, loaded.critical, loaded.critical));
   bonds.advance(loaded.critical);
@@ -97,11 +97,11 @@ TEST_CASE("quasi-static bonds: one that recalls goes on to the same numbers") {
   const double factor = step(first, 1);
   std::stringstream stream;
   plate::OutArchive out(stream);
-  first.remember(out);
+  first.save(out);
   plate::InArchive in(stream);
-  second.recall(in);
+  second.restore(in);
   *second.of_points() = *first.of_points();
-  second.recalled_points();
+  second.restored_points();
   first.advance(factor), second.advance(factor);
   CHECK(step(first, 2) == step(second, 2));
   CHECK(first.fracture_energy() == second.fracture_energy());

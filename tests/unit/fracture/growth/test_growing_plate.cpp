@@ -13,7 +13,7 @@
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "tests/catch.hpp"
-#include "tests/unit/fracture/shared_run.hpp"
+#include "tests/unit/fracture/distributed_run.hpp"
 #include "tests/unit/post/files/hdf5/look.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -1,8 +1,8 @@
 #include "fracture/growth/moving_growth.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/unit/fracture/distributed_run.hpp"
 #include "tests/unit/fracture/growth/moving_plate.hpp"
-#include "tests/unit/fracture/shared_run.hpp"
 
 using namespace fracture;
 namespace mp = moving_plate;
@@ -20,17 +20,17 @@ cases::Case content() {
 TEST_CASE("moving bonds: what breaks takes what the plate loses, and a row of the history is an advance") {
   const mp::Motion motion(content());
   MovingBonds growth(*motion.c.growth, *motion.start, {}, 1);
-  const auto books = motion.move(growth, 400);
-  const auto moved = growth.moved();
-  REQUIRE(moved.broken);
-  CHECK(*moved.broken > 10);
-  CHECK(moved.advances > 0);
-  CHECK(books.energy + growth.fracture_energy() == Approx(books.work).epsilon(1e-9));
+  const auto energies = motion.move(growth, 400);
+  const auto outcome = growth.outcome();
+  REQUIRE(outcome.broken);
+  CHECK(*outcome.broken > 10);
+  CHECK(outcome.advances > 0);
+  CHECK(energies.energy + growth.fracture_energy() == Approx(energies.work).epsilon(1e-9));
   const auto& record = growth.record();
   CHECK(record.growth.rows.size() == 400 / 20 + 1);
   const auto broken = record.growth.column("broken_bonds");
-  CHECK(std::get<double>(record.growth.rows.back()[broken]) == double(*moved.broken));
-  CHECK(moved.lengths.front() > 0.8);
+  CHECK(std::get<double>(record.growth.rows.back()[broken]) == double(*outcome.broken));
+  CHECK(outcome.lengths.front() > 0.8);
 }
 
 TEST_CASE("moving bonds: no more break after the largest number of advances, or beyond the largest length") {
@@ -39,27 +39,27 @@ TEST_CASE("moving bonds: no more break after the largest number of advances, or 
   const mp::Motion few(c);
   MovingBonds by_number(*few.c.growth, *few.start, {}, 1);
   few.move(by_number, 400);
-  CHECK(by_number.moved().advances == 3);
+  CHECK(by_number.outcome().advances == 3);
   c = content();
   c.growth->max_length = 1;
   const mp::Motion some(c);
   MovingBonds by_length(*some.c.growth, *some.start, {}, 1);
   some.move(by_length, 400);
-  CHECK(by_length.moved().lengths.front() >= 1);
-  CHECK(by_length.moved().lengths.front() < 1.31);  // all that break in one step
+  CHECK(by_length.outcome().lengths.front() >= 1);
+  CHECK(by_length.outcome().lengths.front() < 1.31);  // all that break in one step
 }
 
 TEST_CASE("moving bonds: one that goes on from memory grows as if it had never stopped") {
   const mp::Motion motion(content());
   MovingBonds whole(*motion.c.growth, *motion.start, {}, 1), later(*motion.c.growth, *motion.start, {}, 1);
-  plate::MotionMemory memory;
-  motion.move(whole, 300, nullptr, [&](const plate::MotionMemory& now) {
+  plate::MotionCheckpoint memory;
+  motion.move(whole, 300, nullptr, [&](const plate::MotionCheckpoint& now) {
     if (now.step == 200) memory = now, mp::hand_over(whole, later);
   });
-  const auto then = *later.moved().broken;
+  const auto then = *later.outcome().broken;
   motion.move(later, 300, &memory);
-  CHECK(*later.moved().broken > then);
-  CHECK(*later.moved().broken == *whole.moved().broken);
+  CHECK(*later.outcome().broken > then);
+  CHECK(*later.outcome().broken == *whole.outcome().broken);
   CHECK(later.fracture_energy() == whole.fracture_energy());
   CHECK(later.record().growth.rows == whole.record().growth.rows);
 }

@@ -33,12 +33,12 @@ TEST_CASE("moving growth: pieces that fall off are looked for where they are to 
   const auto start = verified_plate::assembled(c);
   auto& growth = *c.growth;
   const auto moving = moving_growth(growth, *start, {}, 1);
-  CHECK_FALSE(dynamic_cast<FallenPieces*>(&moving->changes()));
-  growth.fallen = Growth::Fallen::freeze;
+  CHECK_FALSE(dynamic_cast<DetachedPieces*>(&moving->changes()));
+  growth.detached = Growth::Detached::freeze;
   const auto freezing = moving_growth(growth, *start, {}, 1);
-  CHECK(dynamic_cast<FallenPieces*>(&freezing->changes()));
+  CHECK(dynamic_cast<DetachedPieces*>(&freezing->changes()));
   CHECK(&freezing->changes() == &freezing->changes());
-  CHECK(freezing->moved().frozen);
+  CHECK(freezing->outcome().frozen);
 }
 
 TEST_CASE("moving growth: factors of a tip are those of its plate at rest, normalised where that is asked for") {

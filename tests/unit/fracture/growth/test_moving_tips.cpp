@@ -1,8 +1,8 @@
 #include "fracture/growth/moving_growth.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/unit/fracture/distributed_run.hpp"
 #include "tests/unit/fracture/growth/moving_plate.hpp"
-#include "tests/unit/fracture/shared_run.hpp"
 
 using namespace fracture;
 namespace mp = moving_plate;
@@ -10,24 +10,24 @@ namespace mp = moving_plate;
 TEST_CASE("moving tips: a crack runs no faster than it may, and takes what the plate loses") {
   const mp::Motion motion(mp::content(Growth::Criterion::energy_release));
   MovingTips growth(*motion.c.growth, *motion.start, {}, 1);
-  const auto books = motion.move(growth, 600);
-  const auto moved = growth.moved();
-  REQUIRE(moved.advances > 3);
-  CHECK(moved.largest_speed <= 0.93 * motion.c.section.shear_wave_speed() * (1 + 1e-9));
-  CHECK(moved.largest_speed > 0);
-  REQUIRE(moved.lengths.size() == 1);
-  CHECK(moved.lengths[0] > 0.8 + 0.3);
+  const auto energies = motion.move(growth, 600);
+  const auto outcome = growth.outcome();
+  REQUIRE(outcome.advances > 3);
+  CHECK(outcome.largest_speed <= 0.93 * motion.c.section.shear_wave_speed() * (1 + 1e-9));
+  CHECK(outcome.largest_speed > 0);
+  REQUIRE(outcome.lengths.size() == 1);
+  CHECK(outcome.lengths[0] > 0.8 + 0.3);
   CHECK(growth.fracture_energy() > 0);
-  CHECK(books.energy + growth.fracture_energy() == Approx(books.work).epsilon(1e-9));
+  CHECK(energies.energy + growth.fracture_energy() == Approx(energies.work).epsilon(1e-9));
   const auto& record = growth.record();
-  REQUIRE(record.tips.rows.size() == moved.advances);
-  for (std::size_t i = 1; i < moved.advances; ++i) {
+  REQUIRE(record.tips.rows.size() == outcome.advances);
+  for (std::size_t i = 1; i < outcome.advances; ++i) {
     const auto time = [&](std::size_t row) {
       return std::get<double>(record.tips.rows[row][record.tips.column("time")]);
     };
     CHECK(time(i) > time(i - 1));
   }
-  CHECK(record.cracks.lines[0].vertices.size() == moved.advances + 2);
+  CHECK(record.cracks.lines[0].vertices.size() == outcome.advances + 2);
 }
 
 TEST_CASE("moving tips: below its fracture energy a tip stays, and its plate is the one at the start") {
@@ -35,25 +35,25 @@ TEST_CASE("moving tips: below its fracture energy a tip stays, and its plate is 
   c.growth->fracture_energy = 1e6;
   const mp::Motion motion(c);
   MovingTips growth(*motion.c.growth, *motion.start, {}, 1);
-  const auto books = motion.move(growth, 100);
-  CHECK(growth.moved().advances == 0);
-  CHECK_FALSE(growth.moved().spent);
-  CHECK(growth.moved().parts == growth.moved().parts_before);
+  const auto energies = motion.move(growth, 100);
+  CHECK(growth.outcome().advances == 0);
+  CHECK_FALSE(growth.outcome().spent);
+  CHECK(growth.outcome().parts == growth.outcome().parts_before);
   CHECK(growth.fracture_energy() == 0);
-  CHECK(books.energy == Approx(books.work));
+  CHECK(energies.energy == Approx(energies.work));
 }
 
 TEST_CASE("moving tips: one that goes on from memory grows as if it had never stopped") {
   const mp::Motion motion(mp::content(Growth::Criterion::energy_release));
   MovingTips whole(*motion.c.growth, *motion.start, {}, 1), later(*motion.c.growth, *motion.start, {}, 1);
-  plate::MotionMemory memory;
-  motion.move(whole, 400, nullptr, [&](const plate::MotionMemory& now) {
+  plate::MotionCheckpoint memory;
+  motion.move(whole, 400, nullptr, [&](const plate::MotionCheckpoint& now) {
     if (now.step == 300) memory = now, mp::hand_over(whole, later);
   });
-  const auto then = later.moved().advances;
+  const auto then = later.outcome().advances;
   motion.move(later, 400, &memory);
   CHECK(later.fracture_energy() == whole.fracture_energy());
-  CHECK(later.moved().advances > then);
+  CHECK(later.outcome().advances > then);
   CHECK(later.record().tips.rows == whole.record().tips.rows);
 }
 

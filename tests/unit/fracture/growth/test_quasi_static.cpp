@@ -28,8 +28,8 @@ public:
   std::optional<std::vector<post::Srif>> factors(double) override { return std::nullopt; }
   plate::Mesh draw(post::Frame&, const plate::State&) const override { return {}; }
   std::vector<double> lengths() const override { return {}; }
-  void remember(plate::OutArchive&) const override {}
-  void recall(plate::InArchive&) override {}
+  void save(plate::OutArchive&) const override {}
+  void restore(plate::InArchive&) override {}
 
   std::vector<Equilibrium> chosen;
   std::size_t longest_ = 100;

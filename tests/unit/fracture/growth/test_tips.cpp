@@ -47,7 +47,7 @@ public:
   plate::Mesh draw(post::Frame&, const plate::State&) const override { return {}; }
 
 private:
-  LoadedPlate whole_load(const std::vector<geometry::Polyline>& cracks) override { return solve_(cracks); }
+  LoadedPlate full_load(const std::vector<geometry::Polyline>& cracks) override { return solve_(cracks); }
 
   Solve solve_;
 };

@@ -19,7 +19,7 @@ TEST_CASE("words: every end of a growth has its own") {
 }
 
 TEST_CASE("words: what became of a motion") {
-  fracture::Moved moved;
+  fracture::MovingGrowthOutcome moved;
   CHECK(fracture::in_words(moved) == "no growth");
   moved.advances = 3, moved.reached = {"'left'", "crack 1"};
   CHECK(fracture::in_words(moved) == "3 pieces of crack, 'left', crack 1 reached");

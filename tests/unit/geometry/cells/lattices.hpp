@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/cells/whole_lattice.hpp"
+#include "geometry/cells/global_lattice.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/geometry/random_plates.hpp"
 
@@ -9,7 +9,7 @@ namespace lattices {
 
 using namespace geometry;
 
-/// Calls visit(WholeLattice) for random plates, and for some along the lattice with cracks along it and across.
+/// Calls visit(GlobalLattice) for random plates, and for some along the lattice with cracks along it and across.
 template <typename Visit>
 void for_lattices(const Visit& visit) {
   for (unsigned seed = 0; seed < 60; ++seed) {
@@ -17,7 +17,7 @@ void for_lattices(const Visit& visit) {
     auto plate = maker.plate();
     if (seed % 3 == 1) plate = random_plates::moved(plate, maker.uniform(0, 6), {1e3, -7e2});
     CAPTURE(seed);
-    visit(WholeLattice(plate.outline, random_plates::paths(plate), seed % 2 ? 0.07 : 0.03, {}));
+    visit(GlobalLattice(plate.outline, random_plates::paths(plate), seed % 2 ? 0.07 : 0.03, {}));
   }
   const auto long_plate = rectangle(0, 0, 12, 3);
   const std::vector<std::vector<Polyline>> cracks{{},
@@ -27,7 +27,7 @@ void for_lattices(const Visit& visit) {
                                                   {{{6, 0}, {6, 3}}, {{8, 1.42}, {11, 1.55}}}};
   for (const double spacing : {0.1, 0.013, 0.02})
     for (const auto& some : cracks)
-      visit(WholeLattice(long_plate, crack_paths(long_plate, some, 1e-9), spacing, {{5, 1.1}, {5.005, 1.234}}));
+      visit(GlobalLattice(long_plate, crack_paths(long_plate, some, 1e-9), spacing, {{5, 1.1}, {5.005, 1.234}}));
 }
 
 /// The cells of a whole with a corner in a box.

@@ -5,7 +5,7 @@ using namespace lattices;
 
 TEST_CASE("cells at a box: those of the whole with a corner there, with their points, in the same order") {
   std::size_t some = 0, parted = 0;
-  for_lattices([&](const WholeLattice& lattice) {
+  for_lattices([&](const GlobalLattice& lattice) {
     const auto whole = lattice.cells();
     CHECK(whole.positions.size() == lattice.size());
     const auto [columns, rows] = lattice.last();

@@ -28,7 +28,7 @@ TEST_CASE("points shared out: rows of a lattice are parted at stretches of colum
       const auto owners = shared_out(cells, parts);
       for (std::size_t k = 1; k < owners.size(); ++k) {
         if (cells.positions[k].y() != cells.positions[k - 1].y() || owners[k] == owners[k - 1]) continue;
-        CHECK(std::lround(cells.positions[k].x()) % stretch == 0);
+        CHECK(std::lround(cells.positions[k].x()) % columns_per_block == 0);
         ++parted;
       }
     }

@@ -27,7 +27,7 @@ TEST_CASE("points on the faces of a crack are seen on their side at any scale") 
   for (const double at_tips : {1e-2, 1e-4, 1e-6})
     for (int degrees = 0; degrees <= 45; degrees += 5) {
       const auto cells = inclined(degrees, at_tips, 0.4);
-      const auto seen = seen_positions(cells);
+      const auto seen = positions_inside_faces(cells);
       const double angle = degrees * std::numbers::pi / 180;
       const Point along(std::cos(angle), std::sin(angle));
       std::vector<char> face(seen.size(), 0);

@@ -185,7 +185,7 @@ TEST_CASE("a grading puts points close together at tips and holes") {
 
 TEST_CASE("points on the faces of a crack are seen on their side") {
   const auto cells = cells_of({plate, {{{-0.3, 0}, {0.3, 0}}}, 0.1});
-  const auto seen = seen_positions(cells);
+  const auto seen = positions_inside_faces(cells);
   for (const auto& square : cells.squares) {
     const Point middle = (cells.positions[square[0]] + cells.positions[square[2]]) / 2;
     for (const auto k : square) {

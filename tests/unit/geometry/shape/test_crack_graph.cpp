@@ -18,7 +18,7 @@ void cut(CrackGraph& graph, const Point& from, const Point& to, double time) {
     for (int y = 0; y < 20; ++y) {
       const Point p(x + 0.5, y + 0.5);
       for (const auto& q : {Point(p + Point(1, 0)), Point(p + Point(0, 1))})
-        if (q.x() < 20 && q.y() < 20 && severs(path, p, q)) graph.part(p, q, time);
+        if (q.x() < 20 && q.y() < 20 && separates(path, p, q)) graph.part(p, q, time);
     }
 }
 

@@ -29,7 +29,7 @@ std::vector<Point> points() {
 int kept_bonds(const CrackPath& crack, const Point& p) {
   int kept = 0;
   for (const Point& q : points())
-    if (q != p && (q - p).norm() <= 3 && !severs(crack, p, q)) ++kept;
+    if (q != p && (q - p).norm() <= 3 && !separates(crack, p, q)) ++kept;
   return kept;
 }
 
@@ -48,11 +48,11 @@ bool collinear(const Point& p, const Point& q, const Point& v) {
 
 TEST_CASE("severs: a bond that touches a tip stays, one behind it is cut, one ahead is not") {
   const CrackPath crack = free_crack({{2, 5}, {6.5, 5}});
-  CHECK_FALSE(severs(crack, {6.5, 4.5}, {6.5, 5.5}));
-  CHECK_FALSE(severs(crack, {5.5, 4.5}, {7.5, 5.5}));
-  CHECK(severs(crack, {5.5, 4.5}, {6.5, 5.5}));
-  CHECK_FALSE(severs(crack, {6.5, 4.5}, {7.5, 5.5}));
-  CHECK_FALSE(severs(crack, {6.5, 5}, {4.5, 3.5}));  // a point that is the tip
+  CHECK_FALSE(separates(crack, {6.5, 4.5}, {6.5, 5.5}));
+  CHECK_FALSE(separates(crack, {5.5, 4.5}, {7.5, 5.5}));
+  CHECK(separates(crack, {5.5, 4.5}, {6.5, 5.5}));
+  CHECK_FALSE(separates(crack, {6.5, 4.5}, {7.5, 5.5}));
+  CHECK_FALSE(separates(crack, {6.5, 5}, {4.5, 3.5}));  // a point that is the tip
 }
 
 TEST_CASE("severs: points on a horizontal, vertical or oblique crack lie on the stated side") {
@@ -67,9 +67,9 @@ TEST_CASE("severs: points on a horizontal, vertical or oblique crack lie on the 
   for (Line line : lines)
     for (int reversed = 0; reversed < 2; ++reversed) {
       const CrackPath crack = free_crack(line.vertices);
-      CHECK_FALSE(severs(crack, line.on, line.stated));
-      CHECK(severs(crack, line.on, line.other));
-      CHECK(severs(crack, line.other, line.on));
+      CHECK_FALSE(separates(crack, line.on, line.stated));
+      CHECK(separates(crack, line.on, line.other));
+      CHECK(separates(crack, line.other, line.on));
       std::reverse(line.vertices.begin(), line.vertices.end());
     }
 }
@@ -77,7 +77,7 @@ TEST_CASE("severs: points on a horizontal, vertical or oblique crack lie on the 
 TEST_CASE("severs: points on a crack through a whole row stay bonded along it") {
   const CrackPath crack{{{0, 4.5}, {10, 4.5}}, End::mouth, End::mouth};
   for (const Point& p : points()) CHECK(kept_bonds(crack, p) >= 8);
-  CHECK_FALSE(severs(crack, {3.5, 4.5}, {4.5, 4.5}));
+  CHECK_FALSE(separates(crack, {3.5, 4.5}, {4.5, 4.5}));
 }
 
 TEST_CASE("severs: open bonds agree with integer arithmetic, whichever way crack and bond run") {
@@ -89,15 +89,15 @@ TEST_CASE("severs: open bonds agree with integer arithmetic, whichever way crack
     const Point a = draw(), b = draw(), p = draw(), q = draw();
     if (a == b || p == q) continue;
     const CrackPath crack = free_crack({a, b});
-    const bool severed = severs(crack, p, q);
-    REQUIRE(severed == severs(crack, q, p));
-    REQUIRE(severed == severs(free_crack({b, a}), p, q));
+    const bool separated = separates(crack, p, q);
+    REQUIRE(separated == separates(crack, q, p));
+    REQUIRE(separated == separates(free_crack({b, a}), p, q));
     const double of_line = static_cast<double>(turn(a, b, p)) * static_cast<double>(turn(a, b, q));
     const double of_bond = static_cast<double>(turn(p, q, a)) * static_cast<double>(turn(p, q, b));
     if (of_line == 0 || of_bond == 0) continue;
-    REQUIRE(severed == (of_line < 0 && of_bond < 0));
+    REQUIRE(separated == (of_line < 0 && of_bond < 0));
     ++decided;
-    cut += severed;
+    cut += separated;
   }
   CHECK(decided > 10000);
   CHECK(cut > 1000);
@@ -116,8 +116,8 @@ TEST_CASE("severs: degenerate contacts are those of points really moved by a sma
     const CrackPath crack = free_crack({a, b, c});
     const bool degenerate = turn(a, b, p) == 0 || turn(a, b, q) == 0 || turn(p, q, b) == 0;
     if (!degenerate) continue;
-    REQUIRE(severs(crack, p, q) == severs(crack, p + shift, q + shift));
-    REQUIRE(severs(crack, p, q) == severs(free_crack({c, b, a}), p, q));
+    REQUIRE(separates(crack, p, q) == separates(crack, p + shift, q + shift));
+    REQUIRE(separates(crack, p, q) == separates(free_crack({c, b, a}), p, q));
     ++touching;
   }
   CHECK(touching > 1000);
@@ -125,11 +125,11 @@ TEST_CASE("severs: degenerate contacts are those of points really moved by a sma
 
 TEST_CASE("severs: a bond exactly through a kink is cut where the crack goes on, not where it turns back") {
   const CrackPath bent = free_crack({{1, 1}, {4, 4}, {9, 4}});
-  CHECK(severs(bent, {3.5, 5.5}, {4.5, 2.5}));
-  CHECK(severs(bent, {4, 5.5}, {4, 2.5}));
+  CHECK(separates(bent, {3.5, 5.5}, {4.5, 2.5}));
+  CHECK(separates(bent, {4, 5.5}, {4, 2.5}));
   const CrackPath wedge = free_crack({{1, 6}, {4, 4}, {1, 2}});  // its point touches the bond from the left
-  CHECK_FALSE(severs(wedge, {4, 2.5}, {4, 5.5}));                // the bond is moved to +x, off the wedge
-  CHECK(severs(wedge, {3.5, 2.5}, {3.5, 5.5}));                  // crosses both legs
+  CHECK_FALSE(separates(wedge, {4, 2.5}, {4, 5.5}));             // the bond is moved to +x, off the wedge
+  CHECK(separates(wedge, {3.5, 2.5}, {3.5, 5.5}));               // crosses both legs
 }
 
 TEST_CASE("severs: turning crack and bond by a right angle changes nothing where only the tips are touched") {
@@ -142,7 +142,7 @@ TEST_CASE("severs: turning crack and bond by a right angle changes nothing where
   for (int trial = 0; trial < 3000; ++trial) {
     const Point p(cell(random) + 0.5, cell(random) + 0.25), q(cell(random) + 0.5, cell(random) + 0.25);
     if (p == q || collinear(p, q, {4.5, 5.5})) continue;  // through the kink
-    REQUIRE(severs(free_crack(path), p, q) == severs(free_crack(turned_path), turned(p), turned(q)));
+    REQUIRE(separates(free_crack(path), p, q) == separates(free_crack(turned_path), turned(p), turned(q)));
     ++tested;
   }
   CHECK(tested > 2000);
@@ -150,11 +150,11 @@ TEST_CASE("severs: turning crack and bond by a right angle changes nothing where
 
 TEST_CASE("severs: mouths and junctions are closed ends") {
   const CrackPath closed{{{4, 0}, {4, 5}}, End::mouth, End::junction};
-  CHECK(severs(closed, {3.5, 4.5}, {4.5, 5.5}));  // through (4, 5)
-  CHECK(severs(closed, {3.5, 0}, {4.5, 0}));
-  CHECK_FALSE(severs(free_crack({{4, 0}, {4, 5}}), {3.5, 4.5}, {4.5, 5.5}));
+  CHECK(separates(closed, {3.5, 4.5}, {4.5, 5.5}));  // through (4, 5)
+  CHECK(separates(closed, {3.5, 0}, {4.5, 0}));
+  CHECK_FALSE(separates(free_crack({{4, 0}, {4, 5}}), {3.5, 4.5}, {4.5, 5.5}));
   const CrackPath slant{{{0.5, 0.5}, {4.5, 5.5}}, End::tip, End::junction};  // points on it keep to one side
-  CHECK(severs(slant, {4.5, 5.5}, {3.5, 5.5}) != severs(slant, {4.5, 5.5}, {5.5, 5.5}));
+  CHECK(separates(slant, {4.5, 5.5}, {3.5, 5.5}) != separates(slant, {4.5, 5.5}, {5.5, 5.5}));
 }
 
 TEST_CASE("two crossing cracks cut the bonds of each, and a T-junction is closed") {
@@ -164,13 +164,13 @@ TEST_CASE("two crossing cracks cut the bonds of each, and a T-junction is closed
     CHECK(path.front == End::tip);
     CHECK(path.back == End::tip);
   }
-  CHECK(severs(cross[0], {4.5, 4.5}, {4.5, 5.5}));
-  CHECK(severs(cross[1], {4.5, 4.5}, {5.5, 4.5}));
-  CHECK(severs(cross[0], {4.5, 4.5}, {5.5, 5.5}));  // through the crossing
+  CHECK(separates(cross[0], {4.5, 4.5}, {4.5, 5.5}));
+  CHECK(separates(cross[1], {4.5, 4.5}, {5.5, 4.5}));
+  CHECK(separates(cross[0], {4.5, 4.5}, {5.5, 5.5}));  // through the crossing
   const auto tee = crack_paths(plate, {{{2, 5}, {8, 5}}, {{5, 5}, {5, 10}}}, 1e-9);
   CHECK(tee[1].front == End::junction);
   CHECK(tee[1].back == End::mouth);
-  const auto cut = [&](const Point& p, const Point& q) { return severs(tee[0], p, q) || severs(tee[1], p, q); };
+  const auto cut = [&](const Point& p, const Point& q) { return separates(tee[0], p, q) || separates(tee[1], p, q); };
   CHECK(cut({4.5, 5.5}, {5.5, 5.5}));
   CHECK(cut({4.5, 5}, {5.5, 5}));  // along the first crack, through the junction
   CHECK(cut({4.5, 4.5}, {5.5, 5.5}));
@@ -183,9 +183,9 @@ TEST_CASE("decimal noise: the tip at 0.3 lies on a column of points of spacing 0
   CHECK(crack.vertices[1] == Point(162.5, 125));
   CHECK(crack.vertices[0] == Point(87.5, 125));
   for (int reach = 1; reach <= 3; ++reach) {
-    CHECK_FALSE(severs(crack, {162.5, 125.5 - reach}, {162.5, 124.5 + reach}));
-    CHECK(severs(crack, {161.5, 125.5 - reach}, {161.5, 124.5 + reach}));
-    CHECK_FALSE(severs(crack, {87.5, 125.5 - reach}, {87.5, 124.5 + reach}));
+    CHECK_FALSE(separates(crack, {162.5, 125.5 - reach}, {162.5, 124.5 + reach}));
+    CHECK(separates(crack, {161.5, 125.5 - reach}, {161.5, 124.5 + reach}));
+    CHECK_FALSE(separates(crack, {87.5, 125.5 - reach}, {87.5, 124.5 + reach}));
   }
 }
 
@@ -219,7 +219,7 @@ TEST_CASE("faults of cracks say what is wrong and where") {
   Outline plate = rectangle(-1, -1, 1, 1);
   plate.holes.push_back(Circle{{0.5, 0.5}, 0.25, "hole0"});
   const auto only = [&](const std::vector<Polyline>& cracks) {
-    const auto found = faults(plate, cracks, 1e-9);
+    const auto found = errors(plate, cracks, 1e-9);
     REQUIRE(found.size() == 1);
     return found[0].where + ": " + found[0].what;
   };
@@ -234,7 +234,7 @@ TEST_CASE("faults of cracks say what is wrong and where") {
   CHECK_THAT(only({{{0, 0}, {0.5, 0}, {0.25, 0}}}), Contains("run along each other"));
   CHECK_THAT(only({{{0, 0}, {0.5, 0}}, {{0.25, 0}, {0.75, 0}}}), Contains("cracks[1]: runs along cracks[0]"));
   const Outline ell{{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}}, {}};
-  const auto found = faults(ell, {{{0.5, 1.75}, {1.75, 0.5}}}, 1e-9);
+  const auto found = errors(ell, {{{0.5, 1.75}, {1.75, 0.5}}}, 1e-9);
   REQUIRE(found.size() == 1);
   CHECK_THAT(found[0].what, Contains("outside the outline between (1, 1.25) and (1.25, 1)"));
 }
@@ -247,7 +247,7 @@ TEST_CASE("cracks may cross, branch, end on edges and holes, and share ends") {
                                      {{0, 0}, {0.3, -0.3}},
                                      {{0, 0.5}, {0.25, 0.5}},
                                      {{0.9, 1 + 1e-12}, {0.9, 0.8}}};
-  CHECK(faults(plate, cracks, 1e-9).empty());
+  CHECK(errors(plate, cracks, 1e-9).empty());
 }
 
 TEST_CASE("distance from a polyline") {

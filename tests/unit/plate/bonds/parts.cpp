@@ -11,8 +11,8 @@
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/initial_conditions.hpp"
+#include "plate/solve/plate_in_contact.hpp"
 #include "plate/solve/statics.hpp"
-#include "plate/solve/touched_plate.hpp"
 #include "tests/catch.hpp"
 
 namespace parts {
@@ -48,9 +48,9 @@ namespace {
 
 /// Where and how a motion ends, whoever computed it.
 struct End {
-  double limit = 0;                        // of the time step
-  std::vector<std::vector<double>> books;  // strain, kinetic, discrete and outer energy of every row, and dissipated
-  Blows blow;
+  double limit = 0;                           // of the time step
+  std::vector<std::vector<double>> energies;  // strain, kinetic, discrete and outer energy of every row, and dissipated
+  ContactForces contact_force;
   std::map<std::array<long, 2>, std::array<double, 3>> state;  // by cell
 };
 
@@ -68,9 +68,9 @@ End moved(const Problem& given, const How& how, const Communicator& all) {
   const auto begin = begin_of_motion(*plate, 1);
   Analysis analysis;
   analysis.damping = how.damping;
-  const auto& attached = plate->boundary().attached;
-  const double free =
-      stable_time_step(TouchedPlate(*plate, attached, everywhere(attached)), plate->constraints(), mass, start);
+  const auto& elastic_supports = plate->boundary().elastic_supports;
+  const double free = stable_time_step(PlateInContact(*plate, elastic_supports, everywhere(elastic_supports)),
+                                       plate->constraints(), mass, start);
   end.limit = stable_step(free, *plate, analysis, begin);
   const auto part = part_of_lattice(all, problem.outline, problem.discretization);
   DynamicOptions options{0.9 * end.limit, how.steps, 10};
@@ -78,11 +78,13 @@ End moved(const Problem& given, const How& how, const Communicator& all) {
   options.start = begin.deflected, options.bent = begin.deflected.size() > 0, options.velocity = begin.velocity;
   options.given = begin.given, options.impact = begin.impact, options.own = plate->boundary().map.owned;
   options.mass_damping = how.damping.mass, options.stiffness_damping = how.damping.stiffness;
-  options.whole_mass = driven_mass(*plate, 1);
+  options.unconstrained_mass = driven_mass(*plate, 1);
   central_differences(*plate, plate->constraints(), mass, plate->loads(), options, [&](const Instant& now) {
-    end.books.push_back({now.strain_energy, now.kinetic_energy, now.discrete_kinetic_energy, now.external_work,
-                         now.dissipated, now.potential});
-    if (now.blow) end.blow.push_back({now.blow->place, now.blow->velocity, now.blow->force, now.blow->touching});
+    end.energies.push_back({now.strain_energy, now.kinetic_energy, now.discrete_kinetic_energy, now.external_work,
+                            now.dissipated, now.potential});
+    if (now.contact_force)
+      end.contact_force.push_back({now.contact_force->place, now.contact_force->velocity, now.contact_force->force,
+                                   now.contact_force->touching});
     if (now.step < how.steps) return;
     for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
       if (!part || part->own.contains(cell(k)))
@@ -95,7 +97,7 @@ End moved_by(int processes, const Problem& problem, const How& how) {
   End all;
   const auto put = [&](End& own, bool first) {
     all.state.merge(own.state);
-    if (first) all.limit = own.limit, all.books = own.books, all.blow = own.blow;
+    if (first) all.limit = own.limit, all.energies = own.energies, all.contact_force = own.contact_force;
     CHECK(own.state.empty());  // nobody else has any of these points
   };
   together(
@@ -128,7 +130,7 @@ Rest at_rest(const Problem& given, StaticMethod method, Preconditioning wanted, 
 
 }  // namespace
 
-Blows check(const Problem& problem, const How& how) {
+ContactForces check(const Problem& problem, const How& how) {
   const End whole = moved(problem, how, single_process()), one = moved_by(1, problem, how);
   REQUIRE(whole.state.size() == one.state.size());
   CHECK(one.limit == Approx(whole.limit).epsilon(1e-9));
@@ -141,24 +143,25 @@ Blows check(const Problem& problem, const How& how) {
   CHECK(largest > 0);
   CHECK(apart < (how.mixed ? 1e-5 : 1e-10) * largest);
   double energy = 0, other = 0;
-  REQUIRE((whole.books.size() == one.books.size() && whole.blow.size() == one.blow.size()));
-  for (std::size_t row = 0; row < whole.books.size(); ++row)
-    for (std::size_t i = 0; i < whole.books[row].size(); ++i) {
-      energy = std::max(energy, std::abs(whole.books[row][i]));
-      other = std::max(other, std::abs(whole.books[row][i] - one.books[row][i]));
+  REQUIRE((whole.energies.size() == one.energies.size() && whole.contact_force.size() == one.contact_force.size()));
+  for (std::size_t row = 0; row < whole.energies.size(); ++row)
+    for (std::size_t i = 0; i < whole.energies[row].size(); ++i) {
+      energy = std::max(energy, std::abs(whole.energies[row][i]));
+      other = std::max(other, std::abs(whole.energies[row][i] - one.energies[row][i]));
     }
   CHECK(other < (how.mixed ? 1e-5 : 1e-10) * energy);
-  if (!whole.blow.empty()) CHECK(whole.blow.back()[3] > 0);  // it has touched the plate
-  for (std::size_t row = 0; row < whole.blow.size(); ++row)
-    for (std::size_t i = 0; i < 4; ++i) CHECK(one.blow[row][i] == Approx(whole.blow[row][i]).epsilon(1e-9));
+  if (!whole.contact_force.empty()) CHECK(whole.contact_force.back()[3] > 0);  // it has touched the plate
+  for (std::size_t row = 0; row < whole.contact_force.size(); ++row)
+    for (std::size_t i = 0; i < 4; ++i)
+      CHECK(one.contact_force[row][i] == Approx(whole.contact_force[row][i]).epsilon(1e-9));
   for (const int processes : {2, 3, 4, 7}) {
     INFO(processes << " processes");
     const End many = moved_by(processes, problem, how);
     CHECK(many.limit == one.limit);
-    CHECK((many.books == one.books && many.blow == one.blow));
+    CHECK((many.energies == one.energies && many.contact_force == one.contact_force));
     CHECK((many.state == one.state));
   }
-  return whole.blow;
+  return whole.contact_force;
 }
 
 void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound) {

@@ -37,11 +37,11 @@ struct How {
 };
 
 /// Of a mass that hits: its place, velocity and force, and for how long it has touched.
-using Blows = std::vector<std::array<double, 4>>;
+using ContactForces = std::vector<std::array<double, 4>>;
 
 /// In steps: 1 process against the ordinary program, any other number against 1, bit for bit. Returns what hits in
 /// every tenth step.
-Blows check(const Problem& problem, const How& how = {});
+ContactForces check(const Problem& problem, const How& how = {});
 
 /// `bound`: of how far apart states are for different numbers of processes, over the largest; 0: the same bits.
 void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound);

@@ -42,8 +42,8 @@ TEST_CASE("a plate in parts: a mass hits where four processes meet, and flies of
   auto problem = pane();
   problem.impact = Impact{{2.5605, 0.3207}, 2e-5, -3, 4e4};
   SECTION("alone") {
-    const auto blows = check(problem, {false, {}, 120});
-    const auto& [place, velocity, force, touched] = blows.back();
+    const auto contact_forces = check(problem, {false, {}, 120});
+    const auto& [place, velocity, force, touched] = contact_forces.back();
     CHECK((force == 0 && velocity > 0 && touched < 1e-4));
   }
   SECTION("on a plate that comes towards it, damped") {

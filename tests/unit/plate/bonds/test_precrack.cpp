@@ -16,8 +16,8 @@ small_plate::Model sheet(const std::vector<Support>& supports = {}) {
   return small_plate::model(geometry::rectangle(0, 0, 14, 12), supports, small_plate::spaced(1));
 }
 
-geometry::Families severed(const small_plate::Model& m, const std::vector<CrackPath>& paths) {
-  return sever(m.boundary, m.plate.families(), paths, m.discretization.horizon_ratio);
+geometry::Families remaining(const small_plate::Model& m, const std::vector<CrackPath>& paths) {
+  return without_crossing_bonds(m.boundary, m.plate.families(), paths, m.discretization.horizon_ratio);
 }
 
 bool bonded(const geometry::Families& families, std::uint32_t k, std::uint32_t j) {
@@ -49,14 +49,14 @@ bool same(const geometry::Families& a, const geometry::Families& b) {
 
 TEST_CASE("without cracks nothing is severed") {
   const auto m = sheet();
-  const auto rest = severed(m, {});
+  const auto rest = remaining(m, {});
   CHECK(same(rest, m.plate.families()));
 }
 
 TEST_CASE("a crack severs the bonds that cross it and no others") {
   const auto m = sheet();
   const auto& whole = m.plate.families();
-  const auto rest = severed(m, {crack});
+  const auto rest = remaining(m, {crack});
   std::size_t cut = 0, kept = 0;
   for (std::uint32_t k = 0; k < whole.points(); ++k)
     for (const auto& bond : whole[k]) {
@@ -73,10 +73,10 @@ TEST_CASE("a crack severs the bonds that cross it and no others") {
 TEST_CASE("several cracks: each severs its own") {
   const auto m = sheet();
   const CrackPath other{{{10.3, 9.1}, {12.7, 10.9}}, End::tip, End::tip};
-  const auto both = severed(m, {crack, other});
-  const auto one_by_one = sever(m.boundary, severed(m, {crack}), {other}, 3.015);
+  const auto both = remaining(m, {crack, other});
+  const auto one_by_one = without_crossing_bonds(m.boundary, remaining(m, {crack}), {other}, 3.015);
   CHECK(same(both, one_by_one));
-  CHECK(both.bonds() < severed(m, {crack}).bonds());
+  CHECK(both.bonds() < remaining(m, {crack}).bonds());
 }
 
 TEST_CASE("bonds to mirror images are severed by the crack's mirror images") {
@@ -84,7 +84,7 @@ TEST_CASE("bonds to mirror images are severed by the crack's mirror images") {
   // to the left edge at y = 5, horizontal
   const CrackPath to_edge{{{0, 5}, {4.3, 5}}, End::mouth, End::tip};
   const auto& whole = m.plate.families();
-  const auto rest = severed(m, {to_edge});
+  const auto rest = remaining(m, {to_edge});
   std::size_t cut = 0, images = 0;
   for (std::uint32_t k = 0; k < m.boundary.cloud.plate_points; ++k)
     for (const auto& bond : whole[k]) {
@@ -104,7 +104,7 @@ TEST_CASE("cut share: nothing away from the crack, the weights of the lost bonds
   const auto m = sheet();
   const CrackPath straight{{{3, 6}, {11, 6}}, End::tip, End::tip};
   const auto& whole = m.plate.families();
-  const auto share = cut_share(whole, severed(m, {straight}), m.plate.shapes(), m.boundary.cloud.plate_points);
+  const auto share = cut_share(whole, remaining(m, {straight}), m.plate.shapes(), m.boundary.cloud.plate_points);
   REQUIRE(share.size() == 14 * 12);
   for (std::size_t k = 0; k < share.size(); ++k) {
     const double away = std::abs(m.boundary.lattice[k].y() - 6);

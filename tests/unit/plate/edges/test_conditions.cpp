@@ -19,13 +19,13 @@ const Eigen::Vector4d force(0, 0, 0, 6);
 }  // namespace
 
 TEST_CASE("conditions: held unknowns have their values and reactions balance the forces") {
-  const auto solution = solution_held(chain(), force, {{0, 0.5}});
+  const auto solution = constrained_solution(chain(), force, {{0, 0.5}});
   CHECK((solution.values - Eigen::Vector4d(0.5, 3.5, 6.5, 9.5)).norm() < 1e-13);
   CHECK(solution.reactions[0] == Approx(-6));
 }
 
 TEST_CASE("conditions: with all unknowns held, reactions alone") {
-  const auto solution = solution_held(chain(), Eigen::Vector4d::Zero(), {{0, 0}, {1, 0}, {2, 0}, {3, 1}});
+  const auto solution = constrained_solution(chain(), Eigen::Vector4d::Zero(), {{0, 0}, {1, 0}, {2, 0}, {3, 1}});
   CHECK((solution.reactions - Eigen::Vector4d(0, 0, -2, 2)).norm() < 1e-14);
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("conditions: [K B^T, B 0]") {
 }
 
 TEST_CASE("conditions: a loose body and contradictions are found") {
-  CHECK_THROWS_AS(solution_held(chain(), force, {}), NumericalError);
+  CHECK_THROWS_AS(constrained_solution(chain(), force, {}), NumericalError);
   const SparseStiffness B = Eigen::MatrixXd{{1, 0, 0, 0}, {2, 0, 0, 0}}.sparseView();
   CHECK_THROWS_AS(solution_with_multipliers(chain(), B, force, Eigen::Vector2d(0, 1)), NumericalError);
 }

@@ -76,7 +76,7 @@ TEST_CASE("multiplied plate: what holds a clamped plate is its load, and points 
   for (const int one : made.idle) held.push_back({one, 0});
   Eigen::VectorXd loads = Eigen::VectorXd::Zero(real + 2 * surface);
   loads.head(right.size()) = right;
-  const auto found = solution_held(made.stiffness, loads, held);
+  const auto found = constrained_solution(made.stiffness, loads, held);
   double sum = 0;
   for (std::size_t i = 0; i < of_edges; ++i)
     if (held[i].unknown % 3 == 0) sum += found.reactions[Eigen::Index(i)];

@@ -61,7 +61,7 @@ TEST_CASE("oblique rows: section forces of bending about an axis, of twist and o
 
 TEST_CASE("oblique rows: what bonds beyond the edges do balances what all bonds do to the points") {
   const auto p = made(turned(1));
-  const std::vector<HeldOfNode> clamped(std::size_t(p.surfaces()), {true, true, true});
+  const std::vector<PrescribedOfNode> clamped(std::size_t(p.surfaces()), {true, true, true});
   const auto K = oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, section, clamped);
   const Eigen::VectorXd any = Eigen::VectorXd::Random(p.unknowns()), force = K * any;
   Eigen::Vector3d sum(0, 0, 0);  // about the origin
@@ -78,7 +78,7 @@ TEST_CASE("oblique rows: what bonds beyond the edges do balances what all bonds 
 
 TEST_CASE("oblique rows: a rotation that is held alone is a row of the stiffness") {
   const auto p = made(turned(1));
-  const std::vector<HeldOfNode> hard(std::size_t(p.surfaces()), {true, false, true});
+  const std::vector<PrescribedOfNode> hard(std::size_t(p.surfaces()), {true, false, true});
   const auto K = oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, section, hard);
   const Eigen::VectorXd any = Eigen::VectorXd::Random(p.unknowns()), forces = K * any;
   for (int s = 0; s < p.surfaces(); ++s) {
@@ -94,7 +94,7 @@ TEST_CASE("oblique rows: corners too sharp for edges that are not clamped are re
   triangle.outer.vertices = {{-0.9, -0.54}, {0.9, -0.36}, {-0.18, 0.81}};
   const auto p = made(triangle);
   const auto count = std::size_t(p.surfaces());
-  const auto stiffness = [&](const HeldOfNode& held) {
+  const auto stiffness = [&](const PrescribedOfNode& held) {
     return oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, section, std::vector(count, held));
   };
   CHECK(stiffness({true, true, true}).nonZeros() > 0);

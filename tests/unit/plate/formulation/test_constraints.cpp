@@ -121,7 +121,7 @@ TEST_CASE("a symmetric stiffness stays symmetric") {
 namespace {
 
 /// Of four points the last two are others'. They come at the end, when own values may long have changed.
-class FromOthers : public plate::Exchange {
+class FromOthers : public plate::HaloExchange {
 public:
   explicit FromOthers(State theirs) : theirs_(std::move(theirs)) {}
   void start(std::span<double> values) const override {
@@ -153,7 +153,7 @@ TEST_CASE("what follows own points is there at once, what is of others or follow
   c.tie(3 * 3 + 1, {{0, 3}});        // a copy follows own
   c.resolve();
   c.share(plate::single_process(), {2, 3}, others);
-  CHECK(c.awaited(points) == std::vector<char>{0, 1, 1, 1});
+  CHECK(c.pending(points) == std::vector<char>{0, 1, 1, 1});
 
   State whole = given, halves = given;
   c.impose(whole);
@@ -165,7 +165,7 @@ TEST_CASE("what follows own points is there at once, what is of others or follow
   CHECK(whole(1, 2) == 0);
   CHECK(whole(1, 3) == 3 * given(0, 0));
   {
-    plate::Awaited rest(c, halves);
+    plate::PendingExchange rest(c, halves);
     CHECK(halves.col(0) == whole.col(0));
     CHECK(halves(1, 1) == given(1, 1));
     CHECK(std::isnan(halves(0, 2)));
@@ -180,7 +180,7 @@ TEST_CASE("what follows own points is there at once, what is of others or follow
   }
   CHECK(halves(0, 2) == 7);
   halves = given;
-  { const plate::Awaited rest(c, halves); }  // whoever forgets it has it completed
+  { const plate::PendingExchange rest(c, halves); }  // whoever forgets it has it completed
   CHECK(halves == whole);
   CHECK(others->begun == 3);
 
@@ -193,10 +193,10 @@ TEST_CASE("what follows own points is there at once, what is of others or follow
 
 TEST_CASE("one process waits for nothing") {
   const Constraints c = several();
-  CHECK(c.awaited(points).empty());
+  CHECK(c.pending(points).empty());
   State u = small_plate::random_state(points, 3), imposed = u;
   c.impose(imposed);
-  plate::Awaited rest(c, u);
+  plate::PendingExchange rest(c, u);
   CHECK(u == imposed);
   rest.progress(), rest.complete();
   CHECK(u == imposed);

@@ -27,7 +27,7 @@ State linear(const std::vector<Point>& positions, double c, const Point& g) {
 }
 
 struct Soil {
-  Attachment attachment;
+  ElasticSupport elastic_support;
   std::vector<Point> positions;
   std::function<Forces(const Load&)> loaded;
 };
@@ -35,13 +35,13 @@ struct Soil {
 std::vector<Soil> soils(const Foundation& foundation, double spacing = 0.1) {
   std::vector<Soil> result;
   const auto cloud = geometry::lattice(outline, spacing);
-  AttachmentSum sum(cloud.size());
+  ElasticSupportSum sum(cloud.size());
   add_foundation(foundation, cloud, sum);
   result.push_back({std::move(sum).taken("foundation0", {}), cloud.positions,
                     [cloud](const Load& load) { return nodal_forces(load, cloud, outline); }});
   for (const geometry::Grading& grading : {geometry::Grading{}, geometry::Grading{0.03, std::nullopt, 0.2}}) {
     const auto cells = geometry::tessellation(outline, {}, spacing, {{0.33, 0.47}}, grading);
-    AttachmentSum of_cells(cells.positions.size());
+    ElasticSupportSum of_cells(cells.positions.size());
     add_foundation(foundation, cells, of_cells);
     result.push_back({std::move(of_cells).taken("foundation0", {}), cells.positions, [cells](const Load& load) {
                         return nodal_forces(load, cells, std::vector<double>(cells.positions.size()));
@@ -50,7 +50,7 @@ std::vector<Soil> soils(const Foundation& foundation, double spacing = 0.1) {
   return result;
 }
 
-Eigen::MatrixXd dense(const Attachment& a) {
+Eigen::MatrixXd dense(const ElasticSupport& a) {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(Eigen::Index(3 * a.points), Eigen::Index(3 * a.points));
   a.for_each([&](std::uint32_t row, std::uint32_t column, double value) { K(row, column) += value; });
   return K;
@@ -103,7 +103,7 @@ TEST_CASE("a shear layer ties the faces of a crack, and nothing else does") {
       if (cells.positions[square[2]].y() > 0.5 + 1e-9 && cells.positions[k].y() > 0.5 - 1e-9) below[k] = 0;
   for (std::size_t k = 0; k < below.size(); ++k)
     if (std::abs(cells.positions[k].y() - 0.5) < 1e-9 && !below[k]) jump(0, Eigen::Index(k)) = 1;
-  AttachmentSum sum(cells.positions.size()), bare(cells.positions.size());
+  ElasticSupportSum sum(cells.positions.size()), bare(cells.positions.size());
   add_foundation({0, 8, {}}, cells, sum);
   add_foundation({0, 0, {}}, cells, bare);
   CHECK(std::move(sum).taken("", {}).energy(jump) > 8.0 / 2 * 64 * 9);  // (73): nine points of a face that part by 1

@@ -54,8 +54,8 @@ TEST_CASE("held: a ligament one row of points wide is a hinge for what the load 
   REQUIRE(found.size() == 1);
   CHECK(found[0].subject == Subject::cracks);
   CHECK_THAT(found[0].what, Catch::Contains("is a hinge") && Catch::Contains("the part of 50 points"));
-  const auto warnings = distrust_of_mechanisms(*plate);
+  const auto warnings = warnings_about_mechanisms(*plate);
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0], Catch::StartsWith("1 motion without resistance: the part of 50 points"));
-  CHECK(distrust_of_mechanisms(*vp::assembled(vp::square(0.2))).empty());
+  CHECK(warnings_about_mechanisms(*vp::assembled(vp::square(0.2))).empty());
 }

@@ -108,10 +108,10 @@ TEST_CASE("place shares: where points span the plane, those of the interpolation
 TEST_CASE("interpolation: of the points that a place sees, those near it and on its side of a crack") {
   const std::vector<Point> lattice{{0.5, 0.5}, {1.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}, {2.5, 1.5}, {1.5, 1.2}};
   const std::vector<geometry::CrackPath> crack{{{{0, 1}, {3, 1}}, geometry::End::tip, geometry::End::tip}};
-  const auto above = plate::seen_from({1.2, 1.1}, 1.2, lattice, 5, crack);  // the last one does not count
+  const auto above = plate::visible_from({1.2, 1.1}, 1.2, lattice, 5, crack);  // the last one does not count
   REQUIRE(above.size() == 2);
   CHECK(above[0].first == 2);
   CHECK(above[1].second == Point(1.5, 1.5));
-  CHECK(plate::seen_from({1.2, 0.9}, 1.2, lattice, 5, crack).front().first == 0);
-  CHECK(plate::seen_from({1.2, 0.9}, 1.2, lattice, 5, {}).size() == 4);
+  CHECK(plate::visible_from({1.2, 0.9}, 1.2, lattice, 5, crack).front().first == 0);
+  CHECK(plate::visible_from({1.2, 0.9}, 1.2, lattice, 5, {}).size() == 4);
 }

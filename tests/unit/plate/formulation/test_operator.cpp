@@ -9,7 +9,7 @@ using namespace plate;
 namespace {
 
 /// Brings point 1 the deflection 5 at the end.
-class Late : public Exchange {
+class Late : public HaloExchange {
 public:
   void start(std::span<double> values) const override { values_ = values; }
   void start(std::span<float>) const override { FAIL("nobody asked for these"); }
@@ -35,11 +35,11 @@ TEST_CASE("an operator that knows nothing of what a state waits for waits first"
   constraints.share(single_process(), {1}, std::make_shared<Late>());
   State state = State::Ones(3, 2);
   Forces forces;
-  Awaited rest(constraints, state);
+  PendingExchange rest(constraints, state);
   CHECK(state(0, 1) == 1);
   const Spring spring;
   const Operator& op = spring;
-  op.internal_force_meanwhile(state, rest, forces);
+  op.internal_force_overlapped(state, rest, forces);
   CHECK(state(0, 1) == 5);
   CHECK(forces(0, 1) == -10);
 }

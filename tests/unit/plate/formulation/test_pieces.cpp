@@ -98,11 +98,11 @@ TEST_CASE("what has fallen off: pieces that nothing holds, of a plate that nothi
         held ? std::vector<Support>{{SupportKind::clamped, {"left"}, {}}} : std::vector<Support>{};
     const auto b = boundary(std::move(cloud), lattice_outline, supports, d);
     const auto whole = geometry::families(b.cloud, d.horizon(), sees(b, lattice_outline, d.horizon_ratio));
-    CHECK(fallen(b, whole).empty());
+    CHECK(detached_points(b, whole).empty());
     // parted at x = 0.3: the right part is the larger one
     const auto parted = geometry::without(whole, [&](std::uint32_t k, std::uint32_t j) {
       return (b.cloud.positions[k].x() < 0.3) != (b.cloud.positions[j].x() < 0.3);
     });
-    CHECK(fallen(b, parted).size() == (held ? 70 : 30));
+    CHECK(detached_points(b, parted).size() == (held ? 70 : 30));
   }
 }

@@ -10,8 +10,8 @@ using geometry::Point;
 
 namespace {
 
-Attachment of(const Stiffener& beam, const geometry::Tessellation& cells) {
-  AttachmentSum sum(cells.positions.size());
+ElasticSupport of(const Stiffener& beam, const geometry::Tessellation& cells) {
+  ElasticSupportSum sum(cells.positions.size());
   add_stiffener(beam, cells, sum);
   return std::move(sum).taken("stiffener0", std::nullopt, false);
 }

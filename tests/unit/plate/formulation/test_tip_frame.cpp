@@ -14,8 +14,8 @@ TEST_CASE("tip frame: a point on the line of a crack is on the face where severe
     const TipFrame frame(geometry::tips({path}).at(0));
     const Point on = -2 * ahead;  // exact
     CAPTURE(ahead.transpose());
-    CHECK(geometry::severs(path, on, on + frame.left()) == (face_of(0, frame.left(), 1) < 0));
-    CHECK(geometry::severs(path, on, on - frame.left()) == (face_of(0, frame.left(), 1) > 0));
+    CHECK(geometry::separates(path, on, on + frame.left()) == (face_of(0, frame.left(), 1) < 0));
+    CHECK(geometry::separates(path, on, on - frame.left()) == (face_of(0, frame.left(), 1) > 0));
     CHECK(polar(frame, on, 1).angle == face_of(0, frame.left(), 1) * std::numbers::pi);
   }
 }

@@ -10,7 +10,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/settled.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/report/reactions.hpp"
@@ -209,7 +209,7 @@ namespace {
 /// Where and how a motion of 40 steps ends, whoever computed it.
 struct End {
   double limit = 0;                                      // of the time step
-  std::vector<std::array<double, 4>> books;              // strain, kinetic, discrete and outer energy of every row
+  std::vector<std::array<double, 4>> energies;           // strain, kinetic, discrete and outer energy of every row
   std::map<std::uint32_t, std::array<double, 6>> state;  // by the numbers of points, with the velocity
 };
 
@@ -220,7 +220,7 @@ End moved(const Problem& problem, double time_step, const Communicator& communic
   end.limit = stable_time_step(*plate, 1);
   central_differences(
       *plate, plate->constraints(), plate->mass(), plate->loads(), {time_step, steps, 10}, [&](const Instant& now) {
-        end.books.push_back({now.strain_energy, now.kinetic_energy, now.discrete_kinetic_energy, now.external_work});
+        end.energies.push_back({now.strain_energy, now.kinetic_energy, now.discrete_kinetic_energy, now.external_work});
         if (now.step < steps) return;
         const State velocity = now.velocity();
         for (std::uint32_t k = 0; k < plate->points(); ++k)
@@ -235,7 +235,7 @@ End moved_by(int processes, const Problem& problem, double time_step) {
   End all;
   const auto put = [&](End& part, bool first) {
     all.state.merge(part.state);
-    if (first) all.limit = part.limit, all.books = part.books;
+    if (first) all.limit = part.limit, all.energies = part.energies;
   };
   parts::together(
       processes, [&](const Communicator& communicator) { return moved(problem, time_step, communicator); }, put);
@@ -270,9 +270,10 @@ TEST_CASE("a plate in parts: cells in motion, the same bits by any number of pro
     problem.loads.insert(problem.loads.end(), {force, pressure});
   }
   SECTION("its clamped edge settles") {
-    Load settles{Settlement{.value = 0.01, .slope = {0, 0.02}}};
-    settles.history.kind = History::Kind::table, settles.history.table = {{0, 0}, {0.02, 0.2}, {0.04, 1}};
-    problem.loads.push_back(settles);
+    Load has_prescribed_displacements{Settlement{.value = 0.01, .slope = {0, 0.02}}};
+    has_prescribed_displacements.history.kind = History::Kind::table,
+    has_prescribed_displacements.history.table = {{0, 0}, {0.02, 0.2}, {0.04, 1}};
+    problem.loads.push_back(has_prescribed_displacements);
   }
   const double step = 0.9 * stable_time_step(*discretise(problem).plate, 1);
   const End whole = moved(problem, step, single_process()), one = moved_by(1, problem, step);
@@ -283,7 +284,7 @@ TEST_CASE("a plate in parts: cells in motion, the same bits by any number of pro
     INFO(processes << " processes");
     const End many = moved_by(processes, problem, step);
     CHECK(many.limit == one.limit);
-    CHECK(many.books == one.books);
+    CHECK(many.energies == one.energies);
     CHECK((many.state == one.state));
   }
 }

@@ -16,7 +16,7 @@ TEST_CASE(
   const auto warnings = [&](double spacing, const char* held) {
     problem.discretization.spacing = spacing;
     problem.supports = {{plate::SupportKind::simply_supported, {held}, {}}};
-    return plate::discretise(problem).plate->distrust(false);
+    return plate::discretise(problem).plate->warnings(false);
   };
   CHECK(warnings(0.1, "left").empty());
   CHECK(warnings(0.08, "hole0").empty());

@@ -19,9 +19,9 @@ Problem problem() {
   return result;
 }
 
-std::vector<std::string> faults(const Problem& problem) {
+std::vector<std::string> errors(const Problem& problem) {
   std::vector<std::string> result;
-  for (const auto& [key, what] : faults_of_load_cases(problem)) result.push_back(key + ": " + what);
+  for (const auto& [key, what] : errors_in_load_cases(problem)) result.push_back(key + ": " + what);
   return result;
 }
 
@@ -37,7 +37,7 @@ TEST_CASE("load cases: their loads stand behind those that all share") {
   CHECK(key_of_load(all, 1) == "load[1]");
   CHECK(key_of_load(all, 2) == "case[0].load[0]");
   CHECK(key_of_load(all, 4) == "case[2].load[1]");
-  CHECK(faults(all).empty());
+  CHECK(errors(all).empty());
 }
 
 TEST_CASE("load cases: what is wrong with names, loads and sums is said at once") {
@@ -45,7 +45,7 @@ TEST_CASE("load cases: what is wrong with names, loads and sums is said at once"
   bad.load_cases = {{"a", {of(3)}}, {"a", {of(1)}}, {"b", {}}};
   bad.combinations = {{"b", {{"a", 1}, {"d", 2}}}, {"c", {}}, {"e", {{"b", INFINITY}}}};
   join_loads(bad);
-  CHECK(faults(bad) ==
+  CHECK(errors(bad) ==
         std::vector<std::string>{"case[1].name: \"a\" is the name of case[0] already",
                                  "combination[0].name: \"b\" is the name of case[2] already",
                                  "case[2]: nothing loads the plate in it: give it a [[case.load]]",
@@ -54,11 +54,11 @@ TEST_CASE("load cases: what is wrong with names, loads and sums is said at once"
                                  "combination[2].of.b: must be finite"});
   Problem alone;
   alone.combinations = {{"c", {}}};
-  CHECK(faults(alone).size() == 2);  // of nothing, and there is nothing
+  CHECK(errors(alone).size() == 2);  // of nothing, and there is nothing
   auto shared = problem();
   shared.combinations = {{"d", {{"a", 1}}}};
-  REQUIRE(faults(shared).size() == 1);
-  CHECK_THAT(faults(shared)[0], Catch::Contains("count these as often as its factors say"));
+  REQUIRE(errors(shared).size() == 1);
+  CHECK_THAT(errors(shared)[0], Catch::Contains("count these as often as its factors say"));
 }
 
 TEST_CASE("load cases: factors of a combination, own weight and larger loads") {
@@ -67,9 +67,9 @@ TEST_CASE("load cases: factors of a combination, own weight and larger loads") {
   heavy.section = {1, 0.3, 0.2, 5.0 / 6, 0};
   heavy.loads = {of(7), of(0)};
   heavy.loads[1].as<Pressure>()->gravity = -10;
-  CHECK(settle_weights(heavy) == 1);
+  CHECK(resolve_weights(heavy) == 1);
   heavy.section.density = 2500;
-  CHECK_FALSE(settle_weights(heavy));
+  CHECK_FALSE(resolve_weights(heavy));
   CHECK(heavy.loads[0].as<Pressure>()->value == 7);
   CHECK(heavy.loads[1].as<Pressure>()->value == Approx(-5000));
   scale(heavy.loads[1], 2);

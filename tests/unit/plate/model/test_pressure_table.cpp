@@ -10,7 +10,7 @@ using plate::PressureTable;
 
 namespace {
 
-std::string fault(const std::string& text) {
+std::string message_of(const std::string& text) {
   try {
     PressureTable table(text, "pressure.csv");
   } catch (const std::invalid_argument& error) {
@@ -91,19 +91,22 @@ TEST_CASE("a table as a spreadsheet writes it, with a mark of the order of bytes
 TEST_CASE("what is wrong with a table is said with its line") {
   using Catch::Contains;
   for (const char* word : {"0x10", "+-1", "+", "1e", "1 2", "0b1", "1_000", "1.2.3", "--1"})
-    CHECK_THAT(fault(std::string("x,y,pressure\n1,2,") + word + "\n"), Contains("is no number"));
+    CHECK_THAT(message_of(std::string("x,y,pressure\n1,2,") + word + "\n"), Contains("is no number"));
   for (const char* word : {"1e400", "-1e999", "inf", "nan"})
-    CHECK_THAT(fault(std::string("x,y,pressure\n1,2,") + word + "\n"), Contains("is not finite"));
-  CHECK_THAT(fault("x,y\n1,2\n"), Contains("line 1") && Contains("must be x,y,pressure"));
-  CHECK_THAT(fault("x,y,pressure\n1,2,3\n# a word\n1,2\n"), Contains("line 4: 2 values given"));
-  CHECK_THAT(fault("x,y,pressure\n1,2,3a\n"), Contains("line 2: \"3a\" is no number"));
-  CHECK_THAT(fault("x,y,pressure\n1,2,3" + std::string(1, 0) + "7\n"), Contains("line 2") && Contains("is no number"));
-  CHECK_THAT(fault("x,y,pressure\n" + std::string(1, 0) + ",2,3\n"), Contains("line 2") && Contains("is no number"));
-  CHECK_THAT(fault("x,y,pressure\n0,-1,0\n1,4.4e23,1\n0,0.1,1.5\n"), Contains("at one place"));
-  CHECK_THAT(fault("x,y,pressure\n1,2e100,3\n"), Contains("line 2: a place beyond 1e+100"));
-  CHECK_THAT(fault("x,y,pressure\n1,2,nan\n"), Contains("line 2: nan is not finite"));
-  CHECK_THAT(fault("x,y,pressure\n1,2,3\n2,2,3\n1,2,4\n"), Contains("line 4: the place (1, 2) is given in line 2"));
-  CHECK_THAT(fault("x,y,pressure\n1,2,3\n2,2,3\n"), Contains("2 places given"));
-  CHECK_THAT(fault("x,y,pressure\n1,2,3\n2,2,3\n3,2,3\n"), Contains("on one line"));
-  CHECK_THAT(fault("x,y,pressure\n1,1,3\n2,2,3\n3,3,3\n"), Contains("on one line"));
+    CHECK_THAT(message_of(std::string("x,y,pressure\n1,2,") + word + "\n"), Contains("is not finite"));
+  CHECK_THAT(message_of("x,y\n1,2\n"), Contains("line 1") && Contains("must be x,y,pressure"));
+  CHECK_THAT(message_of("x,y,pressure\n1,2,3\n# a word\n1,2\n"), Contains("line 4: 2 values given"));
+  CHECK_THAT(message_of("x,y,pressure\n1,2,3a\n"), Contains("line 2: \"3a\" is no number"));
+  CHECK_THAT(message_of("x,y,pressure\n1,2,3" + std::string(1, 0) + "7\n"),
+             Contains("line 2") && Contains("is no number"));
+  CHECK_THAT(message_of("x,y,pressure\n" + std::string(1, 0) + ",2,3\n"),
+             Contains("line 2") && Contains("is no number"));
+  CHECK_THAT(message_of("x,y,pressure\n0,-1,0\n1,4.4e23,1\n0,0.1,1.5\n"), Contains("at one place"));
+  CHECK_THAT(message_of("x,y,pressure\n1,2e100,3\n"), Contains("line 2: a place beyond 1e+100"));
+  CHECK_THAT(message_of("x,y,pressure\n1,2,nan\n"), Contains("line 2: nan is not finite"));
+  CHECK_THAT(message_of("x,y,pressure\n1,2,3\n2,2,3\n1,2,4\n"),
+             Contains("line 4: the place (1, 2) is given in line 2"));
+  CHECK_THAT(message_of("x,y,pressure\n1,2,3\n2,2,3\n"), Contains("2 places given"));
+  CHECK_THAT(message_of("x,y,pressure\n1,2,3\n2,2,3\n3,2,3\n"), Contains("on one line"));
+  CHECK_THAT(message_of("x,y,pressure\n1,1,3\n2,2,3\n3,3,3\n"), Contains("on one line"));
 }

@@ -122,7 +122,7 @@ TEST_CASE("a line load across a crack gives each side what lies on it, with its 
     for (const geometry::Grading& grading : {geometry::Grading{}, geometry::Grading{0.03, std::nullopt, 0.2}}) {
       const auto cells = geometry::tessellation(outline, paths, 0.1, {}, grading);
       const std::vector<double> areas(cells.positions.size());
-      check_sides(nodal_forces(load, cells, areas), geometry::seen_positions(cells), cells.positions);
+      check_sides(nodal_forces(load, cells, areas), geometry::positions_inside_faces(cells), cells.positions);
     }
   }
 }

@@ -12,7 +12,7 @@ TEST_CASE("traffic: messages, bytes and sums are counted, and the values stay wh
     const CountedCommunicator counted(all);
     const int left = (all.rank() + 2) % 3, right = (all.rank() + 1) % 3;
     // of three points two are copies of the others' first
-    const auto exchange = counted.exchange(3, {{1, left, 0}, {2, right, 0}});
+    const auto exchange = counted.halo_exchange(3, {{1, left, 0}, {2, right, 0}});
     std::vector<double> one{double(all.rank()), -1, -1};
     exchange->fetch(std::span(one));
     std::vector<float> three(9, -1);
@@ -46,7 +46,7 @@ TEST_CASE("traffic: messages, bytes and sums are counted, and the values stay wh
 TEST_CASE("traffic: an exchange in two halves sends what there was when it began, and is counted once") {
   thread_ranks::run(2, [](const Communicator& all) {
     const CountedCommunicator counted(all);
-    const auto exchange = counted.exchange(2, {{1, 1 - all.rank(), 0}});
+    const auto exchange = counted.halo_exchange(2, {{1, 1 - all.rank(), 0}});
     std::vector<double> values{double(all.rank()), -1};
     exchange->start(std::span(values));
     const auto begun = *counted.traffic();

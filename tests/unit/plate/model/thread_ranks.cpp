@@ -29,9 +29,9 @@ struct Common {
   std::shared_ptr<Mail> mail;  // of the latest exchange
 };
 
-class ThreadExchange : public plate::Exchange {
+class ThreadHaloExchange : public plate::HaloExchange {
 public:
-  ThreadExchange(std::shared_ptr<Mail> mail, int rank, std::size_t points, std::vector<plate::Copy> copies)
+  ThreadHaloExchange(std::shared_ptr<Mail> mail, int rank, std::size_t points, std::vector<plate::Copy> copies)
       : mail_(std::move(mail)), rank_(std::size_t(rank)), points_(points), copies_(std::move(copies)) {}
 
   void start(std::span<double> values) const override { doubles_ = begun(values); }
@@ -73,9 +73,9 @@ private:
 };
 
 /// Every thread has the factor of the whole matrix.
-class ThreadInverse : public plate::SharedInverse {
+class ThreadInverse : public plate::DistributedInverse {
 public:
-  ThreadInverse(const plate::Communicator& all, const plate::SharedRows& rows) : all_(all) {
+  ThreadInverse(const plate::Communicator& all, const plate::DistributedRows& rows) : all_(all) {
     const auto own = std::int64_t(rows.first.size()) - 1;
     const auto counts = plate::gathered(all, std::vector<std::int64_t>{own});
     begin_ = 3 * std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
@@ -119,13 +119,13 @@ private:
 /// Every thread goes through the same Krylov space, whole, orthogonal and without a restart.
 class ThreadPairs {
 public:
-  ThreadPairs(const plate::Communicator& all, const plate::SharedProduct& product, std::size_t own)
+  ThreadPairs(const plate::Communicator& all, const plate::DistributedProduct& product, std::size_t own)
       : all_(all), product_(product), own_(own) {
     const auto counts = plate::gathered(all, std::vector<std::int64_t>{std::int64_t(own)});
     begin_ = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
   }
 
-  plate::SharedPairs find(std::span<const double> start, const plate::PairsWanted& wanted) const {
+  plate::DistributedEigenpairs find(std::span<const double> start, const plate::EigenpairRequest& wanted) const {
     constexpr Eigen::Index most = 200;
     Eigen::VectorXd next = whole(start);
     Eigen::MatrixXd basis(next.size(), 0), projected = Eigen::MatrixXd::Zero(most, most);
@@ -153,15 +153,16 @@ private:
     return Eigen::Map<const Eigen::VectorXd>(all.data(), Eigen::Index(all.size()));
   }
 
-  static bool found(const Ritz& ritz, double left, const plate::PairsWanted& wanted) {
+  static bool found(const Ritz& ritz, double left, const plate::EigenpairRequest& wanted) {
     const auto size = ritz.eigenvalues().size(), count = Eigen::Index(wanted.count);
     if (size < count) return false;
     const double residual = left * ritz.eigenvectors().bottomRightCorner(1, count).cwiseAbs().maxCoeff();
     return residual <= wanted.tolerance * ritz.eigenvalues()[size - count];
   }
 
-  plate::SharedPairs pairs(const Eigen::MatrixXd& basis, const Ritz& ritz, const plate::PairsWanted& wanted) const {
-    plate::SharedPairs result;
+  plate::DistributedEigenpairs pairs(const Eigen::MatrixXd& basis, const Ritz& ritz,
+                                     const plate::EigenpairRequest& wanted) const {
+    plate::DistributedEigenpairs result;
     for (std::size_t i = 1; i <= wanted.count; ++i) {
       const auto column = ritz.eigenvalues().size() - Eigen::Index(i);
       result.values.push_back(ritz.eigenvalues()[column]);
@@ -172,7 +173,7 @@ private:
   }
 
   const plate::Communicator& all_;
-  const plate::SharedProduct& product_;
+  const plate::DistributedProduct& product_;
   std::size_t own_;
   std::int64_t begin_ = 0;
 };
@@ -197,18 +198,19 @@ public:
     common_.meeting.arrive_and_wait();
     return result;
   }
-  std::unique_ptr<plate::Exchange> exchange(std::size_t points, const std::vector<plate::Copy>& copies) const override {
+  std::unique_ptr<plate::HaloExchange> halo_exchange(std::size_t points,
+                                                     const std::vector<plate::Copy>& copies) const override {
     common_.meeting.arrive_and_wait();
     if (rank_ == 0) common_.mail = std::make_shared<Mail>(common_.post, std::size_t(size()));
     common_.meeting.arrive_and_wait();
     if (!common_.mail) throw std::runtime_error("the first process is gone");
-    return std::make_unique<ThreadExchange>(common_.mail, rank_, points, copies);
+    return std::make_unique<ThreadHaloExchange>(common_.mail, rank_, points, copies);
   }
-  std::unique_ptr<plate::SharedInverse> inverse(const plate::SharedRows& rows) const override {
+  std::unique_ptr<plate::DistributedInverse> inverse(const plate::DistributedRows& rows) const override {
     return std::make_unique<ThreadInverse>(*this, rows);
   }
-  plate::SharedPairs largest_pairs(const plate::SharedProduct& product, std::span<const double> start,
-                                   const plate::PairsWanted& wanted) const override {
+  plate::DistributedEigenpairs largest_pairs(const plate::DistributedProduct& product, std::span<const double> start,
+                                             const plate::EigenpairRequest& wanted) const override {
     return ThreadPairs(*this, product, start.size()).find(start, wanted);
   }
 

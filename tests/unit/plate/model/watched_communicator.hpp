@@ -8,9 +8,9 @@ namespace thread_ranks {
 /// Is told of every exchange as it begins, and before it ends: of which values.
 using Watch = std::function<void(std::span<const double> values, bool ends)>;
 
-class WatchedExchange : public plate::Exchange {
+class WatchedHaloExchange : public plate::HaloExchange {
 public:
-  WatchedExchange(std::unique_ptr<plate::Exchange> exchange, const Watch& watch)
+  WatchedHaloExchange(std::unique_ptr<plate::HaloExchange> exchange, const Watch& watch)
       : exchange_(std::move(exchange)), watch_(watch) {}
   void start(std::span<double> values) const override {
     values_ = values;
@@ -24,7 +24,7 @@ public:
   }
 
 private:
-  std::unique_ptr<plate::Exchange> exchange_;
+  std::unique_ptr<plate::HaloExchange> exchange_;
   const Watch& watch_;
   mutable std::span<const double> values_;
 };
@@ -34,8 +34,9 @@ class WatchedCommunicator : public plate::CountedCommunicator {
 public:
   WatchedCommunicator(const plate::Communicator& ranks, Watch watch)
       : CountedCommunicator(ranks), watch_(std::move(watch)) {}
-  std::unique_ptr<plate::Exchange> exchange(std::size_t points, const std::vector<plate::Copy>& copies) const override {
-    return std::make_unique<WatchedExchange>(CountedCommunicator::exchange(points, copies), watch_);
+  std::unique_ptr<plate::HaloExchange> halo_exchange(std::size_t points,
+                                                     const std::vector<plate::Copy>& copies) const override {
+    return std::make_unique<WatchedHaloExchange>(CountedCommunicator::halo_exchange(points, copies), watch_);
   }
 
 private:

@@ -34,7 +34,7 @@ struct Scene {
   geometry::Tip tip = geometry::tips(paths).at(0);
   geometry::Families families = geometry::without(
       geometry::families(cloud, 3.015, [](auto, auto) { return true; }), [this](std::uint32_t k, std::uint32_t j) {
-        return geometry::severs(paths[0], cloud.positions[k], cloud.positions[j]);
+        return geometry::separates(paths[0], cloud.positions[k], cloud.positions[j]);
       });
   std::vector<plate::BondShape> shapes = plate::bond_shapes(families.vectors(), section, small_plate::spaced(1));
   plate::BondView plate{cloud, families, shapes, section, small_plate::spaced(1)};

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <map>
 
-#include "post/files/whole_file.hpp"
+#include "post/files/atomic_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 

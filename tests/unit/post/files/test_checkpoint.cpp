@@ -2,8 +2,8 @@
 
 #include <fstream>
 
+#include "post/files/atomic_file.hpp"
 #include "post/files/run_folder.hpp"
-#include "post/files/whole_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -7,8 +7,8 @@
 using small_run::TemporaryFolder, small_run::text_of;
 
 TEST_CASE("what ParaView reads is well-formed XML") {
-  CHECK(xml::fault("<a>\n<b></a>") == "mismatched tag in line 2");
-  CHECK(xml::fault(std::string("<a>\0</a>", 8)) == "not well-formed (invalid token) in line 1");
+  CHECK(xml::error("<a>\n<b></a>") == "mismatched tag in line 2");
+  CHECK(xml::error(std::string("<a>\0</a>", 8)) == "not well-formed (invalid token) in line 1");
   const TemporaryFolder folder;
   post::VtkSeries(folder.path(), small_run::mesh()).write(small_run::frame(0.25, 3));
   post::write_cracks(folder / "cracks.vtp", {{{{{0, 1}, {2, 3}}, {0, 4}}}, {{0, 0, {2, 3}, {}}}});
@@ -16,7 +16,7 @@ TEST_CASE("what ParaView reads is well-formed XML") {
   REQUIRE(folder.entries() == 4);
   for (const char* name : {"fields_0000.vtu", "fields.pvd", "cracks.vtp", "none.vtp"}) {
     INFO(name);
-    CHECK(xml::fault(text_of(folder / name)) == "");
+    CHECK(xml::error(text_of(folder / name)) == "");
   }
 }
 

@@ -60,8 +60,8 @@ TEST_CASE("factor rows: rows that are known stand for what is found, what motion
   REQUIRE(table.rows.size() == 2);
   for (const auto& row : table.rows)  // a share of 4, the largest
     CHECK(std::get<double>(row[table.column("estimated_error_K1")]) == Approx(0.21));
-  REQUIRE(rows.distrust(0.01).size() == 1);
-  CHECK_THAT(rows.distrust(0.01)[0],
+  REQUIRE(rows.warnings(0.01).size() == 1);
+  CHECK_THAT(rows.warnings(0.01)[0],
              Catch::Contains("tip 0") && Catch::Contains("5 %") && Catch::Contains("tolerance = 0.001"));
 }
 

@@ -1,5 +1,5 @@
+#include "post/files/atomic_file.hpp"
 #include "post/files/vtk_series.hpp"
-#include "post/files/whole_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
@@ -36,13 +36,13 @@ TEST_CASE("what is no frame, or lacks a part of one, is an error with the path")
   CHECK_THROWS_WITH(post::read_frame(path), Catch::Contains("fields_0000.vtu"));
   post::VtkSeries(folder.path(), small_run::mesh()).write(small_run::frame(0, 0));
   const auto text = text_of(path);
-  post::write_whole(path, with(text, "Name=\"theta\"", "Name=\"thetb\""));
+  post::write_atomically(path, with(text, "Name=\"theta\"", "Name=\"thetb\""));
   CHECK_THROWS_WITH(post::read_frame(path), Catch::Contains("fields_0000.vtu: no theta"));
-  post::write_whole(path, with(text, "Name=\"Mxy\"", "Name=\"Mab\""));
+  post::write_atomically(path, with(text, "Name=\"Mxy\"", "Name=\"Mab\""));
   CHECK_THROWS_WITH(post::read_frame(path), Catch::Contains("no Mxy"));
-  post::write_whole(path, with(text, "vtkZLibDataCompressor", "vtkLZ4DataCompressor "));
+  post::write_atomically(path, with(text, "vtkZLibDataCompressor", "vtkLZ4DataCompressor "));
   CHECK_THROWS_WITH(post::read_frame(path), Catch::Contains("not written by this version"));
-  post::write_whole(path, "not a frame");
+  post::write_atomically(path, "not a frame");
   CHECK_THROWS_WITH(post::read_frame(path), Catch::Contains("fields_0000.vtu"));
 }
 

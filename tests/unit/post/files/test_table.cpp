@@ -1,8 +1,8 @@
 #include <limits>
 #include <numbers>
 
+#include "post/files/atomic_file.hpp"
 #include "post/files/table.hpp"
-#include "post/files/whole_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 Table read(const std::string& text) {
   const TemporaryFolder folder;
-  post::write_whole(folder / "t.csv", text);
+  post::write_atomically(folder / "t.csv", text);
   return post::read_csv(folder / "t.csv");
 }
 

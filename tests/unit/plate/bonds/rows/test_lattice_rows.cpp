@@ -17,7 +17,7 @@ LatticeOperator cracked(const small_plate::Model& m, const geometry::Outline& ou
   const auto paths = geometry::to_lattice(geometry::crack_paths(outline, cracks, 1e-9), m.boundary.cloud.units);
   auto families = geometry::without(m.plate.families(), [&](std::uint32_t k, std::uint32_t j) {
     return std::any_of(paths.begin(), paths.end(), [&](const auto& path) {
-      return geometry::severs(path, m.boundary.lattice[k], m.boundary.lattice[j]);
+      return geometry::separates(path, m.boundary.lattice[k], m.boundary.lattice[j]);
     });
   });
   auto shapes = bond_shapes(families.vectors(), small_plate::section, m.discretization);

@@ -86,14 +86,14 @@ TEST_CASE("damping: modes move exactly, below, at and beyond the critical dampin
     options.mass_damping = alpha, options.stiffness_damping = beta;
     options.start = s.at, options.bent = true, options.velocity = s.moving;
     options.given = 0.3 * 0.3 + 0.25 * 0.49;  // u K u / 2, m v^2 / 2
-    std::vector<double> books;
+    std::vector<double> energies;
     central_differences(s.chain, s.constraints, s.mass, {}, options, [&](const Instant& now) {
       last = now.state(0, 0), dissipated = now.dissipated;
-      books.push_back(now.strain_energy + now.discrete_kinetic_energy + now.dissipated - now.external_work);
+      energies.push_back(now.strain_energy + now.discrete_kinetic_energy + now.dissipated - now.external_work);
     });
     CHECK(last == Approx(y).epsilon(1e-3).margin(1e-5));
     CHECK(dissipated == Approx(lost).epsilon(1e-3));
-    for (const double book : books) CHECK(std::abs(book - books[0]) < 1e-11);  // exact but for rounding
+    for (const double energy : energies) CHECK(std::abs(energy - energies[0]) < 1e-11);  // exact but for rounding
   }
 }
 
@@ -146,10 +146,10 @@ TEST_CASE("damping: a motion that goes on from what it remembers has the same nu
   DynamicOptions options{0.05, 60, 10};
   options.mass_damping = 0.1, options.stiffness_damping = 0.2, options.velocity = s.moving, options.given = 0.1;
   std::vector<std::array<double, 4>> whole, rest;
-  std::optional<MotionMemory> kept;
+  std::optional<MotionCheckpoint> kept;
   std::size_t asked = 0;
   options.due = [&] { return ++asked == 24; };
-  options.keep = [&](const MotionMemory& memory) { kept = memory; };
+  options.save = [&](const MotionCheckpoint& memory) { kept = memory; };
   const auto see = [](auto& into) {
     return [&into](const Instant& now) {
       into.push_back({now.state(0, 0), now.dissipated, now.external_work, now.kinetic_energy});
@@ -158,7 +158,7 @@ TEST_CASE("damping: a motion that goes on from what it remembers has the same nu
   central_differences(s.chain, s.constraints, s.mass, {}, options, see(whole));
   REQUIRE(kept);
   auto again = options;
-  again.from = &*kept, again.keep = {}, again.due = {};
+  again.from = &*kept, again.save = {}, again.due = {};
   central_differences(s.chain, s.constraints, s.mass, {}, again, see(rest));
   REQUIRE(rest.size() < whole.size());
   for (std::size_t i = 0; i < rest.size(); ++i) CHECK(rest[i] == whole[whole.size() - rest.size() + i]);

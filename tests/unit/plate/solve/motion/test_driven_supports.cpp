@@ -30,6 +30,6 @@ TEST_CASE("without settlements nothing is driven, with them what is held is wher
   CHECK(force == Forces::Constant(3, 3, 2));
   const auto memory = driven.memory();
   DrivenSupports other(loads, constraints, mass, mass);
-  other.recall(memory);
+  other.restore(memory);
   CHECK(other.memory() == memory);
 }

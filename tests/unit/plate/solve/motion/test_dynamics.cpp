@@ -162,14 +162,14 @@ TEST_CASE("a motion that goes on from its memory moves as if it had never stoppe
     double work, strain, discrete;
     bool operator==(const Seen&) const = default;
   };
-  const auto move = [&](const MotionMemory* from, std::size_t kept_at, std::vector<MotionMemory>* kept) {
+  const auto move = [&](const MotionCheckpoint* from, std::size_t kept_at, std::vector<MotionCheckpoint>* kept) {
     std::vector<Seen> rows;
     DynamicOptions options{0.002, 30, 3};
     options.start = start;
     options.from = from;
     std::size_t asked = from ? from->step : 0;
     options.due = [&] { return asked++ == kept_at; };
-    if (kept) options.keep = [&](const MotionMemory& memory) { kept->push_back(memory); };
+    if (kept) options.save = [&](const MotionCheckpoint& memory) { kept->push_back(memory); };
     central_differences(m.plate, m.boundary.constraints, mass_of(m), loads, options, [&](const Instant& now) {
       rows.push_back({now.state, now.velocity(), now.external_work, now.strain_energy,
                       now.discrete_kinetic_energy + now.potential});
@@ -179,7 +179,7 @@ TEST_CASE("a motion that goes on from its memory moves as if it had never stoppe
   const auto whole = move(nullptr, 0, nullptr);
   REQUIRE(whole.size() == 11);
   for (const std::size_t step : {1, 3, 14, 30}) {
-    std::vector<MotionMemory> kept;
+    std::vector<MotionCheckpoint> kept;
     CHECK(move(nullptr, step, &kept) == whole);
     REQUIRE(kept.size() == 1);
     REQUIRE(kept[0].step == step);

@@ -36,8 +36,8 @@ Seen hit(const Operator& plate, double mass_of_point, const Impactor& impactor, 
   options.impact = impactor, options.given = impactor.mass * impactor.velocity * impactor.velocity / 2;
   Seen result;
   central_differences(plate, constraints, mass, {}, options, [&](const Instant& now) {
-    result.largest = now.blow->largest, result.touching = now.blow->touching;
-    result.force.push_back(now.blow->force), result.velocity.push_back(now.blow->velocity);
+    result.largest = now.contact_force->largest, result.touching = now.contact_force->touching;
+    result.force.push_back(now.contact_force->force), result.velocity.push_back(now.contact_force->velocity);
     result.of_point.push_back(now.velocity()(0, 0)), result.time.push_back(now.time);
     result.energy.push_back(now.strain_energy + now.kinetic_energy), result.work.push_back(now.external_work);
   });

@@ -22,10 +22,10 @@ TEST_CASE("masses: the work of loads from rest, from where they have grown to, a
   led.bent(first), led.give(2);
   CHECK(led.work(0, first) == Approx(2));
   CHECK(led.work(1, then) == Approx(2 + 4));
-  MotionMemory memory;
-  led.remember(memory);
+  MotionCheckpoint memory;
+  led.save(memory);
   auto again = masses();
-  again.recall(memory);
+  again.restore(memory);
   CHECK(again.work(1, then) == led.work(1, then));
   CHECK_FALSE(led.varies());
 }

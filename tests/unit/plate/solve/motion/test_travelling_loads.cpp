@@ -24,7 +24,7 @@ TEST_CASE("loads that move do the work of their forces, and go on as they were")
     load.add(time, dt, state, force);
     if (n == 50) {
       later = TravellingLoads(loads, single_process());
-      later.recall(load.memory());
+      later.restore(load.memory());
     } else if (n > 50) {
       Forces again = Forces::Zero(3, 3);
       later.add(time, dt, state, again);

@@ -1,5 +1,5 @@
+#include "post/files/atomic_file.hpp"
 #include "post/files/hdf5/state_file.hpp"
-#include "post/files/whole_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
@@ -9,8 +9,8 @@ TEST_CASE("a state.h5 that was put beside another case is refused") {
   file.write(small_run::frame(0, 0), nullptr);
   file.close();
   CHECK(post::read_run(folder / "state.h5").times.size() == 1);  // alone
-  post::write_whole(folder / "case.resolved.toml", "title = \"a\"\n");
+  post::write_atomically(folder / "case.resolved.toml", "title = \"a\"\n");
   CHECK(post::read_run(folder / "state.h5").resolved_case == "title = \"a\"\n");
-  post::write_whole(folder / "case.resolved.toml", "title = \"b\"\n");
+  post::write_atomically(folder / "case.resolved.toml", "title = \"b\"\n");
   CHECK_THROWS_WITH(post::read_run(folder / "state.h5"), Catch::Contains("state.h5 is of another case"));
 }

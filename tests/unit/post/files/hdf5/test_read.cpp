@@ -1,7 +1,7 @@
 #include <hdf5.h>
 
+#include "post/files/atomic_file.hpp"
 #include "post/files/hdf5/state_file.hpp"
-#include "post/files/whole_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
@@ -33,14 +33,14 @@ TEST_CASE("a state.h5 with a changed bit among its positions or frames is refuse
   }
   const auto whole = small_run::text_of(path);
   for (const char* name : {"/points/position", "/frames/state", "/frames/time"}) {
-    post::write_whole(path, whole);
+    post::write_atomically(path, whole);
     const auto [begin, bytes] = chunk_of(path, name);
     REQUIRE(bytes > 8);
     for (std::size_t i = begin; i < begin + bytes; ++i) {
       CAPTURE(name, i - begin);
       auto text = whole;
       text[i] ^= char(1 << i % 8);
-      post::write_whole(path, text);
+      post::write_atomically(path, text);
       CHECK_THROWS_WITH(post::read_run(path), Catch::Contains("state.h5"));
     }
   }
@@ -51,7 +51,7 @@ TEST_CASE("what cannot be opened or read is an error with the path") {
   CHECK_THROWS_WITH(post::StateFile({folder / "none/state.h5", "", "1"}, small_run::mesh()),
                     Catch::Contains("none/state.h5") && Catch::Contains("No such file"));
   CHECK_THROWS_WITH(post::read_run(folder / "state.h5"), Catch::Contains("state.h5"));
-  post::write_whole(folder / "state.h5", "not HDF5");
+  post::write_atomically(folder / "state.h5", "not HDF5");
   CHECK_THROWS_WITH(post::read_run(folder / "state.h5"), Catch::Contains("state.h5"));
   post::StateFile({folder / "no_frames.h5", "", "1"}, small_run::mesh()).close();
   CHECK(post::read_run(folder / "no_frames.h5").times.empty());

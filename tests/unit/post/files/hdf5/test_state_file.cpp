@@ -7,8 +7,8 @@
 #include <optional>
 #include <random>
 
+#include "post/files/atomic_file.hpp"
 #include "post/files/hdf5/state_file.hpp"
-#include "post/files/whole_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/files/hdf5/look.hpp"
 #include "tests/unit/post/small_run.hpp"

@@ -1,0 +1,50 @@
+#pragma once
+#include "geometry/cells/cells_part.hpp"
+#include "geometry/cells/lattice_cells.hpp"
+
+namespace geometry {
+
+/// All points and cells of a plate on a lattice, by runs of its rows: it takes memory for edges, cracks and rows alone,
+/// and makes cells of any part of the plate.
+class GlobalLattice {
+public:
+  /// As tessellation(). Throws std::invalid_argument.
+  GlobalLattice(const Outline& outline, const std::vector<CrackPath>& cracks, double spacing,
+                const std::vector<Point>& singles);
+
+  const LatticeUnits& units() const { return units_; }
+  std::size_t size() const { return points_.size() + others_.size(); }
+  /// Lattice points, and the others, which are numbered after these [spacings].
+  const RowRuns& points() const { return points_; }
+  const std::vector<Point>& others() const { return others_; }
+  /// The longest side of a triangle [spacings]; of a square, where there is none.
+  double longest_side() const { return longest_side_; }
+  /// The column and row of the last points.
+  Cell last() const;
+
+  Tessellation cells() const;
+  /// All cells with a corner in a box, in the order of the whole, and their points.
+  CellsPart cells_at(const CellBox& box) const;
+  /// The first point with squares all about it and its neighbours.
+  std::optional<Cell> first_inside() const;
+
+private:
+  friend class CellsAt;
+  using AtPlace = std::pair<std::pair<long, long>, Tessellation::Square>;  // row and column of a square; its corners
+
+  void part(LatticeCells cells);
+  Tessellation::Square square(long i, long j) const;
+  Point place(std::uint32_t k) const;  // [spacings]
+  bool inside(long i, long j) const;   // have four squares this point of the lattice?
+
+  LatticeUnits units_;
+  RowRuns points_, squares_;
+  std::vector<Point> others_;
+  std::vector<AtPlace> parted_;  // squares with corners that are no points of the lattice, row by row
+  std::vector<Tessellation::Triangle> triangles_;
+  std::vector<Tessellation::Border> borders_;
+  std::vector<std::string> names_;
+  double longest_side_ = 1;
+};
+
+}  // namespace geometry

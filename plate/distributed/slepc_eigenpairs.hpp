@@ -1,0 +1,12 @@
+#pragma once
+#include <mpi.h>
+
+#include "plate/model/communicator.hpp"
+
+namespace plate {
+
+/// By Krylov-Schur (SLEPc).
+DistributedEigenpairs slepc_eigenpairs(MPI_Comm all, const DistributedProduct& product, std::span<const double> start,
+                                       const EigenpairRequest& wanted);
+
+}  // namespace plate

@@ -1,0 +1,107 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/shape/outline.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/model/state.hpp"
+
+namespace plate {
+
+class Contact;
+
+/// The stiffness of one foundation, spring or stiffener, symmetric and without negative eigenvalues, by rows. Degrees
+/// of freedom are counted as State::data(): component * points + point.
+struct ElasticSupport {
+  std::string name;                         // foundation0, ..., spring0, ..., stiffener0, ... in the order of the case
+  std::optional<geometry::Point> position;  // of a spring at a point [length]
+  bool holds = true;                        // against rigid motions: not a stiffener
+  std::size_t points = 0;                   // of the plate and beside it
+  std::vector<std::uint32_t> row;           // ascending; those that are not zero
+  std::vector<std::size_t> first;           // where the entries of a row begin [rows + 1]
+  std::vector<std::uint32_t> column;
+  std::vector<double> value;
+  std::shared_ptr<const Contact> contact = {};  // of soil that lifts off; the matrix is that of contact everywhere
+
+  /// Its forces on the plate, -K state [3 x points], of soil that lifts off those of where it touches.
+  Forces force(const State& state) const;
+  double energy(const State& state) const;
+
+  /// visit(row, column, value) with degrees of freedom 3 * point + component.
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
+    const auto dof = [&](std::uint32_t flat) { return std::uint32_t(3 * (flat % points) + flat / points); };
+    for (std::size_t r = 0; r < row.size(); ++r)
+      for (auto i = first[r]; i < first[r + 1]; ++i) visit(dof(row[r]), dof(column[i]), value[i]);
+  }
+};
+
+/// Where every soil that lifts off touches, by its places; of other parts empty.
+using ContactState = std::vector<std::vector<char>>;
+
+/// All that a plate is attached to by springs. A plate without has none, and its products do nothing here. Copies share
+/// what they hold. Any number of threads gives the same bits.
+class ElasticSupports {
+public:
+  ElasticSupports() = default;
+  explicit ElasticSupports(std::vector<ElasticSupport> parts);
+
+  const std::vector<std::shared_ptr<const ElasticSupport>>& parts() const { return parts_; }
+  /// Attachments that hold the plate against rigid motions.
+  std::vector<std::shared_ptr<const ElasticSupport>> holding() const;
+
+  void add_force(const State& state, Forces& forces) const;  // forces += -K state
+  void add_force(const Values<float>& state, Values<float>& forces) const;
+  /// forces -= -K state: what is left is the plate's own.
+  void take_force(const State& state, Forces& forces) const;
+  void add_absolute_product(const State& state, Forces& forces) const;
+  void add_diagonal(Forces& diagonal) const;
+  void add_energies(const State& state, Eigen::VectorXd& energies) const;  // of every point
+  double energy(const State& state, const PointMap& map = {}) const;
+  std::size_t bytes() const;
+
+  bool unilateral() const;
+  ContactState touching(const State& state) const;
+  /// Share of all unilateral foundations that is in contact.
+  double contact_share(const State& state, const PointMap& map = {}) const;
+  /// Adds the forces on a state with the contact `touching` less those with its present contact, over all unilateral
+  /// foundations.
+  void add_change(const State& state, const ContactState& touching, Forces& forces) const;
+
+private:
+  std::vector<std::shared_ptr<const ElasticSupport>> parts_;
+};
+
+/// A part of a form: factor times a degree of freedom 3 * point + component.
+struct FormTerm {
+  std::uint32_t dof;
+  double factor;
+};
+
+/// Springs, one after the other, that become one attachment.
+class ElasticSupportSum {
+public:
+  explicit ElasticSupportSum(std::size_t points) : points_(points) {}
+
+  /// With the energy stiffness / 2 (sum of factor * u)^2.
+  void add(double stiffness, const std::vector<FormTerm>& form);
+  /// A symmetric matrix of some degrees of freedom 3 * point + component.
+  void add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+  /// The same of a place of soil that lifts off.
+  void add_unilateral(double stiffness, const std::vector<FormTerm>& form);
+  ElasticSupport taken(std::string name, const std::optional<geometry::Point>& position, bool holds = true) &&;
+
+private:
+  struct Entry {
+    std::uint64_t place;  // row, then column
+    double value;
+  };
+  std::size_t points_;
+  std::vector<Entry> entries_;
+  std::vector<std::pair<double, std::vector<FormTerm>>> places_;  // that touch
+};
+
+}  // namespace plate

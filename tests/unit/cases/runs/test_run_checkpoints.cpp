@@ -1,0 +1,68 @@
+#include "cases/runs/recording.hpp"
+
+#include "plate/solve/archive.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/post/small_run.hpp"
+
+using fracture::RunCheckpoints;
+using small_run::TemporaryFolder;
+
+namespace {
+
+RunCheckpoints::SaveState number(int n) {
+  return [n](plate::OutArchive& archive) { archive(n); };
+}
+
+int restored(RunCheckpoints& checkpoints) {
+  int n = 0;
+  CHECK(checkpoints.restore([&](plate::InArchive& archive) { archive(n); }));
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("keeper: what was kept last comes back to the same run, once") {
+  const TemporaryFolder folder;
+  const post::Checkpoints same(folder.path(), "case 1");
+  RunCheckpoints checkpoints(same, 1e-9);
+  std::vector<std::string> refused;
+  CHECK_FALSE(checkpoints.find(refused));
+  CHECK_FALSE(checkpoints.restore([](plate::InArchive&) { FAIL("nothing was found"); }));
+  checkpoints.save(number(1)), checkpoints.hold(number(2));
+  RunCheckpoints again(same, 1e-9);
+  REQUIRE(again.find(refused));
+  CHECK(refused.empty());
+  CHECK(restored(again) == 2);
+  CHECK_FALSE(again.goes_on());
+  RunCheckpoints other({folder.path(), "case 2"}, 1e-9);
+  CHECK_FALSE(other.find(refused));
+  CHECK_FALSE(refused.empty());
+  checkpoints.done();
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("keeper: before its time it writes nothing but what it is told to, and that once") {
+  const TemporaryFolder folder;
+  RunCheckpoints checkpoints({folder.path(), "case 1"}, 3600);
+  CHECK_FALSE(checkpoints.due());
+  checkpoints.hold(number(7));
+  checkpoints.hold(number(8));  // within a second: not taken
+  CHECK(folder.entries() == 0);
+  checkpoints.write();
+  CHECK(folder.entries() == 1);
+  RunCheckpoints again({folder.path(), "case 1"}, 3600);
+  std::vector<std::string> refused;
+  REQUIRE(again.find(refused));
+  CHECK(restored(again) == 7);
+  checkpoints.write();  // nothing has been taken since
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("keeper: a run goes on where its checkpoint cannot be written") {
+  const TemporaryFolder folder;
+  RunCheckpoints checkpoints({folder / "gone", "case 1"}, 1e-9);
+  CHECK_NOTHROW(checkpoints.save(number(1)));
+  CHECK_NOTHROW(checkpoints.save(number(2)));
+  std::vector<std::string> refused;
+  CHECK_FALSE(checkpoints.find(refused));
+}

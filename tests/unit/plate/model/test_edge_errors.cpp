@@ -1,0 +1,132 @@
+#include "plate/model/problem_validation.hpp"
+
+#include "plate/formulations.hpp"
+#include "plate/model/numerical_method.hpp"
+#include "plate/model/problem.hpp"
+#include "tests/catch.hpp"
+
+using plate::Subject;
+
+namespace {
+
+plate::Problem square() {
+  plate::Problem problem;
+  problem.outline = geometry::rectangle(0, 0, 1, 1);
+  problem.discretization.formulation = plate::formulations().back();  // bonds: layers follow the axes
+  problem.supports = {{plate::SupportKind::clamped, {"left"}, {}}};
+  return problem;
+}
+
+std::vector<std::pair<Subject, std::size_t>> found(const plate::Problem& problem) {
+  std::vector<std::pair<Subject, std::size_t>> result;
+  for (const auto& one : plate::errors_in_edges(problem)) result.emplace_back(one.subject, one.number);
+  return result;
+}
+
+using Found = std::vector<std::pair<Subject, std::size_t>>;
+
+}  // namespace
+
+TEST_CASE("faults of edges: names that the plate does not have, edges held twice, points beside the plate") {
+  auto problem = square();
+  CHECK(found(problem).empty());
+  problem.supports.push_back({plate::SupportKind::clamped, {"left", "lft"}, {}});
+  problem.supports.push_back({plate::SupportKind::pinned, {}, {{0.5, 0.5}, {1, 0.5}, {1.1, 0.5}}});
+  problem.loads = {plate::Load{plate::EdgeShear{.edges = {"top", "roof"}}}};
+  CHECK(found(problem) == Found{{Subject::support_edges, 1},
+                                {Subject::support_edges, 1},
+                                {Subject::support_points, 2},
+                                {Subject::load_edges, 0}});
+  CHECK_THAT(plate::errors_in_edges(problem)[0].what, Catch::Contains("did you mean 'left'?"));
+}
+
+TEST_CASE("faults of edges: what mirrors the lattice needs an edge along it") {
+  auto problem = square();
+  problem.outline.outer = {{{0, 0}, {1, 0}, {1.2, 1}, {0, 1}}, {"bottom", "right", "top", "left"}};
+  problem.supports = {{plate::SupportKind::symmetry, {"left", "right"}, {}}};
+  CHECK(found(problem) == Found{{Subject::support_direction, 0}});
+  problem.discretization.formulation = plate::formulations().front();
+  CHECK(found(problem).empty());
+}
+
+TEST_CASE("faults of edges: a force at a point lies inside the plate, a pin on its boundary too") {
+  auto problem = square();
+  CHECK(plate::on_plate(problem.outline, {1, 0.5}));
+  problem.loads = {plate::Load{plate::PointForce{.position = {1, 0.5}}}};
+  CHECK(found(problem) == Found{{Subject::load_position, 0}});
+}
+
+TEST_CASE("faults of edges: layers need straight edges along the axes, whatever they hold, and something to hold") {
+  auto problem = square();
+  problem.discretization.boundary = plate::EdgeMethod::layer;
+  CHECK(found(problem).empty());
+  problem.outline.outer = {{{0, 0}, {1, 0}, {1.2, 1}, {0, 1}}, {"bottom", "right", "top", "left"}};
+  problem.supports = {{plate::SupportKind::simply_supported, {"left", "right"}, {}}};
+  CHECK(found(problem) == Found{{Subject::support_direction, 0}});
+  CHECK_THAT(plate::errors_in_edges(problem)[0].what, Catch::Contains("choose \"images\""));
+  using enum plate::SupportKind;
+  problem.supports = {{symmetry, {"left"}, {}}, {plate::SupportKind::free, {"top"}, {}}, {pinned, {}, {{0.5, 0.5}}}};
+  CHECK(found(problem) == Found{{Subject::edge_method, 0}});
+  problem.discretization.formulation = plate::formulations().front();  // refuses the key itself
+  CHECK(found(problem).empty());
+}
+
+TEST_CASE("faults of edges: a load on an edge that holds all it acts on would go into the support") {
+  using enum plate::SupportKind;
+  enum class Kind { edge_moment, edge_shear };
+  struct Tried {
+    plate::SupportKind kind;
+    Kind load;
+    double moment, twist;
+    bool refused;
+  };
+  const Tried tried[] = {{clamped, Kind::edge_moment, 1, 0, true},
+                         {clamped, Kind::edge_shear, 1, 0, true},
+                         {clamped, Kind::edge_moment, 0, 1, true},
+                         {simply_supported, Kind::edge_shear, 1, 0, true},
+                         {simply_supported, Kind::edge_moment, 1, 1, false},
+                         {simply_supported_hard, Kind::edge_moment, 0, 1, true},
+                         {simply_supported_hard, Kind::edge_moment, 1, 1, false},
+                         {symmetry, Kind::edge_moment, 1, 0, true},
+                         {symmetry, Kind::edge_moment, 1, 1, false},
+                         {symmetry, Kind::edge_shear, 1, 0, false},
+                         {simply_supported_layer, Kind::edge_moment, 1, 0, false},
+                         {plate::SupportKind::free, Kind::edge_shear, 1, 0, false}};
+  for (const auto& [kind, load_kind, moment, twist, refused] : tried) {
+    auto problem = square();
+    problem.supports = {{kind, {"left"}, {}}};
+    plate::EdgeMoment edge_moment{.edges = {"left", "top"}, .value = moment, .twist = twist};
+    plate::EdgeShear edge_shear{.edges = {"left", "top"}, .value = moment};
+    const bool shears = load_kind == Kind::edge_shear;
+    problem.loads = {shears ? plate::Load{edge_shear} : plate::Load{edge_moment}};
+    CAPTURE(int(kind), int(load_kind), moment, twist);
+    CHECK(found(problem) == (refused ? Found{{Subject::load_edges, 0}} : Found{}));
+    edge_moment.edges = edge_shear.edges = {"top"};
+    problem.loads = {shears ? plate::Load{edge_shear} : plate::Load{edge_moment}};
+    CHECK(found(problem).empty());
+  }
+  auto problem = square();
+  problem.loads = {plate::Load{plate::EdgeMoment{.edges = {"left"}, .tensor = {{1, 0, 0}}}}};
+  CHECK(found(problem) == Found{{Subject::load_edges, 0}});
+}
+
+TEST_CASE("faults of edges: a force on a crack has no face") {
+  auto problem = square();
+  problem.cracks = {{{0.2, 0.2}, {0.6, 0.6}}};
+  for (const auto& [x, y, refused] :
+       {std::tuple{0.4, 0.4, true}, {0.6, 0.6, true}, {0.4, 0.41, false}, {0.7, 0.7, false}}) {
+    problem.loads = {plate::Load{plate::PointForce{.position = {x, y}}}};
+    CHECK(found(problem) == (refused ? Found{{Subject::load_position, 0}} : Found{}));
+  }
+}
+
+TEST_CASE("faults of edges: a force on a part that is held would go into the support") {
+  auto problem = square();
+  plate::Support column;
+  column.kind = plate::SupportKind::pinned, column.patch = geometry::Circle{{0.5, 0.5}, 0.1, ""};
+  problem.supports.push_back(column);
+  for (const auto& [x, refused] : {std::pair(0.5, true), {0.58, true}, {0.62, false}}) {
+    problem.loads = {plate::Load{plate::PointForce{.position = {x, 0.5}}}};
+    CHECK(found(problem) == (refused ? Found{{Subject::load_position, 0}} : Found{}));
+  }
+}
