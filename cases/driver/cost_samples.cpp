@@ -97,7 +97,7 @@ fracture::RunEstimate estimate_cost(const CaseFile& file) {
 }
 
 std::string cheaper_way(const CaseFile& file, double seconds) {
-  constexpr double worth_it = 1, clearly = 0.7;  // s; as foretold times are no more exact
+  constexpr double worth_it = 1, clearly = 0.7;  // s; as estimated times are no more exact
   if (!(seconds > worth_it)) return "";
   const auto other = by_other_method(file);
   if (!other) return "";

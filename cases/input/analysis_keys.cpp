@@ -10,7 +10,7 @@
 namespace cases {
 namespace {
 
-/// "auto" is settled when all is read: resolve_formulation.
+/// "auto" is resolved when all is read: resolve_formulation.
 Words<const plate::FormulationKind*> formulation_words() {
   Words<const plate::FormulationKind*> words;
   for (const auto* kind : plate::formulations()) words.allowed.emplace_back(kind->name, kind);

@@ -27,7 +27,7 @@ struct [[gnu::visibility("default")]] Wrong : std::runtime_error {
 using Key = std::array<std::string, 5>;  // name, unit, allowed values, default, meaning
 
 #pragma GCC visibility push(default)
-/// Runs a case; with `fields`, its frames are kept. `threads` 0: as many as there are. Throws Wrong.
+/// Runs a case; with `fields`, its frames stay in memory. `threads` 0: as many as there are. Throws Wrong.
 Run run(const Source& source, bool fields, int threads);
 /// Estimates the cost of a run, as text. Throws Wrong.
 std::string check(const Source& source, int threads);

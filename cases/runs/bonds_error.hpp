@@ -11,9 +11,9 @@ struct Problem;
 
 namespace fracture {
 
-/// Replaces what is foretold of deflections and stresses of bonds (plate::estimated_errors) by how far they are from
-/// those of the Galerkin plate with the same spacing. Nothing happens to plates that are not compared: those of more
-/// than 40,000 points that are thick, and those that processes share. `problem`: as the case has it.
+/// Replaces the estimated errors of deflections and stresses of bonds (plate::estimated_errors) by how far they are
+/// from those of the Galerkin plate with the same spacing. Nothing happens to plates that are not compared: those of
+/// more than 40,000 points that are thick, and those that processes share. `problem`: as the case has it.
 void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& state, const plate::Problem& problem,
                            std::vector<std::string>& warnings);
 

@@ -27,7 +27,7 @@ constexpr double least_steps = 64, most_steps = 1 << 18, long_enough = 0.1;
 constexpr double frames_of_period = 8;      // of a harmonic response
 constexpr std::size_t few_frequencies = 8;  // of its samples
 
-/// Does the plate move, however?
+/// True of motions in time and of the harmonic response.
 bool is_motion(const Analysis& analysis) {
   return analysis.kind == Analysis::Kind::dynamic || analysis.kind == Analysis::Kind::harmonic;
 }

@@ -27,7 +27,7 @@ struct RunEstimate {
 /// measured 94 to 98 from 250,000 to 1 million points of a lattice.
 constexpr double bytes_while_cells_are_made = 95;
 
-/// How much less a sample does.
+/// Reductions of a sample against the run whose cost is estimated.
 struct ReducedRun {
   double wider = 1;  // spacings
   bool factors = false;
@@ -83,7 +83,7 @@ struct ProcessesEstimate {
 /// @throws plate::Refused  more processes than blocks of the lattice
 ProcessesEstimate estimated_processes(const plate::Problem& problem, int count);
 
-/// A run by one process, as it is foretold.
+/// Estimated cost of a run by one process.
 struct SingleProcessRun {
   double points = 0, program = 0, bytes = 0;            // memory at its peak: of the program, and of the plate
   double factor = 0;                                    // of that a factor of the whole plate

@@ -36,18 +36,18 @@ struct CellValues;
 
 namespace fracture {
 
-/// Keeps what a run must remember in its folder, from time to time, and gives back what was kept there. Where that
-/// cannot be written the run goes on, with a word.
+/// Checkpoints of a run in its folder: saves the state of the run from time to time and restores it. Where a checkpoint
+/// cannot be written, the run goes on with a message.
 class RunCheckpoints {
 public:
   using SaveState = std::function<void(plate::OutArchive&)>;
 
-  /// `every` [s]; from a second on it is stretched so that all that this does takes a hundredth of the run.
+  /// `every` [s]; from a second on the interval grows so that checkpoints take at most a hundredth of the run.
   RunCheckpoints(post::Checkpoints checkpoints, double every);
   /// Collective, where ranks share a plate: every rank must call each member function.
   RunCheckpoints(std::shared_ptr<post::DistributedCheckpoints> checkpoints, double every);
 
-  /// Looks for a checkpoint to go on from: there is none, or its memory waits for restore(). What was wrong with others
+  /// Looks for a checkpoint to go on from: there is none, or its state waits for restore(). What was wrong with others
   /// goes into `refused`.
   bool find(std::vector<std::string>& refused);
   bool goes_on() const { return !found_.empty(); }
@@ -56,12 +56,12 @@ public:
   /// Restores the checkpoint that was found; false where none was.
   bool restore(const std::function<void(plate::InArchive&)>& restore);
 
-  /// Is it time to keep?
+  /// Is a checkpoint due?
   bool due() const;
   /// Writes a checkpoint now, where processes share the plate with the points of this one.
   void save(const SaveState& save_state, const post::CellValues* own = nullptr);
   /// Takes the memory, about once a second, and writes it where it is time. `own`: where processes share the plate,
-  /// makes the points of this one; nothing: none are kept.
+  /// makes the points of this one; nothing: none are saved.
   void hold(const SaveState& save_state, const std::function<post::CellValues()>& own = {});
   /// Writes what was last taken.
   void write();
@@ -117,7 +117,7 @@ struct RecordingOptions {
 /// go on with. `report`: one is wanted.
 std::optional<post::Summary> done_before(const RecordingOptions& options, bool report);
 
-/// Where the results of a run go, and what it keeps to go on later: none where nothing is kept.
+/// Recorder of the results of a run, and its checkpoints: null where none are written.
 struct Recording {
   post::Recorder recorder;
   std::unique_ptr<RunCheckpoints> checkpoints;

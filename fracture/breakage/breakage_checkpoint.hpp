@@ -34,7 +34,7 @@ private:
 /// A family that has lost bonds, as it is by now.
 struct DamagedFamily {
   PointKey point{};
-  std::uint64_t event = 0, place = 0;  // when it lost the first: in which severing, and as which there
+  std::uint64_t event = 0, place = 0;  // when it lost the first: in which breakage, and as which there
   double a = 0;
   unsigned left = 0;                    // Change::left
   std::optional<std::size_t> breakage;  // that goes on
@@ -47,11 +47,11 @@ struct DamagedFamily {
   }
 };
 
-/// All that has been severed of a plate, by whichever processes.
+/// Checkpoint of the bond breakage of a plate, over all ranks.
 struct BreakageCheckpoint {
   std::vector<DamagedFamily> families;
-  std::vector<std::pair<std::size_t, double>> going;  // severings that go on: number, share
-  std::uint64_t events = 0;                           // severings of both kinds so far
+  std::vector<std::pair<std::size_t, double>> going;  // breakages that go on: number, share
+  std::uint64_t events = 0;                           // breakages of both kinds so far
   std::size_t breakages = 0;                          // of pieces of cracks
   unsigned easing_left = 0;
 

@@ -147,7 +147,7 @@ void DamagedPlate::differ(std::size_t number) {
   }
 }
 
-/// `place`: among those of the severing.
+/// `place`: among those of the breakage.
 void DamagedPlate::lose(std::uint32_t k, std::size_t i, std::uint64_t place) {
   const auto before = broken_.points();
   broken_.set(k, i);

@@ -27,7 +27,7 @@ struct BreakageCheckpoint;
 
 /// A bond between two points, the lower number first.
 using PointPair = std::array<std::uint32_t, 2>;
-/// One of which this process does not see both.
+/// A bond of which this rank does not know both ends.
 constexpr PointPair outside_overlap{std::uint32_t(-1), std::uint32_t(-1)};
 
 /// A state, and what it was a step before: state - time_step velocity.
@@ -63,10 +63,10 @@ public:
   /// Is the place this process's?
   bool here(const geometry::Point& x) const { return boundary_.here(x); }
 
-  /// Begins to sever the bonds that cross the crack's last piece, which is `piece` long at the end `at_back`. Returns a
-  /// number; none, and nothing is done, where a severing that goes on has families of the same points.
+  /// Begins to break the bonds that cross the crack's last piece, which is `piece` long at the end `at_back`. Returns
+  /// the number of the breakage; none, and nothing is done, where one that goes on has families of the same points.
   std::optional<std::size_t> break_bonds(const geometry::CrackPath& path, bool at_back, double piece);
-  /// Carries a severing on to a share from 0 to 1; returns the energy that it takes, as central differences count it:
+  /// Carries a breakage on to a share from 0 to 1; returns the energy that it takes, as central differences count it:
   /// mixed from the state and the one a step before (theory.md, "Growth").
   double carry_on(std::size_t number, double share, const Motion& motion);
 
@@ -83,7 +83,7 @@ public:
   /// The cells, cut along the cracks; sets the frame's resultants and damage. `start`: the plate before.
   plate::Mesh draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start,
                    const std::vector<geometry::CrackPath>& cracks) const;
-  /// Families as they are after all severings.
+  /// Families without the bonds that have broken so far.
   const geometry::Families& families() const { return families_; }
   const plate::FamilyOperator& base() const { return base_; }
   const plate::Communicator& communicator() const { return *boundary_.map.communicator; }
@@ -103,7 +103,7 @@ private:
     std::vector<std::uint32_t> points;
     double share = 0;
   };
-  /// When a point lost its first bond: in which severing, and as which there.
+  /// When a point lost its first bond: in which breakage, and as which there.
   struct FirstLoss {
     std::uint64_t event, place;
   };

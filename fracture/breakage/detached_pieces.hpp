@@ -7,8 +7,8 @@ namespace fracture {
 struct SavedPoint;
 class PointKeys;
 
-/// Keeps pieces of a moving plate where they are when they are seen to have fallen off (plate::fallen), at most 50
-/// steps after it. Stands before what severs bonds.
+/// Freezes the detached pieces of a moving plate (plate::detached_points), at most 50 steps after they came off. Acts
+/// before bonds break.
 class DetachedPieces : public plate::Changes {
 public:
   /// All must outlive this. `mass` per degree of freedom [3 x points].
@@ -23,7 +23,7 @@ public:
 
   /// Saves the state to continue from, of all ranks that share the plate. Collective.
   void save(plate::OutArchive& archive) const;
-  /// The plate has loaded what was severed.
+  /// Restores the state; the plate must have restored its broken bonds before.
   void load(plate::InArchive& archive);
 
 private:

@@ -107,13 +107,13 @@ void MovingCracks::depart(const std::vector<Departure>& departures) {
     if (way.reached)
       (tip.tip.at_back ? path.back : path.front) = way.reached->crack ? geometry::End::junction : geometry::End::mouth;
     const auto breakage = plate_.break_bonds(path, tip.tip.at_back, way.length);
-    if (!breakage) continue;  // another tip severs bonds of the same points: wait for it
+    if (!breakage) continue;  // another tip breaks bonds of the same points: wait for it
     paths_[tip.tip.crack] = std::move(path);
     tip.running = Running{*breakage, time, way.length / tip.speed, way.length, 0, tip.tip.position, way};
     tip.tip.direction = (way.to - tip.tip.position).normalized();
     tip.tip.position = way.to;
     tip.since_look += way.length;
-    for (auto& other : tips_)  // what severs bonds in the rings of another gauge makes that wrong
+    for (auto& other : tips_)  // bonds that break in the rings of another gauge make that wrong
       if ((other.tip.position - way.to).norm() <= way.length + gauge_reach * spacing_) other.gauge.reset();
     length_ += way.length, tip.length += way.length;
   }
@@ -182,7 +182,7 @@ void MovingCracks::before_force(const plate::Step& now) {
 void MovingCracks::after_force(const plate::Step& now, const plate::Forces& force) {
   const auto& elastic_supports = plate_.base().elastic_supports();
   plate::Forces
-      own;  // where something is attached, without that; where processes share the plate, with those of others
+      own;  // where there are elastic supports, without these; where processes share the plate, with those of others
   std::vector<std::pair<std::size_t, TipMeasurement>> looked;
   bool any = false;  // does one of them start?
   for (std::size_t i = 0; i < tips_.size(); ++i) {

@@ -34,7 +34,7 @@ struct StoppedTip {
 /// Cracks that run through a plate of bonds over a horizon (theory.md, "Growth"). A tip at rest starts when its
 /// energy release rate reaches the fracture energy, and those whose rate is the same but for rounding with it. It stops
 /// where its direction is not resolved, or where five spacings took less than 0.6 or more than 1.6 times the fracture
-/// energy. Bonds across the next piece are then severed gradually; the energy
+/// energy. Bonds across the next piece then break gradually; the energy
 /// that this takes is counted step by step, and tells how fast the tip goes on: faster where a piece took more than the
 /// fracture energy, slower or not at all where it took less.
 class MovingCracks : public plate::Changes {

@@ -13,7 +13,7 @@
 
 namespace fracture {
 
-/// Cracks that grow while the plate moves: the plate whose bonds they sever, and what is recorded of them.
+/// Cracks that grow while the plate moves: the plate whose bonds they break, and what is recorded of them.
 class MovingGrowth {
 public:
   /// `start`: of a formulation whose bonds break. `factors`: where intensity factors are wanted. All references must

@@ -91,9 +91,9 @@ struct QuasiStaticOutcome {
   Ledger ledger;  // at the last state
 };
 
-/// How a growth goes on after it was ended, and remembers what it needs for it.
+/// Continuation of a growth from a checkpoint, and the checkpoints that it writes.
 struct Continuation {
-  const QuasiStaticLoad* from = nullptr;                  // of a model that has recalled the same equilibrium
+  const QuasiStaticLoad* from = nullptr;                  // of a model that has restored the same equilibrium
   std::function<void(const QuasiStaticLoad&)> hold = {};  // sees the load of every one, with the model as it is then
 };
 

@@ -7,7 +7,7 @@
 
 namespace fracture {
 
-/// Energy books of a growth [energy]. What is released beyond what the crack takes would be kinetic.
+/// Energy terms of a growth [energy]. What is released beyond what the crack takes would be kinetic.
 struct Ledger {
   double external_work = 0, strain = 0, fracture = 0;
   double released() const { return external_work - strain - fracture; }

@@ -35,7 +35,7 @@ struct Merged {
 /// one description. A vertex counts as on the line if it is off by no more than a ten-thousandth of the shorter piece
 /// beside it: coordinates that were rounded. Vertices at which another crack ends or crosses stay, and so do two ends
 /// on the boundary. A joined crack has the place of its first piece in the list, and its tips keep the order that the
-/// pieces gave them. `cracks` without faults.
+/// pieces gave them. `cracks` without errors.
 Merged merged(const Outline& outline, std::vector<Polyline> cracks);
 
 }  // namespace geometry

@@ -35,10 +35,10 @@ std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Pol
 /// The tips of all cracks: front before back, in the order of the cracks.
 std::vector<Tip> tips(const std::vector<CrackPath>& paths);
 
-/// Does the crack sever the bond between two points? Exact, by two rules:
+/// Does the crack separate two points, so that the bond between them is broken? Exact, by two rules:
 /// a bond that merely touches a tip stays; a point exactly on the crack lies on the side of +x
 /// (+y where the crack is horizontal), as if all points were moved by the infinitesimal (e, e^2).
-/// Mouths and junctions are closed ends: a bond through them is severed.
+/// Mouths and junctions are closed ends: a bond through them is broken.
 bool separates(const CrackPath& crack, const Point& p, const Point& q);
 
 /// Everything that is wrong with the cracks: fewer than two vertices, zero length, self-crossing, outside the plate,

@@ -38,7 +38,7 @@ struct OperatedPart {
   std::shared_ptr<const HaloExchange> exchange;  // of the dilatations of the others; none: one process holds all
   std::vector<char> pending;                     // points whose values depend on others' (Constraints); empty: none
 
-  /// Is one of some points in a row awaited, or one that they see by these bonds, which all of them have?
+  /// Is the value of one of some points in a row pending, or one that they see by these bonds, which all of them have?
   bool waits(std::uint32_t first, std::uint32_t length, std::span<const PatternBond> bonds) const;
 };
 

@@ -116,8 +116,9 @@ public:
 /// their own points and the copies that they have. `transfer` and `boundary` must outlive it.
 std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& transfer, const Boundary& boundary);
 
-/// The local plate (ShortHorizonPreconditioner) on every second point in both directions, factorised, between Jacobi
-/// sweeps on the plate itself: a quarter of the unknowns, for plates of many points (theory.md, "Statics").
+/// Two-level preconditioner: the plate of ShortHorizonPreconditioner on every second point in both directions,
+/// factorised, between Jacobi sweeps on the plate itself: a quarter of the unknowns, for plates of many points
+/// (theory.md, "Statics").
 class TwoLevelPreconditioner : public Preconditioner {
 public:
   /// `plate` and `boundary` must outlive this.

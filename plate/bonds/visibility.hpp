@@ -4,7 +4,7 @@
 
 namespace plate {
 
-/// The families without the bonds that the cracks sever, mirror images of the cracks included. `paths` in lattice
+/// Families without the bonds that cross cracks, mirror images of the cracks included. `paths` in lattice
 /// units. A crack that is there from the start costs nothing later: its bonds are not in the list.
 geometry::Families without_crossing_bonds(const Boundary& boundary, const geometry::Families& families,
                                           const std::vector<geometry::CrackPath>& paths, double horizon_ratio);

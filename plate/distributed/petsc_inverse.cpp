@@ -101,9 +101,9 @@ private:
     return failed == PC_NOERROR;
   }
 
-  /// MUMPS foretells the memory that a process needs, and some more is given: what it lacks it asks for by failing.
+  /// MUMPS estimates the memory that a process needs, and some more is given: what it lacks it asks for by failing.
   void factorise(MPI_Comm all) {
-    constexpr PetscInt more = 14;  // ICNTL(14): percent above what is foretold
+    constexpr PetscInt more = 14;  // ICNTL(14): percent above the estimate
     for (const PetscInt percent : {50, 200, 1000})
       if (set_up(all, [&](PC inverse) {
             require(PCSetType(inverse, PCCHOLESKY));

@@ -46,7 +46,7 @@ LatticeBonds lattice_bonds(const Section& section, const Discretization& discret
 LatticeBonds lattice_bonds(const Section& section, const Discretization& discretization,
                            const std::vector<CellShare>& family);
 
-/// Contribution of the energy of one end to a bond (theory (12)); zero where a crack severs the bond.
+/// Contribution of the energy of one end to a bond (theory (12)); zero where a crack crosses the bond.
 struct BondHalf {
   double dilatation_couple;    // 2 A a D: of a unit dilatation of this end [force]
   double D, curvature, shear;  // as in LatticeBond, of this end alone

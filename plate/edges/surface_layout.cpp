@@ -303,7 +303,7 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
     const bool loaded = std::ranges::find(load.edges(), side.name) != load.edges().end();
     auto condition = edge_condition(side.kind, loaded ? action_of(load, n) : EdgeAction{}, number);
     if (plate.oblique) return condition;
-    condition.held = {false, false, false};  // forces on what is held are booked to the supports
+    condition.held = {false, false, false};  // forces on constrained degrees of freedom count as the supports'
     return condition;
   };
   const auto right =

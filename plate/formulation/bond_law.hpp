@@ -47,7 +47,7 @@ BondForce<Value> bond_force(const Number& length, const Number& D_kj, const Numb
   return {force, D_kj * q_k + D_jk * q_j + curvature * curvature_difference + force * (length / 2)};
 }
 
-/// Energy that point k books for the bond, per A_k: B (s xi)^2 + S (gamma xi)^2.
+/// Energy of the bond that is assigned to point k, per A_k: B (s xi)^2 + S (gamma xi)^2.
 inline double bond_energy(double B, double S, double curvature_difference, double shear_difference) {
   return B * curvature_difference * curvature_difference + S * shear_difference * shear_difference;
 }

@@ -24,9 +24,9 @@ struct ElasticSupport {
   std::vector<std::size_t> first;           // where the entries of a row begin [rows + 1]
   std::vector<std::uint32_t> column;
   std::vector<double> value;
-  std::shared_ptr<const Contact> contact = {};  // of soil that lifts off; the matrix is that of contact everywhere
+  std::shared_ptr<const Contact> contact = {};  // of a unilateral foundation; the matrix is that of contact everywhere
 
-  /// Its forces on the plate, -K state [3 x points], of soil that lifts off those of where it touches.
+  /// Its forces on the plate, -K state [3 x points], of unilateral foundations those of where they are in contact.
   Forces force(const State& state) const;
   double energy(const State& state) const;
 
@@ -39,18 +39,18 @@ struct ElasticSupport {
   }
 };
 
-/// Where every soil that lifts off touches, by its places; of other parts empty.
+/// Contact of each unilateral foundation, by its places; empty for other supports.
 using ContactState = std::vector<std::vector<char>>;
 
-/// All that a plate is attached to by springs. A plate without has none, and its products do nothing here. Copies share
-/// what they hold. Any number of threads gives the same bits.
+/// Elastic supports of a plate: foundations, springs and stiffeners. A plate without has none, and its products do
+/// nothing here. Copies share what they hold. Any number of threads gives the same bits.
 class ElasticSupports {
 public:
   ElasticSupports() = default;
   explicit ElasticSupports(std::vector<ElasticSupport> parts);
 
   const std::vector<std::shared_ptr<const ElasticSupport>>& parts() const { return parts_; }
-  /// Attachments that hold the plate against rigid motions.
+  /// Supports that hold the plate against rigid motions.
   std::vector<std::shared_ptr<const ElasticSupport>> holding() const;
 
   void add_force(const State& state, Forces& forces) const;  // forces += -K state
@@ -81,7 +81,7 @@ struct FormTerm {
   double factor;
 };
 
-/// Springs, one after the other, that become one attachment.
+/// Sum of springs that become one elastic support.
 class ElasticSupportSum {
 public:
   explicit ElasticSupportSum(std::size_t points) : points_(points) {}
@@ -90,7 +90,7 @@ public:
   void add(double stiffness, const std::vector<FormTerm>& form);
   /// A symmetric matrix of some degrees of freedom 3 * point + component.
   void add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
-  /// The same of a place of soil that lifts off.
+  /// Adds a place of a unilateral foundation.
   void add_unilateral(double stiffness, const std::vector<FormTerm>& form);
   ElasticSupport taken(std::string name, const std::optional<geometry::Point>& position, bool holds = true) &&;
 

@@ -103,7 +103,7 @@ public:
   /// The state at a place, exact under rigid motions. Throws Refused where it sees no point near enough.
   virtual std::vector<PlaceShare> interpolation(const geometry::Point& at) const = 0;
   virtual Mesh mesh() const = 0;
-  /// Share of each point's surroundings that cracks severed when they were as at the start of their growth.
+  /// Share of each point's surroundings that cracks cut when they were as at the start of their growth.
   virtual std::vector<double> cut_at(const StartOfCracks& start) const = 0;
   virtual std::unique_ptr<TipView> tip_view() const = 0;
   /// The mass matrix that suits Lanczos vectors.

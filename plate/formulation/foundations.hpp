@@ -8,7 +8,7 @@
 
 namespace plate {
 
-/// Soil that presses where the plate is pushed into it, w < 0, and lets it lift off: of every place the energy
+/// Unilateral foundation: presses where w < 0 and does not pull. The energy of every place is
 /// stiffness / 2 min(w, 0)^2 with w a form in some degrees of freedom. The force is continuous, so that steps of a
 /// motion and equilibria see no jumps (theory.md, "Soil that lifts off"). Any number of threads gives the same bits.
 class Contact {

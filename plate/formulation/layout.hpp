@@ -18,7 +18,7 @@ struct Layout {
   std::vector<geometry::CrackPath> paths;  // [length]
   std::vector<geometry::Tip> tips;
   Boundary boundary;
-  std::vector<double> cut;  // per point of the plate: share of its surroundings that cracks sever
+  std::vector<double> cut;  // per point of the plate: share of its surroundings that cracks cut
   std::vector<TimedLoad> loads;
   std::vector<Piece> pieces = {};
   Mechanisms mechanisms = {};

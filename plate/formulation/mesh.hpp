@@ -11,7 +11,7 @@ namespace plate {
 struct Mesh {
   std::vector<geometry::Point> positions;  // [length]
   std::vector<double> areas;               // [length^2]
-  std::vector<double> cut;                 // share of each point's full family severed by cracks and edges
+  std::vector<double> cut;                 // share of each point's full family cut by cracks and edges
   /// Cells of points, and of corners after them, counter-clockwise; at a crack each face has its own.
   std::vector<std::array<std::uint32_t, 4>> quads;
   std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -38,7 +38,7 @@ struct Piece {
 /// All pieces, largest first. Bonds, mirror images and ties connect.
 std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families);
 
-/// The points that have fallen off: of all pieces that no support holds in any way; of a plate that is not held at all,
+/// Points of detached pieces: of all pieces that no support holds in any way; of a plate that is not held at all,
 /// all but the largest.
 std::vector<std::uint32_t> detached_points(const Boundary& boundary, const geometry::Families& families);
 

@@ -19,7 +19,7 @@ public:
   const std::vector<std::uint32_t>& others() const { return others_; }
 
   void internal_force(const State& state, Forces& forces) const;
-  /// Internal forces of rows that see no awaited point (inside), and of the other rows (waiting).
+  /// Internal forces of rows that see no pending point (inside), and of the other rows (waiting).
   void internal_force_inside(const State& state, Forces& forces) const;
   void internal_force_waiting(const State& state, Forces& forces) const;
   void absolute_product(const State& state, Forces& forces) const;
@@ -41,7 +41,7 @@ private:
 
   Factors factors_{};  // -K
   std::vector<Row> rows_;
-  std::size_t inside_ = 0;  // how many of them see no awaited point, the first
+  std::size_t inside_ = 0;  // how many of them see no pending point, the first
   std::vector<std::uint32_t> others_;
 };
 
@@ -55,7 +55,7 @@ public:
 
   /// Sets the forces on those points. One call at a time.
   void internal_force(const State& state, Forces& forces) const { internal_force_from(0, state, forces); }
-  /// The same in two halves: what families do of which no point is awaited, and the rest.
+  /// The same in two halves: forces of families without a pending point, and of the rest.
   void begin_force(const State& state) const;
   void end_force(const State& state, Forces& forces) const { internal_force_from(inside_, state, forces); }
 
@@ -74,10 +74,10 @@ private:
   void act(std::size_t block, const State& state) const;
   void internal_force_from(std::size_t block, const State& state, Forces& forces) const;
 
-  std::vector<std::uint32_t> kept_;        // without awaited points first, families of one size side by side
+  std::vector<std::uint32_t> kept_;        // without pending points first, families of one size side by side
   std::vector<std::uint32_t> kept_lanes_;  // the same by blocks, the last one filled up
   std::vector<Block> blocks_;
-  std::size_t inside_ = 0;               // how many of them have no awaited point, the first
+  std::size_t inside_ = 0;               // how many of them have no pending point, the first
   std::vector<std::uint32_t> members_;   // per bond and lane
   std::vector<double> bonds_;            // per bond: direction, 1 / length, gradient times length, share; lanes of each
   std::vector<double> families_;         // per block: stiffnesses and sums over the bonds; lanes of each

@@ -48,9 +48,9 @@ struct MultigridLevel {
   std::shared_ptr<const SumByOwners> sum = {};  // of forces on its points
 };
 
-/// The same plate on coarser and coarser points, the last of them factorised, between Jacobi sweeps on each (theory.md,
-/// "Statics"): rotations interpolated in the coarser cells, the deflection with what the rotations add to it in a plate
-/// without shear.
+/// Multigrid preconditioner: the plate on coarser and coarser points, the last of them factorised, between Jacobi
+/// sweeps on each (theory.md, "Statics"): rotations interpolated in the coarser cells, the deflection with what the
+/// rotations add to it in a plate without shear.
 class GalerkinMultigrid : public Preconditioner {
 public:
   /// `plate`, `constraints` and `seen` must outlive this. `coarser`: at least one.

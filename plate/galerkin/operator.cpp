@@ -115,7 +115,7 @@ void GalerkinOperator::internal_force_overlapped(const State& state, PendingExch
   complete(state, forces);
 }
 
-/// Forces of rows and lists, with what is attached.
+/// Forces of rows and lists, with the elastic supports.
 void GalerkinOperator::complete(const State& state, Forces& forces) const {
   for (const auto k : copies_) forces.col(k).setZero();
   elastic_supports_.add_force(state, forces);

@@ -61,7 +61,7 @@ public:
 
   const GalerkinFamilies& families() const { return families_; }
   const PointSections& sections() const { return sections_; }
-  /// The stiffness without what is attached.
+  /// Stiffness without the elastic supports.
   PointMatrix own_matrix() const;
   const ElasticSupports& elastic_supports() const { return elastic_supports_; }
   std::size_t bytes() const;

@@ -69,7 +69,7 @@ CellsWithOverlap all_cells(const Communicator& all, Tessellation whole) {
 /// point.
 CellsWithOverlap cells_about(const Communicator& all, const Problem& problem, const GlobalLattice& whole,
                              const std::vector<geometry::Tip>& tips, const std::optional<CellBox>& besides) {
-  constexpr long seen = 8;  // part_of_cells() sees half of that, and what is attached to the last of it
+  constexpr long seen = 8;  // part_of_cells() sees half of that, and the elastic supports of the last of it
   const auto shares = checked_shares(whole, all.size());
   const auto& units = whole.units();
   const auto& part = shares.part(all.rank());

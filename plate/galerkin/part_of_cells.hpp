@@ -49,11 +49,11 @@ struct Problem;
 /// Part that one rank holds of the cells of a shared plate: its owned points, ghosts that their forces and plots need,
 /// and ghosts about its crack tips.
 struct PartOfCells {
-  geometry::CellsPart part;                 // of the cells that it sees
-  std::vector<std::uint32_t> number;        // of its points in the whole, ascending
-  std::vector<char> own;                    // of its points
-  std::vector<std::uint32_t> column_block;  // 0 of others' points; in which stretch of columns an own one lies, from 1
-  std::vector<Copy> copies;                 // the others
+  geometry::CellsPart part;                      // of the cells that it sees
+  std::vector<std::uint32_t> number;             // of its points in the whole, ascending
+  std::vector<char> own;                         // of its points
+  std::vector<std::uint32_t> column_block;       // 0 of ghosts; in which column block an owned one lies, from 1
+  std::vector<Copy> copies;                      // the others
   std::shared_ptr<const HaloExchange> exchange;  // of these
   geometry::CellBox about;                       // where the point of the plate nearest to a place is known
 };

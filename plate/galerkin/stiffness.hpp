@@ -61,7 +61,7 @@ Eigen::MatrixXd family_stiffness(const GalerkinFamilies& families, const PointSe
 /// K of all degrees of freedom. Any number of threads gives the same bits.
 PointMatrix stiffness_matrix(const GalerkinOperator& plate);
 
-/// Without what is attached to the plate.
+/// Stiffness without the elastic supports.
 PointMatrix stiffness_matrix(const GalerkinFamilies& families, const PointSections& sections);
 
 }  // namespace plate

@@ -38,7 +38,7 @@ public:
 };
 
 struct Traffic;
-/// A symmetric matrix by its product with a vector: y = A x, of the unknowns of the process. All call it at once.
+/// Product y = A x of a symmetric matrix and a vector, of the unknowns of the rank. Collective.
 using DistributedProduct = std::function<void(std::span<const double> x, std::span<double> y)>;
 
 /// Which eigenpairs of such a matrix are wanted, and how they are found.
@@ -62,8 +62,8 @@ public:
   virtual ~Communicator() = default;
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  /// Are plates laid out in parts, with ghosts, and sums made independent of how the plate is shared out? Also true of
-  /// the parallel program with one rank, so that one rank gives the bits that several do.
+  /// Are plates discretised in parts, with ghosts, and sums made independent of how the plate is shared out? Also true
+  /// of the parallel program with one rank, so that one rank gives the bits that several do.
   virtual bool distributed() const { return true; }
   /// Sums, and largest values, over all ranks; collective.
   virtual void sum(std::span<std::int64_t> values) const = 0;
@@ -84,7 +84,7 @@ public:
                                               const EigenpairRequest& wanted) const = 0;
 };
 
-/// The communicator of a program that is one process: nothing is exchanged, plates are not laid out in parts.
+/// The communicator of a program that is one process: nothing is exchanged, plates are not discretised in parts.
 const Communicator& single_process();
 
 /// Which of the points that a rank knows it owns; the others are ghosts. One process owns all: both lists are empty.

@@ -5,8 +5,8 @@
 
 namespace plate {
 
-/// Fetches values of points that a process has copies of from the processes that own them. All processes call it at
-/// once, in the same order, from one thread each.
+/// Halo exchange: fetches the values of ghosts from the ranks that own them. Collective: every rank must call it, in
+/// the same order, from one thread.
 class HaloExchange {
 public:
   virtual ~HaloExchange() = default;

@@ -145,10 +145,10 @@ struct Load {
   const std::string& name() const;
   /// "pressure", "edge_moment", ..., in the order of the variant.
   static const std::array<std::string, std::variant_size_v<Action>> names;
-  /// What acts by the number of its name, with nothing given.
+  /// Makes what acts from the number of its name, with nothing given.
   static Action made(std::size_t number);
 
-  // What loads of several kinds have; empty, or nothing, where this one does not.
+  // Members that loads of several kinds have; empty, or nothing, where this one does not.
   const std::vector<std::string>& edges() const;
   const geometry::Polyline& line() const;
   const geometry::Polyline& path() const;

@@ -67,14 +67,14 @@ struct Problem {
   std::optional<Initial> initial = {};  // of a motion
   std::optional<Impact> impact = {};    // likewise
 
-  /// Is there soil that lets the plate lift off?
+  /// Is there a unilateral foundation?
   bool unilateral() const {
     return std::ranges::any_of(foundations, [](const Foundation& one) { return one.unilateral; });
   }
   bool elastically_supported() const { return !foundations.empty() || !springs.empty(); }
 };
 
-/// Its supports as the discretisation holds them: in layers where it says so.
+/// Supports of the problem with the method of the discretisation resolved: in layers where it says so.
 std::vector<Support> resolved_supports(const Problem& problem);
 
 /// Its cracks as paths [length].

@@ -5,7 +5,7 @@
 
 namespace plate {
 
-/// A plate on soil that lifts off, as if that touched at some of its places and nowhere else: a linear one. Both must
+/// Plate on a unilateral foundation with given contact, which makes it linear. The plate and the elastic supports must
 /// outlive it.
 class PlateInContact : public Operator {
 public:
@@ -17,7 +17,7 @@ public:
     plate_.internal_force(state, forces);
     elastic_supports_.add_change(state, touching_, forces);
   }
-  /// Upper bound of |K| state with soil that touches everywhere.
+  /// Upper bound of |K| state with contact everywhere.
   void absolute_product(const State& state, Forces& forces) const override { plate_.absolute_product(state, forces); }
   Forces diagonal() const override { return plate_.diagonal(); }
 
@@ -29,7 +29,7 @@ private:
   ContactState touching_;
 };
 
-/// At every place.
+/// Contact at every place.
 inline ContactState everywhere(const ElasticSupports& elastic_supports) {
   ContactState result;
   for (const auto& part : elastic_supports.parts())

@@ -6,14 +6,14 @@ namespace plate {
 
 class Formulation;
 
-/// Are supports moved?
+/// True where settlements prescribe displacements.
 bool has_prescribed_displacements(const Formulation& plate);
 /// Where all settlements at their last values together put what is held, those of a time, and those of time 0; without
 /// columns where there are none.
 State total_lift(const Formulation& plate);
 State lift_at(const Formulation& plate, double time);
 State first_lift(const Formulation& plate);
-/// Mass per degree of freedom, before what is held is carried over to what it follows. `rotary`: factor of the rotary
+/// Mass per degree of freedom before constraints are applied. `rotary`: factor of the rotary
 /// inertia.
 Forces unconstrained_mass(const Formulation& plate, double rotary = 1);
 
@@ -22,7 +22,7 @@ bool cancel(const Formulation& plate, const std::vector<Forces>& loads);
 /// All loads at their last values together; zero where they cancel.
 Forces acting_load(const Formulation& plate);
 
-/// Displacements that settlements prescribe for a plate, as two parts.
+/// Two parts of the Dirichlet lift of settlements.
 struct LiftParts {
   State rigid;  // a motion of the whole plate as one rigid body, which strains nothing; without columns: none
   State rest;   // the lift beside it; exactly zero where all supports move as that body

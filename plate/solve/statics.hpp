@@ -89,14 +89,14 @@ class Preconditioner;
 
 /// Equilibria of one plate, which must outlive this, under one load after the other: the factor or the preconditioner
 /// is made once, and conjugate gradients begin at that sum of their earlier solutions whose energy is least. Where soil
-/// lifts off, plates with soil that touches or does not are solved until what touches is what is pressed.
+/// lifts off, plates with given contact are solved until the contact is what is pressed.
 class StaticSolver {
 public:
   StaticSolver(const Formulation& plate, StaticMethod method, Preconditioning wanted);
   ~StaticSolver();
   StaticSolver(const StaticSolver&) = delete;
 
-  /// `again`: what is found helps with later loads; it is kept, six numbers per point. `lift`: of supports that have
+  /// `again`: what is found helps with later loads; it is stored, six numbers per point. `lift`: of supports that have
   /// moved; without columns none. Throws NumericalError as the solvers do.
   StaticResult operator()(const Forces& load, const StaticOptions& options, bool again = false,
                           const State& lift = State(3, 0));

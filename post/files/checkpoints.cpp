@@ -38,7 +38,7 @@ std::string checksum(std::string_view line, std::string_view memory) {
   return fmt::format("{:016x}", XXH3_64bits_digest(state.get()));
 }
 
-/// Describes the fault of a checkpoint; empty where there is none.
+/// Describes the error in a checkpoint; empty where there is none.
 std::string error_in(std::string_view all, const std::string& of) {
   const auto line = all.find('\n');
   if (!all.starts_with(magic) || line == std::string_view::npos) return "is no checkpoint of this version";

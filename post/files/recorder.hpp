@@ -87,7 +87,7 @@ struct Probe {
   std::vector<plate::PlaceShare> shares;
 };
 
-/// The results of a run as they come: rows are kept, frames go on to the sink at once, and everything whole at the end,
+/// The results of a run as they come: rows stay in memory, frames go on to the sink at once, and everything at the end,
 /// also after a failure. Nothing that is not asked for is computed.
 class Recorder {
 public:

@@ -38,8 +38,8 @@ bool moves(const plate::State& state, double work, const plate::Communicator& al
 void require_motion(const plate::Formulation& plate, const std::vector<plate::Forces>& loads, const plate::State& state,
                     double work, std::vector<std::string>& warnings);
 
-/// Looks after the energy of a plate, which is the work of its loads: what is not comes of steps that are too long, of
-/// a force that is not the derivative of an energy, or of a state that is no equilibrium.
+/// Checks the energy balance of a plate: its energy is the work of its loads. An imbalance comes of steps that are too
+/// long, of a force that is not the derivative of an energy, or of a state that is no equilibrium.
 class EnergyBalance {
 public:
   enum class Plate { rests, moves, grows };
@@ -47,12 +47,12 @@ public:
 
   struct Terms {
     double energy;    // strain, kinetic, and spent on growth so far: none is negative
-    double discrete;  // the same, as central differences keep it, be they stable or not
+    double discrete;  // the energy that central differences conserve, be they stable or not
     double work;      // of the loads so far
   };
-  /// Throws plate::NumericalError where what is kept and the work, in motion both since the first call, differ by more
-  /// than a hundredth of the largest work that there has been; and where the energy of the last call was some times as
-  /// much: loads that set in have done no work yet when the plate begins to move.
+  /// Throws plate::NumericalError where the discrete energy and the work, in motion both since the first call, differ
+  /// by more than a hundredth of the largest work that there has been; and where the energy of the last call was some
+  /// times as much: loads that set in have done no work yet when the plate begins to move.
   void check(const Terms& now, const std::string& when);
 
   template <typename Archive>

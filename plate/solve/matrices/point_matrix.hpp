@@ -92,7 +92,7 @@ PointMatrix zeros(std::size_t points, const Couple& couple) {
   return result;
 }
 
-/// The matrix and what is attached; the matrix itself where nothing is.
+/// Sum of the matrix and the elastic supports; the matrix itself where there are none.
 PointMatrix with(PointMatrix matrix, const ElasticSupports& elastic_supports);
 
 /// The matrix and a number for every degree of freedom on its diagonal.

@@ -36,7 +36,7 @@ public:
   /// Takes the internal force in hand, and adds the inertia of what is held to it, before it is carried over.
   template <typename Real>
   void take(Values<Real>& force);
-  /// After that: books the work of the supports up to now. `half`: step from the velocity to that of now.
+  /// Adds, after that, the work of the supports up to now. `half`: step from the velocity to that of now.
   template <typename Real>
   void add_work(const State& state, const State& velocity, const Values<Real>& folded, double half);
 

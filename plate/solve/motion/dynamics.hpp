@@ -36,7 +36,7 @@ struct Impactor {
   const Communicator* communicator = &single_process();
 };
 
-/// Where the mass is: along w, and half a step before how fast; how it has pressed so far.
+/// State of the impacting mass: place along w, velocity half a step before, and the contact so far.
 struct ImpactorState {
   double place = 0, velocity = 0;
   double largest = 0, touching = 0;  // force, with its sign [force]; for how long [time]
@@ -99,7 +99,7 @@ public:
   virtual void after_force(const Step& now, const Forces& force) = 0;
 };
 
-/// All that a motion must remember between two steps in order to go on, states of own points; empty at rest.
+/// Checkpoint of a motion between two steps, with the states of owned points; empty at rest.
 struct MotionCheckpoint {
   std::size_t step = 0;
   State state, velocity;                             // velocity: half a step before
@@ -140,8 +140,8 @@ struct DynamicOptions {
   std::vector<char> own = {};           // points that no other process has; empty: all
   /// Goes on from here instead, with the numbers that it would have had.
   const MotionCheckpoint* from = nullptr;
-  /// Asked before every step, by processes that share the plate at every row: is the memory to be kept now? It is, too,
-  /// before a signal ends the motion.
+  /// Asked before every step, by processes that share the plate at every row: is a checkpoint to be saved now? It is,
+  /// too, before a signal ends the motion.
   std::function<bool()> due = {};
   std::function<void(const MotionCheckpoint&)> save = {};
 };

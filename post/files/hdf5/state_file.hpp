@@ -41,7 +41,7 @@ public:
     bool velocities = false;  // of motions, with every frame
     bool goes_on = false;     // with the file of a run that was ended
   };
-  /// Data of the points in the file: x, y; area; severed share of the family. They are requested one after the other.
+  /// Data of the points in the file: x, y; area; cut share of the family. They are requested one after the other.
   struct Points {
     std::size_t count = 0;
     InParts positions, areas, cut;

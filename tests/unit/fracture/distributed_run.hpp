@@ -24,7 +24,7 @@ inline std::map<std::string, post::Table> whole(const cases::CaseFile& file,
   return {kept.tables.begin(), kept.tables.end()};
 }
 
-/// Has a piece fallen off by then?
+/// Is a piece detached by then?
 inline bool falls(const cases::CaseFile& file) {
   post::ResultsInMemory kept;
   kept.wants_fields = false;

@@ -56,7 +56,7 @@ struct Motion {
   }
 };
 
-/// What a growth remembers, by another one of the same plate.
+/// Checkpoint of a growth, restored by another one of the same plate.
 inline void hand_over(const MovingGrowth& from, MovingGrowth& to) {
   std::stringstream stream;
   plate::OutArchive out(stream);
