@@ -9,7 +9,7 @@ namespace cases {
 struct Case;
 
 fracture::RecordingOptions recording_options(const Case& c, const RunOptions& options);
-/// Where the results of a run of the case go. Throws fracture::RefusedFolder.
+/// Returns where the results of a run of the case go. Throws fracture::RefusedFolder.
 fracture::Recording recording_of(const Case& c, const RunOptions& options);
 
 /// Plan of a run of the case, which must outlive it.

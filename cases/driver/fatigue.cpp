@@ -86,7 +86,7 @@ public:
       throw std::runtime_error(fmt::format("growth.csv: the advance {:g} of tips.csv has no load factor > 0", advance));
     return found->second;
   }
-  /// Absent where it is not known.
+  /// Estimated error of the value at an advance; absent where it is not known.
   std::optional<double> error(double advance) const {
     const auto found = errors_.find(advance);
     return found == errors_.end() ? std::nullopt : std::optional(found->second);

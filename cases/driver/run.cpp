@@ -161,7 +161,7 @@ namespace {
 
 constexpr double giga = 1e9;
 
-/// Estimated cost, as text, of a run by `count` processes that share the plate.
+/// Estimated cost, as text, of a run by `count` ranks of a distributed plate.
 std::string of_processes(const CaseFile& file, const fracture::RunEstimate& run, int count) {
   const auto plan = plan_of(file.content, {});
   const auto processes = unless_refused(file, [&] { return fracture::estimated_processes(file.content, count); });

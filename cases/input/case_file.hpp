@@ -30,7 +30,7 @@ struct Output {
   bool reports() const { return report.value_or(vtk || hdf5); }
 };
 
-/// One whole simulation, as plain data: a plate, and what is done with it.
+/// Case of a simulation, as plain data: a plate, and what is done with it.
 struct Case : plate::Problem {
   std::string title, source, units = "none";
   std::string formulation_reason = "as the case says";  // why discretization.formulation is what it is
@@ -54,7 +54,7 @@ struct CaseFile {
 CaseFile read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                    bool distributed = false);
 
-/// The same of text; `name` stands for the file.
+/// Reads a case from text, as read_case() does from a file; `name` stands for the file in messages.
 CaseFile read_case_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides);
 
 /// The whole case with all defaults as TOML: reading it gives the same case.

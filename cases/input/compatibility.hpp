@@ -9,7 +9,7 @@ namespace cases {
 
 struct Case;
 
-/// Something that a case may ask for, beside its plate and its supports.
+/// Feature that a case may use, beside its plate and its supports.
 enum class Part {
   motion,
   frequencies,
@@ -50,7 +50,7 @@ struct Exclusion {
   std::string reason;
 };
 
-/// All pairs of parts that are refused.
+/// Pairs of parts that are refused, all of them.
 const std::vector<Exclusion>& exclusions();
 
 /// A part in the words of case files.

@@ -2,12 +2,12 @@
 #include "cases/input/toml_reader.hpp"
 #include "plate/model/numerical_method.hpp"
 
-/// Which formulation of the plate a case is for, and what not every one of them can do.
+/// Choice of the formulation for a case, and features that not every formulation supports.
 namespace cases {
 
 struct Case;
 
-/// One thing that a case asks for and that not every formulation can do.
+/// Feature that a case asks for and that not every formulation can do.
 struct Asked {
   std::string words;  // horizon_ratio, precision = "mixed"
   std::string key;    // whose value a formulation refuses that cannot do it ...
@@ -16,23 +16,24 @@ struct Asked {
   std::string remedy;  // what to do then
 };
 
-/// All of them, in the order of the tables of the case. A key of the horizon counts where it is given, and is refused
-/// away from its default.
+/// Returns all features that the case asks for, in the order of its tables. A key of the horizon counts where it is
+/// given, and is refused away from its default.
 std::vector<Asked> asked(const Case& content, const Reading& reading);
 
-/// Does the file choose a formulation itself? "auto" is the same as none.
+/// True where the file chooses a formulation itself. "auto" is the same as none.
 bool states_formulation(const toml::table& root);
 
 /// Puts the formulation that "auto" stands for, and the reason, in the place of the one that a case is read for unless
 /// it states another. Complains about keys of graded points in a case that needs a formulation without.
 void resolve_formulation(bool stated, Case& content, Reading& reading);
 
-/// At rest and for harmonic responses, in a formulation with graded points: the spacing at the tips that factors need
-/// (post::tip_spacing_for), unless the case gives one or says `refine_tips = false`. Of a case without problems.
+/// Sets the spacing at the tips that factors need (post::tip_spacing_for), at rest and for harmonic responses, in a
+/// formulation with graded points, unless the case gives one or says `refine_tips = false`. Requires a case without
+/// problems.
 void resolve_grading(Case& content, const Reading& reading);
 
-/// Unless the case states a method: direct at rest where the stiffness is not symmetric; for graded points in motion,
-/// whose stable steps follow the least spacing, Lanczos vectors if it does not ask for steps.
+/// Sets the method unless the case states one: direct at rest where the stiffness is not symmetric; for graded points
+/// in motion, whose stable steps follow the least spacing, Lanczos vectors if it does not ask for steps.
 void resolve_method(Case& content, const Reading& reading);
 
 /// Reports what the formulation of the case cannot do.

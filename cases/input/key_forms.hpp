@@ -56,7 +56,7 @@ struct Field {
     rows.front().standard += ", but with srif.accuracy";
     return std::move(*this);
   }
-  /// Without a word in the help.
+  /// Limits the key to kinds of analysis without a word in the help.
   Field used_in(const Kinds& kinds) && {
     used = kinds;
     return std::move(*this);
@@ -93,7 +93,7 @@ inline const Bounds finite{}, positive{0, INFINITY, true};
 
 void report_unknown_keys(const Value& table, const std::vector<std::string>& names);
 
-/// Why a key of a table is not used beside the others; empty where it is.
+/// Reason why a key of a table is not used beside the others; empty where it is.
 template <class T>
 std::string unused(const Field<T>& field, const Value& table, const T& object) {
   const auto kind = table.reading().kind;
@@ -103,7 +103,7 @@ std::string unused(const Field<T>& field, const Value& table, const T& object) {
   return "with " + condition->words;
 }
 
-/// Is the key missed where it is absent? Not where the key that decides about it is itself wrong.
+/// True where the key is missed because it is absent. False where the key that decides about it is itself wrong.
 template <class T>
 bool missed(const Field<T>& field, const Value& table) {
   const auto& reading = table.reading();
@@ -187,7 +187,7 @@ Field<T> number(const std::string& name, const std::string& unit, Project projec
   return value<T>({name, unit, allowed, "", help}, read, text);
 }
 
-/// One of some words; `refused` are known words with the reason why they are not available.
+/// Field whose value is one of some words; `refused` are known words with the reason why they are not available.
 template <class V>
 struct Words {
   std::vector<std::pair<std::string, V>> allowed;

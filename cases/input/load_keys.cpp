@@ -288,7 +288,7 @@ Fields<Load> amount_fields() {
   };
 }
 
-/// Where it acts.
+/// Keys of the place where a load acts.
 Fields<Load> place_fields() {
   return {
       table<Load, geometry::Hole>("on", Layout::inline_, patch_of,

@@ -6,7 +6,7 @@
 #include "cases/input/key_forms.hpp"
 #include "plate/model/loads.hpp"
 
-/// Where supports, springs and loads are: edges by name, and points.
+/// Keys of places of supports, springs and loads: edges by name, and points.
 namespace cases {
 
 /// A member of what acts of a load: `member` finds it where the load has it. For a load without it, it is `nothing`,

@@ -6,7 +6,7 @@
 
 namespace post {
 
-/// One step of a dotted key: a name in a table or an index in a list.
+/// Step of a dotted key: a name in a table or an index in a list.
 using KeyStep = std::variant<std::string, std::size_t>;
 
 /// load[0].value and load.0.value are the same key.

@@ -6,14 +6,14 @@
 
 namespace cases {
 
-/// One thing that is wrong with a case file.
+/// Problem of a case file.
 struct Problem {
   std::string place;  // file:line, or "--set KEY"
   std::string key;    // dotted path: section.poisson, load[1].edges
   std::string what;   // value, what is allowed, nearest match
 };
 
-/// All problems of a case file together; what() lists them, one line each.
+/// Exception with all problems of a case file; what() lists them, one line each.
 class CaseError : public std::runtime_error {
 public:
   explicit CaseError(std::vector<Problem> problems);

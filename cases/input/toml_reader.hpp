@@ -27,12 +27,12 @@ public:
   void overridden(const std::string& key, const std::string& typed) { overridden_.emplace_back(key, typed); }
   /// The file gives this key at this line (0: not in the file).
   void note(const std::string& key, std::size_t line);
-  /// Something is wrong with the key: the place is its own or that of its nearest parent.
+  /// Reports an error of the key at its place or that of its nearest parent.
   void report_error(const std::string& key, const std::string& what);
   void report_error(Problem problem) { problems_.push_back(std::move(problem)); }
 
   bool given(const std::string& key) const;
-  /// Has nothing been complained about at or below this key?
+  /// True where no error has been reported at or below this key.
   bool sound(const std::string& key) const;
 
   /// Problems of the command line first, then problems of the file by line.
@@ -83,7 +83,7 @@ private:
 /// key cannot be reached.
 void apply_override(toml::table& root, const std::string& setting, Reading& reading);
 
-/// Does the key lie at or below another one?
+/// True where the key lies at or below another one.
 bool at_or_below(const std::string& key, const std::string& parent);
 
 using plate::did_you_mean;

@@ -139,7 +139,7 @@ void check_criterion(const Growth& growth, const Asked& given, const ReportError
       if (given(key)) report_error(key, "is of criterion = \"energy_release\": bonds break where they fail; remove it");
 }
 
-/// From rest to motion.
+/// Checks the keys of a growth that changes from rest to motion.
 void check_switch(const Growth& growth, const Asked& given, const ReportError& report_error) {
   const bool moves = growth.unstable == Growth::Unstable::move;
   if (!moves) {
@@ -151,7 +151,7 @@ void check_switch(const Growth& growth, const Asked& given, const ReportError& r
     report_error("section.density", "is missing, must be a number > 0: the plate may begin to move");
 }
 
-/// How the states between which bonds break one by one, or tips run, may be found.
+/// Checks that the chosen method can solve the states between which bonds break one by one.
 void check_analysis(const Analysis& analysis, const Growth& growth, const ReportError& report_error) {
   if (analysis.kind == Analysis::Kind::dynamic || !growth.by_bonds()) return;
   if (analysis.method != Analysis::Method::cg)

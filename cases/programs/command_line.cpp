@@ -245,7 +245,7 @@ int said(const std::string& what, ExitCode code) {
   return code;
 }
 
-/// How a command ends, and the word about it.
+/// Returns the exit code of a command and prints its final message.
 int ended(const CLI::App& app, Arguments& a) {
   try {
     const int code = execute(app, a);

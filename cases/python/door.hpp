@@ -17,7 +17,7 @@ struct Run {
   std::string failure;  // of the numbers: what was good until then is kept
 };
 
-/// All that is wrong with a case: place, key, what.
+/// Exception with all problems of a case: place, key, message.
 struct [[gnu::visibility("default")]] Wrong : std::runtime_error {
   using Problem = std::array<std::string, 3>;
   Wrong(const char* what, std::vector<Problem> all) : std::runtime_error(what), problems(std::move(all)) {}

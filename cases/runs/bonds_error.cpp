@@ -72,7 +72,7 @@ struct DeflectionError {
   geometry::Point at;  // where that of the Galerkin plate is largest
 };
 
-/// The same problem for the Galerkin plate.
+/// Returns the problem of `bonds` for the Galerkin plate, with the same spacing.
 plate::Problem of_galerkin(const plate::Problem& bonds) {
   plate::Problem result = bonds;
   result.discretization = {};
@@ -108,8 +108,8 @@ Largest largest(const plate::Formulation& plate, const plate::State& state, doub
   return result;
 }
 
-/// With the spacing of the problem, and half of it at round holes. Absent where the Galerkin plate cannot carry the
-/// problem or finds no equilibrium. One process only.
+/// Solves the Galerkin plate with the spacing of the problem, and half of it at round holes. Absent where the Galerkin
+/// plate cannot carry the problem or finds no equilibrium. One process only.
 std::optional<GalerkinWitness> galerkin_witness(const plate::Problem& problem) {
   const plate::StaticOptions options{1e-5, 20000, {}, {}};
   constexpr std::size_t many =
@@ -129,8 +129,8 @@ std::optional<GalerkinWitness> galerkin_witness(const plate::Problem& problem) {
   }
 }
 
-/// In plates thicker than a spacing only points four spacings away from point forces count, where there are such
-/// points. Absent for a plate at rest under no load.
+/// Returns the largest deflection error. In plates thicker than a spacing only points four spacings away from point
+/// forces count, where there are such points. Absent for a plate at rest under no load.
 std::optional<DeflectionError> deflection_error(const plate::Formulation& bonds, const plate::State& state,
                                                 const GalerkinWitness& witness) {
   const double spacing = bonds.discretization().spacing;

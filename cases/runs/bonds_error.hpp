@@ -17,7 +17,8 @@ namespace fracture {
 void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& state, const plate::Problem& problem,
                            std::vector<std::string>& warnings);
 
-/// The same of deflections under a uniform pressure, for plates that are thin, held and not solved at rest.
+/// Compares deflections under a uniform pressure in the same way, for plates that are thin, held and not solved at
+/// rest.
 void compare_under_pressure(const plate::Formulation& bonds, const plate::Problem& problem,
                             std::vector<std::string>& warnings);
 

@@ -32,7 +32,8 @@ bool is_motion(const Analysis& analysis) {
   return analysis.kind == Analysis::Kind::dynamic || analysis.kind == Analysis::Kind::harmonic;
 }
 
-/// How much wider the points of a sample are: near to `wanted`, and so that they divide the plate as its own do.
+/// Factor by which the spacing of a sample is larger: near to `wanted`, and such that its points divide the plate as
+/// those of the problem do.
 double wider_points(const plate::Problem& problem, double wanted) {
   constexpr double least = 4;  // points across the plate
   const auto [low, high] = geometry::bounding_box(problem.outline);

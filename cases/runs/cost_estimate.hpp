@@ -44,7 +44,7 @@ using RunSample =
 /// and what `run` throws where no sample can be had.
 RunEstimate estimate_cost(const RunPlan& plan, const RunSample& run);
 
-/// About how many points a plate will have, told without it.
+/// Estimates the number of points of a plate without discretising it.
 double expected_points(const plate::Problem& problem);
 
 /// Points that are so much wider apart, and graded as much.

@@ -19,7 +19,7 @@
 namespace fracture {
 namespace {
 
-/// Where it has too few blocks or points for the processes that there are.
+/// Message of why the plate in twice the spacing has too few blocks or points for the ranks; empty where it has enough.
 std::string error_in_twice_the_spacing(const plate::Problem& problem, const plate::Communicator& all) {
   if (!all.distributed()) return "";
   auto coarse = problem;

@@ -86,7 +86,7 @@ private:
   const plate::Formulation& plate_;
   post::Recorder recorder_;
   post::Pictures pictures_;
-  std::unique_ptr<OwnedMesh> drawing_;  // where processes share the plate
+  std::unique_ptr<OwnedMesh> drawing_;  // where the plate is distributed
   std::vector<post::Probe> probes_;
   std::vector<post::LoadCaseSummary> found_;
   post::Table srifs_{post::srif_columns(), {}}, reactions_;

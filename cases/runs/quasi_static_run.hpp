@@ -9,7 +9,8 @@ class GrowingPlate;
 class RunCheckpoints;
 class QuasiStaticBonds;
 
-/// Where no intensity factors are asked for, the methods that give the energy release rate.
+/// Returns the requested options, or, where no intensity factors are requested, the methods that give the energy
+/// release rate.
 post::SrifOptions factors_of_growth(const std::optional<post::SrifOptions>& asked);
 
 /// A quasi-static growth and what is recorded of it, with the number of the advance in the place of time.

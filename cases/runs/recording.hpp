@@ -22,8 +22,8 @@ namespace fracture {
 /// Values of the points that this rank owns: the columns of some states side by side. An empty state is left out.
 post::CellValues own_values(const plate::Boundary& boundary, const std::vector<const plate::State*>& states);
 
-/// Gives own points their columns of the states from files of any number of processes (post::write_cells), all others
-/// zeros; those states that were empty stay so. Throws std::runtime_error where a point is in none of the files.
+/// Sets the columns of owned points in the states from files of any number of ranks (post::write_cells), all others to
+/// zero; those states that were empty stay so. Throws std::runtime_error where a point is in none of the files.
 void put_values(const plate::Boundary& boundary, const std::vector<std::filesystem::path>& files,
                 const std::vector<plate::State*>& states);
 
@@ -44,26 +44,26 @@ public:
 
   /// `every` [s]; from a second on the interval grows so that checkpoints take at most a hundredth of the run.
   RunCheckpoints(post::Checkpoints checkpoints, double every);
-  /// Collective, where ranks share a plate: every rank must call each member function.
+  /// Collective, where the plate is distributed: every rank must call each member function.
   RunCheckpoints(std::shared_ptr<post::DistributedCheckpoints> checkpoints, double every);
 
   /// Looks for a checkpoint to go on from: there is none, or its state waits for restore(). What was wrong with others
   /// goes into `refused`.
   bool find(std::vector<std::string>& refused);
   bool goes_on() const { return !found_.empty(); }
-  /// The points of what was found, where processes share the plate.
+  /// Files with the points of the checkpoint that was found, of a distributed plate.
   const std::vector<std::filesystem::path>& parts() const { return parts_; }
   /// Restores the checkpoint that was found; false where none was.
   bool restore(const std::function<void(plate::InArchive&)>& restore);
 
-  /// Is a checkpoint due?
+  /// True where a checkpoint is due.
   bool due() const;
-  /// Writes a checkpoint now, where processes share the plate with the points of this one.
+  /// Writes a checkpoint now, in a distributed plate with the owned points of this rank.
   void save(const SaveState& save_state, const post::CellValues* own = nullptr);
-  /// Takes the memory, about once a second, and writes it where it is time. `own`: where processes share the plate,
-  /// makes the points of this one; nothing: none are saved.
+  /// Takes a checkpoint in memory about once a second, and writes it where it is due. `own`: in a distributed plate,
+  /// returns the values of the owned points; nothing: none are saved.
   void hold(const SaveState& save_state, const std::function<post::CellValues()>& own = {});
-  /// Writes what was last taken.
+  /// Writes the checkpoint that was last taken.
   void write();
 
   /// The run has ended: nothing goes on from it.
@@ -74,7 +74,7 @@ private:
   using Seconds = std::chrono::duration<double>;
   void take(const SaveState& save_state);
   void write(const post::CellValues* own);
-  /// Where processes share the plate, is it so in one of them? They take and write together.
+  /// Collective: true where `here` is true on any rank. Ranks take and write together.
   bool agreed(bool here) const;
   /// The wanted time from one to the next that takes so long.
   Seconds limited_interval(Seconds wanted, Seconds cost) const;

@@ -80,7 +80,7 @@ public:
 
 private:
   const plate::Mesh& whole_;
-  std::vector<std::uint32_t> number_, corners_;  // of the whole's vertices
+  std::vector<std::uint32_t> number_, corners_;  // of the global vertices
 };
 
 bool before(const Point& a, const Point& b) {

@@ -17,20 +17,20 @@ class Formulation;
 
 namespace fracture {
 
-/// Part of a shared plate that one rank draws and stores: the points that it owns, and the cells about them, with the
-/// values of the ghosts that these cells have.
+/// Part of a distributed plate that one rank draws and stores: the points that it owns, and the cells about them, with
+/// the values of the ghosts that these cells have.
 class OwnedMesh {
 public:
   /// `plate` must outlive this.
   explicit OwnedMesh(const plate::Formulation& plate);
-  /// `whole`: all points that the process sees, and their cells, where these are drawn.
+  /// Constructs from `whole`: all points that the rank knows, and their cells, where these are drawn.
   OwnedMesh(const plate::Formulation& plate, const plate::Mesh& whole);
 
-  /// The own points come first, in the order that they have in the plate.
+  /// Mesh whose owned points come first, in the order that they have in the plate.
   const plate::Mesh& mesh() const { return mesh_; }
-  /// Reduces a frame with all points that the rank sees to those of mesh(). Collective.
+  /// Reduces a frame with all points that the rank knows to those of mesh(). Collective.
   post::Frame frame(post::Frame seen) const;
-  /// The columns of own points.
+  /// Columns of owned points.
   plate::State own(const plate::State& of_plate) const { return own(of_plate, own_); }
 
 private:
@@ -42,7 +42,7 @@ private:
   std::vector<std::uint32_t> points_;  // of the plate, in the order of the mesh
 };
 
-/// Nothing where one process holds the whole plate.
+/// Mesh of the owned points; nothing where one process holds the whole plate.
 std::optional<OwnedMesh> owned_mesh(const plate::Formulation& plate, const plate::Mesh& whole);
 
 }  // namespace fracture
@@ -91,7 +91,7 @@ public:
   const RunPlan& plan() const { return plan_; }
   /// The growth of the run, which must outlive it.
   void grows(MovingGrowth& growth) { growth_ = &growth; }
-  /// How the discretisation was found.
+  /// Stores the summary of the search for the discretisation.
   void found(post::AccuracySummary accuracy) { accuracy_ = std::move(accuracy); }
   post::FactorRows& factors() { return factors_; }
   post::ReactionRows& reactions() { return reactions_; }
@@ -111,7 +111,7 @@ public:
   double strain_energy() const { return strain_energy_; }
   double external_work() const { return external_work_; }
 
-  /// Saves and restores the record of a motion; all frames so far are written then. Where ranks share the plate, the
+  /// Saves and restores the record of a motion; all frames so far are written then. Where the plate is distributed, the
   /// record is without state_of_largest(): it has what all ranks know. Collective.
   void save(plate::OutArchive& archive);
   void restore(plate::InArchive& archive);
@@ -130,7 +130,7 @@ private:
   const std::vector<post::TipMethods>& tip_methods_;
   post::Recorder recorder_;
   post::Pictures pictures_;             // for the report
-  std::unique_ptr<OwnedMesh> drawing_;  // where processes share the plate
+  std::unique_ptr<OwnedMesh> drawing_;  // where the plate is distributed
   std::vector<post::Probe> probes_;
   post::FactorRows factors_;
   post::ReactionRows reactions_;

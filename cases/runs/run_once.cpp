@@ -97,8 +97,9 @@ void add_elastic_support_energy(const plate::Formulation& plate, const plate::St
   if (elastic_supports.unilateral()) summary.touching = elastic_supports.contact_share(state, map);
 }
 
-/// Where forces are no derivative of an energy, that and the work tell how coarse the points are. Measured with surface
-/// nodes, seven kinds of support, horizons of 0.7 to 2 thicknesses: deflections 4 % off where they are 34 % apart.
+/// Warns or throws where the strain energy differs from the work of the loads, for formulations whose forces are no
+/// derivative of an energy: the difference tells how coarse the points are. Measured with surface nodes, seven kinds of
+/// support, horizons of 0.7 to 2 thicknesses: deflections 4 % off where they are 34 % apart.
 void look_for_coarseness(double strain, double work, const plate::Formulation& plate,
                          std::vector<std::string>& warnings) {
   constexpr double told = 0.01, most = 0.3;
@@ -109,9 +110,9 @@ void look_for_coarseness(double strain, double work, const plate::Formulation& p
   if (apart > told) warnings.push_back(text);
 }
 
-/// How far the conditions at edges are from equilibrium. Measured with fictitious nodes, squares with 29 kinds of
-/// support and load: of those that are not refused deflections are 5 % off at most up to 1.9, then 6 % beside images
-/// where moments on free edges meet held ones (2.6), 7 % (3.7).
+/// Warns or throws where the conditions at edges are far from equilibrium. Measured with fictitious nodes, squares with
+/// 29 kinds of support and load: of those that are not refused deflections are 5 % off at most up to 1.9, then 6 %
+/// beside images where moments on free edges meet held ones (2.6), 7 % (3.7).
 void look_at_multipliers(double share, const plate::Formulation& plate, std::vector<std::string>& warnings) {
   constexpr double told = 1, most = 2.5;
   if (share <= told) return;

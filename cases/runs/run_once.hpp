@@ -24,7 +24,7 @@ public:
 
 private:
   void save(RunCheckpoints& checkpoints, const plate::MotionCheckpoint& now);
-  /// Where processes share the plate: what all know apart from what each has of its points.
+  /// Saves a distributed plate: what all ranks know apart from what each has of its points.
   void save_part(RunCheckpoints& checkpoints, const plate::MotionCheckpoint& now);
   bool restore(RunCheckpoints& checkpoints);
   void restore_part(const RunCheckpoints& checkpoints);

@@ -11,7 +11,7 @@
 
 namespace post {
 
-/// One quantity of a run against one column of a reference.
+/// Quantity of a run compared with a column of a reference.
 struct ComparedQuantity {
   std::string quantity;   // w, theta_x, theta_y, K1 ... K3, F1 ... F3
   std::string reference;  // the column: F1_J is the best value of F1, F1_paper_LS the paper's own recipe
@@ -32,7 +32,7 @@ struct Exceeded {
   double found, allowed;
 };
 
-/// By measure (see `measures`), or for all of them. NaN is above every tolerance.
+/// Tolerances by measure (see `measures`), or for all of them. NaN is above every tolerance.
 struct Tolerances {
   std::map<std::string, double> by_measure;
   std::optional<double> all;

@@ -9,8 +9,8 @@
 
 namespace post {
 
-/// How far a computed curve is from a reference, over the range of time that both cover; both are linear between their
-/// samples. A peak is the value of largest magnitude, with its sign.
+/// Difference of a computed curve from a reference, over the range of time that both cover; both are linear between
+/// their samples. A peak is the value of largest magnitude, with its sign.
 struct Comparison {
   double relative_rms = 0;  // rms(computed - reference) / rms(reference), at the times of the reference
   double rms_of_peak = 0;   // rms(computed - reference) / |peak_reference|

@@ -75,7 +75,7 @@ RunRecord record_of(const Table& table, const std::vector<Cell>& row) {
 
 constexpr std::string_view mark = "# ";  // of the last line: a comment with what the lines before it give
 
-/// Is a record as it was written, to the last bit?
+/// True where a record is as it was written, to the last bit.
 bool whole(const std::string& text) {
   const auto end = text.rfind(mark);
   return end != std::string::npos && text.substr(end) == std::string(mark) + digest(text.substr(0, end)) + "\n";

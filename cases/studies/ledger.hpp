@@ -29,7 +29,7 @@ struct RunRecord {
 /// find a file whole.
 class Ledger {
 public:
-  /// In a folder of its own below that of the study, whose name no run has.
+  /// Constructs a ledger in a separate folder below that of the study, whose name no run has.
   explicit Ledger(const std::filesystem::path& study);
 
   /// Record of a run; none where there is no record or it is damaged, even by one bit.
@@ -49,8 +49,8 @@ private:
   std::filesystem::path folder_;
 };
 
-/// Has a run been made by the program that is wanted, or by that of another instruction set beside it? A package holds
-/// several, of which every processor takes its own: they differ by rounding.
+/// True where a run has been made by the program that is wanted, or by that of another instruction set beside it. A
+/// package holds several, of which every processor takes its own: they differ by rounding.
 bool same_program(const RunRecord& record, const RunRecord& wanted);
 
 /// Writes runs.csv: a row and a line for each record.

@@ -56,7 +56,7 @@ struct ExtremeRun {
   double seconds = 0;
 };
 
-/// One oracle of one row, and what the program did.
+/// Verdict of an oracle on a row, and what the program did.
 struct Verdict {
   std::string group, row, oracle, computed, expected;
   std::optional<double> deviation, allowed;

@@ -17,7 +17,7 @@ std::vector<std::string> without(std::vector<std::string> labels, std::optional<
   return labels;
 }
 
-/// Is there a pair of rows whose labels differ on this axis alone and whose lengths differ?
+/// True where a pair of rows has labels that differ on this axis alone and lengths that differ.
 bool changes(const std::vector<StudyRow>& rows, std::size_t axis, std::optional<double> StudyRow::*length) {
   std::map<std::vector<std::string>, double> first;  // the length of the first row with these labels on the other axes
   for (const StudyRow& row : rows) {
@@ -81,7 +81,7 @@ std::vector<StudyLine> lines(const std::vector<StudyRow>& rows, std::optional<st
 
 namespace {
 
-/// Is there a run to be made that may be finer than this row, of the same labels but along the refinement?
+/// True where a run is to be made that may be finer than this row, of the same labels but along the refinement.
 bool lacks_finer(const StudyTable& study, const StudyRow& finest, std::size_t along) {
   return std::ranges::any_of(study.rows, [&](const StudyRow& row) {
     return row.outcome == "missing" && row.spacing && *row.spacing <= *finest.spacing &&

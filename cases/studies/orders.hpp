@@ -25,14 +25,14 @@ struct StudyLine {
   std::vector<std::size_t> rows;  // as indices, in their order
 };
 
-/// All rows of quantities, as lines along an axis, or each row a line; in the order of their first rows.
+/// Groups all rows of quantities into lines along an axis, or each row into a line; in the order of their first rows.
 std::vector<StudyLine> lines(const std::vector<StudyRow>& rows, std::optional<std::size_t> axis);
 
 /// Gives the rows that are `against_finest` their reference: of their line along the refinement the row of least
 /// spacing, of several such that of most points. That row itself has none. Rows that failed do not count.
 void refer_to_finest(StudyTable& study);
 
-/// How fast the errors of a line vanish: least squares through log |error|.
+/// Order of convergence of the errors of a line: least squares through log |error|.
 struct Order {
   StudyRow line;                  // for its labels, those of the other axes; quantity, place, method
   std::size_t runs = 0;           // with an error other than zero
@@ -51,7 +51,7 @@ const std::vector<std::string>& order_columns();
 /// The rows of orders.csv; `against` says whether by spacing or by horizon.
 Table orders_table(const StudyTable& study);
 
-/// The same as an aligned table.
+/// Returns orders_table() as aligned text.
 std::string orders_text(const StudyTable& study);
 
 /// Least squares: y = y0 + slope x. Nothing for fewer than two different x.

@@ -83,7 +83,7 @@ void load(const Value& reference, post::KnownCurve& known) {
                          "the curve must have two samples or more, other than 0, with times that do not go back");
 }
 
-/// One of value, finest and curve is given.
+/// Checks that exactly one of value, finest and curve is given.
 void check_reference(const Value& given, Reference& reference) {
   Reading& reading = given.reading();
   std::vector<std::string> found;

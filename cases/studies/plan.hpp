@@ -16,8 +16,8 @@ struct Axis {
   std::vector<AxisPoint> points;
 };
 
-/// Many runs of one case, or of a few, for error against run time: all combinations of the points of the axes, the
-/// first axis outermost.
+/// Runs of one case, or of a few, for error against run time: all combinations of the points of the axes, the first
+/// axis outermost.
 struct StudyPlan {
   /// A quantity that is listed for every run that has it, with a reference or without.
   struct Listed {

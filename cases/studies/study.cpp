@@ -268,7 +268,7 @@ private:
   std::vector<std::pair<Problem, std::vector<std::string>>> problems_;
 };
 
-/// Where a reference is the finest run, an axis changes the spacing.
+/// Reports a reference to the finest run where no axis changes the spacing.
 void check_finest(const Study& study, Reading& reading) {
   std::vector<post::StudyRow> rows;
   for (const auto& run : study.runs) rows.push_back(bare_row(run));

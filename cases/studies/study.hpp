@@ -13,14 +13,14 @@ namespace fracture {
 
 struct RunPlan;
 
-/// Why a run has no such quantity; empty where it has.
+/// Reason why a run has no such quantity; empty where it has.
 std::string lacking(const RunPlan& plan, const post::Quantity& quantity);
 
 }  // namespace fracture
 
 namespace cases {
 
-/// One run of a study: one point of every axis.
+/// Run of a study: one point of every axis.
 struct StudyRun {
   std::vector<std::string> labels;  // one per axis
   std::string folder;               // its name below the folder of the study; differs from that of every other run

@@ -16,7 +16,7 @@
 namespace post {
 namespace {
 
-/// Do references of the same quantity differ along this axis alone?
+/// True where references of the same quantity differ along this axis alone.
 bool changes_problem(const std::vector<StudyRow>& rows, std::size_t axis) {
   std::map<std::vector<std::string>, double> known;
   for (const auto& row : rows) {
@@ -46,7 +46,7 @@ Split split(const StudyTable& study, const std::vector<char>& problem, const Stu
   return result;
 }
 
-/// All ways that have an error for every problem that any has.
+/// Ways that have an error for every problem that any way has.
 std::vector<Way> ways(const StudyTable& study) {
   std::vector<char> problem;
   for (std::size_t axis = 0; axis < study.axes.size(); ++axis) problem.push_back(changes_problem(study.rows, axis));

@@ -19,8 +19,8 @@ struct Way {
 /// fastest first.
 std::vector<Way> front(const StudyTable& study);
 
-/// One sentence for each of these quantities: the fastest way of the front to 1 %, or else the most exact one. None
-/// without references.
+/// Advice in one sentence for each of these quantities: the fastest way of the front to 1 %, or else the most exact
+/// one. None without references.
 std::vector<std::string> advice(const StudyTable& study);
 
 /// study.json: how many runs are done and what became of the others, front and advice.

@@ -28,7 +28,7 @@ bool is_drawn(const std::optional<double>& number) {
   return number && std::isfinite(*number);
 }
 
-/// Are there several of what a line may be told apart by?
+/// True where rows have several values of what a line may be told apart by.
 bool differs(const std::vector<StudyRow>& rows, const std::function<std::string(const StudyRow&)>& word) {
   return std::ranges::any_of(rows, [&](const StudyRow& row) { return word(row) != word(rows.front()); });
 }

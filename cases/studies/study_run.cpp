@@ -123,7 +123,7 @@ private:
   std::map<std::size_t, Run> made_;
 };
 
-/// Why a run that is known to the ledger, or is not, cannot be merged; empty where it can.
+/// Reason why a run that is known to the ledger, or is not, cannot be merged; empty where it can.
 std::string lack(const std::optional<RunRecord>& known, const StudyJob& job, std::size_t repeats,
                  const fs::path& folder) {
   if (!known) return "not made to its end (or its record is damaged)";

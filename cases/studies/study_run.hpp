@@ -64,7 +64,7 @@ struct StudyOutcome {
   std::size_t missing = 0;                                      // to be made yet
 };
 
-/// Another process is at the same work, or there is nothing to merge.
+/// Thrown where another process does the same work, or where there is nothing to merge.
 class StudyRefused : public std::runtime_error {
 public:
   StudyRefused(std::string of, std::string given, const std::string& what)

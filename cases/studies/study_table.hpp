@@ -35,10 +35,11 @@ struct Reference {
   std::optional<double> scale = std::nullopt;  // what errors are relative to, instead of the reference
 };
 
-/// Is the reference one for the run with these labels, one per axis?
+/// True where the reference is one for the run with these labels, one per axis.
 bool matches(const Reference& reference, const std::vector<std::string>& axes, const std::vector<std::string>& labels);
 
-/// Can both match the same run with the same quantity? Not where an axis that both name has different labels.
+/// True where both can match the same run with the same quantity. False where an axis that both name has different
+/// labels.
 bool overlap(const Reference& one, const Reference& other);
 
 /// A quantity of one run, and what it should be where that is known.
@@ -56,7 +57,7 @@ std::vector<Wanted> wanted(const std::vector<Quantity>& listed, const std::vecto
                            const std::vector<std::string>& axes, const std::vector<std::string>& labels,
                            const std::function<bool(std::size_t reference, bool matches)>& has);
 
-/// One point of every axis, as indices, in the order of the runs: the first axis outermost.
+/// Combinations of one point of every axis, as indices, in the order of the runs: the first axis outermost.
 std::vector<std::vector<std::size_t>> combinations(const std::vector<std::size_t>& sizes);
 
 /// The text as part of a file's name: letters, digits and + - . _ only, at most 100 of them.
@@ -65,7 +66,7 @@ std::string plain_name(const std::string& text);
 /// Name of the folder of the run with these labels: a plain name, none that is taken, and none of a file of the study.
 std::string folder_name(const std::vector<std::string>& labels, const std::set<std::string>& taken);
 
-/// One quantity of one run; a run that failed has a row with a message and no numbers.
+/// Quantity of a run; a run that failed has a row with a message and no numbers.
 struct StudyRow {
   std::vector<std::string> labels;  // one per axis
   std::string quantity, place, method;

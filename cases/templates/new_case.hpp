@@ -9,7 +9,7 @@ namespace cases {
 /// The files of cases/templates by name, as they were when the program was built.
 const std::map<std::string, std::string_view>& templates();
 
-/// Their names, without ".toml".
+/// Names of the templates, without ".toml".
 std::vector<std::string> template_names();
 
 /// Lists the templates: a name and what it shows, a line each.

@@ -11,18 +11,18 @@
 
 namespace fracture {
 
-/// A point of a plate, fictitious ones too, by what all processes that share it agree upon: the cell of the lattice,
-/// and which of the fictitious points there it is, from 1; 0: the point of the plate.
+/// A point of a plate, fictitious ones too, by what all ranks agree upon: the cell of the lattice, and which of the
+/// fictitious points there it is, from 1; 0: the point of the plate.
 using PointKey = std::array<std::int64_t, 3>;
 
-/// The points that this process sees, by their keys.
+/// Points that this rank knows, by their keys.
 class PointKeys {
 public:
   /// `boundary` must outlive this.
   explicit PointKeys(const plate::Boundary& boundary);
 
   PointKey of(std::uint32_t k) const;
-  /// Nothing where this process does not see it.
+  /// Local index of the point; nothing where this rank does not know it.
   std::optional<std::uint32_t> point(const PointKey& key) const;
 
 private:

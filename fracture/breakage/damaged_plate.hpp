@@ -43,8 +43,9 @@ struct Motion {
 /// beside a clean crack, and what has less than two fifths of its bonds gives way in proportion. One call at a time.
 class DamagedPlate : public plate::Operator {
 public:
-  /// All but the rule must outlive this. `seen`: where processes share the plate, what this one knows beside its own
-  /// points: a horizon about all that these see, and about tips what their factors need.
+  /// Constructs the undamaged plate; all arguments but the rule must outlive this. `seen`: in a distributed plate, the
+  /// points that this rank knows beside its owned points: a horizon about all that these see, and about tips what their
+  /// factors need.
   DamagedPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary, const plate::FamilyRule& rule,
                std::shared_ptr<const plate::Surroundings> seen = {});
 
@@ -55,12 +56,12 @@ public:
   void absolute_product(const plate::State& state, plate::Forces& forces) const override;
   plate::Forces diagonal() const override;
 
-  /// Constraints of the boundary; where ranks share the plate, they fetch the values of all points that this rank
+  /// Constraints of the boundary; where the plate is distributed, they fetch the values of all points that this rank
   /// knows.
   const plate::Constraints& constraints() const { return wider_ ? *wider_ : boundary_.constraints; }
   /// Norm of forces on the free degrees of freedom, weighted by a diagonal that has been carried over to these.
   double norm(plate::Forces force, const plate::Forces& diagonal) const;
-  /// Is the place this process's?
+  /// True where this rank owns the place.
   bool here(const geometry::Point& x) const { return boundary_.here(x); }
 
   /// Begins to break the bonds that cross the crack's last piece, which is `piece` long at the end `at_back`. Returns
@@ -73,12 +74,12 @@ public:
   /// Breaks bonds, in the same order in all processes; the families of their ends need `steps` calls of carry_on_all to
   /// go over.
   void break_bonds(const std::vector<PointPair>& bonds, unsigned steps);
-  /// Do families lose single bonds, of any process?
+  /// Collective: true where families lose single bonds on any rank.
   bool easing() const { return easing_left_ > 0; }
   /// Carries the families that lose single bonds on by a step; returns the energy that this takes.
   double carry_on_all(const Motion& motion);
 
-  /// As the tips of its cracks see it now. This must outlive it.
+  /// View of the plate for the tips of its cracks in its present state. This must outlive it.
   std::shared_ptr<const plate::TipView> tip_view() const;
   /// The cells, cut along the cracks; sets the frame's resultants and damage. `start`: the plate before.
   plate::Mesh draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start,
@@ -92,7 +93,7 @@ public:
   double a(std::size_t k) const;
   const plate::BondWeights& weights(std::size_t k, std::size_t i) const;
 
-  /// Saves the broken bonds and their present weights, from all ranks that share the plate. Collective.
+  /// Saves the broken bonds and their present weights, from all ranks. Collective.
   void save(plate::OutArchive& archive) const;
   /// Restores them into a plate in which no bond has been broken yet.
   void load(plate::InArchive& archive);
@@ -103,7 +104,7 @@ private:
     std::vector<std::uint32_t> points;
     double share = 0;
   };
-  /// When a point lost its first bond: in which breakage, and as which there.
+  /// Breakage in which a point lost its first bond, and its position there.
   struct FirstLoss {
     std::uint64_t event, place;
   };
@@ -125,7 +126,7 @@ private:
   const plate::Boundary& boundary_;
   plate::FamilyRule rule_;
   std::vector<char> known_;                  // points whose families are followed; empty: all
-  std::optional<plate::Constraints> wider_;  // where processes share the plate
+  std::optional<plate::Constraints> wider_;  // where the plate is distributed
   geometry::Families families_;
   double reach_ = 0;  // of the longest bond [spacings]
   Stiffest stiffest_;

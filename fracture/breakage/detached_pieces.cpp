@@ -29,7 +29,8 @@ void DetachedPieces::look(const plate::Step& now) {
   any_fresh_ = plate_.communicator().largest_of(!fresh_.points.empty()) > 0;
 }
 
-/// From the step before on; the energy that central differences count there is of the velocities before and after it.
+/// Freezes the detached pieces from the step before on; the energy that central differences count there is of the
+/// velocities before and after it.
 void DetachedPieces::freeze(const plate::Step& now) {
   std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> all;
   for (std::size_t i = 0; i < frozen_.points.size(); ++i)
@@ -37,7 +38,7 @@ void DetachedPieces::freeze(const plate::Step& now) {
   for (std::size_t i = 0; i < fresh_.points.size(); ++i)
     all.emplace_back(fresh_.points[i], fresh_.state.col(Eigen::Index(i)));
   energy_ +=
-      plate::ordered_sum<1>(plate_.communicator(), fresh_.points.size(), [&](std::size_t i) {  // copies have no mass
+      plate::ordered_sum<1>(plate_.communicator(), fresh_.points.size(), [&](std::size_t i) {  // ghosts have no mass
         const auto k = fresh_.points[i];
         return std::array<double, 1>{
             mass_.col(k).cwiseProduct(fresh_.velocity.col(Eigen::Index(i))).dot(now.velocity.col(k)) / 2};

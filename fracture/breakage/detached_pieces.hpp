@@ -11,7 +11,7 @@ class PointKeys;
 /// before bonds break.
 class DetachedPieces : public plate::Changes {
 public:
-  /// All must outlive this. `mass` per degree of freedom [3 x points].
+  /// Constructs without pieces; all arguments must outlive this. `mass` per degree of freedom [3 x points].
   DetachedPieces(plate::Changes& growth, const DamagedPlate& plate, const plate::Boundary& boundary,
                  plate::Forces mass);
 
@@ -21,7 +21,7 @@ public:
   /// Kinetic energy that they had.
   double energy() const { return energy_; }
 
-  /// Saves the state to continue from, of all ranks that share the plate. Collective.
+  /// Saves the state to continue from, of all ranks. Collective.
   void save(plate::OutArchive& archive) const;
   /// Restores the state; the plate must have restored its broken bonds before.
   void load(plate::InArchive& archive);
@@ -44,7 +44,7 @@ private:
   std::size_t broken_ = 0;   // bonds when it was last looked
   bool any_fresh_ = false;   // of fresh_ some process has points
   bool any_frozen_ = false;  // and of frozen_
-  PointStates fresh_;        // seen in the step before: frozen from there on
+  PointStates fresh_;        // detached in the step before: frozen from there on
   PointStates frozen_;       // points ascending
   double energy_ = 0;
 };

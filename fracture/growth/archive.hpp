@@ -4,7 +4,7 @@
 #include "fracture/growth/record.hpp"
 #include "post/files/archive.hpp"
 
-/// How growing cracks are remembered (plate/solve/archive.hpp).
+/// Serialization of growing cracks (plate/solve/archive.hpp).
 namespace geometry {
 
 template <typename Archive>

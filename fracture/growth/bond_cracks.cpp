@@ -41,7 +41,7 @@ std::function<bool(const Corner&)> by_points(const plate::Formulation& plate) {
   };
 }
 
-/// Asks the outline, as points are seeded by it.
+/// Predicate by the outline, as points are discretised by it.
 std::function<bool(const Corner&)> by_outline(const plate::Formulation& plate) {
   return [outline = geometry::to_lattice(plate.problem().outline, plate.cloud().units)](const Corner& corner) {
     for (const double x : {-0.5, 0.5})

@@ -32,20 +32,20 @@ public:
   /// Lines in the units of the case, and all of them as cracks.
   const std::vector<geometry::GraphLine>& lines() const { return lines_; }
   std::vector<geometry::CrackPath> paths() const;
-  /// Where the plate is parted: the cracks as they were given, and since then the sides between the cells of points
-  /// that have parted, which lines are off by up to a spacing.
+  /// Lines along which the plate is parted: the cracks as they were given, and since then the sides between the cells
+  /// of points whose bonds have broken, which lines are off by up to a spacing.
   std::vector<geometry::CrackPath> cuts() const;
   const std::vector<BondTip>& tips() const { return tips_; }
   /// Tips of cracks at least eight spacings long, for which intensity factors are meaningful.
   std::vector<std::pair<std::size_t, geometry::Tip>> tips_of_cracks() const;
   double length() const;
-  /// As they are now, looked at or not.
+  /// Length of the present cracks, whether look() has seen them or not.
   double length_now();
-  /// Over the length at the start.
+  /// Growth of the length since the start.
   double growth() const { return length() - first_length_; }
   std::size_t broken() const { return broken_; }
 
-  /// As they are to be written.
+  /// Cracks as they are to be written.
   post::Cracks drawn() const;
 
   template <typename Archive>

@@ -153,7 +153,7 @@ void BondCheck::find_dilatations(const plate::State& state, const std::vector<st
   }
 }
 
-/// Is the bond one of the plate's that may break?
+/// True for a bond of the plate that may break.
 bool BondCheck::may_break(std::uint32_t k, std::size_t i, std::uint32_t j) const {
   const auto& x = boundary_.cloud.positions;
   return boundary_.is_plate(j) && !plate_.broken().broken(k, i) &&

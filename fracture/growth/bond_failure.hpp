@@ -38,10 +38,10 @@ struct LoadedBond {
 };
 
 /// Looks for the bonds that fail. Only bonds between points of the plate break: supports hold what they hold. One call
-/// at a time; where processes share the plate, all call it at once and get the bonds of all.
+/// at a time; where the plate is distributed, all call it at once and get the bonds of all.
 class BondCheck {
 public:
-  /// All must outlive this.
+  /// Constructs a check of bonds; all arguments must outlive this.
   BondCheck(const Growth& growth, const BondLimits& limits, const DamagedPlate& plate, const plate::Boundary& boundary);
 
   /// Intact bonds of the plate, or of these points of it (ascending, as suspects() has found them), with a demand of at
@@ -60,7 +60,7 @@ public:
   std::vector<std::uint32_t> numbers(const std::vector<std::uint32_t>& suspects) const;
   std::vector<std::uint32_t> points(const std::vector<std::uint32_t>& numbers) const;
 
-  /// As this process has them; `outside_overlap` where it does not.
+  /// Returns the bonds by the points of this rank; `outside_overlap` for points that it does not know.
   std::vector<PointPair> here(const std::vector<LoadedBond>& bonds) const;
 
 private:
@@ -75,7 +75,7 @@ private:
   const DamagedPlate& plate_;
   const plate::Boundary& boundary_;
   std::shared_ptr<const PointNumbers> numbers_;
-  std::vector<std::uint32_t> all_;     // where processes share the plate: own points, and what these have bonds to
+  std::vector<std::uint32_t> all_;     // where the plate is distributed: owned points, and what these have bonds to
   std::vector<std::uint32_t> around_;  // and what those have bonds to
   std::vector<std::vector<std::uint32_t>> nearest_;  // per pattern of the base: which bonds are a spacing long
   std::vector<double> dilatation_;                   // per point

@@ -18,26 +18,26 @@ struct Peak;
 
 namespace fracture {
 
-/// Numbers of the points of a plate that are the same for all processes that share it, ascending as theirs are: by the
-/// rows of the lattice. Where one process holds the whole plate, those that they have.
+/// Numbers of the points of a plate, equal on all ranks and ascending by the rows of the lattice. Where one process
+/// holds the whole plate, the local indices.
 class PointNumbers {
 public:
   /// `boundary` must outlive this.
   explicit PointNumbers(const plate::Boundary& boundary);
 
   std::uint32_t of(std::uint32_t k) const;
-  /// Nothing where this process does not see it.
+  /// Local index of the point; nothing where this rank does not know it.
   std::optional<std::uint32_t> point(std::uint32_t number) const;
   /// [lattice units]
   geometry::Point place(std::uint32_t number) const;
 
 private:
   const plate::Boundary& boundary_;
-  std::optional<geometry::CellIndex> index_;  // where processes share the plate
+  std::optional<geometry::CellIndex> index_;  // where the plate is distributed
   std::uint32_t columns_ = 0;
 };
 
-/// Surroundings that a rank knows of a plate whose bonds break, beside its own points: all that decides about its
+/// Surroundings that a rank knows of a plate whose bonds break, beside its owned points: all that decides about its
 /// bonds, or whatever tips need (`tips`), as they may come anywhere. Null where one process holds the whole plate.
 std::shared_ptr<const plate::Surroundings> overlap_of_growth(const plate::Formulation& start, bool tips);
 

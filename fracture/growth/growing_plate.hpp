@@ -7,7 +7,7 @@
 
 namespace fracture {
 
-/// How the states between advances are found.
+/// Method that finds the states between advances.
 struct StaticSolver {
   plate::StaticMethod method;
   plate::Preconditioning preconditioning;

@@ -9,7 +9,7 @@
 
 namespace fracture {
 
-/// How cracks grow: when, where to, and under what control (theory.md, "Growth").
+/// Growth of cracks: when, where to, and under what control (theory.md, "Growth").
 struct Growth {
   /// Criterion for the growth of a crack.
   enum class Criterion {
@@ -17,7 +17,7 @@ struct Growth {
     bond_energy,     // the energy of every bond
     curvature_shear  // curvature and shear angle of every bond
   };
-  /// Where a tip turns to.
+  /// Criterion for the direction in which a tip advances.
   enum class Direction {
     straight,           // on as it is
     tangential_moment,  // where the moment across the crack is largest: K2 = 0 on the new piece
@@ -55,17 +55,17 @@ struct Growth {
   std::optional<double> critical_curvature, critical_shear;  // of bonds [1/length], [-]
   std::vector<std::array<double, 4>> no_fail;  // rectangles in which tips stay: xmin, ymin, xmax, ymax [length]
 
-  /// Is this the largest length that was asked for?
+  /// True where this is the largest length that was asked for.
   bool reached(double length) const { return max_length && length >= *max_length * (1 - 1e-9); }
   /// Energy taken over the fracture energy of new crack of this length [length]; none where there is none of either.
   std::optional<double> spent(double energy, double thickness, double length) const {
     return length > 0 && fracture_energy > 0 ? std::optional(energy / (fracture_energy * thickness * length))
                                              : std::nullopt;
   }
-  /// Do bonds break one by one?
+  /// True where bonds break one by one.
   bool by_bonds() const { return criterion != Criterion::energy_release; }
 
-  /// Does a rectangle of no_fail hold this point?
+  /// True where a rectangle of no_fail holds this point.
   bool held(const geometry::Point& x) const {
     return std::any_of(no_fail.begin(), no_fail.end(), [&](const auto& box) {
       return x.x() >= box[0] && x.y() >= box[1] && x.x() <= box[2] && x.y() <= box[3];
@@ -73,7 +73,7 @@ struct Growth {
   }
 };
 
-/// How a quasi-static growth ends.
+/// Reason why a quasi-static growth ends.
 enum class End {
   no_tip_left,    // every tip has reached an edge, a hole or a crack
   cannot_grow,    // nothing that could give way
@@ -108,7 +108,7 @@ struct MovingGrowthOutcome {
   std::vector<double> lengths;              // of every crack [length]
 };
 
-/// How a quasi-static growth ended. `by_bonds`: of bonds that break one by one.
+/// Describes in words how a quasi-static growth ended. `by_bonds`: of bonds that break one by one.
 std::string in_words(const Ended& ended, bool by_bonds);
 
 /// Describes the outcome of a growth in motion.

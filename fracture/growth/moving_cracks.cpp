@@ -17,7 +17,7 @@ constexpr double gain = 0.45, gain_of_all = 1.5;
 constexpr double gauge_reach = 20;  // spacings: rings of 7.6 and two horizons about them, and more than that
 constexpr double look_after = 5;    // spacings gone without a look at the direction
 constexpr double settled_after = 10,
-                 steady_length = 5;                    // spacings: a tip's speed has settled, and is judged over these
+                 steady_length = 5;                    // spacings: a tip's speed is steady, and is judged over these
 constexpr double least_taken = 0.6, most_taken = 1.6;  // of the fracture energy, of a tip whose speed is resolved
 constexpr double alike = 1e-6;                         // of energies: what rounding leaves between mirror images
 
@@ -182,7 +182,7 @@ void MovingCracks::before_force(const plate::Step& now) {
 void MovingCracks::after_force(const plate::Step& now, const plate::Forces& force) {
   const auto& elastic_supports = plate_.base().elastic_supports();
   plate::Forces
-      own;  // where there are elastic supports, without these; where processes share the plate, with those of others
+      own;  // where there are elastic supports, without these; where the plate is distributed, with those of others
   std::vector<std::pair<std::size_t, TipMeasurement>> looked;
   bool any = false;  // does one of them start?
   for (std::size_t i = 0; i < tips_.size(); ++i) {

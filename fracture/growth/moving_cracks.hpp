@@ -39,7 +39,7 @@ struct StoppedTip {
 /// fracture energy, slower or not at all where it took less.
 class MovingCracks : public plate::Changes {
 public:
-  /// All references must outlive this. `paths`: the cracks at the start [length].
+  /// Constructs growth in motion; all references must outlive this. `paths`: the cracks at the start [length].
   MovingCracks(const Growth& growth, const plate::Problem& problem, DamagedPlate& plate,
                std::vector<geometry::CrackPath> paths);
 
@@ -49,7 +49,7 @@ public:
   const std::vector<geometry::CrackPath>& paths() const { return paths_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<StoppedTip>& stopped() const { return stopped_; }
-  /// Has a tip gone straight on whose direction is not known?
+  /// True where a tip whose direction is not known has gone straight on.
   bool direction_unknown() const { return direction_unknown_; }
   /// Energy taken so far, and length gone.
   double fracture_energy() const { return spent_; }
@@ -87,7 +87,7 @@ private:
     std::optional<Running> running = {};
     bool ended = false;
 
-    /// Without the gauge, which is made again.
+    /// Serialises the tip without the gauge, which is made again.
     template <typename Archive>
     void serialize(Archive& archive) {
       archive(tip, speed, length, spent, recent, since_look, next_look, running, ended);
@@ -112,7 +112,7 @@ private:
   void depart(const std::vector<Departure>& departures);
   /// Energy over the fracture energy of its last five spacings.
   double taken_lately(std::size_t tip) const;
-  /// Does the tip go straight on?
+  /// Ends the advance of a tip; returns true where the tip goes straight on.
   bool arrive(MovingTip& tip, const plate::Step& now);
 
   const Growth& growth_;

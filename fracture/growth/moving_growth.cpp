@@ -124,7 +124,7 @@ MovingBonds::MovingBonds(const Growth& growth, const plate::Formulation& start,
       cracks_(start, start.section().shear_wave_speed()),
       bonds_(plate_, check_, [this](const auto& bonds, double time) { return broke(bonds, time); }) {}
 
-/// May more bonds break?
+/// Records broken bonds; returns true where more bonds may break.
 bool MovingBonds::broke(const std::vector<LoadedBond>& bonds, double time) {
   const bool new_lines = cracks_.broke(bonds, time);
   if (++advances_ >= growth_.max_advances) return false;

@@ -43,7 +43,7 @@ public:
   virtual const Record& record() = 0;
   virtual MovingGrowthOutcome outcome() const = 0;
 
-  /// All that goes on from here, between two steps.
+  /// Saves all that the growth needs to continue, between two steps.
   virtual void save(plate::OutArchive& archive) const = 0;
   virtual void restore(plate::InArchive& archive) = 0;
 
@@ -59,7 +59,7 @@ protected:
   virtual plate::Changes& breakage() = 0;
   virtual Tips tips() const = 0;
   virtual std::vector<geometry::CrackPath> paths() const = 0;
-  /// Where the plate is parted.
+  /// Lines along which the plate is parted.
   virtual std::vector<geometry::CrackPath> cuts() const { return paths(); }
   /// Outcome so far, as far as both kinds of growth have it.
   MovingGrowthOutcome outcome_so_far() const;
@@ -75,7 +75,7 @@ private:
   std::optional<DetachedPieces> detached_pieces_;
 };
 
-/// By the criterion.
+/// Constructs the growth that the criterion needs.
 std::unique_ptr<MovingGrowth> moving_growth(const Growth& growth, const plate::Formulation& start,
                                             std::optional<post::SrifOptions> factors, double rotary_inertia);
 

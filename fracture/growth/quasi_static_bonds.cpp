@@ -84,10 +84,10 @@ void QuasiStaticBonds::find_state() {
     throw plate::NumericalError(fmt::format("cg: {}, residual {:.2e} above tolerance {:.1e}", change.stop_reason,
                                             solution_.residual, tolerance));
   state_ += change.state;
-  plate_.constraints().impose(state_);  // what follows other points is what they say, to the last bit: as when recalled
+  plate_.constraints().impose(state_);  // what follows other points is what they say, to the last bit: as when restored
 }
 
-/// As StaticOptions counts residuals.
+/// Norm of a force as StaticOptions defines it for residuals.
 double QuasiStaticBonds::norm(const plate::Forces& force) const {
   return plate_.norm(force, diagonal_);
 }
@@ -120,7 +120,7 @@ void QuasiStaticBonds::advance(double factor) {
   record_.cracks = cracks_.drawn();
 }
 
-/// Where the tips are; none of tips beside edges, bends and other cracks.
+/// Intensity factors of the tips; none of tips beside edges, bends and other cracks.
 std::optional<std::vector<post::Srif>> QuasiStaticBonds::factors(double factor) {
   if (!options_of_factors_ || !new_lines_) return std::nullopt;
   new_lines_ = false;

@@ -22,7 +22,7 @@ struct Loaded {
   std::string unresolved = {};  // why the next advance is not known; empty: it is
 };
 
-/// One equilibrium on the way, just before something gives way.
+/// Equilibrium on the path, just before bonds break or tips advance.
 struct Equilibrium {
   std::size_t advance;  // number of it; the first state is 0
   double factor, displacement,
@@ -44,7 +44,7 @@ public:
   virtual void choose(const Equilibrium& state) = 0;
   /// Lets it give way.
   virtual void advance(double factor) = 0;
-  /// Why the last advance was not made; empty: it was.
+  /// Reason why the last advance was not made; empty: it was.
   virtual std::string stuck() const { return {}; }
 
   virtual std::size_t advances() const = 0;
@@ -74,10 +74,10 @@ public:
   virtual void save(plate::OutArchive& archive) const = 0;
   /// Restores the state of a model that has not been solved yet. Throws plate::NumericalError.
   virtual void restore(plate::InArchive& archive) = 0;
-  /// Further values of points to be saved, null where there are none; where ranks share the plate, each saves its own
-  /// separately.
+  /// Further values of points to be saved, null where there are none; where the plate is distributed, each saves its
+  /// own separately.
   virtual plate::State* of_points() { return nullptr; }
-  /// Own points have theirs again.
+  /// Called after the further values of owned points have been restored.
   virtual void restored_points() {}
 
 protected:
@@ -85,7 +85,7 @@ protected:
   std::vector<std::string> warnings_;
 };
 
-/// How a quasi-static growth ended.
+/// Outcome of a quasi-static growth.
 struct QuasiStaticOutcome {
   Ended ended;
   Ledger ledger;  // at the last state

@@ -117,7 +117,8 @@ double QuasiStaticTips::load_error() const {
   return std::max(high - 1, 1 - low);
 }
 
-/// Why it is not known how the tips that move go on; empty: it is. Says once that some go straight on unseen.
+/// Reason why it is not known how the tips that move go on; empty: it is. Warns once that some go straight on
+/// unresolved.
 std::string QuasiStaticTips::unresolved() {
   constexpr const char* straight = "directions of tips are not known within 30 degrees";
   const auto found = turns_of(moves_);
@@ -296,8 +297,8 @@ bool QuasiStaticTips::lay_twice(const Start& start, std::vector<double> angles, 
   return true;
 }
 
-/// Are the directions of the tips that have moved known within 30 degrees? A fit of the mode mix needs more room beside
-/// the bend than a ring, the more the fewer spacings the plate is thick.
+/// True where the directions of the tips that have moved are known within 30 degrees. A fit of the mode mix needs more
+/// room beside the bend than a ring, the more the fewer spacings the plate is thick.
 bool QuasiStaticTips::shows_directions(const LoadedPlate& trial) const {
   for (std::size_t i = 0; i < moves_.size(); ++i)
     if (const auto* end = moves_[i] ? end_of(trial, i) : nullptr)
@@ -324,7 +325,7 @@ void QuasiStaticTips::lay(const Start& start, const std::vector<double>& angles,
   }
 }
 
-/// Nothing has moved.
+/// Undoes the advance and stores the reason: no tip has moved.
 void QuasiStaticTips::stay(const Start& start, std::string why) {
   cracks_ = start.cracks, fracture_ = start.fracture, stuck_ = std::move(why);
   advanced_.clear();
@@ -340,8 +341,8 @@ const LoadedTip* QuasiStaticTips::end_of(const LoadedPlate& trial, std::size_t m
   return end == trial.tips.end() || !end->G ? nullptr : &*end;
 }
 
-/// After a turn a crack goes on smoothly: an end of a piece that asks for another large turn says that the first one
-/// was wrong.
+/// Reason why a direction was wrong: after a turn a crack goes on smoothly, so an end of a piece that asks for another
+/// large turn contradicts the first one.
 std::string QuasiStaticTips::contradicted(const LoadedPlate& trial, const std::vector<double>& angles,
                                           double leg) const {
   for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -375,7 +376,7 @@ void QuasiStaticTips::extend(const geometry::Tip& tip, const TipAdvance& step) {
   fracture_ += toughness_ * step.length;
 }
 
-/// Nothing has moved since the plate was solved, and no trial waits.
+/// Serialises a growth in which nothing has moved since the plate was solved, and no trial waits.
 template <typename Archive, typename Self>
 void QuasiStaticTips::memory(Archive& archive, Self& self) {
   archive(self.record_, self.warnings_, self.cracks_, self.most_, self.moves_, self.last_given_, self.calibrated_,

@@ -34,7 +34,7 @@ struct LoadedPlate {
 /// "Growth").
 class QuasiStaticTips : public QuasiStaticModel {
 public:
-  /// All references must outlive this. `spacing`: of the points at the tips [length].
+  /// Constructs quasi-static growth; all references must outlive this. `spacing`: of the points at the tips [length].
   QuasiStaticTips(const Growth& growth, const plate::Section& section, const geometry::Outline& outline, double spacing,
                   std::vector<geometry::Polyline> cracks);
 
@@ -59,7 +59,7 @@ protected:
   virtual LoadedPlate full_load(const std::vector<geometry::Polyline>& cracks) = 0;
   /// Remedy that improves the factors of the last plate.
   virtual std::string remedy() const { return "refine"; }
-  /// Where a tip without a ring breaks through to.
+  /// Advance with which a tip without a ring breaks through.
   std::optional<TipAdvance> way_through(const std::vector<geometry::Polyline>& cracks, const geometry::Tip& tip) const {
     return fracture::break_through(outline_, cracks, spacing_, tip);
   }

@@ -22,9 +22,9 @@ public:
     bool stable;  // no load that was there before would have been enough
     bool beyond;  // the whole load, or the displacement at its end, is not enough
   };
-  /// Goes on to where the next change comes, as far as the control lets it. `whole`: what the whole load does work on
-  /// now [energy]; `critical`: the load factor of the next change, infinite where none comes; `held`: what of `whole`
-  /// supports that move have, which stay where they are while something gives way.
+  /// Advances to the next change, as far as the control permits. `whole`: what the whole load does work on now
+  /// [energy]; `critical`: the load factor of the next change, infinite where none comes; `held`: the part of `whole`
+  /// of supports that move, which stay where they are while bonds break or tips advance.
   Step to(double whole, double critical, double held = 0);
 
   double factor() const { return factor_; }
@@ -94,7 +94,7 @@ struct Record {
 
   /// The vertices of all cracks.
   post::Table crack_table() const;
-  /// Where cracks run through a place at which something presses or holds the plate.
+  /// Places of loads and supports that cracks run through.
   std::vector<std::string> cut_places(const plate::Problem& problem) const;
 };
 

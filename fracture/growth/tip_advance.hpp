@@ -32,7 +32,7 @@ struct Turn {
   double angle = 0;  // [rad]; 0 where it is no larger than its error
   double error = 0;  // kink_error()
   double asked = 0;  // kink_angle()
-  /// Is the direction known within half of what a kink may be?
+  /// True where the direction is known within half of what a kink may be.
   bool known() const;
   /// False: the tip would turn by more than it may be left straight, and its direction is not known.
   bool resolved() const;
@@ -42,10 +42,10 @@ struct Turn {
 Turn turn_of(const Factors& factors, const Factors& errors, Growth::Direction direction, const plate::Section& section,
              double share = 1);
 
-/// Does the angle count as a turn? From one degree on [rad].
+/// True where the angle counts as a turn, from one degree on [rad].
 bool turns(double angle);
 
-/// Where a tip goes.
+/// Advance of a tip.
 struct TipAdvance {
   geometry::Point to;
   double length = 0;                          // of the new piece [length]

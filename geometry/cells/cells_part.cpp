@@ -19,7 +19,7 @@ bool any(const Cell& cell, const std::vector<char>& marked) {
   return std::ranges::any_of(cell, [&](auto k) { return marked[k] != 0; });
 }
 
-/// With all points that share a cell with one of the marked.
+/// Returns the marked points with all points that share a cell with one of them.
 std::vector<char> grown(const Tessellation& cells, const std::vector<char>& marked) {
   auto result = marked;
   visit_cells(cells, [&](const auto& cell) {

@@ -9,11 +9,12 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Some value, and how many points have it.
+/// Values in order, each with the number of points that have it.
 template <typename Value>
 using Counted = std::vector<std::pair<Value, std::size_t>>;
 
-/// How many points have less than each value but the first: the number nearest to the wanted, and which value that is.
+/// Finds the value at which to split so that the number of points below it is nearest to `wanted`. Returns that number
+/// and the index of the value, never the first.
 template <typename Value>
 std::optional<std::pair<std::size_t, std::size_t>> nearest_cut(const Counted<Value>& counts, std::size_t wanted) {
   const auto off = [&](std::size_t cut) { return std::abs(double(cut) - double(wanted)); };
@@ -29,7 +30,7 @@ std::optional<std::pair<std::size_t, std::size_t>> nearest_cut(const Counted<Val
 }  // namespace
 
 struct DistributedLattice::Box {
-  long from = 0, to = 0;                    // stretches
+  long from = 0, to = 0;                    // column blocks
   double low = -infinite, high = infinite;  // y
 
   bool has(double y) const { return y >= low && y < high; }
@@ -63,7 +64,7 @@ void DistributedLattice::for_runs(const Box& box, const Visit& visit) const {
   }
 }
 
-/// Calls visit(place [spacings], number, stretch).
+/// Calls visit(place [spacings], number, column block).
 template <typename Visit>
 void DistributedLattice::for_others(const Box& box, const Visit& visit) const {
   const auto& units = global_.units();
@@ -107,7 +108,7 @@ DistributedLattice::Count DistributedLattice::counted(const Box& box) const {
   return result;
 }
 
-/// As shared_out(); nothing where all points are of one row, between which there is no place to part them.
+/// Splits a box as shared_out() does; nothing where all points are of one row, which has no place for a split.
 std::optional<DistributedLattice::Cut> DistributedLattice::halved(const Count& count, double share) {
   constexpr double of_rows = 1.5, most = 0.1;
   const auto wanted = std::size_t(double(count.points) * share + 0.5);
@@ -144,7 +145,7 @@ int DistributedLattice::share_out(const Box& box, int first, int parts) {
   return int(at);
 }
 
-/// By its points, as it is no longer than the plate is wide.
+/// Distributes a row by its points, as it is no longer than the plate is wide.
 int DistributedLattice::share_row(const Box& box, int first, int parts) {
   CellsPart row;
   auto& cells = row.cells;

@@ -5,8 +5,8 @@
 
 namespace geometry {
 
-/// Which of some parts the points of a plate on a lattice belong to: shared_out() without the points. A part is what is
-/// between two rows and two stretches of columns; of a single row it may be some of its points.
+/// Distribution of the points of a plate on a lattice among parts: shared_out() without the points. A part is what is
+/// between two rows and two column blocks; of a single row it may be some of its points.
 class DistributedLattice {
 public:
   /// `global` must outlive this.
@@ -21,7 +21,7 @@ public:
   std::vector<int> owners(const CellsPart& some) const;
 
 private:
-  /// Where a box is parted: by the stretch of columns or by y; what begins there or beyond is of the upper half.
+  /// Split of a box by a column block or by y; what begins there or beyond is of the upper half.
   struct Cut {
     int axis = 0;
     long column_block = 0;

@@ -61,7 +61,7 @@ void add_crossed(const Point& a, const Point& b, std::vector<Point>& crossed) {
   }
 }
 
-/// Which cells have a point: of some of the points.
+/// Cells that have a corner at each of the wanted points.
 class Cornered {
 public:
   Cornered(const Cells& cells, const std::vector<char>& wanted) : first_(wanted.size() + 1, 0) {
@@ -133,7 +133,7 @@ public:
   }
 
 private:
-  /// Which corner of cells is which point: of those at its place the one on its side of the crack.
+  /// Assigns corners of cells to points: of those at its place the one on its side of the crack.
   void find_points() {
     std::map<std::uint32_t, std::vector<std::uint32_t>> several;
     std::vector<std::uint32_t> corner_of(lattice_.size(), none);
@@ -163,7 +163,7 @@ private:
       if (corner_of[p] != none) point_[corner_of[p]] = p;
   }
 
-  /// Does the cell lie about x + (e, e^2), with x its corner k?
+  /// True where the cell lies about x + (e, e^2), with x its corner k.
   bool ahead(const Cornered::Cell& cell, std::uint32_t k) const {
     const auto c = std::size_t(std::ranges::find(cell, k) - cell.begin());
     const Point& x = cells_.positions[k];

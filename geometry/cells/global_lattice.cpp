@@ -199,7 +199,7 @@ public:
 private:
   static constexpr auto none = std::uint32_t(-1);
 
-  /// Some points of a row, and where they are among those that may be corners.
+  /// Piece of a row of points, and its position among those that may be corners.
   struct RowPiece {
     long from, to, row;
     std::uint32_t number, local;
@@ -207,7 +207,7 @@ private:
 
   Point place(std::uint32_t k) const { return global_.place(k); }
 
-  /// All points that may be corners.
+  /// Collects all points that may be corners.
   void choose_points() {
     Cell low{box_.low[0] - 1, box_.low[1] - 1}, high{box_.high[0] + 1, box_.high[1] + 1};
     const auto take = [&](const auto& cell) {
@@ -237,12 +237,12 @@ private:
     used_.assign(of_lattice_ + others_.size(), none);
   }
 
-  /// Has this square a corner in the box?
+  /// True where this square has a corner in the box.
   bool has(long i, long j) const {
     return i + 1 >= box_.low[0] && i < box_.high[0] && j + 1 >= box_.low[1] && j < box_.high[1];
   }
 
-  /// Among the points that may be corners; none: it may not.
+  /// Index among the points that may be corners; none: it may not.
   std::uint32_t local(std::uint32_t k) const {
     if (k >= global_.points_.size()) {
       const auto found = std::ranges::lower_bound(others_, k);
@@ -308,10 +308,10 @@ private:
 
   const GlobalLattice& global_;
   const CellBox& box_;
-  std::vector<Tessellation::Triangle> triangles_;  // by numbers in the whole
+  std::vector<Tessellation::Triangle> triangles_;  // by global numbers
   std::vector<RowPiece> row_pieces_;
   std::uint32_t of_lattice_ = 0;
-  std::vector<std::uint32_t> others_;  // numbers in the whole
+  std::vector<std::uint32_t> others_;  // global numbers
   std::vector<std::uint32_t> used_;    // of the points that may be corners: number in the result, or none
   CellsPart result_;
 };

@@ -4,11 +4,11 @@
 
 namespace geometry {
 
-/// All points and cells of a plate on a lattice, by runs of its rows: it takes memory for edges, cracks and rows alone,
+/// Points and cells of a plate on a lattice, stored as runs of its rows: takes memory for edges, cracks and rows alone,
 /// and makes cells of any part of the plate.
 class GlobalLattice {
 public:
-  /// As tessellation(). Throws std::invalid_argument.
+  /// Constructs the lattice of tessellation(). Throws std::invalid_argument.
   GlobalLattice(const Outline& outline, const std::vector<CrackPath>& cracks, double spacing,
                 const std::vector<Point>& singles);
 
@@ -23,7 +23,7 @@ public:
   Cell last() const;
 
   Tessellation cells() const;
-  /// All cells with a corner in a box, in the order of the whole, and their points.
+  /// Cells with a corner in a box, in global order, and their points.
   CellsPart cells_at(const CellBox& box) const;
   /// The first point with squares all about it and its neighbours.
   std::optional<Cell> first_inside() const;

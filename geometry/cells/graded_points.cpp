@@ -48,7 +48,7 @@ std::vector<double> radii(const Curves& curves, const Sizing& sizing, const Poin
   return result;
 }
 
-/// Where the crack that ends at a node comes from.
+/// Node before the end of the crack at `tip`, nothing where no crack ends there.
 std::optional<Point> neighbour(const Curves& curves, const Point& tip) {
   for (const auto& piece : curves.pieces)
     for (const auto& [k, other] : {std::pair(piece.from, piece.to), std::pair(piece.to, piece.from)})
@@ -139,7 +139,7 @@ private:
   static constexpr double too_flat = 1.414;  // radius of the circle over the shortest side: 20.7 degrees
   static constexpr double unresolved = 64;   // features so many times smaller than what is wanted are left as they are
 
-  /// Its smallest angle lies between two curves.
+  /// True for a triangle whose angle at corner `opposite` lies between two curves.
   static bool is_corner(const TriangleMesh::Triangle& triangle, std::size_t opposite) {
     return triangle.mark[(opposite + 1) % 3] != TriangleMesh::unmarked &&
            triangle.mark[(opposite + 2) % 3] != TriangleMesh::unmarked;
@@ -214,8 +214,8 @@ namespace {
 
 constexpr int rounds = 5;
 
-/// Which points of a mesh are nodes of its curves: single places among them are on no side of a triangle that is
-/// marked.
+/// Marks the points of a mesh that are nodes of its curves: single places among them are on no side of a triangle that
+/// is marked.
 std::vector<char> nodes_of(const Curves& curves, const TriangleMesh& mesh) {
   const auto before = [](const Point& a, const Point& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); };
   auto nodes = curves.nodes;
@@ -314,7 +314,7 @@ TriangleMesh filled(const Curves& curves, const Sizing& sizing, const RingCentre
   return mesh;
 }
 
-/// By strips one spacing high, so that neighbours are near in memory.
+/// Orders points by strips one spacing high, so that neighbours are near in memory.
 std::vector<std::uint32_t> in_strips(const std::vector<Point>& points) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0);

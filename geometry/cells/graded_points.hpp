@@ -7,7 +7,8 @@ namespace geometry {
 /// so the triangles about a tip are nearly equal, and the same on both sides of the crack.
 void add_rings(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing, const std::vector<Point>& tips);
 
-/// The same about a place in the plate. `away`: a unit vector along which other centres do not disturb the rings.
+/// Adds rings of points about a place in the plate. `away`: a unit vector along which other centres do not disturb the
+/// rings.
 void add_rings(TriangleMesh& mesh, const Sizing& sizing, const Point& place, const Point& away);
 
 /// Adds points in rows of equilateral triangles wherever one spacing is wanted.

@@ -109,7 +109,7 @@ RowRuns RowRuns::except(std::span<const std::uint32_t> numbers) const {
 
 namespace {
 
-/// Does the segment pass through the open square from `low` to low + (1, 1)?
+/// True where the segment passes through the open square from `low` to low + (1, 1).
 bool enters_square(const Point& a, const Point& b, const Point& low) {
   double first = 0, last = 1;
   for (const int axis : {0, 1}) {

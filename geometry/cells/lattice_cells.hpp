@@ -13,8 +13,8 @@ namespace geometry {
 /// Columns `first` to below `second`.
 using Columns = std::pair<long, long>;
 
-/// Both ascending; what these return is, too, and parted from each other: what is in both, in either, which may overlap
-/// in themselves, in the first alone.
+/// Set operations on columns, both arguments ascending: what is in both, in either (each may overlap itself), in the
+/// first alone. The results are ascending and disjoint.
 std::vector<Columns> common(const std::vector<Columns>& one, const std::vector<Columns>& other);
 std::vector<Columns> joined(const std::vector<Columns>& one, const std::vector<Columns>& other);
 std::vector<Columns> without(const std::vector<Columns>& one, const std::vector<Columns>& other);
@@ -28,7 +28,8 @@ public:
   };
 
   void begin_row() { first_.push_back(runs_.size()); }
-  /// To the last row begun, to the right of all that it has. Throws std::length_error where numbers are used up.
+  /// Adds columns to the last row begun, to the right of all that it has. Throws std::length_error where numbers are
+  /// used up.
   void add(const Columns& columns);
 
   long rows() const { return long(first_.size()); }

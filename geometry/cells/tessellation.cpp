@@ -18,7 +18,7 @@ struct NearForce {
   double size;        // wanted distance of points there
 };
 
-/// All in units of the spacing.
+/// Forces close enough to a tip to need finer points; all in units of the spacing.
 std::vector<NearForce> forces_near_tips(const std::vector<Point>& forces, const std::vector<Tip>& tips, double at_tips,
                                         double growth) {
   std::vector<NearForce> result;

@@ -27,10 +27,10 @@ struct Tessellation {
   /// `positions` are not where the plate is far from the origin.
   std::vector<Point> local;
 
-  /// Portion of a plate on a shared lattice that one rank holds.
+  /// Portion of a plate on a distributed lattice that one rank holds.
   struct Window {
     CellBox about;  // the points nearest to a place there are here, and the cells about it
-    Cell last;      // the column and row of the last points of the whole
+    Cell last;      // the column and row of the last points of the global plate
   };
   std::optional<Window> window = {};  // absent: these are all
   bool sees(const Point& x) const { return !window || window->about.contains(cell_of(units.to_lattice(x))); }
@@ -41,11 +41,12 @@ inline void move(Tessellation& cells, std::size_t k, const Point& by) {
   cells.positions[k] += by, cells.local[k] += by;
 }
 
-/// How far apart points are: one spacing, or less about tips and holes and growing with the distance from them.
+/// Grading of the distance between points: one spacing, or less about tips and holes and growing with the distance from
+/// them.
 struct Grading {
   std::optional<double> at_tips, at_holes;  // [length]
   double growth = 0.2;                      // of the distance of neighbouring points per distance from there
-  /// Where forces act: so near to a tip that points are less than a spacing apart, they are as near there as about a
+  /// Places of forces: so near to a tip that points are less than a spacing apart, they are as near there as about a
   /// tip, or growth^2 times the distance from it where that is more. Not closer to a tip than at_tips.
   std::vector<Point> forces = {};
   /// Parts of the plate on whose boundary points are as near as at holes.
@@ -73,14 +74,14 @@ Tessellation tessellation(const Outline& outline, const std::vector<CrackPath>& 
 /// The points that share a cell with each point. Points inside the lattice share bonds.
 Families cell_families(const Tessellation& tessellation);
 
-/// The same, every point with bonds of its own.
+/// Returns cell_families() with bonds stored separately for every point.
 Families exact_cell_families(const Tessellation& tessellation);
 
 /// Positions, those on the faces of cracks moved into their cells by 2e-6 of the distance to the next points of the
 /// crack: so they tell on which face they are.
 std::vector<Point> positions_inside_faces(const Tessellation& tessellation);
 
-/// Which cell is about a place.
+/// Finds the cell about a place.
 class CellLocator {
 public:
   /// The corners of a cell with the weights of linear (triangle) or bilinear (square) interpolation.
@@ -108,8 +109,8 @@ private:
   std::vector<std::uint32_t> members_;  // squares, then triangles
 };
 
-/// About how many points a plate will have, told from its area, and from the integral of what graded points have more
-/// about tips and holes: within 25 % where a plate is some ten spacings wide.
+/// Estimates the number of points of a plate from its area, and from the integral of what graded points have more about
+/// tips and holes: within 25 % where a plate is some ten spacings wide.
 double expected_points(const Outline& outline, const std::vector<Tip>& tips, double spacing, const Grading& grading);
 
 }  // namespace geometry

@@ -153,8 +153,9 @@ void TriangleMesh::begin(std::initializer_list<std::int32_t> triangles) {
   for (const auto t : triangles) stamp_[std::size_t(t)] = now_;
 }
 
-/// Beyond a side that x sees: a triangle whose circle holds x is changed too, where x sees all of its sides. Sides are
-/// visited in their order about x; not by recursion, because a round plate has as many of these triangles as corners.
+/// Extends the cavity beyond a side that x sees: a triangle whose circle holds x is changed too, where x sees all of
+/// its sides. Sides are visited in their order about x; not by recursion, because a round plate has as many of these
+/// triangles as corners.
 void TriangleMesh::expand(std::int32_t triangle, std::size_t side_of_it, const Point& x) {
   sides_.assign(1, {triangle, side_of_it});
   while (!sides_.empty()) {

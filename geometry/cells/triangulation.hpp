@@ -12,7 +12,7 @@ struct Triangulated {
   std::vector<std::array<std::int32_t, 3>> across;    // beyond the side opposite to each corner
 };
 
-/// All points triangulated, with the pieces among the sides. Throws std::invalid_argument where pieces cross.
+/// Triangulates all points, with the pieces among the sides. Throws std::invalid_argument where pieces cross.
 Triangulated delaunay(const std::vector<Point>& points, const std::vector<std::array<std::uint32_t, 2>>& pieces);
 
 /// A side that parts what belongs to the plate from what does not: which of both lies to its left and right.
@@ -24,8 +24,8 @@ struct Fence {
 /// The fences that the pieces of edges are: the plate lies to their left.
 std::vector<Fence> fences(const std::vector<Curves::Piece>& pieces);
 
-/// Which triangles belong to the plate: told by the fences, and by what hangs together between them. So coordinates
-/// have no say in it. Throws std::logic_error where fences contradict each other.
+/// Marks the triangles that belong to the plate: told by the fences, and by what is connected between them, never by
+/// coordinates. Throws std::logic_error where fences contradict each other.
 std::vector<char> within(const Triangulated& triangles, const std::vector<Fence>& fences);
 
 /// A triangulation to which points are added. Marked sides, those of curves, stay sides, whole or in halves. Triangles
@@ -79,7 +79,7 @@ private:
   static std::size_t after(std::size_t i) { return i == 2 ? 0 : i + 1; }
   static std::size_t before(std::size_t i) { return i == 0 ? 2 : i - 1; }
   bool in_circle(std::int32_t triangle, const Point& x) const;
-  /// Which side of the triangle runs from a to b.
+  /// Side of the triangle that runs from a to b.
   std::size_t side_of(std::int32_t triangle, std::uint32_t a, std::uint32_t b) const;
   void begin(std::initializer_list<std::int32_t> triangles);
   void expand(std::int32_t triangle, std::size_t side, const Point& x);

@@ -19,7 +19,7 @@ void for_cells(Some& cells, const Visit& visit) {
   for (auto& triangle : cells.triangles) visit(triangle.data(), std::size_t(3));
 }
 
-/// The same for both directions.
+/// Returns the key of the side between two corners, equal for both directions.
 inline std::uint64_t side_between(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t(a < b ? a : b) << 32 | (a < b ? b : a);
 }

@@ -39,13 +39,13 @@ struct LatticeUnits {
   double spacing = 1;
 
   Point to_lattice(const Point& x) const;
-  /// The same not rounded.
+  /// Converts a point to lattice units without rounding.
   Point to_units(const Point& x) const { return (x - origin) / spacing; }
   Point from_lattice(const Point& u) const { return origin + spacing * u; }
 };
 
 Outline to_lattice(const Outline& outline, const LatticeUnits& units);
-/// With every vertex and centre placed anew, and lengths times `scale`.
+/// Returns the outline with every vertex and centre mapped by `place`, and lengths times `scale`.
 Outline placed(const Outline& outline, const std::function<Point(const Point&)>& place, double scale);
 std::vector<CrackPath> to_lattice(const std::vector<CrackPath>& paths, const LatticeUnits& units);
 
@@ -55,9 +55,9 @@ struct Cloud {
   std::vector<Point> positions;      // [length], plate points first
   std::vector<double> areas;         // [length^2], the part of each point's cell that lies in the plate
   std::size_t plate_points = 0;      // the rest are fictitious
-  std::optional<CellBox> part = {};  // what was seeded; absent: all
+  std::optional<CellBox> part = {};  // what was discretised; absent: all
 
-  /// Was the cell of this place seeded, if the plate has it?
+  /// True where the cell of this place was discretised, if the plate has it.
   bool seeded(const Point& x) const { return !part || part->contains(cell_of(units.to_lattice(x))); }
 
   std::size_t size() const { return positions.size(); }
@@ -83,7 +83,7 @@ inline CellBox box_between(const LatticeUnits& units, const Point& low, const Po
   return box;
 }
 
-/// Which point lies in which cell of the lattice.
+/// Index from cells of the lattice to the points in them.
 class CellIndex {
 public:
   /// `lattice`: points in lattice units, at most one in each cell.

@@ -70,7 +70,7 @@ std::vector<double> subdivision(double length, const std::function<Point(double)
   return result;
 }
 
-/// Does the segment lie on a line of lattice points?
+/// Axis of the line of lattice points on which the segment lies; -1 where it lies on none.
 int lattice_axis(const Point& a, const Point& b) {
   for (const int axis : {0, 1})
     if (a[1 - axis] == b[1 - axis] && a[1 - axis] == std::round(a[1 - axis])) return axis;
@@ -170,7 +170,7 @@ private:
   std::map<std::pair<double, double>, std::uint32_t> index_;
 };
 
-/// Where the ends of one meet the other, or both cross.
+/// Adds stops where an end of one segment lies on the other, or where the two cross.
 void meet(Segment& one, Segment& other, Places& places) {
   bool touch = false;
   const auto join = [&](const Point& x, Segment& segment) {

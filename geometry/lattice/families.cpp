@@ -247,7 +247,7 @@ std::vector<std::uint32_t> look_of(const Families& families, const std::vector<s
   return look;
 }
 
-/// Does point k look like the point before it?
+/// True where point k has the bonds of the point before it.
 bool alike(const Families& families, const std::vector<std::uint32_t>& kind, std::uint32_t k) {
   if (kind[k] != kind[k - 1] || families.pattern(k) != families.pattern(k - 1)) return false;
   for (const auto& bond : families[k])

@@ -42,7 +42,7 @@ public:
     std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
     bool empty() const { return begin_ == end_; }
     Bond operator[](std::size_t i) const { return *Iterator(point_, begin_ + i); }
-    /// Which bond leads to point j; size() where none does.
+    /// Index of the bond that leads to point j; size() where none does.
     std::size_t find(std::uint32_t j) const;
 
   private:
@@ -86,7 +86,7 @@ using Neighbours = std::function<void(std::uint32_t k, std::vector<std::uint32_t
 /// multiples of `spacing`, are of the same vector where they look the same; any other has a vector of its own, exact.
 Families families(double spacing, const std::vector<Point>& local, const Neighbours& neighbours);
 
-/// All pairs within the horizon that see each other.
+/// Families of all pairs within the horizon that see each other.
 Families families(const Cloud& cloud, double horizon, const Pairwise& sees);
 
 /// The families without the bonds that are cut.

@@ -12,7 +12,7 @@ public:
   /// Cells of a block: rows of points are long, as forces are fastest along them.
   static constexpr Cell block{256, 16};
 
-  /// About as many cells of the plate in each box. More parts than blocks: some have none.
+  /// Constructs a partition with about as many cells of the plate in each box. More parts than blocks: some have none.
   /// `outline` in lattice units.
   Partition(const Outline& outline, int parts);
 

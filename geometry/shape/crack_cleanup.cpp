@@ -70,7 +70,7 @@ Snapped snapped(const Outline& outline, std::vector<Polyline> cracks, double rea
 
 namespace {
 
-/// Does x lie on the straight way from a to b?
+/// True where x lies on the straight way from a to b.
 bool on_the_way(const Point& a, const Point& x, const Point& b, double touching) {
   constexpr double share = 1e-4;  // of the shorter piece: rounding to five digits
   if ((x - a).dot(b - x) <= 0) return false;
@@ -78,7 +78,7 @@ bool on_the_way(const Point& a, const Point& x, const Point& b, double touching)
   return distance_to_segment(a, b, x) <= slack;
 }
 
-/// Without the vertices between straight pieces, save those that `stays` tells of.
+/// Returns the line without the vertices between straight pieces, save those for which `stays` is true.
 template <typename Stays>
 Polyline straightened(const Polyline& line, double touching, const Stays& stays) {
   Polyline result{line.front()};
@@ -138,7 +138,7 @@ private:
     return end.at_back ? line[line.size() - 2] : line[1];
   }
 
-  /// How many cracks touch a place, without these two.
+  /// Counts the cracks that touch a place, without these two.
   std::size_t count_at(const Point& x, std::size_t one, std::size_t other = SIZE_MAX) const {
     std::size_t count = 0;
     for (std::size_t c = 0; c < cracks_.size(); ++c)
@@ -153,7 +153,7 @@ private:
            count_at(x, one.crack, other.crack) == 0;
   }
 
-  /// By the numbers of the cracks.
+  /// Returns the joints of cracks that continue each other, by the numbers of the cracks.
   std::vector<Joint> continued() const {
     std::multimap<double, CrackEnd> by_x;
     for (std::size_t c = 0; c < cracks_.size(); ++c)
@@ -193,7 +193,7 @@ private:
   double touching_;
   std::vector<Polyline> cracks_;
   std::vector<std::size_t> number_;  // of the crack that each one belongs to
-  /// Which pieces the ends of a crack were.
+  /// Pieces that the two ends of a crack belonged to.
   struct Ends {
     std::size_t front, back;
   };

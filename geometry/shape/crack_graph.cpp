@@ -12,7 +12,7 @@ namespace {
 using Corner = CrackGraph::Corner;
 using Meeting = std::map<Corner, std::set<Corner>>;
 
-/// From one corner along sides that meet no third one.
+/// Follows a chain from one corner along sides that meet no third one.
 std::vector<Corner> chain(const Meeting& meeting, const Corner& from, const Corner& next) {
   std::vector<Corner> result{from, next};
   while (result.back() != from) {
@@ -24,7 +24,7 @@ std::vector<Corner> chain(const Meeting& meeting, const Corner& from, const Corn
   return result;
 }
 
-/// All chains once: between corners where not two sides meet, then closed ones.
+/// Returns all chains once: between corners where not two sides meet, then closed ones.
 std::vector<std::vector<Corner>> chains(const Meeting& meeting) {
   std::vector<std::vector<Corner>> result;
   std::set<std::pair<Corner, Corner>> gone;

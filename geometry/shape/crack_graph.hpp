@@ -26,7 +26,7 @@ public:
   /// Parts two points at a distance of one spacing [lattice units]. False where they were parted before.
   bool part(const Point& p, const Point& q, double time);
   std::size_t sides() const { return times_.size(); }
-  /// All sides, those that follow each other on a straight line as one.
+  /// Sides of the graph, those that follow each other on a straight line joined.
   std::vector<Side> runs() const;
 
   /// Lines between tips, mouths and junctions. Spurs and lone pieces of fewer than `least` sides are left out. A corner

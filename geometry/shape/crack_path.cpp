@@ -40,7 +40,7 @@ Point ahead(const Point& from, const Point& end) {
   return (end - from).normalized();
 }
 
-/// Does the bond cross segment i? The line is that of the unextended segment, so that points on it stay on it.
+/// True where the bond crosses segment i. The line is that of the unextended segment, so that points on it stay on it.
 bool crosses(const CrackPath& crack, std::size_t i, const Point& p, const Point& q) {
   const Point &a = crack.vertices[i], &b = crack.vertices[i + 1];
   if (shifted_side(a, b, p) == shifted_side(a, b, q)) return false;
@@ -51,7 +51,8 @@ bool crosses(const CrackPath& crack, std::size_t i, const Point& p, const Point&
   return side_of_bond(p, q, from, front_tip) * side_of_bond(p, q, to, back_tip) < 0;
 }
 
-/// Is the end of a crack within tolerance of another crack, or of a part of its own beyond its first segment?
+/// True where the end of a crack is within tolerance of another crack, or of a part of its own beyond its first
+/// segment.
 bool joins(const std::vector<Polyline>& polylines, std::size_t crack, bool at_back, double tolerance) {
   const Polyline& own = polylines[crack];
   const Point& end = at_back ? own.back() : own.front();
@@ -96,7 +97,7 @@ std::vector<double> splits(const Outline& outline, const Point& a, const Point& 
   return all;
 }
 
-/// Where a segment leaves the plate between two ends that do not.
+/// Describes where a segment between two ends in the plate leaves it; nothing where it does not.
 std::optional<std::string> excursion(const Outline& outline, const Point& a, const Point& b, double tolerance) {
   if (outside(outline, a, tolerance) || outside(outline, b, tolerance)) return std::nullopt;
   const std::vector<double> t = splits(outline, a, b);
@@ -110,7 +111,7 @@ std::optional<std::string> excursion(const Outline& outline, const Point& a, con
   return std::nullopt;
 }
 
-/// Do two segments share more than a point of the same line?
+/// True where two segments share more than a point of the same line.
 bool runs_along(const Point& a, const Point& b, const Point& c, const Point& d, double tolerance) {
   const double slack = tolerance * (d - c).norm();
   if (std::abs(cross(d - c, a - c)) > slack || std::abs(cross(d - c, b - c)) > slack) return false;
@@ -253,7 +254,7 @@ std::optional<double> hit(const Point& x, const Point& direction, const Point& a
   return along;
 }
 
-/// ... to the circle, from outside.
+/// Distance along the ray from x to the circle, from outside.
 std::optional<double> hit(const Point& x, const Point& direction, const Circle& circle) {
   const double ahead = (circle.centre - x).dot(direction), aside = cross(direction, circle.centre - x);
   const double half = circle.radius * circle.radius - aside * aside;
@@ -266,7 +267,7 @@ Point nearest_on(const Point& a, const Point& b, const Point& x) {
   return a + share * (b - a);
 }
 
-/// ... on what of the segment lies ahead of the tip; what is beside it counts.
+/// Nearest point to the tip on the part of the segment that lies ahead of it; what is beside it counts.
 std::optional<Point> nearest_ahead(Point a, Point b, const Tip& tip) {
   const double from = (a - tip.position).dot(tip.direction), to = (b - tip.position).dot(tip.direction);
   const double rounding = 1e-9 * (std::abs(from) + std::abs(to) + (b - a).norm());

@@ -25,7 +25,7 @@ struct Tip {
   bool at_back;
 };
 
-/// From a place to the nearest edge or hole [length].
+/// Distance from a place to the nearest edge or hole [length].
 double distance_to_boundary(const Outline& outline, const Point& x);
 
 /// The polylines with their ends classified. An end within `tolerance` of the boundary is a mouth, one within
@@ -35,14 +35,14 @@ std::vector<CrackPath> crack_paths(const Outline& outline, const std::vector<Pol
 /// The tips of all cracks: front before back, in the order of the cracks.
 std::vector<Tip> tips(const std::vector<CrackPath>& paths);
 
-/// Does the crack separate two points, so that the bond between them is broken? Exact, by two rules:
-/// a bond that merely touches a tip stays; a point exactly on the crack lies on the side of +x
-/// (+y where the crack is horizontal), as if all points were moved by the infinitesimal (e, e^2).
-/// Mouths and junctions are closed ends: a bond through them is broken.
+/// True where the crack separates two points, so that the bond between them is broken. Exact, by two rules: a bond that
+/// merely touches a tip stays; a point exactly on the crack lies on the side of +x (+y where the crack is horizontal),
+/// as if all points were moved by the infinitesimal (e, e^2). Mouths and junctions are closed ends: a bond through them
+/// is broken.
 bool separates(const CrackPath& crack, const Point& p, const Point& q);
 
-/// Everything that is wrong with the cracks: fewer than two vertices, zero length, self-crossing, outside the plate,
-/// through a hole, wholly on an edge.
+/// Errors of the cracks: fewer than two vertices, zero length, self-crossing, outside the plate, through a hole, wholly
+/// on an edge.
 std::vector<GeometryError> errors(const Outline& outline, const std::vector<Polyline>& polylines, double tolerance);
 
 /// Distance of a point from a polyline.

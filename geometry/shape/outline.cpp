@@ -29,7 +29,7 @@ Number disc_excess(const Circle& circle, const Point& p, const Point& q) {
   return area * area - square * (dx * dx + dy * dy);
 }
 
-/// Does the closed segment meet the open disc? Exact.
+/// True where the closed segment meets the open disc. Exact.
 bool enters_disc(const Circle& circle, const Point& p, const Point& q) {
   const Point reach(circle.radius, circle.radius);
   if (!boxes_meet(p, q, circle.centre - reach, circle.centre + reach)) return false;
@@ -41,14 +41,14 @@ bool enters_disc(const Circle& circle, const Point& p, const Point& q) {
   return disc_excess<Exact::FT>(circle, p, q) < 0;
 }
 
-/// Does the point lie in the closed disc? Exact.
+/// True where the point lies in the closed disc. Exact.
 bool touches_disc(const Circle& circle, const Point& x) {
   const double excess = disc_excess<double>(circle, x, x);
   const double safe = 1e-14 * ((x - circle.centre).squaredNorm() + circle.radius * circle.radius);
   return std::abs(excess) > safe ? excess < 0 : disc_excess<Exact::FT>(circle, x, x) <= 0;
 }
 
-/// Does a segment without proper crossings of the ring pass through the region at its `forbidden` side? Between
+/// True where a segment without proper crossings of the ring passes through the region at its `forbidden` side. Between
 /// the vertices that lie on the segment, the midpoints decide. Exact.
 bool passes(const Ring& ring, const Point& p, const Point& q, CGAL::Bounded_side forbidden) {
   const auto before = [](const Point& a, const Point& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); };
@@ -249,7 +249,7 @@ double distance_to(const Ring& ring, const Point& x) {
   return least;
 }
 
-/// Where two edges of a ring meet other than in the vertex that neighbours share.
+/// Messages about two edges of a ring that meet other than in the vertex that neighbours share.
 std::vector<std::string> self_crossings(const Ring& ring) {
   std::vector<std::string> found;
   for (std::size_t j = 1; j < ring.size(); ++j)

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-/// Where things are: outlines, cracks, point clouds, families. Knows no mechanics.
-/// Everything here is independent of units; exact tests are made in lattice units (see LatticeUnits).
+/// Outlines, cracks, point clouds and families. Knows no mechanics. Everything here is independent of units; exact
+/// tests are made in lattice units (see LatticeUnits).
 namespace geometry {
 
 using Point = Eigen::Vector2d;
@@ -37,7 +37,7 @@ struct Edge {
   Point from, to;
 };
 
-/// One thing that is wrong with a geometry: `where` is "outline", "holes[1]" or "cracks[0]".
+/// Error of a geometry: `where` is "outline", "holes[1]" or "cracks[0]".
 struct GeometryError {
   std::string where;
   std::string what;
@@ -46,7 +46,7 @@ struct GeometryError {
 /// The rectangle with the edges left, right, bottom, top.
 Outline rectangle(double xmin, double ymin, double xmax, double ymax);
 
-/// All straight edges, of the outer polygon and of polygonal holes, each with the plate on its left.
+/// Straight edges of the outer polygon and of polygonal holes, each with the plate on its left.
 std::vector<Edge> straight_edges(const Outline& outline);
 
 /// The distinct names of all edges and holes, in order of appearance.
@@ -55,7 +55,7 @@ std::vector<std::string> edge_names(const Outline& outline);
 /// Length of the straight edges and circles called `name`.
 double edge_length(const Outline& outline, const std::string& name);
 
-/// Is the point strictly inside the plate? Exact: a point on the boundary is outside.
+/// True where the point is strictly inside the plate. Exact: a point on the boundary is outside.
 bool contains(const Outline& outline, const Point& point);
 
 /// Area of the part of the axis-parallel square about `centre` that lies in the plate.
@@ -64,15 +64,15 @@ double clipped_cell_area(const Outline& outline, const Point& centre, double sid
 /// Area of the plate.
 double area(const Outline& outline);
 
-/// Does the straight segment between two points inside the plate leave it, through a hole or past a re-entrant
-/// corner? Exact; a segment that merely touches the boundary does not leave.
+/// True where the straight segment between two points inside the plate leaves it, through a hole or past a re-entrant
+/// corner. Exact; a segment that merely touches the boundary does not leave.
 bool leaves(const Outline& outline, const Point& p, const Point& q);
 
-/// Do the segments pq and ab share a point? Exact.
+/// True where the segments pq and ab share a point. Exact.
 bool meet(const Point& p, const Point& q, const Point& a, const Point& b);
 
-/// Everything that is wrong with the outline and its holes: fewer than three vertices, repeated vertices,
-/// self-crossing, clockwise, no area, radius <= 0, holes outside, crossing the outline or each other.
+/// Errors of the outline and its holes: fewer than three vertices, repeated vertices, self-crossing, clockwise, no
+/// area, radius <= 0, holes outside, crossing the outline or each other.
 std::vector<GeometryError> errors(const Outline& outline);
 
 /// Lower left and upper right corner of the bounding box.

@@ -27,7 +27,8 @@ public:
   /// area).
   std::vector<Point> common(const std::vector<Point>& cell) const;
 
-  /// Has it an area in common with the plate? One that is thinner than a fortieth of what both span may be overlooked.
+  /// True where the patch has an area in common with the plate. One that is thinner than a fortieth of what both span
+  /// may be overlooked.
   bool meets(const Outline& outline) const;
 
 private:

@@ -19,7 +19,7 @@ inline double cross(const Point& a, const Point& b) {
 /// +1 where c lies to the left of the line from a to b, 0 on it, -1 to the right. Exact.
 int side(const Point& a, const Point& b, const Point& c);
 
-/// Do the bounding boxes of the segments pq and ab share a point?
+/// True where the bounding boxes of the segments pq and ab share a point.
 bool boxes_meet(const Point& p, const Point& q, const Point& a, const Point& b);
 
 /// +1 inside the ring, 0 on it, -1 outside, by the parity of the edges to the right of the point. Exact.

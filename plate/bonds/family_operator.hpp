@@ -30,7 +30,7 @@ struct Patterns {
   }
 };
 
-/// Where a process holds a part of the plate only: what it computes of it.
+/// Part of a distributed plate that a rank computes.
 struct OperatedPart {
   const Communicator* communicator = &single_process();
   std::vector<std::uint32_t> block;              // of every point: runs and columns are of one each
@@ -38,7 +38,8 @@ struct OperatedPart {
   std::shared_ptr<const HaloExchange> exchange;  // of the dilatations of the others; none: one process holds all
   std::vector<char> pending;                     // points whose values depend on others' (Constraints); empty: none
 
-  /// Is the value of one of some points in a row pending, or one that they see by these bonds, which all of them have?
+  /// True where the value of one of some points in a row is pending, or one that they see by these bonds, which all of
+  /// them have.
   bool waits(std::uint32_t first, std::uint32_t length, std::span<const PatternBond> bonds) const;
 };
 
@@ -50,7 +51,7 @@ public:
   FamilyOperator(geometry::Families families, std::vector<BondShape> shapes, const std::vector<double>& areas,
                  HorizonWeights weights, OperatedPart part = {});
 
-  /// From now on what these have is part of all that follows.
+  /// Sets the elastic supports, which are part of all forces from now on.
   void set_elastic_supports(ElasticSupports elastic_supports) { elastic_supports_ = std::move(elastic_supports); }
   const ElasticSupports& elastic_supports() const { return elastic_supports_; }
 

@@ -42,7 +42,7 @@ std::optional<Eigen::Matrix<double, Count, 1>> polynomial(const std::vector<Harm
   return p;
 }
 
-/// No bond's weight falls below this share of the arbitrary horizon's: weights of zero would leave hinges.
+/// Least weight of a bond, as a share of the arbitrary horizon's: weights of zero would leave hinges.
 constexpr double least_weight = 0.1;
 
 /// Largest share t with (1 - t) plain + t p_j >= least_weight plain for all bonds.

@@ -16,7 +16,7 @@ struct FamilyBond {
   double weight;           // omega A_j [length^3]
 };
 
-/// How well the weights of a family could be matched.
+/// Quality with which the weights of a family could be matched.
 enum class Match {
   exact,             // the energy of every constant curvature and every constant shear
   blended,           // an exact weight would be negative or next to nothing: mixed with the arbitrary horizon's

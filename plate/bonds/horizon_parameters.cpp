@@ -134,7 +134,7 @@ std::string key_of(const geometry::Families& families, const std::vector<double>
   return key;
 }
 
-/// Has point k the family of the point before it?
+/// True where point k has the family of the point before it.
 bool alike(const geometry::Families& families, const std::vector<double>& areas, const std::vector<char>& active,
            std::size_t k) {
   if (families.pattern(k) != families.pattern(k - 1) || areas[k] != areas[k - 1] || active[k] != active[k - 1])

@@ -43,7 +43,8 @@ double iterations_with_diagonal(const Problem& problem) {
   return (held ? 1 : 3) * (2.2 + 0.084 * side / problem.section.thickness) * side / problem.discretization.spacing;
 }
 
-/// Bytes of the factor of the local plate on every fourth point: measured 220 n log2 n for n = 15,600 to 250,000.
+/// Bytes of the factor of the short-horizon plate on every fourth point: measured 220 n log2 n for n = 15,600 to
+/// 250,000.
 double factor_bytes(double points) {
   const double coarse = points / 4;
   return 220 * coarse * std::log2(coarse + 2);
@@ -211,7 +212,8 @@ void check_weights(const std::vector<BondShape>& shapes, double horizon_ratio) {
                         horizon_ratio)}});
 }
 
-/// Where processes share the plate, all have one, also those that do not see what moves.
+/// Dirichlet lift of load `number`; in a distributed plate that of a settlement has columns on every rank, also on
+/// those that know no moved point.
 State lift_of(const Load& load, std::size_t number, const Boundary& boundary) {
   auto result = boundary.constraints.lift(number, boundary.cloud.size());
   if (boundary.map.distributed() && load.as<Settlement>() && result.cols() == 0)

@@ -27,7 +27,7 @@ public:
   bool own(std::uint32_t k) const { return boundary_.is_plate(k) && part_.own.contains(cell(k)); }
   Cell cell(std::uint32_t k) const { return geometry::cell_of(boundary_.lattice[k]); }
 
-  /// Own points, and whatever follows one of these.
+  /// Flags of owned points, and of what follows one of them.
   std::vector<char> wanted() const {
     std::vector<char> result(boundary_.cloud.size(), 0);
     for (std::uint32_t k = 0; k < boundary_.cloud.plate_points; ++k) result[k] = own(k);
@@ -86,7 +86,7 @@ private:
   std::vector<std::pair<std::uint32_t, std::uint32_t>> leaders_;  // follower, leader: points
 };
 
-/// Asks the owners of copies for their numbers.
+/// Asks the owners of ghosts for their numbers.
 std::vector<Copy> numbered(const Communicator& all, const PartOfLattice& part, const Overlap& seen,
                            const Boundary& boundary, const std::vector<std::uint32_t>& copies) {
   const auto size = std::size_t(all.size());
@@ -143,8 +143,8 @@ geometry::Partition partition_of_lattice(const geometry::Outline& outline, const
   return partition;
 }
 
-/// About what is wanted two horizons for the parameters of what a neighbour sees, the rest for images at oblique edges
-/// and for checks, which look 12 spacings far.
+/// Margin about the wanted points: two horizons for the parameters of what a neighbour sees, the rest for images at
+/// oblique edges and for checks, which look 12 spacings far.
 long margin_of_part(const Discretization& discretization) {
   const double about_tips = reach_about_tips(discretization.horizon_ratio);
   return 2 * long(std::ceil(discretization.horizon_ratio)) + 24 + long(std::ceil(about_tips));
@@ -193,7 +193,7 @@ OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geome
     if (boundary.map.owned[k]) result.wanted[k] = 1;
   const auto copies = seen.copies(result.wanted, families, own_tips);
   result.exchange = all.halo_exchange(boundary.cloud.size(), numbered(all, part, seen, boundary, copies));
-  std::vector<std::uint32_t> others;  // copies, and what nobody here needs
+  std::vector<std::uint32_t> others;  // ghosts, and what nobody here needs
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k)
     if (!seen.own(k)) others.push_back(k);
   boundary.constraints.share(all, std::move(others), result.exchange);

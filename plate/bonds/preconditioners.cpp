@@ -17,7 +17,7 @@ namespace plate {
 namespace {
 
 constexpr double sweep = 0.6;  // weight of a Jacobi sweep
-constexpr double reach = 1.5;  // horizon of the local plate, in spacings
+constexpr double reach = 1.5;  // horizon of the short-horizon plate, in spacings
 
 /// A section whose bond-based plate (Poisson's ratio 1/3, no dilatation) comes nearest to the one given: D (1 + nu) and
 /// D (1 - nu) met in the geometric mean, the same shear stiffness.
@@ -328,7 +328,7 @@ public:
   std::size_t bytes() const override { return 0; }  // the libraries behind it do not say
 
 private:
-  /// The values of copies, by way of the points that the coarse ones are.
+  /// Fetches the values of ghosts of the coarse plate through their points of the fine one.
   void fetch(State& coarse) const {
     State fine = State::Zero(3, points_);
     for (std::size_t i = 0; i < fine_.size(); ++i) fine.col(fine_[i]) = coarse.col(Eigen::Index(i));
@@ -396,7 +396,7 @@ private:
   const Constraints& constraints_;
   Eigen::Index points_;
   std::vector<std::uint32_t> fine_;  // the point of the plate that each coarse one is
-  std::vector<std::uint32_t> own_;   // coarse points of this process
+  std::vector<std::uint32_t> own_;   // coarse owned points
   std::unique_ptr<DistributedInverse> inverse_;
 };
 

@@ -28,7 +28,7 @@ public:
   std::size_t bytes() const override { return factor_->bytes(); }
 
 private:
-  PlateInContact plate_;  // on soil that lifts off as if it touched everywhere
+  PlateInContact plate_;  // on unilateral foundations in contact everywhere
   const Constraints& constraints_;
   Forces inverse_diagonal_;  // of the plate, times the weight of a sweep
   Unknowns unknowns_;
@@ -98,7 +98,7 @@ constexpr int coarse_window = 5;
 
 /// The stiffness R L R^T of the coarse points with the operator L, column by column: one product for all that are too
 /// far from each other to meet in it. Calls visit(i, j, component, force on i of a unit of the component of j), from
-/// several threads, each i in one of them. Where processes share the plate, right for their own points i.
+/// several threads, each i in one of them. Where the plate is distributed, right for their owned points i.
 using CoarseVisit = std::function<void(std::uint32_t i, std::uint32_t j, int component, const Eigen::Vector3d& K_ij)>;
 void for_each_coarse_column(const Operator& L, const Transfer& transfer, const Constraints& constraints,
                             const CoarseCells& index, const CoarseVisit& visit);
@@ -112,8 +112,8 @@ public:
   virtual std::size_t bytes() const = 0;
 };
 
-/// By its factor; where processes share the plate, by what they make of it together (Communicator::inverse), right at
-/// their own points and the copies that they have. `transfer` and `boundary` must outlive it.
+/// Constructs the coarse plate with a factor of its stiffness; in a distributed plate with the inverse of
+/// Communicator::inverse, exact at owned points and ghosts. `transfer` and `boundary` must outlive it.
 std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& transfer, const Boundary& boundary);
 
 /// Two-level preconditioner: the plate of ShortHorizonPreconditioner on every second point in both directions,
@@ -130,7 +130,7 @@ public:
   std::size_t bytes() const override { return coarse_plate_->bytes(); }
 
 private:
-  PlateInContact plate_;  // on soil that lifts off as if it touched everywhere: another plate would not be linear
+  PlateInContact plate_;  // on unilateral foundations in contact everywhere: another plate would not be linear
   const Constraints& constraints_;
   Forces inverse_diagonal_;  // of the plate, times the weight of a sweep
   Transfer transfer_;

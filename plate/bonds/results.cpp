@@ -168,7 +168,8 @@ private:
   std::vector<Bond> bonds_;
 };
 
-/// By the bonds no longer than `reach` spacings; nothing where they do not determine linear and quadratic terms.
+/// Gradient shares by the bonds no longer than `reach` spacings; nothing where they do not determine linear and
+/// quadratic terms.
 std::optional<GradientShares> quadratic_shares(const TipView& plate, std::uint32_t k, double reach) {
   const auto& families = plate.families;
   GradientShares result;
@@ -206,7 +207,7 @@ Gradients BondView::gradients(std::uint32_t k, const State& state) const {
   return plate::gradients(k, state, families, shapes, areas);
 }
 
-/// From the nearest neighbours that suffice: the layer beside a face is as thin as a few spacings.
+/// Gradient shares from the nearest neighbours that suffice: the layer beside a face is as thin as a few spacings.
 GradientShares BondView::gradient_shares(std::uint32_t k) const {
   for (const double reach : {1.5, 2.1, 3.0, 100.0})
     if (auto found = quadratic_shares(*this, k, reach)) return *found;

@@ -16,7 +16,7 @@ namespace plate {
 Mesh mesh(const Boundary& boundary, const geometry::Outline& outline, const std::vector<geometry::CrackPath>& cracks,
           std::vector<double> cut, double thickness);
 
-/// By weighted least squares over the family of k (theory (43)); `state` includes fictitious points.
+/// Gradients by weighted least squares over the family of k (theory (43)); `state` includes fictitious points.
 Gradients gradients(std::size_t k, const State& state, const geometry::Families& families,
                     const std::vector<BondShape>& shapes, const std::vector<double>& areas);
 

@@ -29,7 +29,7 @@ std::array<int, 3> parity(SupportKind kind, int normal_axis) {
   return signs;
 }
 
-/// Does the outline turn left from the end of one edge into the other?
+/// True where the outline turns left from the end of one edge into the other.
 bool convex_corner(const Side& first, const Side& second) {
   if (first.circle || second.circle || first.edge.to != second.edge.from) return false;
   const Point a = first.edge.to - first.edge.from, b = second.edge.to - second.edge.from;
@@ -84,9 +84,9 @@ bool Builder::within(const Side& side, const Point& u) const {
   return s > -reach_ && s < length + reach_;
 }
 
-/// Beyond a clamped line, at `depth` d outside, with the leader at d' inside: rotations -d/d', and
-/// w = -(d/d') w' + (d^2 + d d')/(2 d') psi_n', psi_n along the inner normal: exact for constant curvature and for
-/// constant shear from the line on. Plain odd w would see a spurious shear there.
+/// Ties a point beyond a clamped line, at `depth` d outside, to the leader at d' inside: rotations -d/d', and w =
+/// -(d/d') w' + (d^2 + d d')/(2 d') psi_n', psi_n along the inner normal: exact for constant curvature and for constant
+/// shear from the line on. Plain odd w would see a spurious shear there.
 void Builder::tie_clamped(std::uint32_t leader, double depth, const Side& side) {
   const Point& u = b_.lattice[leader];
   const double inside = side.inside(u), ratio = depth / inside;
@@ -248,7 +248,7 @@ void Builder::pins() {
       hold_place(b_, static_cast<std::uint32_t>(geometry::nearest_plate_point(b_.cloud, *at)), *at, pin, moved_);
 }
 
-/// One warning for all sides, of many the first three by name.
+/// Adds one warning for all sides, of many the first three by name.
 void warn_of_general_images(Boundary& boundary) {
   constexpr int most = 3;  // names
   std::string names;

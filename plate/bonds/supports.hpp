@@ -10,11 +10,11 @@ Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const
                   const Discretization& discretization, const std::vector<SupportMotion>& motions = {},
                   const Communicator& all = single_process());
 
-/// Does the plate go on beyond the side, as images?
+/// True where the plate goes on beyond the side, as images.
 bool has_images(const Side& side);
 
-/// May two points be bonded: the bond stays in the plate, or leaves it only across the sides that its fictitious
-/// point belongs to. `outline` in lattice units; both arguments must outlive the answer.
+/// Predicate for two points that may be bonded: the bond stays in the plate, or leaves it only across the sides that
+/// its fictitious point belongs to. `outline` in lattice units; both arguments must outlive the answer.
 geometry::Pairwise sees(const Boundary& boundary, const geometry::Outline& outline, double horizon_ratio);
 
 }  // namespace plate

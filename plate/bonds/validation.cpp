@@ -28,12 +28,12 @@ constexpr double longest_spike = 10;  // that a sharp corner may lose
 constexpr double largest_move = 1;    // of a pin or a force
 constexpr double window = 12;         // distances beyond it are not told apart
 
-/// Where the points are.
+/// Lattice of the points, for distances from any place to the nearest point.
 class Seeded {
 public:
   explicit Seeded(const geometry::Cloud& cloud) : units_(cloud.units), lattice_(lattice_of(cloud)), index_(lattice_) {}
 
-  /// From any place to the nearest point, at most `window` [spacings].
+  /// Distance from any place to the nearest point, at most `window` [spacings].
   double distance(const Point& u) const {
     double best = window;
     for (double ring = 0; ring <= std::min(best + 1, window); ++ring)
@@ -57,7 +57,7 @@ private:
 };
 
 /// Places on the edges and holes called `name` (empty: on all), half a spacing apart, as far as all points about them
-/// were seeded.
+/// were discretised.
 std::vector<Point> places(const geometry::Outline& cells, const std::string& name, const geometry::Cloud& cloud) {
   std::vector<Point> result;
   for (const auto& edge : geometry::straight_edges(cells)) {
@@ -278,7 +278,8 @@ void check_stress(const Formulation& plate, std::vector<std::string>& warnings) 
                                           : "clamped edges"));
 }
 
-/// Beside free edges, soft supports and crack faces twist and shear change within a layer of this width.
+/// Warns where points are too coarse for the layer beside free edges, soft supports and crack faces, within which twist
+/// and shear change.
 void check_edge_layer(const Formulation& plate, bool factors, std::vector<std::string>& warnings) {
   const double horizon = plate.discretization().horizon(), layer = plate.section().layer();
   const bool soft = std::ranges::any_of(plate.boundary().sides,

@@ -13,11 +13,11 @@ namespace plate {
 /// outline in the cloud's units.
 void check_lattice(const Problem& problem, const geometry::Cloud& cloud, const geometry::Outline& cells);
 
-/// How far the pins that alone hold a plate are from one line: each acts up to 0.7 of a spacing beside its place.
-/// Nothing where edges are held or there are fewer than three pins.
+/// Distance of the pins that alone hold a plate from one common line: each acts up to 0.7 of a spacing beside its
+/// place. Nothing where edges are held or there are fewer than three pins.
 std::optional<double> width_of_pins(const Problem& problem, const geometry::LatticeUnits& units);
 
-/// From a place to the nearest point of the plate, at most twelve [spacings].
+/// Distance from a place to the nearest point of the plate, at most twelve [spacings].
 double distance_to_points(const geometry::Cloud& cloud, const geometry::Point& x);
 
 /// Message for a place that is too far from the points. `away`, `most`: distance and its limit [spacings].

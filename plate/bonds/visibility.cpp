@@ -9,8 +9,8 @@ namespace {
 
 using geometry::Point;
 
-/// Which points lie within one horizon of something a bond can leave the plate through: all edges of an outline that
-/// is not convex, and holes. All others need no test.
+/// Marks the points within one horizon of something a bond can leave the plate through: all edges of an outline that is
+/// not convex, and holes. All others need no test.
 std::vector<char> near_openings(const Boundary& boundary, const geometry::Outline& outline, double reach) {
   const auto& vertices = outline.outer.vertices;
   bool convex = true;
@@ -32,7 +32,7 @@ std::vector<char> near_openings(const Boundary& boundary, const geometry::Outlin
   return near;
 }
 
-/// Do pq and the side cross, each strictly between the ends of the other?
+/// True where pq and the side cross, each strictly between the ends of the other.
 bool crosses(const Side& side, const Point& p, const Point& q) {
   if (side.circle) return side.meets(p, q);
   const auto turn = [](const Point& a, const Point& b, const Point& c) {

@@ -18,7 +18,7 @@ std::vector<int> sizes_of(const std::vector<std::string>& texts) {
   return sizes;
 }
 
-/// Where each of the pieces begins.
+/// Offsets at which the pieces begin.
 std::vector<int> begins_of(const std::vector<int>& sizes) {
   std::vector<int> begins(sizes.size(), 0);
   std::partial_sum(sizes.begin(), sizes.end() - (sizes.empty() ? 0 : 1), begins.begin() + (sizes.empty() ? 0 : 1));
@@ -59,8 +59,8 @@ struct Shipment {
   }
 };
 
-/// Neighbourhood collectives on the graph of who has copies of whose points. Of every kind of values that it ever
-/// fetched it keeps what they are sent from and received in.
+/// Neighbourhood collectives on the graph of ranks and the ghosts that they have of each other. Of every kind of values
+/// that it ever fetched it keeps what they are sent from and received in.
 class MpiHaloExchange : public HaloExchange {
 public:
   MpiHaloExchange(MPI_Comm all, std::size_t points, Route out, Route in)

@@ -5,7 +5,7 @@
 
 namespace plate {
 
-/// While it lives, PETSc and SLEPc are ready. After MPI_Init.
+/// Initialises PETSc and SLEPc for as long as it lives. Requires MPI_Init.
 class Petsc {
 public:
   Petsc();
@@ -17,7 +17,7 @@ public:
 /// @throws std::runtime_error  what PETSc or SLEPc say where the code that they return is not 0
 void require(int code);
 
-/// By MUMPS, a factor of the matrix; of more than `most_factorised` unknowns by smoothed aggregation (GAMG).
+/// Inverse by a factor of MUMPS; of more than `most_factorised` unknowns by smoothed aggregation (GAMG).
 std::unique_ptr<DistributedInverse> petsc_inverse(MPI_Comm all, const DistributedRows& rows);
 
 }  // namespace plate

@@ -5,7 +5,7 @@
 
 namespace plate {
 
-/// By Krylov-Schur (SLEPc).
+/// Eigenpairs by Krylov-Schur (SLEPc).
 DistributedEigenpairs slepc_eigenpairs(MPI_Comm all, const DistributedProduct& product, std::span<const double> start,
                                        const EigenpairRequest& wanted);
 

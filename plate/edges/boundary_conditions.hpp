@@ -71,13 +71,13 @@ struct EdgeAction {
   std::optional<double> deflection = {}, normal_rotation = {}, tangential_rotation = {};  // w, psi_n, psi_s
 };
 
-/// One of each pair of an edge is known: w or Q, psi_n or M_nn, psi_s or M_ns.
+/// Condition of an edge, with one known of each pair: w or Q, psi_n or M_nn, psi_s or M_ns.
 struct EdgeCondition {
   std::array<bool, 3> held;     // w, psi_n, psi_s
   std::array<double, 3> value;  // of those; of the others Q, M_nn, M_ns
 };
 
-/// How a support holds an edge, with what acts on it. `number`: of the support, for refusals.
+/// Condition with which a support holds an edge, with what acts on it. `number`: of the support, for refusals.
 /// @throws Refused  an action on what is held, or a value of what is not; supports by layers and pins
 EdgeCondition edge_condition(SupportKind kind, const EdgeAction& action = {}, std::size_t number = 0);
 

@@ -131,7 +131,7 @@ void add_expansion(const LatticeBody& b, const Stand& centre, const Eigen::Vecto
   for (std::size_t i = 0; i < unknowns.size(); ++i) to.emplace_back(row, unknowns[i], share * weights[Eigen::Index(i)]);
 }
 
-/// All that are as near as the nearest.
+/// Returns all stands that are as near to `at` as the nearest one.
 std::vector<Stand> nearest(const std::vector<Stand>& all, const Eigen::Vector3d& at) {
   std::vector<Stand> result;
   double least = std::numeric_limits<double>::infinity();

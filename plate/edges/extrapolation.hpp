@@ -21,7 +21,7 @@ int taylor_terms(int dimension, int order);
 /// Rows of weights.
 using WeightRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// About which node a fictitious value is expanded: the nearest real node, from real nodes (Sca21 30, 42-46), or the
+/// Node about which a fictitious value is expanded: the nearest real node, from real nodes (Sca21 30, 42-46), or the
 /// nearest surface node, from surface nodes and real nodes (Sca23 29-32).
 enum class Centre { real_node, surface_node };
 

@@ -155,7 +155,7 @@ namespace {
 
 constexpr double on_edge = 1e-9;  // spacings: bonds that cross an edge of faces, but for rounding
 
-/// How much of what crosses at `at` belongs to the cell about `cell`: all inside, half on the border, none outside.
+/// Share of what crosses at `at` that belongs to the cell about `cell`: all inside, half on the border, none outside.
 double inside(double at, int cell) {
   const double away = std::abs(at - cell) - 0.5;
   return away < -on_edge ? 1 : away < on_edge ? 0.5 : 0;

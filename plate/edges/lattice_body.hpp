@@ -36,7 +36,7 @@ struct LatticeBody {
   int fictitious() const { return count() - real; }
   /// Values that nodes have: one each, and behind them one of each sight.
   int values() const { return count() + int(sights.size()); }
-  /// Which of the values node k has where it is seen through faces of this axis.
+  /// Index of the value that node k has where it is seen through faces of this axis.
   int value(int k, int axis) const;
   /// The node at a place of the lattice; -1: none.
   int node(const Index& place) const;
@@ -60,18 +60,18 @@ using FaceDistance = std::function<double(const LatticeBody::Index& inner, int a
 /// @throws std::invalid_argument  a dimension other than 1, 2, 3; a distance that is not between 0 and 1; no nodes
 LatticeBody lattice_body(int dimension, std::vector<LatticeBody::Index> real, int reach, const FaceDistance& distance);
 
-/// The same without surface nodes.
-/// @throws std::invalid_argument  another dimension; no nodes
+/// Constructs the body without surface nodes.
+/// @throws std::invalid_argument  a dimension other than 1, 2, 3; no nodes
 LatticeBody lattice_body(int dimension, std::vector<LatticeBody::Index> real, int reach);
 
 /// A bar, a rectangle or a box of `counts` nodes, faces half a spacing beyond its nodes.
 LatticeBody box_body(const std::vector<int>& counts, int reach);
 
-/// To which faces the force of a bond that leaves the body belongs.
-/// crossing_point: to the face that it crosses, half or a quarter of it where it crosses an edge or a vertex of faces
-/// (Sca23 35, alpha). lever: along the bond cut at t of its length, t to the face in whose column its outer node lies
-/// and 1 - t to that of its inner node, wherever these are faces: also exact for constant forces, and what it makes of
-/// free edges in two dimensions has no negative eigenvalues, which the crossing point's has.
+/// Rule for the faces to which the force of a bond that leaves the body belongs. crossing_point: to the face that it
+/// crosses, half or a quarter of it where it crosses an edge or a vertex of faces (Sca23 35, alpha). lever: along the
+/// bond cut at t of its length, t to the face in whose column its outer node lies and 1 - t to that of its inner node,
+/// wherever these are faces: also exact for constant forces, and what it makes of free edges in two dimensions has no
+/// negative eigenvalues, which the crossing point's has.
 enum class FluxRule { crossing_point, lever };
 
 /// A share of a bond's force in the flux through a face.

@@ -41,7 +41,7 @@ struct CellShare {
 /// homogeneous bending (theory (13), (19)).
 LatticeBonds lattice_bonds(const Section& section, const Discretization& discretization);
 
-/// The same with other shares of cells.
+/// Constructs lattice bonds with the shares of cells in `family`.
 /// @throws std::invalid_argument  a family whose bonds are not in pairs of opposite ones, the first with the last
 LatticeBonds lattice_bonds(const Section& section, const Discretization& discretization,
                            const std::vector<CellShare>& family);
@@ -61,7 +61,7 @@ public:
   CrackedFamilies(const LatticeBody& body, const LatticeBonds& bonds, const FamilyRule& rule,
                   const std::vector<geometry::CrackPath>& paths);
 
-  /// Nothing where the family of the node is full; else in the order of the lattice's bonds.
+  /// Bonds of a node whose family is not full, in the order of the lattice's bonds; nothing where the family is full.
   const std::vector<BondHalf>* of(int node) const;
   bool broken(int node, std::size_t bond) const;
 

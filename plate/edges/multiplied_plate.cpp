@@ -33,8 +33,9 @@ int other_face(const LatticeBody& b, int s) {
   return low >= 0 ? low : b.surface_node(face.inner, 1 - face.axis, 1);
 }
 
-/// Where both edges of a corner hold a component, its values at the one, expanded to the corner, are those at the
-/// other: of the corner's cell one of both conditions is left out (Sca21, remark 4).
+/// True for a condition that the other edge of a corner implies: where both edges hold a component, its values at the
+/// one, expanded to the corner, are those at the other, so of the corner's cell one of both conditions is left out
+/// (Sca21, remark 4).
 bool implied(const LatticeBody& b, const std::vector<char>& held, int s, int component) {
   const int other = b.surface[std::size_t(s)].axis == 1 ? other_face(b, s) : -1;
   return other >= 0 && held[std::size_t(3 * s + component)] && held[std::size_t(3 * other + component)];

@@ -59,7 +59,7 @@ Eigen::VectorXd monomials_at(const Point& x, int order) {
   return result;
 }
 
-/// Just inside the plate, whose edge rounding may put beyond it.
+/// Place just inside the plate, whose edge rounding may put beyond it.
 Point beside(const EdgeNode& node) {
   constexpr double off = 1e-3;  // spacings
   return node.at - off * node.normal;
@@ -123,7 +123,7 @@ EdgeFit fit(const LatticeBody& b, const ObliqueEdges& edges, const Sees& sees, i
                               at.x(), at.y())}});
 }
 
-/// All that are as near as the nearest.
+/// Returns the indices of all places that are as near as the nearest one.
 template <typename Places>
 std::vector<int> nearest(const Places& distance, int count) {
   std::vector<int> result;

@@ -14,7 +14,7 @@ struct EdgeNode {
   double length;               // of its part
 };
 
-/// About one a spacing along every edge and every round hole, of equal parts, none at corners.
+/// Edge nodes, about one a spacing along every edge and every round hole, of equal parts, none at corners.
 /// @param outline  [spacings]
 std::vector<EdgeNode> edge_nodes(const geometry::Outline& outline);
 
@@ -33,7 +33,7 @@ struct ObliqueEdges {
   geometry::LatticeUnits units;               // of node (0, 0), for messages
 };
 
-/// Can what is at one place be seen from the other, without looking across the outside of the plate?
+/// Predicate: true where one place can be seen from the other, without looking across the outside of the plate.
 using Sees = std::function<bool(const geometry::Point& from, const geometry::Point& to)>;
 
 /// Least squares through the edge node over what it sees within 2.5 (order 2) or 2 spacings, with Gaussian weights that

@@ -27,7 +27,7 @@ int side(const Edge& e) {
 
 using EdgeRing = std::vector<Edge>;
 
-/// One after the other, with the plate on the left, parts in one line joined.
+/// Joins edges in one line; the edges follow one after the other, with the plate on the left.
 EdgeRing joined(EdgeRing edges) {
   if (edges[0].to != edges[1].from) std::ranges::reverse(edges);
   const auto in_line = [](const Edge& a, const Edge& b) {
@@ -68,7 +68,7 @@ void look(Distance& least, double value, const Point& at) {
   if (value < least.value) least = {value, at};
 }
 
-/// Between edges that run along each other with the plate, or the gap, between.
+/// Measures the distance between edges that run along each other with the plate, or the gap, between.
 void look_between_edges(const EdgeRing& edges, Clearance& c) {
   for (const Edge& e : edges)
     for (const Edge& f : edges) {
@@ -84,7 +84,7 @@ void look_between_edges(const EdgeRing& edges, Clearance& c) {
     }
 }
 
-/// Between corners that show each other their backs.
+/// Measures the distance between corners that show each other their backs.
 void look_between_corners(const std::vector<Corner>& corners, Clearance& c) {
   for (const Corner& p : corners)
     for (const Corner& q : corners) {
@@ -149,7 +149,7 @@ double cross(const Point& a, const Point& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// How far along a ray from `at` an edge lies.
+/// Distance along a ray from `at` to an edge.
 double to_edge(const Point& at, const Point& along, const Edge& e) {
   const Point edge = e.to - e.from, from = e.from - at;
   const double sine = cross(along, edge);

@@ -6,7 +6,7 @@
 
 namespace plate {
 
-/// Are all edges along the axes, those of holes too?
+/// True where all edges are along the axes, those of holes too.
 bool is_rectilinear(const geometry::Outline& outline);
 
 /// A distance, and the place in the middle of it.

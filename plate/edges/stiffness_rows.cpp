@@ -47,12 +47,12 @@ private:
   Triplets values_, dilatation_;
 };
 
-/// How far an edge is beyond the border of its cell, in spacings.
+/// Distance of an edge beyond the border of its cell, in spacings.
 double strip(const LatticeBody& b, int surface) {
   return b.surface[std::size_t(surface)].distance - 0.5;
 }
 
-/// Through which faces a bond leaves the plate first: half through each of two at whose corner it does. Beyond corners
+/// Faces through which a bond first leaves the plate: half through each of two at whose corner it does. Beyond corners
 /// that point inwards edges off the lattice cross or leave a gap: one face of those that it crosses, or both.
 std::vector<Crossing> first_crossings(const LatticeBody& b, int k, int j) {
   auto left = crossings(b, k, j, FluxRule::crossing_point);

@@ -62,7 +62,7 @@ private:
   ScaledFactor factor_;
 };
 
-/// All nodes of the lattice, their families, what the values of fictitious nodes are: for what is read off a state.
+/// Nodes of the lattice, their families and the expansion of fictitious nodes, for quantities derived from a state.
 struct Surroundings {
   Surroundings(const SurfacePlate& plate, bool multiplied, const geometry::LatticeUnits& units, double horizon,
                const std::vector<geometry::CrackPath>& cracks)
@@ -150,7 +150,8 @@ private:
   Surroundings around_;
 };
 
-/// With multipliers, whose rows of fluxes and conditions have none: a flux counts as a force on its inner node.
+/// Diagonal of the stiffness, absolute values; with multipliers, whose rows of fluxes and conditions have none, a flux
+/// counts as a force on its inner node.
 Forces SurfaceNodePlate::diagonal() const {
   Forces result = by_components(stiffness_.diagonal().cwiseAbs());
   if (multiplied_)
@@ -184,7 +185,7 @@ std::vector<PlaceShare> SurfaceNodePlate::interpolation(const Point& at) const {
   return visible_place(at, cloud().units, boundary().lattice, std::size_t(plate_.unknowns() / 3), cracks_);
 }
 
-/// Over the sizes of the loads, as the residual of the balance (post::Balance).
+/// Forces of the multipliers over the sizes of the loads, as the residual of the balance (post::Balance).
 std::optional<double> SurfaceNodePlate::multipliers(const State& state) const {
   if (!multiplied_) return std::nullopt;
   const auto [low, high] = geometry::bounding_box(problem().outline);

@@ -7,8 +7,8 @@ namespace plate {
 /// with cracks that stay a horizon away from them, at rest, solved directly, as the stiffness is not symmetric.
 extern const FormulationKind bonds_with_surface_nodes;
 
-/// The same with nodes beyond the edges that follow the points of the plate, and multipliers for the conditions at
-/// edges.
+/// Bonds with surface nodes, with fictitious nodes beyond the edges that follow the points of the plate, and with
+/// multipliers for the conditions at edges.
 extern const FormulationKind bonds_with_fictitious_nodes;
 
 }  // namespace plate

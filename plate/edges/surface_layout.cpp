@@ -97,7 +97,7 @@ void check_cracks(const Problem& problem, const std::vector<geometry::CrackPath>
                                  away, words(method), horizon, away > 1e-9 * horizon ? ", or a smaller spacing" : ""));
 }
 
-/// How wide a horizon may be, over the thickness and over the narrowest part of the plate.
+/// Largest ratios of the horizon to the thickness and to the narrowest part of the plate.
 struct Widest {
   double thickness, side;
 };
@@ -346,7 +346,8 @@ geometry::Families families_of(const Boundary& b, const geometry::Outline& outli
   return families;
 }
 
-/// With a bond from each surface node, and its multipliers, to its inner node: what holds the one holds the other.
+/// Returns families with a bond from each surface node, and its multipliers, to its inner node: what holds the one
+/// holds the other.
 geometry::Families tied(geometry::Families families, const SurfacePlate& plate, std::size_t points) {
   const auto real = std::size_t(plate.body.real);
   for (std::size_t k = real; k < points; ++k)

@@ -8,10 +8,10 @@
 
 namespace plate {
 
-/// Can surface nodes or fictitious nodes serve these edges, cracks and points?
+/// Checks that surface nodes or fictitious nodes can serve these edges, cracks and points.
 /// @throws Refused  with fictitious nodes edges that are not along the axes, else those shorter than half a spacing;
-/// holes and notches narrower than two horizons, edges shorter than
-///                  one; cracks as near to an edge as a horizon; horizons wide for the thickness or the narrowest part
+/// holes and notches narrower than two horizons, edges shorter than one; cracks as near to an edge as a horizon;
+/// horizons wide for the thickness or the narrowest part
 void check(const Problem& problem, const std::vector<geometry::CrackPath>& paths, EdgeMethod method);
 
 /// A plate with edges along the axes as points: those of the lattice and, as fictitious points, the surface nodes in

@@ -236,7 +236,7 @@ NextFace next_face(const LatticeBody& b, int s, int towards) {
   return {b.surface_node(b.node(inner + step + out), along, -towards), false};
 }
 
-/// The held face at one end of the free stretch of a component that a face lies in, and how many faces away; -1: none.
+/// Held face at one end of the free part of a component that a face lies in, and how many faces away; -1: none.
 struct End {
   int surface, away;
 };

@@ -52,7 +52,8 @@ LatticeBody rectangle_body(const geometry::Point& low, const geometry::Point& hi
 SurfacePlate surface_plate(const Section& section, const Discretization& discretization, const geometry::Point& low,
                            const geometry::Point& high);
 
-/// The same of any outline, the lattice that of geometry::lattice; orders (2, 1) unless all edges are along the axes.
+/// Constructs a plate of any outline on the lattice of geometry::lattice; orders (2, 1) unless all edges are along the
+/// axes.
 /// @throws Refused  as rectilinear_body() and oblique_edges() do
 SurfacePlate surface_plate(const Section& section, const Discretization& discretization,
                            const geometry::Outline& outline);
@@ -67,7 +68,7 @@ WeightRows expansion(const SurfacePlate& plate);
 /// @throws Refused                where the plate has too few points for the orders
 SparseStiffness stiffness(const SurfacePlate& plate);
 
-/// The same with the rows of what is held as rows_with_reactions() makes them.
+/// Stiffness whose rows of held unknowns are those of rows_with_reactions().
 SparseStiffness stiffness_with_reactions(const SurfacePlate& plate, const std::function<bool(int unknown)>& held);
 
 /// Loads at a place, conjugate to w, theta_x and theta_y [force / area, force / length].
@@ -88,7 +89,7 @@ EdgeProblem edge_problem(const SurfacePlate& plate, const EdgeConditions& edges,
 /// The stiffness under these conditions: stiffness(), or oblique_stiffness() with rows of what they hold.
 SparseStiffness stiffness_under(const SurfacePlate& plate, const EdgeConditions& edges);
 
-/// How many of the three rigid motions leave all that is held at rest.
+/// Number of the three rigid motions that leave all that is held at rest.
 int rigid_motions(const SurfacePlate& plate, const std::vector<PrescribedUnknown>& held);
 
 /// Values of real and surface nodes, and what holds the held unknowns, in their order.

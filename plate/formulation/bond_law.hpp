@@ -12,7 +12,7 @@ struct BondShape {
   double weight;  // omega(xi) beta h [length]; times A_j: omega V_j
 };
 
-/// One end of a bond.
+/// End of a bond.
 template <typename Value = double>
 struct Kinematics {
   Value w, theta_x, theta_y;

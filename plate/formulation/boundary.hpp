@@ -29,7 +29,7 @@ struct Side {
   bool along_lattice() const;
   int normal_axis() const;  // 0: x, 1: y; -1: neither
   geometry::Point mirrored(const geometry::Point& u) const;
-  /// Does the segment pq meet the side, be it in one point?
+  /// True where the segment pq meets the side, be it in one point.
   bool meets(const geometry::Point& p, const geometry::Point& q) const;
 };
 
@@ -51,13 +51,13 @@ struct Holder {
   std::size_t support = 0;  // its number
 };
 
-/// Who holds a point of the plate: its deflection, or its rotations.
+/// Support that holds a point of the plate: its deflection, or its rotations.
 struct Hold {
   std::uint32_t point, holder;
   bool rotations;
 };
 
-/// How the supports act: fictitious points beyond the edges, degrees of freedom that follow others or are zero.
+/// Supports as constraints: fictitious points beyond the edges, degrees of freedom that follow others or are zero.
 /// Mirror images (clamped: rotations odd, w odd with the lever of the rotation; simply supported hard: w and psi_s odd;
 /// symmetry: psi_n odd; psi_n, psi_s: rotation along the normal and along the edge) where an edge lies along the
 /// lattice; elsewhere lattice points outside that follow the point nearest to their image in proportion to the
@@ -77,7 +77,7 @@ struct Boundary {
   PointMap map = {};
 
   bool owns(std::size_t k) const { return map.owns(k); }
-  /// Is the point of the plate nearest to a place owned?
+  /// True where the point of the plate nearest to a place is owned.
   bool here(const geometry::Point& x) const {
     return map.owned.empty() || (cloud.seeded(x) && map.owned[geometry::nearest_plate_point(cloud, x)]);
   }

@@ -32,7 +32,7 @@ public:
 
   void fix(std::uint32_t dof, std::vector<Offset> offsets = {});
   /// u[follower] = sum of factor * u[dof] over the leaders, which may follow others in turn, or be fixed; resolve()
-  /// settles it. A dof that is tied twice keeps its first leaders.
+  /// resolves the chains. A dof that is tied twice keeps its first leaders.
   void tie(std::uint32_t follower, std::vector<Leader> leaders, std::vector<Offset> offsets = {});
 
   /// Replaces chains of ties by ties to free leaders. Call once, after the last fix and tie.
@@ -48,7 +48,7 @@ public:
   /// The ranks whose sums over degrees of freedom count.
   const Communicator& communicator() const { return *communicator_; }
 
-  /// The same, but copies are fetched by this exchange, of more of them.
+  /// Returns these constraints with another halo exchange, which fetches more ghosts.
   Constraints fetching(std::shared_ptr<const HaloExchange> exchange) const;
 
   const std::vector<Tie>& ties() const { return ties_; }  // ascending by follower
@@ -62,13 +62,13 @@ public:
   Eigen::VectorXd on_held(const Forces& forces) const;
   Eigen::VectorXd on_held(const Values<float>& forces) const;
 
-  /// The values of copies from their owners; does nothing where one process holds the plate.
+  /// Fetches the values of ghosts from their owners; does nothing where one process holds the plate.
   template <typename Real>
   void fetch(Values<Real>& values) const;
   void fetch(std::vector<std::int64_t>& numbers) const;  // of all points
 
-  /// impose() in two halves (Awaited). Between them copies have no values, nor has what follows these, or is one of
-  /// them; progress() helps what is on its way along.
+  /// Imposes the constraints in two halves (Awaited), as impose() does. Between them ghosts have no values, nor have
+  /// points that follow ghosts; progress() progresses the exchange.
   void begin_imposing(State& state) const;
   void progress() const;
   void end_imposing(State& state) const;
@@ -92,7 +92,7 @@ private:
     Place from;
     double factor;
   };
-  /// For every target the shares that it takes, so that targets can be treated at once.
+  /// Shares that every target takes, so that targets can be treated at once.
   struct Sums {
     std::vector<Place> target;
     std::vector<std::size_t> first{0};
@@ -116,8 +116,8 @@ private:
   std::vector<std::uint32_t> held_;  // sorted, by resolve()
   std::vector<Place> zero_;          // held and follows none
   Sums followers_, leaders_;         // of resolve()
-  std::vector<Place> pending_zero_;  // of the zeros those of copies
-  Sums pending_followers_;           // of the followers those that are copies, or follow some
+  std::vector<Place> pending_zero_;  // of the zeros those of ghosts
+  Sums pending_followers_;           // of the followers those that are ghosts, or follow some
   std::vector<std::uint32_t> copies_;
   const Communicator* communicator_ = &single_process();
   std::shared_ptr<const HaloExchange> exchange_;  // none where one process holds the plate

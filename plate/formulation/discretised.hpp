@@ -37,8 +37,8 @@ struct Discretised {
   Stopwatch stopwatch;
 };
 
-/// By the formulation of the problem. Throws Refused where it cannot carry the problem, or the machine has no memory
-/// for so many points. Whether the plate is held is not asked here.
+/// Discretises a problem by its formulation. Throws Refused where it cannot carry the problem, or the machine has no
+/// memory for so many points. Whether the plate is held is not checked here.
 Discretised discretise(const Problem& problem, const Communicator& communicator = single_process());
 
 /// Throws Refused where the machine has not even the memory for the points, as discretise() does.

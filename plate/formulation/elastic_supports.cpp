@@ -36,7 +36,7 @@ void add_product(const ElasticSupport& a, double factor, const Values<Real>& sta
 
 namespace {
 
-/// forces += factor K state, of soil that lifts off where it touches.
+/// forces += factor K state, of a unilateral foundation where it is in contact.
 template <typename Real>
 void add_bilateral(const ElasticSupport& a, double factor, const Values<Real>& state, Values<Real>& forces) {
   if (a.contact)

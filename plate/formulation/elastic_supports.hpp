@@ -26,7 +26,8 @@ struct ElasticSupport {
   std::vector<double> value;
   std::shared_ptr<const Contact> contact = {};  // of a unilateral foundation; the matrix is that of contact everywhere
 
-  /// Its forces on the plate, -K state [3 x points], of unilateral foundations those of where they are in contact.
+  /// Forces of the elastic supports on the plate, -K state [3 x points]; unilateral foundations press where they are in
+  /// contact.
   Forces force(const State& state) const;
   double energy(const State& state) const;
 
@@ -86,7 +87,7 @@ class ElasticSupportSum {
 public:
   explicit ElasticSupportSum(std::size_t points) : points_(points) {}
 
-  /// With the energy stiffness / 2 (sum of factor * u)^2.
+  /// Adds a spring with the energy stiffness / 2 (sum of factor * u)^2.
   void add(double stiffness, const std::vector<FormTerm>& form);
   /// A symmetric matrix of some degrees of freedom 3 * point + component.
   void add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix);

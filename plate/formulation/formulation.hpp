@@ -38,7 +38,7 @@ struct ChosenPreconditioner {
   std::string name;
 };
 
-/// How many points were matched in which way by the position-aware correction.
+/// Numbers of points by how the position-aware correction matched them.
 struct MatchCounts {
   std::size_t exact = 0, blended = 0, arbitrary_horizon = 0;
 };
@@ -74,7 +74,7 @@ public:
   const Boundary& boundary() const;
   const Communicator& communicator() const;
   const geometry::Cloud& cloud() const;
-  /// Is the place this process's, where several share the plate: is the point nearest to it?
+  /// True where this rank owns the point nearest to the place.
   bool here(const geometry::Point& x) const;
   const Constraints& constraints() const;
   const std::vector<double>& cut() const;
@@ -82,14 +82,14 @@ public:
   /// Parts that nothing connects, and parts that hang by bonds along one line.
   const std::vector<Piece>& pieces() const;
   const Mechanisms& mechanisms() const;
-  /// May parts move without resistance although every piece is held?
+  /// True where parts may move without resistance although every piece is held.
   bool may_move() const;
-  /// Is every piece held against all rigid motions?
+  /// True where every piece is held against all rigid motions.
   bool held() const;
 
   Forces total_load() const;                       // all loads at their last values together
   Forces first_load() const;                       // all loads as they are at time 0
-  double strain_energy(const State& state) const;  // of all processes that share the plate
+  double strain_energy(const State& state) const;  // of all ranks
   /// Mass per degree of freedom. `rotary`: factor of the rotary inertia.
   Forces mass(double rotary = 1) const;
   std::size_t bonds() const;             // directed, between points of the plate
@@ -129,7 +129,8 @@ public:
   virtual std::vector<std::string> warnings(bool factors) const = 0;
   /// Advice on how to resolve the layer beside faces that carries K2 and K3: "take discretization.spacing = 0.01".
   virtual std::string remedy() const = 0;
-  /// How far the pins that alone hold the plate are from one line, where places of points decide about it [spacings].
+  /// Distance of the pins that alone hold the plate from one common line, where places of points decide about it
+  /// [spacings].
   virtual std::optional<double> width_of_pins() const { return std::nullopt; }
   /// Share of deflections by which edges between the points are usually off.
   virtual double error_of_edges() const { return 0; }

@@ -25,7 +25,7 @@ public:
   std::vector<char> touching(const State& state) const;
   template <typename Real>
   void add_force(double factor, const Values<Real>& state, Values<Real>& forces) const;
-  /// As if it touched there and nowhere else, whatever the state.
+  /// Adds the forces of a foundation in contact at the `touching` places and nowhere else, whatever the state.
   void add_force(double factor, const State& state, const std::vector<char>& touching, Forces& forces) const;
   double energy(const State& state) const;
   /// visit(point, stiffness, touches) of every place.
@@ -35,7 +35,7 @@ public:
     for (std::size_t p = 0; p < touches.size(); ++p)
       visit(point(p, std::size_t(state.cols())), stiffness_[p], touches[p] != 0);
   }
-  /// Where a place is, of so many points: the first point of its form.
+  /// Point at which a place lies, of so many points: the first point of its form.
   std::size_t point(std::size_t place, std::size_t points) const { return terms_[first_[place]].first % points; }
   std::size_t bytes() const;
 

@@ -45,7 +45,7 @@ std::vector<Share> interpolation(const std::vector<PlacedPoint>& points, const g
 
 namespace {
 
-/// Do the shares reproduce all linear fields, by weights that do not enlarge what varies from point to point?
+/// True where the shares reproduce all linear fields, by weights that do not enlarge what varies from point to point.
 bool spans(const std::vector<Share>& shares, const std::vector<PlacedPoint>& points, const geometry::Point& at) {
   constexpr double largest = 3;  // beside a straight edge 1.5
   double sum = -1;

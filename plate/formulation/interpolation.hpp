@@ -31,7 +31,7 @@ using DofTerms = std::vector<std::pair<std::uint32_t, double>>;
 
 /// w, theta_x and theta_y at a place.
 Eigen::Vector3d value_at(const std::vector<PlaceShare>& place, const State& state);
-/// One component of them as a sum over degrees of freedom.
+/// Terms of one component as a sum over degrees of freedom.
 DofTerms terms_of(const std::vector<PlaceShare>& place, std::uint32_t component);
 
 using PlacedPoint = std::pair<std::uint32_t, geometry::Point>;
@@ -47,7 +47,7 @@ std::vector<PlacedPoint> visible_from(const geometry::Point& at, double reach,
 /// give the weights of least norm, which do not add up to 1: place_shares() does. Lengths in spacings.
 std::vector<Share> interpolation(const std::vector<PlacedPoint>& points, const geometry::Point& at);
 
-/// Between points as near as this lie all places of a plate but those in acute corners [spacings].
+/// Distance of points between which all places of a plate lie but those in acute corners [spacings].
 constexpr double reach_of_places = 1.6;
 
 /// The state at a place that moves with the points as a rigid body where they do: interpolation(); where that has

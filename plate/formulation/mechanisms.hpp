@@ -20,7 +20,7 @@ public:
   RigidParts(const Boundary& boundary, const geometry::Families& families);
 
   std::size_t count() const { return first_.size(); }
-  /// Number of rigid parts over all ranks that share the plate. Collective.
+  /// Number of rigid parts over all ranks. Collective.
   std::size_t count_of(const Communicator& all);
   std::uint32_t part(std::uint32_t k) const { return part_[k]; }
   bool has(std::uint32_t k) const { return part_[k] != none; }  // not images, nor fictitious points without a bond
@@ -38,7 +38,7 @@ public:
   Eigen::Vector3d slope(std::uint32_t part, const Point& n) const {
     return Eigen::Vector3d(0, n.x(), n.y()) / extent_[part];
   }
-  /// The same for a degree of freedom, deflections in spacings.
+  /// Returns the row of a degree of freedom, deflections in spacings.
   Eigen::Vector3d row(std::uint32_t dof) const {
     const auto k = dof / 3, own = part(k);
     if (dof % 3 == 0) return deflection(own, boundary_.lattice[k]);

@@ -30,7 +30,7 @@ struct Mesh {
   std::vector<Corner> corners = {};
   std::size_t others = 0;  // points at the end of `positions` that are in no cell: corners take values from them
   std::optional<std::size_t> own = {};  // points at the beginning that no other process has; absent: one has all
-  /// Global numbers of the points, where ranks share the plate and these points are in no rows of a lattice.
+  /// Global numbers of the points, where the plate is distributed and these points are in no rows of a lattice.
   std::vector<std::uint32_t> numbers = {};
 };
 

@@ -14,8 +14,8 @@ public:
 
   /// forces = -K state [3 x points].
   virtual void internal_force(const State& state, Forces& forces) const = 0;
-  /// The same of a state some of whose values may be on their way: what needs none of these goes ahead. Afterwards it
-  /// is complete.
+  /// Computes the internal force of a state some of whose values are still in transit: points that need none of them go
+  /// ahead. The exchange is complete afterwards.
   virtual void internal_force_overlapped(const State& state, PendingExchange& rest, Forces& forces) const;
 
   /// An upper bound of |K| state for a state without negative entries [3 x points].

@@ -65,7 +65,7 @@ Eigen::Vector3d rigid(std::uint32_t dof, const geometry::Point& x) {
 DisjointSets connected(const Boundary& boundary, const geometry::Families& families) {
   DisjointSets sets(families.points());
   for (std::uint32_t k = 0; k < families.points(); ++k)
-    for (const auto& bond : families[k])  // far from its own points a process does not know what has broken
+    for (const auto& bond : families[k])  // far from its owned points a process does not know what has broken
       if (bond.neighbour < k && (boundary.owns(k) || boundary.owns(bond.neighbour))) sets.join(k, bond.neighbour);
   for (const auto& tie : boundary.constraints.ties()) sets.join(tie.follower / 3, tie.leader / 3);
   return sets;
@@ -126,7 +126,8 @@ struct Found {
 };
 using AllFound = std::map<std::int64_t, Found>;
 
-/// All that processes have found of pieces: the first point of each is the lowest, of these the one to the left.
+/// Collective: merges the pieces that the ranks have found. The first point of each is the lowest, of these the one to
+/// the left.
 void share(const Communicator& all, AllFound& found) {
   struct Part {
     std::int64_t number, points;

@@ -23,7 +23,7 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-/// The number of the set of every point: its root; where processes share the plate, the same in all of them for sets
+/// The number of the set of every point: its root; where the plate is distributed, the same in all of them for sets
 /// that are one through points that several see. All processes call it at once.
 std::vector<std::int64_t> set_numbers(DisjointSets& sets, const Boundary& boundary);
 
@@ -35,7 +35,7 @@ struct Piece {
   int free_modes = 0;  // of its three rigid motions, how many no support prevents
 };
 
-/// All pieces, largest first. Bonds, mirror images and ties connect.
+/// Pieces of the plate, largest first. Bonds, mirror images and ties connect.
 std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families);
 
 /// Points of detached pieces: of all pieces that no support holds in any way; of a plate that is not held at all,

@@ -20,7 +20,7 @@ public:
 
   const LocalSection& operator[](std::size_t k) const { return kinds_[uniform() ? 0 : k]; }
   bool uniform() const { return kinds_.size() == 1; }
-  /// The same everywhere and without directions?
+  /// True for a uniform section of isotropic material.
   bool simple() const { return simple_ && uniform(); }
   /// Mass that points carry beside that of the plate [mass]. `areas`: of the points.
   void add_masses(const std::vector<double>& masses, const std::vector<double>& areas);

@@ -43,8 +43,8 @@ void add_slope(const Node& node, const Point& along, double factor, Sum& form) {
   }
 }
 
-/// Between two places: E I and G J by the difference of the slopes, and the shear angle by what makes it the cubic line
-/// of Hermite, one after the other with the beam's own shear.
+/// Adds an element between two places: E I and G J by the difference of the slopes, and the shear angle by what makes
+/// it the cubic line of Hermite, one after the other with the beam's own shear.
 void add_element(const Stiffener& beam, const Node& a, const Node& b, ElasticSupportSum& sum) {
   const Point way = b.at - a.at, along = way.normalized(), across(-along.y(), along.x());
   const double length = way.norm();
@@ -230,7 +230,7 @@ void add_edges(const Spring& spring, const Problem& problem, const geometry::Clo
   }
 }
 
-/// Between the ends of a piece all is linear; two places of Gauss are exact for its square.
+/// Adds a spring along edges. Between the ends of a piece all is linear; two places of Gauss are exact for its square.
 void add_edges(const Spring& spring, const geometry::Tessellation& cells, ElasticSupportSum& sum) {
   const double gauss = (1 - 1 / std::sqrt(3.0)) / 2;
   for (const auto& border : cells.borders) {

@@ -30,7 +30,7 @@ namespace plate {
 
 struct Problem;
 
-/// All foundations and springs of a problem on points in the middles of cells.
+/// Constructs all foundations and springs of a problem on points in the middles of cells.
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud);
 
 /// Foundations and springs of a problem on points that are corners of cells.

@@ -97,7 +97,7 @@ void hold_part(Boundary& boundary, const geometry::Hole& shape, std::uint32_t ho
                                 cloud.units.spacing)}});
 }
 
-/// At most `spacing` apart from one end to the other.
+/// Adds places at most `spacing` apart from one end of a line to the other.
 void add_places(const geometry::Polyline& line, double spacing, std::vector<Point>& places) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Point way = line[i + 1] - line[i];

@@ -105,7 +105,7 @@ public:
   virtual geometry::Point extension_slope(std::uint32_t k, const TipFrame& frame, const Ring& ring) const = 0;
   /// [force / length]
   virtual Eigen::Matrix2d shear_stiffness(std::uint32_t k) const = 0;
-  /// By moving what stores the energy of the ring (virtual crack extension; theory (47)).
+  /// Energy release rate by moving what stores the energy of the ring (virtual crack extension; theory (47)).
   virtual std::unique_ptr<EnergyRelease> virtual_extension(const TipFrame& frame, const Ring& ring) const = 0;
 
 protected:

@@ -27,7 +27,7 @@ using geometry::Tessellation;
 
 namespace {
 
-/// Where loads, springs and supports act at a point, and stay there.
+/// Places at which loads, springs and supports act at a fixed point.
 std::vector<geometry::Point> places_of_forces(const Problem& c) {
   std::vector<geometry::Point> result;
   for (const auto& load : c.loads)
@@ -143,7 +143,7 @@ std::vector<double> cut_share(const Tessellation& cells, const std::vector<doubl
 
 namespace {
 
-/// Where the load acts on points.
+/// Load on points: forces that stay, and forces that move.
 struct Acting {
   Forces forces;
   std::shared_ptr<const MovingForces> moving;
@@ -281,9 +281,9 @@ private:
 
   const Problem& problem_;
   const Communicator& all_;
-  std::optional<PartOfCells> part_;  // where several processes share the plate
+  std::optional<PartOfCells> part_;  // where the plate is distributed
   Tessellation cells_;               // that are kept
-  Tessellation inside_;              // those about the first point inside a lattice that is shared
+  Tessellation inside_;              // those about the first point inside a distributed lattice
   std::vector<double> masses_;
   std::vector<Acting> acting_;  // by loads
   std::optional<Layout> layout_;
@@ -366,7 +366,7 @@ double beyond(const Shares& shares, const Point& x, double reach, const CellBox&
 }  // namespace
 
 std::vector<PartEstimate> estimated_parts(const Problem& problem, int processes) {
-  constexpr long seen = 4, rings = 3;  // cells about own points, and about these: part_of_cells(), cells_about()
+  constexpr long seen = 4, rings = 3;  // cells about owned points, and about these: part_of_cells(), cells_about()
   const auto paths = crack_paths(problem);
   const auto& d = problem.discretization;
   const bool graded = d.tip_spacing || d.hole_spacing;

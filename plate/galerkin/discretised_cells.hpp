@@ -12,7 +12,7 @@ namespace plate {
 /// and edges are too close to each other for them.
 geometry::Tessellation cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
 
-/// The same; where processes share them and they are on a lattice, what tells them.
+/// Returns the cells of cells_of(); where ranks share them and they are on a lattice, the lattice that describes them.
 GlobalCells global_cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor,
                             bool distributed);
 /// Cells of the plate itself (factor 1). `distributed`: true where ranks share the cells, or are to.
@@ -23,32 +23,33 @@ GlobalCells required_cells(const Problem& problem, const std::vector<geometry::C
 /// other.
 std::vector<double> cut_share(const geometry::Tessellation& cells, const std::vector<double>& areas);
 
-/// A Galerkin plate before its forces; where several processes share it, the part of this one.
+/// A Galerkin plate before its forces; where the plate is distributed, the part of this one.
 struct DiscretisedPart {
   Layout layout;
   geometry::Tessellation cells;
   GalerkinFamilies families;
-  // where processes share the plate:
-  std::vector<std::uint32_t> number;        // of every point in the whole
+  // where the plate is distributed:
+  std::vector<std::uint32_t> number;        // global, of every point
   std::vector<std::uint32_t> column_block;  // of GalerkinOperator
 };
 
 /// Discretises the plate. Where ranks share a lattice, each rank makes the points and cells about its own part, with
-/// their supports and nodal forces, and keeps its part; with graded points every rank makes those of the whole plate.
+/// their supports and nodal forces, and keeps its part; with graded points every rank makes those of the global plate.
 /// @throws Refused
 DiscretisedPart discretised_part(const Problem& problem, std::vector<geometry::CrackPath> paths, GlobalCells whole,
                                  const Communicator& all, Stopwatch& stopwatch);
 
 struct Problem;
 
-/// Estimated size of one rank's part of a shared Galerkin plate.
+/// Estimated size of one rank's part of a distributed Galerkin plate.
 struct PartEstimate {
-  double points = 0, seen = 0;  // its own; with others' that it has copies of
+  double points = 0, seen = 0;  // its own; with others' as ghosts
   double neighbours = 0;        // whose points these are
   bool whole = false;           // makes all points before it keeps these
 };
 
-/// Told without processes: the shares of a lattice by its rows, of graded points by the points themselves.
+/// Estimates the parts of a distributed plate on one process: the shares of a lattice by its rows, of graded points by
+/// the points themselves.
 /// @throws Refused  too few points, or rows of them, for so many processes
 std::vector<PartEstimate> estimated_parts(const Problem& problem, int processes);
 

@@ -25,7 +25,7 @@ std::array<Point, 3> corners(const Tessellation& cells, const Tessellation::Tria
   return {cells.local[at[0]], cells.local[at[1]], cells.local[at[2]]};
 }
 
-/// And the area, by these.
+/// Area of a triangle, by the gradients of its corners.
 double area_by(const std::array<Point, 3>& gradients, const Tessellation& cells, const Tessellation::Triangle& at) {
   return gradients[2].dot(cells.local[at[2]] - cells.local[at[0]]);
 }
@@ -65,7 +65,8 @@ void number_kinds(GalerkinFamilies& result, const std::vector<char>& inside) {
   result.bonds.assign(result.first.back(), {Point(0, 0), 0});
 }
 
-/// Twice the mean area of the triangles about each point: as on a lattice of the spacing there.
+/// Sets the squares of the spacing: twice the mean area of the triangles about each point, as on a lattice of the
+/// spacing there.
 void find_squares(GalerkinFamilies& result, const Tessellation& cells) {
   std::vector<double> count(cells.local.size(), 0);
   for (const auto& triangle : cells.triangles)

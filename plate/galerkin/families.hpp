@@ -24,11 +24,12 @@ struct GalerkinFamilies {
   std::vector<GalerkinBond> bonds;  // of every kind, in the order of the family
   double spacing_square = 0;        // [length^2]
   std::vector<double> own_square;   // where the distance of points varies: that of the spacing about each
-  /// Where processes share the plate, the families about one point of kind 0, of which all take those weights.
+  /// Families about one point of kind 0 of a distributed plate, whose weights all ranks take.
   std::shared_ptr<const GalerkinFamilies> of_all = {};
   std::uint32_t point_of_all = 0;
 
-  /// One for all points wherever that is possible: a shear scaling that varies would not pass constant shear.
+  /// Square of the spacing about a point, one for all points wherever that is possible: a shear scaling that varies
+  /// would not pass constant shear.
   double square(std::size_t k) const { return own_square.empty() ? spacing_square : own_square[k]; }
   const GalerkinBond* of(std::size_t k) const { return bonds.data() + first[kind[k]]; }
 };
@@ -49,7 +50,8 @@ std::optional<LatticeFamily> lattice_family(const GalerkinFamilies& families);
 /// V_k alone.
 std::vector<double> areas_of(const geometry::Tessellation& cells);
 
-/// The same for cells whose points have been moved: no two points share anything, squares need not be squares.
+/// Returns the families of cells whose points have been moved: no two points share weights, squares need not be
+/// squares.
 GalerkinFamilies moved_galerkin_families(const geometry::Tessellation& cells);
 
 /// Largest residuals, in spacings, of the two conditions of variational consistency (Bode 5.16
@@ -63,7 +65,7 @@ ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, con
 
 }  // namespace plate
 
-/// One family of the Galerkin plate (theory.md, "The Galerkin plate"); psi = (-theta_y, theta_x).
+/// Family of the Galerkin plate (theory.md, "The Galerkin plate"); psi = (-theta_y, theta_x).
 namespace plate {
 
 /// Weights of the parts of its energy.

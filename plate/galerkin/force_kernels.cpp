@@ -329,8 +329,9 @@ void GalerkinLists::find_slots(const GalerkinFamilies& families, const std::vect
   }
 }
 
-/// One block of families: strains, then what each bond leaves at its member and at its owner: gradients of the energy,
-/// phi on w of the member, m on its psi; the owner takes the opposite, and both the lever of phi.
+/// Adds the forces of one block of families: strains, then what each bond leaves at its member and at its owner:
+/// gradients of the energy, phi on w of the member, m on its psi; the owner takes the opposite, and both the lever of
+/// phi.
 void GalerkinLists::act(std::size_t block, const State& state) const {
   const auto [first, count] = blocks_[block];
   const double* const bonds = bonds_.data() + first * bond_numbers * lanes;

@@ -55,7 +55,7 @@ public:
 
   /// Sets the forces on those points. One call at a time.
   void internal_force(const State& state, Forces& forces) const { internal_force_from(0, state, forces); }
-  /// The same in two halves: forces of families without a pending point, and of the rest.
+  /// Computes the internal force in two halves: families without a pending point, then the rest.
   void begin_force(const State& state) const;
   void end_force(const State& state, Forces& forces) const { internal_force_from(inside_, state, forces); }
 

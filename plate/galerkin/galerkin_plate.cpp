@@ -109,7 +109,7 @@ private:
   std::vector<BondShape> shapes_;
   GalerkinOperator op_;
   std::vector<Point> seen_;            // geometry::positions_inside_faces()
-  std::vector<std::uint32_t> number_;  // in the whole plate, where processes share it
+  std::vector<std::uint32_t> number_;  // in the global plate, where it is distributed
 };
 
 std::vector<double> GalerkinPlate::cut_at(const StartOfCracks& start) const {

@@ -14,16 +14,16 @@ public:
   /// `all` must outlive this.
   SumByOwners(const Communicator& all, std::vector<Copy> copies);
 
-  /// Adds what copies have to the points that they are copies of, and leaves zero on them. All call it at once.
+  /// Adds the forces on ghosts to the points of their owners, and leaves zero on the ghosts. Collective.
   void add(Forces& forces) const;
 
 private:
   const Communicator& all_;
-  std::vector<std::vector<std::uint32_t>> sent_;      // to every process: these copies
-  std::vector<std::vector<std::uint32_t>> received_;  // from every process: of these own points
+  std::vector<std::vector<std::uint32_t>> sent_;      // to every rank: these ghosts
+  std::vector<std::vector<std::uint32_t>> received_;  // from every rank: of these owned points
 };
 
-/// From the points of a coarser plate to those of a finer one, or back: what every point takes of others.
+/// Transfer from the points of a coarser plate to those of a finer one, or back: what every point takes of others.
 struct LevelTransfer {
   struct Share {
     std::uint32_t other;
@@ -33,7 +33,8 @@ struct LevelTransfer {
   std::vector<Share> shares;
 };
 
-/// To points of a finer plate from the cells of a coarser one. `own`: the points that take anything; empty: all.
+/// Constructs the transfer to points of a finer plate from the cells of a coarser one. `own`: the points that take
+/// anything; empty: all.
 LevelTransfer transfer_to(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse,
                           const std::vector<char>& own = {});
 
@@ -43,7 +44,7 @@ struct MultigridLevel {
   std::vector<geometry::Point> seen;
   Boundary boundary;
   GalerkinOperator plate;
-  // where processes share the plates:
+  // where the plate is distributed:
   LevelTransfer to_finer = {};                  // from its points
   std::shared_ptr<const SumByOwners> sum = {};  // of forces on its points
 };
@@ -80,13 +81,13 @@ private:
   std::unique_ptr<Preconditioner> last_;
 };
 
-/// Points of all processes that share a plate.
+/// Points of all ranks.
 std::size_t points_of_all(const Boundary& boundary);
 
 /// Coarser levels of a plate, on points two, four, ... times as far apart, as long as a level has the same pieces as
-/// the plate and the level before has more than 4,000 points. Where ranks share the plate, each level is shared out by
-/// itself, and every rank has what its points of the finer one take from it. `seen`: geometry::positions_inside_faces()
-/// of the plate's points. Collective.
+/// the plate and the level before has more than 4,000 points. Where the plate is distributed, each level is shared out
+/// by itself, and every rank has what its points of the finer one take from it. `seen`:
+/// geometry::positions_inside_faces() of the plate's points. Collective.
 std::vector<MultigridLevel> multigrid_levels(const Formulation& plate, const std::vector<geometry::Point>& seen);
 
 }  // namespace plate

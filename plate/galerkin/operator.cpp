@@ -99,7 +99,8 @@ void GalerkinOperator::internal_force(const State& state, Forces& forces) const 
   complete(state, forces);
 }
 
-/// One process that holds the plate waits for nothing, and assembled rows do not know what they see of others.
+/// Overlaps the internal force with the exchange. One process waits for nothing, and assembled rows do not know which
+/// ghosts they need.
 void GalerkinOperator::internal_force_overlapped(const State& state, PendingExchange& rest, Forces& forces) const {
   if (whole_ || !knows_pending_) {
     rest.complete();

@@ -83,7 +83,7 @@ private:
 
 /// Nodal forces [3 x points] of a free thermal curvature kappa_0 given by points: minus the derivative of
 /// -sum of V D (1 + nu) kappa_0 times the curvatures, theory (79); for sections with material directions, with
-/// moments_held_flat(). `own`: the points whose forces are requested, where ranks share the plate.
+/// moments_held_flat(). `own`: the points whose forces are requested, where the plate is distributed.
 Forces force_of_curvature(const GalerkinFamilies& families, const Section& section, const Eigen::VectorXd& curvature,
                           const PointMap& map = {});
 

@@ -64,7 +64,7 @@ CellsWithOverlap all_cells(const Communicator& all, Tessellation whole) {
   return result;
 }
 
-/// The cells of own points and those that they see, `inner`, are among those with a place of which all is known; what
+/// The cells of owned points and those that they see, `inner`, are among those with a place of which all is known; what
 /// presses on points of these may be as far beyond as beams have between two places, with two cells to the nearest
 /// point.
 CellsWithOverlap cells_about(const Communicator& all, const Problem& problem, const GlobalLattice& whole,
@@ -125,7 +125,7 @@ namespace {
 
 constexpr auto none = std::uint32_t(-1);
 
-/// Number in the part of every point of the whole; `none` where the part lacks the point.
+/// Number in the part of every point of the global plate; `none` where the part lacks the point.
 std::vector<std::uint32_t> places(const geometry::CellsPart& part, std::size_t whole) {
   std::vector<std::uint32_t> result(whole, none);
   for (std::uint32_t i = 0; i < part.number.size(); ++i) result[part.number[i]] = i;
@@ -230,7 +230,7 @@ PartOfCells part_of_cells(const Communicator& all, const Problem& problem, const
 
 namespace {
 
-/// Offsets of what is held, by degrees of freedom of the whole plate, found again from where it goes in every motion.
+/// Offsets of what is held, by degrees of freedom of the global plate, found again from where it goes in every motion.
 class DirichletLifts {
 public:
   DirichletLifts(const Constraints& whole, std::size_t motions, std::size_t points) {

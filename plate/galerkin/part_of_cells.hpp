@@ -12,19 +12,19 @@ namespace plate {
 struct Load;
 struct Problem;
 
-/// The points and cells of a plate; of one on a lattice that processes share only what tells them.
+/// The points and cells of a plate; of a distributed lattice, only its description.
 using GlobalCells = std::variant<geometry::Tessellation, geometry::GlobalLattice>;
 
 std::size_t points_of(const GlobalCells& whole);
 
 /// Points and cells of a plate that a rank sees: all, or of a lattice those about its own part. All that the rank
-/// computes of them near its own points, and of the supports, loads, soil and beams there, is bitwise equal to the
+/// computes of them near its owned points, and of the supports, loads, soil and beams there, is bitwise equal to the
 /// values of the whole plate.
 struct CellsWithOverlap {
   geometry::Tessellation cells;
-  std::vector<std::uint32_t> number;  // of its points in the whole, ascending; empty: all are here
+  std::vector<std::uint32_t> number;  // of its points in the global plate, ascending; empty: all are here
   std::vector<int> owners;            // of its points
-  geometry::CellBox own;              // about its own points
+  geometry::CellBox own;              // about its owned points
 
   std::uint32_t global_number(std::uint32_t k) const { return number.empty() ? k : number[k]; }
 };
@@ -46,11 +46,11 @@ geometry::Tessellation about_first_inside(const GlobalCells& whole);
 struct MovingForces;
 struct Problem;
 
-/// Part that one rank holds of the cells of a shared plate: its owned points, ghosts that their forces and plots need,
-/// and ghosts about its crack tips.
+/// Part that one rank holds of the cells of a distributed plate: its owned points, ghosts that their forces and plots
+/// need, and ghosts about its crack tips.
 struct PartOfCells {
   geometry::CellsPart part;                      // of the cells that it sees
-  std::vector<std::uint32_t> number;             // of its points in the whole, ascending
+  std::vector<std::uint32_t> number;             // of its points in the global plate, ascending
   std::vector<char> own;                         // of its points
   std::vector<std::uint32_t> column_block;       // 0 of ghosts; in which column block an owned one lies, from 1
   std::vector<Copy> copies;                      // the others
@@ -58,7 +58,7 @@ struct PartOfCells {
   geometry::CellBox about;                       // where the point of the plate nearest to a place is known
 };
 
-/// How far about a tip its process knows the state, for intensity factors [length].
+/// Distance about a tip within which its rank knows the state, for intensity factors [length].
 double reach_about_tip(const Problem& problem, const geometry::Tip& tip);
 /// The widest window of displacement extrapolation that is seen about every tip [length].
 double widest_window(const Problem& problem);

@@ -125,7 +125,7 @@ GradientShares GalerkinView::gradient_shares(std::uint32_t k) const {
   return own;
 }
 
-/// By the families, for which Gauss's theorem holds.
+/// Slope by the families, for which Gauss's theorem holds.
 Point GalerkinView::extension_slope(std::uint32_t k, const TipFrame& frame, const Ring& ring) const {
   const auto extension = [&](std::uint32_t j) { return ring.extension((positions[j] - frame.origin).norm()); };
   Point slope(0, 0);

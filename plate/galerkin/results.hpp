@@ -6,7 +6,8 @@
 
 namespace plate {
 
-/// From the mean strains of the Galerkin plate's families; shear forces with its shear scaling, which they contain.
+/// Resultants from the mean strains of the Galerkin plate's families; shear forces with its shear scaling, which they
+/// contain.
 Resultants resultants(const State& state, const GalerkinFamilies& families, const PointSections& sections);
 
 /// The Galerkin plate: gradients of its families, virtual crack extension by moving its points.

@@ -30,8 +30,9 @@ void FamilyStiffness::find(std::size_t k) {
   add_bonds();
 }
 
-/// With half the stiffness T of the mean curvatures and the residuals' products with them, X: Y = T H / 2 - X, and the
-/// energy's second derivative is H^T Y + Y^T H and what each bond has alone; so for the shear angles too.
+/// Collects the terms of the bonds of family k. With half the stiffness T of the mean curvatures and the residuals'
+/// products with them, X: Y = T H / 2 - X, and the energy's second derivative is H^T Y + Y^T H and what each bond has
+/// alone; so for the shear angles too.
 void FamilyStiffness::take_bonds(std::size_t k, const GalerkinStiffness& s) {
   const auto family = families_.families[k];
   const auto* bonds = families_.of(k);

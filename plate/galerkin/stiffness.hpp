@@ -15,7 +15,7 @@ class FamilyStiffness {
 public:
   static constexpr std::size_t most_members = 33;  // with the owner
 
-  /// Both must outlive this.
+  /// Constructs from families and sections; both must outlive this.
   FamilyStiffness(const GalerkinFamilies& families, const PointSections& sections)
       : families_(families), sections_(sections) {}
   FamilyStiffness(const GalerkinFamilies& families, PointSections&& sections) = delete;

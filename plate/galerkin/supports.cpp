@@ -82,7 +82,7 @@ std::vector<Constraints::Offset> times(double factor, const Offsets& offsets) {
   return result;
 }
 
-/// Both rotations, from what two directions have: psi = (-theta_y, theta_x).
+/// Imposes both rotations, from what two directions have: psi = (-theta_y, theta_x).
 void impose_both(Constraints& constraints, std::uint32_t k, const Direction& one, const Direction& other) {
   Offsets theta_x, theta_y;
   const double size = one.d.x() * other.d.y() - one.d.y() * other.d.x();

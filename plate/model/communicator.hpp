@@ -22,7 +22,7 @@ struct Copy {
 /// Rows of a symmetric matrix of 3 x 3 blocks that is positive but for rows of zeros, of the points of one process:
 /// all points are numbered process by process.
 struct DistributedRows {
-  std::vector<std::size_t> first{0};  // where the blocks of a row begin [own points + 1]
+  std::vector<std::size_t> first{0};  // where the blocks of a row begin [owned points + 1]
   std::vector<std::int64_t> column;   // numbers among all, ascending in every row
   std::vector<double> block;          // [9 x columns], row by row
   std::vector<double> position;       // of the points [2 x own points]: rigid motions are its softest vectors
@@ -32,8 +32,8 @@ struct DistributedRows {
 class DistributedInverse {
 public:
   virtual ~DistributedInverse() = default;
-  /// Applies the inverse to the unknowns of the rank's own points [3 x points, point by point]. Collective: every rank
-  /// must call it.
+  /// Applies the inverse to the unknowns of the rank's owned points [3 x points, point by point]. Collective: every
+  /// rank must call it.
   virtual void apply(std::span<double> values) const = 0;
 };
 
@@ -41,7 +41,7 @@ struct Traffic;
 /// Product y = A x of a symmetric matrix and a vector, of the unknowns of the rank. Collective.
 using DistributedProduct = std::function<void(std::span<const double> x, std::span<double> y)>;
 
-/// Which eigenpairs of such a matrix are wanted, and how they are found.
+/// Request for eigenpairs of such a matrix: which ones, and how they are found.
 struct EigenpairRequest {
   std::size_t count = 1;    // of the largest eigenvalues
   std::size_t basis = 2;    // vectors kept at once, above `count`
@@ -62,8 +62,8 @@ public:
   virtual ~Communicator() = default;
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  /// Are plates discretised in parts, with ghosts, and sums made independent of how the plate is shared out? Also true
-  /// of the parallel program with one rank, so that one rank gives the bits that several do.
+  /// True where plates are discretised in parts, with ghosts, and sums are made independent of the number of ranks.
+  /// Also true of the parallel program with one rank, so that one rank gives the bits that several do.
   virtual bool distributed() const { return true; }
   /// Sums, and largest values, over all ranks; collective.
   virtual void sum(std::span<std::int64_t> values) const = 0;
@@ -87,11 +87,12 @@ public:
 /// The communicator of a program that is one process: nothing is exchanged, plates are not discretised in parts.
 const Communicator& single_process();
 
-/// Which of the points that a rank knows it owns; the others are ghosts. One process owns all: both lists are empty.
+/// Map of the points that a rank knows: those that it owns; the others are ghosts. One process owns all: both lists are
+/// empty.
 struct PointMap {
   const Communicator* communicator = &single_process();  // must outlive it
   std::vector<char> owned = {};                          // of all points
-  std::vector<std::uint32_t> global = {};                // numbers in the whole plate, where points are in no lattice
+  std::vector<std::uint32_t> global = {};                // global numbers, where points are in no lattice
 
   bool distributed() const { return communicator->distributed(); }
   bool owns(std::size_t k) const { return owned.empty() || owned[k]; }

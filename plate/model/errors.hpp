@@ -53,7 +53,7 @@ enum class Subject {
   density
 };
 
-/// One thing that a discretisation cannot carry.
+/// Refusal of a problem that a discretisation cannot carry.
 struct Refusal {
   Subject subject;
   std::size_t number;  // of the support or load

@@ -28,9 +28,9 @@ private:
 /// A formula that gives no load.
 class FormulaError : public std::domain_error {
 public:
-  /// It has no finite value at a place where it is needed.
+  /// Constructs the error of a formula that has no finite value at a place where it is needed.
   FormulaError(const Formula& formula, const geometry::Point& x);
-  /// It varies so much between points that its integral may be wrong by this share.
+  /// Constructs the error of a formula that varies so much between points that its integral may be wrong by this share.
   FormulaError(const Formula& formula, double share);
   const std::string& formula() const { return formula_; }
 

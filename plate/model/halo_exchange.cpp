@@ -58,7 +58,7 @@ private:
 
 }  // namespace
 
-/// By their bits, in numbers of the same size.
+/// Fetches integers as the bits of numbers of the same size.
 void HaloExchange::fetch(std::vector<std::int64_t>& numbers) const {
   std::vector<double> bits(numbers.size());
   std::memcpy(bits.data(), numbers.data(), numbers.size() * sizeof(double));

@@ -11,11 +11,12 @@ class HaloExchange {
 public:
   virtual ~HaloExchange() = default;
 
-  /// Begins with `values` [components x points] of the process, component by component, 1 or 3 of them: those that
-  /// others have copies of are taken as they are now, those of the copies are nobody's until finish(). One at a time.
+  /// Starts the exchange of `values` [components x points] of this rank, component by component, 1 or 3 of them: values
+  /// of owned points that are ghosts elsewhere are taken as they are now, those of ghosts are undefined until finish().
+  /// One at a time.
   virtual void start(std::span<double> values) const = 0;
   virtual void start(std::span<float> values) const = 0;
-  /// Waits for the copies, and puts them where they belong.
+  /// Waits for the ghosts and stores their values.
   virtual void finish() const = 0;
   /// Helps what has begun along, where that goes on in calls only.
   virtual void progress() const {}
@@ -32,7 +33,7 @@ public:
 /// Traffic that a rank receives from others: ghost values of their points, and sums and maxima over all. Exchanges in
 /// the libraries behind DistributedInverse are not counted.
 struct Traffic {
-  std::int64_t messages = 0, bytes = 0;  // of copies
+  std::int64_t messages = 0, bytes = 0;  // of ghosts
   std::int64_t sums = 0;                 // calls
   double seconds = 0;                    // in all of these: packed, sent, and above all waited for
 

@@ -24,7 +24,7 @@ Integral& Integral::operator+=(const Integral& other) {
   return *this;
 }
 
-/// By the middles of the sides: exact to the second order.
+/// Integrates by the middles of the sides: exact to the second order.
 Integral Cubature::rule(const Triangle& triangle, const Point& about) {
   Integral result;
   const auto& [a, b, c] = triangle;
@@ -204,7 +204,7 @@ public:
   }
 
 private:
-  /// Does the cell lie beside the patch, by their boxes?
+  /// True where the cell lies beside the patch, by their boxes.
   bool misses(const Ring& cell) const {
     if (!patch_) return false;
     Point low = cell.front(), high = low;
@@ -324,8 +324,9 @@ std::vector<Segment> pieces_beside(const std::vector<Segment>& cracks, const Poi
   return result;
 }
 
-/// `positions`: of `count` points of the plate and maybe of others, those on a face of a crack moved off it; `seeded`:
-/// are the points about a place there? `parted(x, k)`: does a crack lie between a place and point k?
+/// Pieces of a line. `positions`: of `count` points of the plate and maybe of others, those on a face of a crack moved
+/// off it; `seeded`: true where the points about a place are discretised; `parted(x, k)`: true where a crack lies
+/// between a place and point k.
 template <typename Seeded, typename Parted>
 std::vector<LinePiece> pieces_of(const geometry::Polyline& line, const std::vector<Segment>& cracks,
                                  const Ring& positions, std::size_t count, double spacing, const Seeded& seeded,

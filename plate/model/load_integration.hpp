@@ -48,7 +48,7 @@ struct EdgePiece {
   geometry::Point normal;
 };
 
-/// All pieces of one straight edge or circle, with the points of the plate near it.
+/// Pieces of one straight edge or circle, with the points of the plate near it.
 struct EdgeBorder {
   std::vector<EdgePiece> pieces;
   std::vector<std::uint32_t> near;
@@ -82,7 +82,7 @@ Eigen::Vector3d moved_force(double force, const geometry::Point& lever);
 /// FormulaError.
 void add_pressure(const Pressure& load, const geometry::Cloud& cloud, const PointMap& map, Forces& forces);
 
-/// The same to the corners of cells, by the linear function that corners carry.
+/// Adds a pressure to the corners of cells, by the linear function that corners carry.
 void add_pressure(const Pressure& load, const geometry::Tessellation& cells, const PointMap& map, Forces& forces);
 
 /// A short piece of a line, and the point nearest to its middle.
@@ -91,12 +91,12 @@ struct LinePiece {
   geometry::Point middle, way;  // way: from its begin to its end [length]
 };
 
-/// A line in pieces of an eighth of a spacing at most, as far as it was seeded. No piece crosses a crack, and the point
-/// of a piece lies on the same side of all cracks as the piece.
+/// Splits a line into pieces of an eighth of a spacing at most, as far as it was discretised. No piece crosses a crack,
+/// and the point of a piece lies on the same side of all cracks as the piece.
 /// @throws std::invalid_argument  where a piece has no point of the plate within two spacings
 std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Cloud& cloud,
                                    const std::vector<geometry::CrackPath>& cracks);
-/// The same of points that lie on the edges.
+/// Returns the pieces of a line on points that lie on the edges.
 std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Tessellation& cells);
 
 /// Adds a line load by the pieces of its line.

@@ -148,7 +148,7 @@ struct PressureTable::Values {
   double nearest(const Point& x) const;
 };
 
-/// Does every x of the file go with every y of it?
+/// True where every x of the file goes with every y of it.
 bool PressureTable::Values::grid(const std::vector<Row>& given) {
   columns = distinct(given, 0), rows = distinct(given, 1);
   if (columns.size() < 2 || rows.size() < 2 || columns.size() * rows.size() != given.size()) return false;

@@ -15,7 +15,7 @@
 
 namespace plate {
 
-/// How a load varies in time, as a factor of its value.
+/// Variation of a load in time, as a factor of its value.
 struct History {
   enum class Kind { step, ramp, sine, table };
   Kind kind = Kind::step;
@@ -70,9 +70,9 @@ struct Pressure {
   geometry::Polyline path = {};              // of the middle of the patch
   double speed = 0;                          // [length/time]
 
-  /// The same everywhere?
+  /// True for a pressure with the same value everywhere on the plate.
   bool uniform() const { return !patch && gradient.isZero(0) && !formula.given() && !table.given() && !level; }
-  /// Is it no linear function of the place, but one that has to be evaluated?
+  /// True for a pressure that is no linear function of the place, but one that has to be evaluated.
   bool evaluated() const { return formula.given() || table.given(); }
   double at(const geometry::Point& x) const {
     if (table.given()) return table(x);
@@ -126,7 +126,7 @@ struct Settlement {
   double rotation = 0;                      // psi_n of every edge, n its outward normal
 };
 
-/// One load: what acts, and how it varies in time.
+/// Load: what acts, and how it varies in time.
 struct Load {
   using Action = std::variant<Pressure, EdgeMoment, EdgeShear, PointForce, LineLoad, Temperature, Settlement>;
   Action action;
@@ -163,8 +163,8 @@ struct Load {
 /// Makes a load some times as large.
 void scale(Load& load, double factor);
 
-/// How a motion begins: deflection [length] and velocity along w [length/time] at time 0, with the rotations of a thin
-/// plate, psi = grad w. Not given: zero.
+/// Initial conditions of a motion: deflection [length] and velocity along w [length/time] at time 0, with the rotations
+/// of a thin plate, psi = grad w. Not given: zero.
 struct Initial {
   Formula deflection, velocity;
 };

@@ -19,14 +19,14 @@ namespace plate {
 struct Load;
 
 /// Nodal forces of a load that moves along a path: at a few points each time, linear in time between stations. Where
-/// processes share the plate, those on the points that one sees.
+/// the plate is distributed, those on the points that one sees.
 struct MovingForces {
   struct Station {
     double time;
     std::vector<std::pair<std::uint32_t, double>> forces;  // of degrees of freedom 3 * point + component, ascending
   };
   std::vector<Station> stations;  // by time; nothing acts before the first and after the last
-  std::vector<char> own = {};     // points that no other process has; empty: all
+  std::vector<char> own = {};     // owned points; empty: all
 
   /// visit(dof, force) at a time.
   template <typename Visit>
@@ -71,22 +71,22 @@ struct TimedLoad {
   bool lifts() const { return lift.cols() > 0; }
 };
 
-/// Generalised nodal forces (3 x points: work-conjugate to w, theta_x, theta_y) of one load at factor 1.
-/// A temperature, whose forces are of the formulation, gives none, nor do loads that move (moving_forces()).
-/// Edge loads act on the edge line: what a point takes over is moved to it with the couple of its lever.
-/// `outline` is in the cloud's own units; `own`: points that no other process has, empty: all; `cracks`: a line load
-/// stays on its side of them. Throws std::invalid_argument for an edge without points beside it.
+/// Generalised nodal forces (3 x points: work-conjugate to w, theta_x, theta_y) of one load at factor 1. A temperature,
+/// whose forces are of the formulation, gives none, nor do loads that move (moving_forces()). Edge loads act on the
+/// edge line: what a point takes over is moved to it with the couple of its lever. `outline` is in the cloud's own
+/// units; `own`: owned points, empty: all; `cracks`: a line load stays on its side of them. Throws
+/// std::invalid_argument for an edge without points beside it.
 Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline,
                     const PointMap& map = {}, const std::vector<geometry::CrackPath>& cracks = {});
 
-/// The same on points that lie on the edges: half of every piece of an edge at either end, with the couples that make a
-/// shear force do the right work on deflections of the third order. `areas` of the points [length^2].
+/// Nodal forces on points that lie on the edges: half of every piece of an edge at either end, with the couples that
+/// make a shear force do the right work on deflections of the third order. `areas` of the points [length^2].
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
                     const PointMap& map = {});
 
 struct Problem;
 
-/// How a load of the kind settlement moves a support: as a rigid body, and every edge about itself.
+/// Motion of a support under a settlement: as a rigid body, and every edge about itself.
 struct SupportMotion {
   std::size_t load, support;  // their numbers
 
@@ -96,7 +96,7 @@ struct SupportMotion {
 
   /// w, theta_x, theta_y of the body at a place.
   Eigen::Vector3d at(const geometry::Point& x) const;
-  /// The same of what goes with an edge: `beyond` it [length], where `outward` is its normal.
+  /// w, theta_x, theta_y of what moves with an edge: `beyond` the edge [length], where `outward` is its normal.
   Eigen::Vector3d at(const geometry::Point& x, const geometry::Point& outward, double beyond) const;
 };
 
@@ -112,7 +112,7 @@ struct Section;
 Eigen::VectorXd free_curvature(const Load& load, const Section& section, const std::vector<geometry::Point>& positions,
                                std::size_t count);
 
-/// Does a temperature load the plate?
+/// True where a temperature loads the plate.
 bool heated(const Problem& problem);
 
 }  // namespace plate

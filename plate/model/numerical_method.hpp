@@ -21,7 +21,7 @@ enum class VolumeCorrection {
   lattice_fitted  // linear, outermost axis shell scaled so that the lattice is isotropic in bending
 };
 
-/// How the parameters follow the family that a point really has.
+/// Correction of the parameters for the family that a point really has.
 enum class SurfaceCorrection { none, volume, arbitrary_horizon, position_aware };
 
 /// Constants of a full horizon: integrals over the disc (Dai 7-8), or sums over the lattice's full family.
@@ -35,14 +35,14 @@ enum class TwistMatch { frame_invariant, paper };
 /// inside, with conditions at all edges by Lagrange multipliers (Sca21, for the plate).
 enum class EdgeMethod { images, layer, surface_nodes, fictitious_nodes };
 
-/// By their names in case files.
+/// Edge methods by their names in case files.
 inline const std::vector<std::pair<std::string, EdgeMethod>> edge_methods{
     {"images", EdgeMethod::images},
     {"layer", EdgeMethod::layer},
     {"surface_nodes", EdgeMethod::surface_nodes},
     {"fictitious_nodes", EdgeMethod::fictitious_nodes}};
 
-/// How the plate is turned into points and bonds.
+/// Discretisation of the plate into points and bonds.
 struct Discretization {
   double spacing = 0;            // [length]
   double horizon_ratio = 3.015;  // horizon / spacing
@@ -59,7 +59,7 @@ struct Discretization {
   double spacing_growth = 0.2;                      // of the spacing of graded points, per distance from tips and holes
 
   double horizon() const { return horizon_ratio * spacing; }
-  /// About the tips of cracks [length].
+  /// Spacing about the tips of cracks [length].
   double spacing_at_tips() const { return tip_spacing.value_or(spacing); }
 };
 
@@ -101,10 +101,10 @@ struct FormulationKind {
   bool offers(Feature feature) const { return !lacks.contains(feature); }
 };
 
-/// How the equilibrium of a plate is found.
+/// Method that finds the equilibrium of a plate.
 enum class StaticMethod { adr, cg, direct };
 
-/// How the inverse of the stiffness is approached in conjugate gradients.
+/// Preconditioner of conjugate gradients.
 enum class Preconditioning { automatic, diagonal, local, two_level, levels };
 
 /// Rayleigh's damping: forces -C v with C = alpha M + beta K.

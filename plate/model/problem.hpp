@@ -41,7 +41,7 @@ void join_loads(Problem& problem);
 /// Gives loads by gravity their value, density thickness gravity [force/length^2]; the first of them where the section
 /// has no density.
 std::optional<std::size_t> resolve_weights(Problem& problem);
-/// How many loads all load cases share, after join_loads().
+/// Number of loads that all load cases share, after join_loads().
 std::size_t shared_loads(const Problem& problem);
 /// The loads of a problem, after join_loads(), that act in its load case `which`.
 std::vector<std::size_t> loads_of(const Problem& problem, std::size_t which);
@@ -67,7 +67,7 @@ struct Problem {
   std::optional<Initial> initial = {};  // of a motion
   std::optional<Impact> impact = {};    // likewise
 
-  /// Is there a unilateral foundation?
+  /// True where there is a unilateral foundation.
   bool unilateral() const {
     return std::ranges::any_of(foundations, [](const Foundation& one) { return one.unilateral; });
   }
@@ -77,7 +77,7 @@ struct Problem {
 /// Supports of the problem with the method of the discretisation resolved: in layers where it says so.
 std::vector<Support> resolved_supports(const Problem& problem);
 
-/// Its cracks as paths [length].
+/// Cracks of a problem as paths [length].
 std::vector<geometry::CrackPath> crack_paths(const Problem& problem);
 
 }  // namespace plate

@@ -16,7 +16,7 @@
 namespace plate {
 namespace {
 
-/// Does the name stand for straight edges parallel to the axes only?
+/// True where the name stands for straight edges parallel to the axes only.
 bool axis_parallel(const geometry::Outline& outline, const std::string& name) {
   for (const auto& hole : outline.holes)
     if (const auto* circle = std::get_if<geometry::Circle>(&hole); circle && circle->name == name) return false;
@@ -40,7 +40,7 @@ void check_names(const std::vector<std::string>& names, const std::vector<std::s
                                    listed(existing))});
 }
 
-/// Does a stretch of the one lie on the other? A place where they merely cross does not.
+/// True where a part of one line lies on the other. A place where they merely cross does not count.
 bool lies_along(const geometry::Polyline& a, const geometry::Polyline& b, double tolerance) {
   constexpr int places = 16;
   const auto on = [&](const geometry::Polyline& line, const geometry::Polyline& other) {
@@ -165,7 +165,7 @@ void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& f
                      "nodes at edges have no lines, parts and clamped points that are held: choose \"images\""});
 }
 
-/// Is there nothing that layers, which the discretisation asks for, would hold?
+/// True where nothing is held that layers, which the discretisation asks for, would hold.
 bool layers_in_vain(const Problem& problem, const std::vector<Support>& resolved) {
   return problem.discretization.boundary == EdgeMethod::layer &&
          problem.discretization.formulation->offers(Feature::surface_nodes) &&

@@ -9,7 +9,7 @@ namespace plate {
 
 struct Problem;
 
-/// In the plate, or on its boundary?
+/// True for a point in the plate, or on its boundary.
 bool on_plate(const geometry::Outline& outline, const geometry::Point& point);
 
 /// Edges that supports and loads name and that the plate does not have, edges that two supports hold or that a kind of

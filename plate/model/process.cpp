@@ -25,7 +25,7 @@ namespace {
 }
 
 #ifdef PDPLATE_OWN_OPENMP
-/// Before the constructors of the OpenMP library, which is part of the program.
+/// Sets waiting threads to sleep, before the constructors of the OpenMP library, which is part of the program.
 [[gnu::constructor(101)]] void wait_without_spinning() {
   set_waiting();
 }

@@ -63,7 +63,7 @@ std::array<double, N> exact_sum(const Communicator& all, std::size_t blocks, con
 
 /// Sums of several quantities over indices 0 ... size - 1, in parallel; the same bits for any number of threads,
 /// because blocks of fixed size are added in a fixed order, eight sums side by side. Terms must not depend on each
-/// other. term(i) -> std::array<double, N>. Where ranks share the plate, over all of theirs, and exact.
+/// other. term(i) -> std::array<double, N>. Where the plate is distributed, over all of theirs, and exact.
 template <std::size_t N, typename Term>
 std::array<double, N> ordered_sum(const Communicator& all, std::size_t size, const Term& term) {
   constexpr std::size_t block = 4096, lanes = 8;

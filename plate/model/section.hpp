@@ -16,11 +16,11 @@ struct Orthotropy {
   double G12 = 0, G13 = 0, G23 = 0;  // in the plane, and across it [force/length^2]
   double angle = 0;                  // of axis 1 from x, counter-clockwise [degrees]
 
-  /// Does every strain in the plane cost energy? nu12^2 < E1 / E2.
+  /// True where every strain in the plane costs energy: nu12^2 < E1 / E2.
   bool stable() const { return nu12 * nu12 * E2 < E1; }
 };
 
-/// One layer of a plate of several.
+/// Layer of a laminated plate.
 struct Ply : Orthotropy {
   double thickness = 0;           // [length]
   std::optional<double> density;  // without it that of the section [mass/length^3]
@@ -46,7 +46,7 @@ struct Section {
   Formula young_factor = {};                   // E(x, y) / E
   std::vector<SectionRegion> regions = {};     // where several overlap the last counts; factors act outside of them
 
-  /// The same everywhere?
+  /// True for a section with the same properties everywhere.
   bool uniform() const { return regions.empty() && !thickness_factor.given() && !young_factor.given(); }
   /// True for a material without directions.
   bool isotropic() const { return !orthotropic && plies.empty(); }
@@ -54,7 +54,7 @@ struct Section {
 
   /// The section at a place, the same everywhere.
   Section at(const geometry::Point& x) const;
-  /// How far the section is the same as at a place as far as regions tell; 0 where it has factors [length].
+  /// Radius within which the section is the same as at a place as far as regions tell; 0 where it has factors [length].
   double uniform_within(const geometry::Point& x) const;
   /// Makes the plate some times as thick.
   void thicken(double factor);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto of_lines = " resists along edges and lines; a position has deflection and rotation";
 
-/// All that is wrong with a spring as such, in one sentence.
+/// Adds refusals of a spring as such, one sentence each.
 void check_keys(const Spring& spring, std::size_t number, std::vector<Refusal>& found) {
   std::vector<std::string> errors;
   const int places = !spring.edges.empty() + !spring.along.empty() + spring.position.has_value();
@@ -115,7 +115,7 @@ bool along(const geometry::Polyline& line, const Point& x, double tolerance) {
   return !line.empty() && geometry::distance(line, x) <= tolerance;
 }
 
-/// Where the support holds the plate at x: on each of its edges there, or inside.
+/// Places where the support holds the plate at x: on each of its edges there, or inside.
 std::vector<Place> held_at(const Support& support, const geometry::Outline& outline, const Point& x) {
   const double tolerance = 1e3 * geometry::tolerance(outline);
   std::vector<Place> result;
@@ -166,7 +166,7 @@ std::vector<geometry::Polyline> lines_of(const Support& support) {
   return result;
 }
 
-/// Where lines of two supports cross.
+/// Points where lines of two supports cross.
 std::vector<Point> crossings(const Support& one, const Support& other) {
   std::vector<Point> result;
   for (const auto& first : lines_of(one))
@@ -207,7 +207,7 @@ Kept kept(const Problem& problem, std::size_t number, const Place& at, const Tog
   return result;
 }
 
-/// Do both hold the same of the place, at different values?
+/// True where both hold the same of the place, at different values.
 bool apart(const Kept& one, const Kept& other, double deflection, double slope) {
   constexpr double rounding = 1e-9, parallel = 1 - 1e-9;
   if (one.w && other.w && std::abs(*one.w - *other.w) > rounding * deflection) return true;

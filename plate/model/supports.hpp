@@ -8,7 +8,7 @@
 
 namespace plate {
 
-/// How an edge is held (theory.md, "Supports"); psi_n and psi_s: rotation along the normal and along the edge.
+/// Kind of support of an edge (theory.md, "Supports"); psi_n and psi_s: rotation along the normal and along the edge.
 enum class SupportKind {
   free,
   clamped,                      // w = psi_n = psi_s = 0 on the line
@@ -31,7 +31,7 @@ struct Support {
   std::optional<geometry::Hole> patch = {};
 
   bool holds_edges() const { return kind != SupportKind::free && !edges.empty(); }
-  /// Is there a line or a part of the plate that it holds?
+  /// True where it holds a line or a part of the plate.
   bool holds_inside() const { return !along.empty() || patch; }
 };
 

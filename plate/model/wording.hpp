@@ -4,7 +4,7 @@
 
 #include "geometry/shape/outline.hpp"
 
-/// How messages say words, numbers and points.
+/// Words, numbers and points in messages.
 namespace plate {
 
 /// The candidate nearest to a word by edit distance (also to a beginning of a candidate), as

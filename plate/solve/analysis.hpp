@@ -27,19 +27,19 @@ struct Analysis {
   std::optional<Damping> damping = {};       // dynamic, harmonic
   std::optional<Sweep> sweep = {};           // harmonic
 
-  /// In statics; in dynamics conjugate gradients.
+  /// Method of statics; in dynamics conjugate gradients.
   StaticMethod static_method() const {
     return method == Method::adr      ? StaticMethod::adr
            : method == Method::direct ? StaticMethod::direct
                                       : StaticMethod::cg;
   }
-  /// Is an equilibrium wanted, for itself or to start from?
+  /// True where an equilibrium is wanted, for itself or to start from.
   bool finds_equilibrium() const {
     return kind == Kind::static_ || kind == Kind::harmonic || (kind == Kind::dynamic && start == Start::equilibrium);
   }
 };
 
-/// As in case files.
+/// Name of a kind of analysis in case files.
 inline const char* name_of(Analysis::Kind kind) {
   switch (kind) {
     case Analysis::Kind::static_:

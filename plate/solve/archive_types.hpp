@@ -5,7 +5,7 @@ class BinaryOutputArchive;
 class BinaryInputArchive;
 }  // namespace cereal
 
-/// To what the memory of a run is written, and from what it is read (archive.hpp).
+/// Archives to which the checkpoint of a run is written, and from which it is read (archive.hpp).
 namespace plate {
 
 using OutArchive = cereal::BinaryOutputArchive;

@@ -11,7 +11,7 @@
 namespace plate {
 
 std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix) {
-  // a part that hangs on two points of the local plate, but on more of the true one, leaves a zero
+  // a part that hangs on two points of the short-horizon plate, but on more of the true one, leaves a zero
   for (double shift = 0;; shift = shift == 0 ? 1e-12 : 1e3 * shift) try {
       return std::make_unique<Factor>(matrix, shift);
     } catch (const NumericalError&) {
@@ -83,7 +83,7 @@ struct Block {
   Eigen::Matrix3d entries;
 };
 
-/// Rows of P^T K P of own points, without what is held. `free`: degrees of freedom with stiffness are above 0.
+/// Rows of P^T K P of owned points, without what is held. `free`: degrees of freedom with stiffness are above 0.
 DistributedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::vector<std::uint32_t>& own,
                      const std::vector<std::int64_t>& number, const State& free) {
   std::vector<std::vector<Block>> found(matrix.points());

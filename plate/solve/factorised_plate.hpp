@@ -38,12 +38,12 @@ Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces);
 /// The diagonal of P^T K P, zero at held degrees of freedom.
 Forces folded_diagonal(const Operator& plate, const Constraints& constraints);
 
-/// The inverse of a plate that processes share, as the libraries behind Communicator::inverse() find it: exact as far
-/// as they factorise.
+/// The inverse of a distributed plate, as the libraries behind Communicator::inverse() find it: exact as far as they
+/// factorise.
 class DistributedFactor : public Preconditioner {
 public:
-  /// `stiffness`: right in the rows and columns of own points. `seen`: of all points that these are coupled to, where
-  /// that are more than the copies of `boundary`. `plate`, `boundary` must outlive this.
+  /// `stiffness`: right in the rows and columns of owned points. `seen`: of all points that these are coupled to, where
+  /// that are more than the ghosts of `boundary`. `plate`, `boundary` must outlive this.
   DistributedFactor(const Communicator& all, const Operator& plate, const Boundary& boundary,
                     const PointMatrix& stiffness, const HaloExchange* seen = nullptr);
 
@@ -52,7 +52,7 @@ public:
 
 private:
   const Boundary& boundary_;
-  std::vector<std::uint32_t> own_;  // points of this process
+  std::vector<std::uint32_t> own_;  // owned points
   std::unique_ptr<DistributedInverse> inverse_;
 };
 

@@ -22,7 +22,8 @@ std::mutex mutex;
 int living = 0;
 std::array<struct sigaction, signals.size()> before;
 
-/// The same signal again ends the process; another one may come from whoever passes the first on.
+/// Handles a signal: the first one asks for the end, the same signal again ends the process. A launcher may pass on a
+/// different signal as well.
 void ask(int signal) {
   if (asked == signal) {
     std::signal(signal, SIG_DFL);

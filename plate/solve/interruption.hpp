@@ -11,8 +11,8 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// While one lives, Ctrl-C and SIGTERM ask for the end at the next step of whatever is solved; the same signal again
-/// ends the process at once.
+/// Lets Ctrl-C and SIGTERM ask for the end at the next step of the solution while an object lives; the same signal
+/// again ends the process at once.
 class StopOnSignals {
 public:
   StopOnSignals();
@@ -20,7 +20,7 @@ public:
   StopOnSignals(const StopOnSignals&) = delete;
 };
 
-/// Has a signal asked for the end?
+/// True where a signal has asked for the end.
 bool stop_is_asked() noexcept;
 
 /// Throws Interrupted where a signal has asked any rank for the end; collective. `where` goes into the message.

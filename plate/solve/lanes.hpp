@@ -11,7 +11,7 @@ namespace simd = std::experimental;
 template <typename Real>
 using Lane = simd::native_simd<Real>;
 
-/// Several machine vectors of neighbouring points, so that what a bond broadcasts serves all of them.
+/// Lanes of several machine vectors of neighbouring points, so that what a bond broadcasts serves all of them.
 template <typename Real, std::size_t N>
 struct Lanes {
   static constexpr std::size_t size = N * Lane<Real>::size();

@@ -15,7 +15,7 @@
 namespace plate {
 namespace {
 
-/// Is an entry of values [3 x points] of a point that no other process has?
+/// True where an entry of values [3 x points] is of an owned point.
 bool owns(const Formulation& plate, std::size_t entry) {
   return plate.boundary().owns(entry % plate.points());
 }

@@ -8,8 +8,8 @@ class Formulation;
 
 /// True where settlements prescribe displacements.
 bool has_prescribed_displacements(const Formulation& plate);
-/// Where all settlements at their last values together put what is held, those of a time, and those of time 0; without
-/// columns where there are none.
+/// Dirichlet lift of all settlements: at their last values together, at a time, and at time 0; without columns where
+/// there are none.
 State total_lift(const Formulation& plate);
 State lift_at(const Formulation& plate, double time);
 State first_lift(const Formulation& plate);
@@ -17,9 +17,9 @@ State first_lift(const Formulation& plate);
 /// inertia.
 Forces unconstrained_mass(const Formulation& plate, double rotary = 1);
 
-/// Do loads that act together cancel, to rounding, wherever the plate may move? Not of one load alone.
+/// True where loads that act together cancel, to rounding, wherever the plate may move. False for one load alone.
 bool cancel(const Formulation& plate, const std::vector<Forces>& loads);
-/// All loads at their last values together; zero where they cancel.
+/// Sum of all loads at their last values; zero where they cancel.
 Forces acting_load(const Formulation& plate);
 
 /// Two parts of the Dirichlet lift of settlements.

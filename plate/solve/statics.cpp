@@ -48,9 +48,9 @@ double dot(const Communicator& all, const State& a, const Forces& b) {
                         [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
 }
 
-/// Before an iteration. Throws where its residual is not finite, or a signal asks for the end.
+/// Checks before an iteration: throws where its residual is not finite, or a signal asks for the end.
 void may_go_on(const Communicator& all, double residual, const char* method, std::size_t iteration) {
-  constexpr std::size_t seldom = 20;  // processes that share the plate stop together, and ask each other
+  constexpr std::size_t seldom = 20;  // ranks of a distributed plate stop together, and ask each other
   if (!all.distributed() || iteration % seldom == 0) stop_if_asked(method, all);
   if (!std::isfinite(residual))
     throw NumericalError(std::string(method) + ": the residual is not finite at iteration " +
@@ -319,7 +319,7 @@ void require_sound(const Formulation& plate, const Forces& load, const State& st
   if (PrescribedDisplacements(plate, load, rests).residual(state).share > left) throw NumericalError(flies);
 }
 
-/// Does soil touch at the same places, of whichever process?
+/// Collective: true where foundations are in contact at the same places on all ranks.
 bool same_everywhere(const Formulation& plate, const ContactState& one, const ContactState& other) {
   bool differ = false;
   const auto& parts = plate.boundary().elastic_supports.parts();

@@ -14,9 +14,8 @@ namespace plate {
 class Constraints;
 class Preconditioner;
 
-/// When a static solution is good enough. The residual is |r| / |load| with |r|^2 = sum r_i^2 / K_ii over the free
-/// degrees of freedom (K_ii of P^T diag(K) P): forces and couples count by the displacement that they cause, whatever
-/// the units.
+/// Tolerance of a static solution. The residual is |r| / |load| with |r|^2 = sum r_i^2 / K_ii over the free degrees of
+/// freedom (K_ii of P^T diag(K) P): forces and couples count by the displacement that they cause, whatever the units.
 struct StaticOptions {
   double tolerance = 1e-6;
   std::size_t max_iterations = 200000;
@@ -45,7 +44,7 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
                                    const StaticOptions& options, const Preconditioner* preconditioner = nullptr,
                                    const State* start = nullptr);
 
-/// The same for the stiffness K + diag(shift), shift >= 0 and zero at held degrees of freedom [3 x points].
+/// Conjugate gradients for the stiffness K + diag(shift), shift >= 0 and zero at held degrees of freedom [3 x points].
 StaticSolution conjugate_gradients(const Operator& plate, const Constraints& constraints, const Forces& shift,
                                    const Forces& load, const StaticOptions& options,
                                    const Preconditioner* preconditioner = nullptr);
@@ -70,15 +69,15 @@ struct StaticResult {
   const State& what_strains() const { return strained.cols() > 0 ? strained : solution.state; }
 };
 
-/// By a method, and with a preconditioner for conjugate gradients. `lift`: of supports that have moved; without columns
-/// none. Throws NumericalError as the solvers do.
+/// Solves for one load by a method, and with a preconditioner for conjugate gradients. `lift`: of supports that have
+/// moved; without columns none. Throws NumericalError as the solvers do.
 StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMethod method, Preconditioning wanted,
                           const StaticOptions& options, const State& lift = State(3, 0));
 
-/// Under all loads, by the method and with the preconditioner of an analysis.
+/// Solves under all loads, by the method and with the preconditioner of an analysis.
 StaticResult static_solution(const Formulation& plate, const Analysis& analysis, const StaticOptions& options);
 
-/// At rest under the loads of time 0; nothing where these are none. Throws NumericalError.
+/// State of rest under the loads of time 0; nothing where these are none. Throws NumericalError.
 State start_of(const Formulation& plate, const Analysis& analysis);
 
 /// Best affordable approximation to the inverse of a held plate for many loads: its factor, or, where it has many
@@ -88,8 +87,8 @@ std::unique_ptr<Preconditioner> inverse_of(const Formulation& plate);
 class Preconditioner;
 
 /// Equilibria of one plate, which must outlive this, under one load after the other: the factor or the preconditioner
-/// is made once, and conjugate gradients begin at that sum of their earlier solutions whose energy is least. Where soil
-/// lifts off, plates with given contact are solved until the contact is what is pressed.
+/// is made once, and conjugate gradients begin at that sum of their earlier solutions whose energy is least. With
+/// unilateral foundations, plates with given contact are solved until the contact is what is pressed.
 class StaticSolver {
 public:
   StaticSolver(const Formulation& plate, StaticMethod method, Preconditioning wanted);

@@ -41,7 +41,7 @@ void check_pins(const Formulation& plate, const Analysis& analysis, Validation& 
     result.warnings.push_back(said + ": deflections may be far off; set formulation = \"galerkin\"");
 }
 
-/// In motion a plate may move as it is; that pieces do is worth a word.
+/// Checks that the plate is held. In motion a plate may move freely; loose pieces give a warning.
 void check_held(const Formulation& plate, const Analysis& analysis, Validation& result) {
   if (analysis.kind == Analysis::Kind::frequencies) {
     const auto zero = unresisted_motions(plate);

@@ -16,7 +16,7 @@ constexpr std::array of_size{0.0, 0.01, 0.02};       // of K2 and K3 h together,
 constexpr double of_others_change = 0.3, of_step = 0.2;
 constexpr double share_of_rounding = 5e-5;  // of the largest factor
 
-/// Both integrals of a tip, which share their mode mix.
+/// Factors by both integrals of a tip, which share their mode mix.
 struct Pair {
   double size, faces;
   Factors domain, extension;
@@ -29,8 +29,8 @@ const Srif* find(const std::vector<Srif>& srifs, std::size_t tip, const char* me
   return found == srifs.end() ? nullptr : &*found;
 }
 
-/// At one time: of the last discretisations in a row that have both, with a fit. Where no energy is released the fit
-/// tells the factors.
+/// Pairs at one time: of the last discretisations in a row that have both integrals, with a fit. Where no energy is
+/// released the fit tells the factors.
 std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, std::size_t row, std::size_t tip, double h) {
   std::vector<Pair> result;
   for (const auto& one : path) {
@@ -51,7 +51,7 @@ std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, std::size_t row, 
   return result;
 }
 
-/// From the last two values, errors going with size^2.
+/// Extrapolates from the last two values, errors going with size^2.
 template <typename Value>
 Value extrapolated(const Value& before, const Value& last, double size_before, double size) {
   const double ratio = size_before / size;
@@ -93,7 +93,7 @@ Factors result_of(const std::vector<Pair>& found, std::size_t n) {
   return extrapolated<Factors>(mean(found[n - 1]), mean(found[n]), found[n - 1].size, found[n].size);
 }
 
-/// How much larger than the last change the rest of a convergence at this pace may be: 1 where errors go with size^2.
+/// Ratio of the remaining error to the last change for convergence at this pace: 1 where errors go with size^2.
 double slowness(double pace) {
   const double ratio = std::min(pace / 2, 0.75);  // of changes, where each step halves size^2
   return ratio > 0.5 ? ratio / (1 - ratio) : 1;
@@ -103,7 +103,7 @@ struct Refined {
   Factors K, errors;
 };
 
-/// At all times.
+/// Refined factors at all times.
 std::vector<Refined> refined(const Course& course) {
   const std::size_t n = course.front().size() - 1;
   const Factors paces = pace(course, n, mean);
@@ -134,8 +134,8 @@ std::vector<Refined> refined(const Course& course) {
   return all;
 }
 
-/// Where the courses of two discretisations cross, nothing tells their error: it is no less than that of all times,
-/// root of the mean square. `truncated`: of the largest factor at any time.
+/// Raises errors to the root mean square over all times: where the courses of two discretisations cross, their
+/// difference tells no error. Adds the share `truncated` of the largest factor at any time.
 void level(std::vector<Refined>& course, double truncated) {
   Factors squares = Factors::Zero();
   double largest = 0;
@@ -152,7 +152,7 @@ double truncation(const std::vector<AccuracyStep>& path, std::size_t tip) {
   return std::max(of(path.back()), of(path[path.size() - 2]));
 }
 
-/// No times where some have too few discretisations.
+/// Course of the factors of a tip; without the times at which some discretisations are too few.
 Course course_of(const std::vector<AccuracyStep>& path, std::size_t tip, double thickness) {
   constexpr std::size_t enough = 3;
   Course result;
@@ -248,7 +248,7 @@ std::optional<double> largest_error(const std::vector<std::vector<Srif>>& refine
 
 namespace {
 
-/// To the factors of the same tips after a later discretisation.
+/// Widens errors to the factors of the same tips after a later discretisation.
 void widen_to(const std::vector<std::vector<Srif>>& later, std::vector<std::vector<Srif>>& rows, double thickness) {
   for (std::size_t row = 0; row < rows.size() && row < later.size(); ++row)
     for (auto& srif : rows[row]) {

@@ -3,8 +3,9 @@
 
 namespace post {
 
-/// One of several discretisations of a plate, each finer than the one before: all lengths over those of the first by
-/// `size`, those at singular points by its square, so that errors go with size^2 (theory.md, "To a stated accuracy").
+/// Step of a search over several discretisations of a plate, each finer than the one before: all lengths over those of
+/// the first by `size`, those at singular points by its square, so that errors go with size^2 (theory.md, "To a stated
+/// accuracy").
 struct AccuracyStep {
   double size = 1;
   std::size_t points = 0;

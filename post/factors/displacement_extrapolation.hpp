@@ -6,7 +6,7 @@
 
 namespace post {
 
-/// Which samples a fit of the opening takes, and what it fits.
+/// Samples that a fit of the opening takes, and terms that it fits.
 struct OpeningFit {
   std::string name;                  // of the method
   double window;                     // samples up to this distance from the tip [length]

@@ -94,7 +94,7 @@ Taken of_deflection(const Point& own, const Eigen::Matrix2d& S, const Point& ahe
   return result;
 }
 
-/// By the differences that the plate takes its gradients from; psi = (-theta_y, theta_x).
+/// Adds to row `row` the differences that the plate takes its gradients from; psi = (-theta_y, theta_x).
 void scatter(const TipView& plate, std::uint32_t k, const Taken& taken, double area, Eigen::Index row, Rows& rows) {
   const auto add = [&](std::uint32_t j, double w, const Point& psi) {
     auto& own = rows.try_emplace(j, Eigen::Matrix3d::Zero()).first->second;

@@ -39,8 +39,8 @@ double distance_to(const geometry::Hole& part, const geometry::Point& x) {
   return geometry::distance(ring, x);
 }
 
-/// Over which elastic foundations press back, in proportion to what the fields of a fit do not have: the shortest of
-/// all sqrt(D / G_p) and (D / k)^(1/4) [length].
+/// Length over which elastic foundations press back, in proportion to what the fields of a fit do not have: the
+/// shortest of all sqrt(D / G_p) and (D / k)^(1/4) [length].
 double reach_of_foundations(const plate::Problem& c) {
   double result = INFINITY;
   const double stiffness = c.section.bending_stiffness();

@@ -29,7 +29,7 @@ double least_clear_distance(const plate::Problem& problem, const std::vector<geo
 /// is below 24 spacings, at least a 256th of the spacing [length]. Absent where its points serve.
 std::optional<double> tip_spacing_for(const plate::Problem& problem);
 
-/// Does a ring of points fit about the tip, as every energy release rate needs?
+/// True where a ring of points fits about the tip, as every energy release rate needs.
 bool ringed(const plate::Problem& problem, const std::vector<geometry::CrackPath>& paths, const geometry::Tip& tip);
 
 /// The largest radius of the rings about tips whose spacings are `wider` than those of the plate [spacings]; 0 where no
@@ -51,7 +51,7 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
                         const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings = true,
                         const plate::Heat* heat = nullptr);
 
-/// Which methods are missing at which tips, and why.
+/// Messages about the methods that are missing at tips, and why.
 std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const std::vector<TipMethods>& methods);
 
 /// A warning for each tip that has something within two spacings: what lies between is not resolved, and the whole

@@ -65,9 +65,9 @@ using plate::Polar, plate::TipFrame;
 /// harmonic deflection (Williams 1957 for both), or with an even load (theory.md, "Fields about a tip").
 class TipSeries {
 public:
-  /// All fields that begin with a power r^(n/2) of psi or r^(n/2+1) of w, n <= order, and are bounded. They are made
-  /// for distances up to `radius` [length]. `heated`: two more, of free curvatures kappa_0 that grow straight ahead and
-  /// to the left.
+  /// Constructs all fields that begin with a power r^(n/2) of psi or r^(n/2+1) of w, n <= order, and are bounded. They
+  /// are made for distances up to `radius` [length]. `heated`: two more, of free curvatures kappa_0 that grow straight
+  /// ahead and to the left.
   TipSeries(const plate::Section& section, double radius, int order, bool heated = false);
 
   Eigen::Index size() const { return Eigen::Index(orders_.size()); }
@@ -107,7 +107,7 @@ private:
   Eigen::Matrix3Xd factors_;
 };
 
-/// Which points about a tip a fit takes, and how many fields.
+/// Points about a tip that a fit takes, and number of fields.
 struct FitRange {
   double inner, outer;  // distances from the tip [length]
   int order;            // of TipSeries

@@ -80,7 +80,7 @@ struct PlateScale {
   bool points_on_faces = false;
 };
 
-/// Does a method read the opening of the crack, or the field about the tip?
+/// True where a method reads the opening of the crack, false where it reads the field about the tip.
 bool of_opening(const std::string& method);
 
 /// The largest of |K1|, |K2|, |K3| h.
@@ -99,8 +99,9 @@ void widen(Srif& srif, double error, double thickness);
 /// States the difference from the factors of another formulation; the estimated error is at least that.
 void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness);
 
-/// Where the faces of a crack pass through each other behind a tip, as nothing keeps them from it (theory (76)): K1 > 0
-/// opens the half z > 0 and closes the other. Unknown where K1 is not resolved, or nothing within its estimated error.
+/// Face of the plate at which the faces of a crack pass through each other behind a tip, as nothing keeps them from it
+/// (theory (76)): K1 > 0 opens the half z > 0 and closes the other. Unknown where K1 is not resolved, or nothing within
+/// its estimated error.
 enum class Overlap { unknown, below, above };  // at z < 0, at z > 0
 Overlap overlap(const Srif& srif);
 /// "z<0", "z>0" or "", as files have it.
@@ -119,7 +120,7 @@ struct FaceFactors {
   std::optional<double> equivalent;
   std::optional<double> error;                           // estimated, of `equivalent`
   std::optional<double> utilisation, utilisation_error;  // over the toughness, where that is given
-  /// By how much the faces overlap at the closed face of the plate, one thickness behind the tip (theory (76))
+  /// Length by which the faces overlap at the closed face of the plate, one thickness behind the tip (theory (76))
   /// [length].
   std::optional<double> overlap = {};
 };

@@ -148,8 +148,9 @@ std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFr
 
 namespace {
 
-/// How far the crack runs straight back from its tip; another end of it counts at 0.7 of its distance, because the
-/// field there is singular too (an integral over a ring up to the other tip of a crack 25 spacings long was 1.5 % off).
+/// Length over which the crack runs straight back from its tip; another end of it counts at 0.7 of its distance,
+/// because the field there is singular too (an integral over a ring up to the other tip of a crack 25 spacings long was
+/// 1.5 % off).
 double straight_length(const geometry::CrackPath& path, const geometry::Tip& tip, double spacing) {
   auto vertices = path.vertices;
   if (tip.at_back) std::reverse(vertices.begin(), vertices.end());

@@ -8,7 +8,8 @@ namespace post {
 
 using plate::EnergyRelease, plate::NearField, plate::Ring, plate::TipFrame, plate::TipView;
 
-/// By the domain integral of moments, shear forces and gradients at the points of the ring (J-integral; theory (48)).
+/// Energy release rate by the domain integral of moments, shear forces and gradients at the points of the ring
+/// (J-integral; theory (48)).
 std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFrame& frame, const Ring& ring);
 
 /// Contribution to -dU/da of a ring of a thermal curvature kappa_0 that varies about a tip (theory (80)) [force].
@@ -21,7 +22,7 @@ double release_of_heat(const TipView& plate, const TipFrame& frame, const Ring& 
 /// there.
 class TipSurroundings {
 public:
-  /// All points within `radius` of the tip, the nearest first. `plate` must outlive this.
+  /// Constructs from all points within `radius` of the tip, the nearest first. `plate` must outlive this.
   TipSurroundings(const TipView& plate, const geometry::Tip& tip, double radius);
 
   const std::vector<std::uint32_t>& points() const { return points_; }

@@ -42,8 +42,8 @@ ErrorShares shares_of(const TipView& plate, const TipPlace& place, const plate::
           place.tied ? 1.0 : 0.0};
 }
 
-/// How far a staircase of points turns the field that a fit within `reach` sees: at most by the angle between the crack
-/// and its steps, which are parallel or diagonal to the lattice; not where it has a whole step [rad].
+/// Angle by which a staircase of points turns the field that a fit within `reach` sees: at most the angle between the
+/// crack and its steps, which are parallel or diagonal to the lattice; 0 where it has a whole step [rad].
 double turn_of_stairs(const geometry::Point& ahead, double spacing, double reach) {
   constexpr double diagonal = std::numbers::pi / 4;
   const double angle = std::abs(std::remainder(std::atan2(ahead.y(), ahead.x()), diagonal));

@@ -26,13 +26,13 @@ struct TipPlace {
   double known_error = 0;  // of all factors, whatever the field about the tip says, as a share of the largest
 };
 
-/// All chosen methods at one tip: built once, evaluated at any number of times. The recommended one comes first.
+/// Chosen methods at one tip: built once, evaluated at any number of times. The recommended one comes first.
 class TipMethods {
 public:
   /// Methods that cannot work at this tip are left out.
   TipMethods(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options);
 
-  /// At a tip of another process, which has said this of them.
+  /// Constructs the methods at a tip that another rank owns, from what that rank has reported.
   TipMethods(bool works, std::vector<std::string> left_out);
 
   TipMethods(TipMethods&&) noexcept;
@@ -44,18 +44,18 @@ public:
   std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings = true,
                                const Eigen::VectorXd* curvature = nullptr) const;
 
-  /// Why methods were left out.
+  /// Reasons why methods were left out.
   const std::vector<std::string>& left_out() const;
-  /// Is any method left?
+  /// True where any method is left.
   bool works() const;
-  /// Not at a tip of another process.
+  /// False at a tip that another rank owns.
   bool here() const { return at_tip_ != nullptr; }
 
   /// K1, K2, K3 times the thickness of the fit of the fields about the tip, as functionals (rows) of the state
   /// flattened; no row where there is no fit.
   Eigen::MatrixXd functionals() const;
 
-  /// Does any method ask for the internal force?
+  /// True where any method asks for the internal force.
   bool needs_force() const;
 
 private:

@@ -4,7 +4,7 @@
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
-/// How what is recorded of a run is remembered (plate/solve/archive.hpp).
+/// Serialization of what is recorded of a run (plate/solve/archive.hpp).
 namespace post {
 
 template <typename Archive>

@@ -14,8 +14,8 @@ void write_atomically(const std::filesystem::path& path, const std::string& text
 /// Waits until a file, or the names in a folder, are on the disk. Throws std::filesystem::filesystem_error.
 void wait_for_disk(const std::filesystem::path& path);
 
-/// All of a file. Throws std::filesystem::filesystem_error where it cannot be read, std::length_error where it has more
-/// than `most` bytes: it may be a device without an end.
+/// Reads all of a file. Throws std::filesystem::filesystem_error where it cannot be read, std::length_error where it
+/// has more than `most` bytes: it may be a device without an end.
 std::string read_text(const std::filesystem::path& path, std::size_t most = std::size_t(1) << 40);
 
 }  // namespace post

@@ -12,7 +12,7 @@
 
 namespace post {
 
-/// Which of the weights of a corner's sources: `linear` for displacements, `mean` for what is derived from them.
+/// Weight of a corner's sources: `linear` for displacements, `mean` for what is derived from them.
 using CornerWeight = double plate::Mesh::Source::*;
 
 /// The vertices of a mesh: its points, then the corners of cells on edges and cracks [length].
@@ -53,7 +53,7 @@ void set_factors(Cracks& cracks, const std::vector<Srif>& factors);
 
 using plate::Mesh;
 
-/// One instant. Arrays have one entry per point of the mesh.
+/// Frame at one instant. Arrays have one entry per point of the mesh.
 struct Frame {
   double time = 0;
   std::size_t step = 0;

@@ -47,7 +47,7 @@ std::vector<double> PointOrder::at_first(std::size_t first, std::size_t count, s
     for (std::size_t i = 0; i < count; ++i) numbers(first + i, result.data() + i * width);
     return result;
   }
-  std::vector<double> sent;  // of every stretch: where it begins in this part, how many points, their numbers
+  std::vector<double> sent;  // of every run: where it begins in this part, how many points, their numbers
   const auto behind = std::ranges::upper_bound(own_, first, {}, &PointRun::first);
   for (auto one = behind == own_.begin() ? behind : behind - 1; one != own_.end() && one->first < first + count;
        ++one) {

@@ -8,14 +8,14 @@
 
 namespace post {
 
-/// The points of a plate that processes share, in the order in which one process has them: row by row from the lower
-/// left, or by their numbers. Each process knows where its own stand, by stretches of a row.
+/// Global order of the points of a distributed plate: row by row from the lower left, or by their numbers. Each rank
+/// knows the positions of its owned points, by pieces of a row.
 class PointOrder {
 public:
-  /// `own`: the points of the process in that order [length]; of a row of the lattice all processes have the same y.
-  /// All call it at once. `all` must outlive this.
+  /// Constructs from the owned points of the rank in that order [length]; of a row of the lattice all ranks have the
+  /// same y. Collective. `all` must outlive this.
   PointOrder(const plate::Communicator& all, const std::vector<geometry::Point>& own);
-  /// `numbers`: of the points of the process among all, ascending.
+  /// Constructs from the global numbers of the owned points, ascending.
   PointOrder(const plate::Communicator& all, const std::vector<std::uint32_t>& numbers);
 
   /// Number of points of all ranks.
@@ -27,7 +27,7 @@ public:
                                const std::function<void(std::size_t k, double* to)>& numbers) const;
 
 private:
-  /// Own points that follow each other among all.
+  /// Run of owned points that follow each other in the global order.
   struct PointRun {
     std::size_t first, begin, points;  // first: among all; begin: among the own
   };
@@ -37,7 +37,7 @@ private:
   std::vector<PointRun> own_;
 };
 
-/// The order of the points of a mesh whose own points come first.
+/// The order of the points of a mesh whose owned points come first.
 PointOrder order_of(const plate::Communicator& all, const Mesh& mesh);
 
 }  // namespace post

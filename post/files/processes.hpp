@@ -17,7 +17,7 @@ struct Spread {
   double least = 0, mean = 0, largest = 0;
 };
 
-/// How processes shared a run.
+/// Distribution of a run among processes.
 struct ProcessesSummary {
   std::size_t count = 0, threads = 0;                   // threads: of each
   Spread points;                                        // of the plate
@@ -29,18 +29,17 @@ struct ProcessesSummary {
   Spread messages, bytes, sums;
 };
 
-/// Summary of all ranks that share the plate, from the values of each; null where one process holds the whole plate.
-/// Collective: every rank must call it. `points`: of the rank; `seconds`: of its stages; `since`: traffic of the run;
-/// `steps`: or iterations.
+/// Summary of all ranks, from the values of each; null where one process holds the whole plate. Collective: every rank
+/// must call it. `points`: of the rank; `seconds`: of its stages; `since`: traffic of the run; `steps`: or iterations.
 std::shared_ptr<const ProcessesSummary> of_processes(const plate::Communicator& all, std::size_t points,
                                                      const std::vector<std::pair<std::string, double>>& seconds,
                                                      double memory, const plate::Traffic& since,
                                                      std::optional<double> steps);
 
-/// The traffic of this process so far; zeros where one process has all.
+/// The traffic of this rank so far; zeros where one process has all.
 plate::Traffic traffic_so_far(const plate::Communicator& all);
 
-/// For people: three lines.
+/// Returns the summary as three lines for people.
 std::string printed(const ProcessesSummary& processes);
 
 }  // namespace post

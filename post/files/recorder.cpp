@@ -67,7 +67,7 @@ Recorder::Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string
 
 namespace {
 
-/// Over own points of all processes: of others not all know where they are.
+/// Largest deflection over the owned points of all ranks: positions of other points are not known on every rank.
 double largest_deflection(const plate::State& state, const plate::Boundary& boundary) {
   double largest = 0;
   for (std::size_t k = 0; k < boundary.cloud.plate_points; ++k)

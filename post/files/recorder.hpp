@@ -14,23 +14,23 @@
 
 namespace post {
 
-/// Where the results of a run go as a recorder gets them: a folder, or memory.
+/// Destination of the results of a run: a folder, or memory.
 class Sink {
 public:
   using Tables = std::vector<std::pair<std::string, const Table*>>;  // name, rows
 
   virtual ~Sink() = default;
 
-  /// Are frames with resultants and cells wanted?
+  /// True where frames with resultants and cells are wanted.
   virtual bool draws() const = 0;
-  /// Are states wanted to go on from?
+  /// True where states are wanted to continue from.
   virtual bool stores() const = 0;
-  /// Are plots wanted?
+  /// True where plots are wanted.
   virtual bool plots() const = 0;
 
   /// The points and cells of all frames that bring none of their own, and the points of what is stored.
   virtual void open(const Mesh& mesh) = 0;
-  /// With cells of its own where they are given.
+  /// Takes a frame, with separate cells where they are given.
   virtual void frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity) = 0;
   /// The state of a run whose points are not the same throughout.
   virtual void final_state(const Mesh& mesh, const Frame& frame) = 0;
@@ -38,7 +38,7 @@ public:
   virtual void cracks(const Cracks& cracks) = 0;
   /// A drawing or a page: NAME.svg
   virtual void plot(const std::string& name, const std::string& svg) = 0;
-  /// All tables; no frame comes after them.
+  /// Takes all tables; no frame comes after them.
   virtual void tables(const Tables& tables) = 0;
   /// The last.
   virtual void summary(const std::string& json) = 0;
@@ -113,9 +113,9 @@ public:
   /// finish().
   void frame(Frame frame, std::optional<plate::Mesh> mesh, plate::State velocity);
 
-  /// Another table, NAME.csv.
+  /// Adds another table, NAME.csv.
   void table(const std::string& name, Table content) { tables_.emplace_back(name, std::move(content)); }
-  /// Where fields are wanted.
+  /// Records the cracks where fields are wanted.
   void cracks(Cracks cracks, const std::vector<Srif>& factors);
   /// NAME.svg.
   void picture(const std::string& name, const std::string& svg) { sink_->plot(name, svg); }
@@ -127,7 +127,7 @@ public:
 
   /// Saves what has been recorded; on return all frames so far are written.
   void save(plate::OutArchive& archive);
-  /// Goes on after open().
+  /// Restores what has been recorded, after open().
   void restore(plate::InArchive& archive);
 
 private:

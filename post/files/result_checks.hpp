@@ -28,13 +28,14 @@ double energy_about(const plate::Formulation& plate);  // of all settlements tog
 /// Nodal forces of every load at factor 1; of a prescribed support displacement, the force that it exerts at first.
 std::vector<plate::Forces> forces_of(const plate::Formulation& plate);
 
-/// True where the values are zero on all ranks that share the plate.
+/// True where the values are zero on all ranks.
 bool is_zero(const plate::State& values, const plate::Communicator& all);
-/// Is the state not zero, and the work [energy] of the loads not so small that digits of it are lost?
+/// True where the state is not zero, and the work [energy] of the loads not so small that digits of it are lost.
 bool moves(const plate::State& state, double work, const plate::Communicator& all);
 
-/// For a plate that does not: a plate with a load on any degree of freedom that nothing holds should. Else warns
-/// that no load reaches what may move, or that loads cancel. `loads`: nodal forces, those that act together as one.
+/// Throws NumericalError for a plate that does not move but has a load on a degree of freedom that nothing holds. Else
+/// warns that no load reaches what may move, or that loads cancel. `loads`: nodal forces, those that act together as
+/// one.
 void require_motion(const plate::Formulation& plate, const std::vector<plate::Forces>& loads, const plate::State& state,
                     double work, std::vector<std::string>& warnings);
 

@@ -92,7 +92,7 @@ namespace post {
 /// Names in a folder that holds something but no results of a run; empty where a run may write.
 std::vector<std::string> strangers(const std::filesystem::path& folder);
 
-/// Is the folder of a run of this case, as text?
+/// True where the folder is of a run of this case, as text.
 bool is_of(const std::filesystem::path& folder, const std::string& resolved);
 
 /// Folders of runs that belong to it.

@@ -42,8 +42,8 @@ struct FolderOptions {
 };
 
 /// The results of a run as files. A single process writes a frame while the solver goes on: what went wrong with it is
-/// thrown with the next one, or with the tables. Where ranks share the plate, all write their points and cells, and the
-/// first rank everything else; collective.
+/// thrown with the next one, or with the tables. Where the plate is distributed, all write their points and cells, and
+/// the first rank everything else; collective.
 class Folder : public Sink {
 public:
   /// Writes the case into the folder, which is there and locked for this. `lock`: of the first rank alone.

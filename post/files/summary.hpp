@@ -84,7 +84,7 @@ struct FaceOverlaps {
   std::optional<double> first_above = {}, first_change = {}, least = {};  // times; the least K1 where it is negative
 };
 
-/// One load case, or a combination of some.
+/// Load case, or a combination of some.
 struct LoadCaseSummary {
   std::string name;
   std::vector<std::pair<std::string, double>> of = {};  // of a combination
@@ -114,7 +114,7 @@ struct ResponsePeak {
   std::optional<double> error;  // estimated, of the amplitude
 };
 
-/// How a growth of cracks ended.
+/// Summary of a growth of cracks.
 struct GrowthSummary {
   std::string outcome;
   std::size_t advances = 0;
@@ -127,7 +127,7 @@ struct GrowthSummary {
   std::optional<double> first_load_factor_error = {};  // estimated, of tips
 };
 
-/// How the discretisation was found.
+/// Summary of the search for the discretisation.
 struct AccuracySummary {
   double asked = 0;
   std::optional<double> reached;  // estimated, of all tips
@@ -155,8 +155,8 @@ struct Summary {
   } analysis;
   std::vector<std::pair<std::string, double>> seconds;  // geometry, families, parameters, solve, srif, output, total
   std::size_t peak_memory_bytes = 0;
-  std::size_t own_points = 0;                         // of this process, where several share the plate; not written
-  std::shared_ptr<const ProcessesSummary> processes;  // where several share the plate
+  std::size_t own_points = 0;                         // of this rank, where the plate is distributed; not written
+  std::shared_ptr<const ProcessesSummary> processes;  // where the plate is distributed
   std::vector<Srif> srif;
   std::vector<FaceFactors> faces;                      // of every entry of srif
   std::optional<double> toughness;                     // of the case
@@ -167,7 +167,7 @@ struct Summary {
   std::vector<LoadCaseSummary> load_cases;             // then combinations
   std::vector<EnvelopeEntry> envelope;                 // of them
   std::optional<double> deflection_over_thickness;     // the largest of the run
-  std::optional<double> touching;                      // share of the soil that lifts off which is pressed
+  std::optional<double> touching;                      // share of the unilateral foundations which is pressed
   std::optional<double> multipliers;                   // the forces that they add, over the loads
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it
   std::vector<Frequency> frequencies;                  // of a frequency analysis

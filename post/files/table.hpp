@@ -30,7 +30,7 @@ struct Table {
   std::size_t column(const std::string& name) const;
 };
 
-/// As comma-separated text. Throws std::invalid_argument where a row does not fit the columns.
+/// Returns the table as comma-separated text. Throws std::invalid_argument where a row does not fit the columns.
 std::string csv_text(const Table& table);
 
 void write_csv(const std::filesystem::path& path, const Table& table);
@@ -49,7 +49,7 @@ struct TextColumn {
   std::vector<std::string> cells = {};
 };
 
-/// One line of titles and one per row, columns two blanks apart. All columns have the same number of cells.
+/// Aligned text: a line of titles and one per row, columns two blanks apart. All columns have the same number of cells.
 std::string aligned(const std::vector<TextColumn>& columns);
 
 /// A message in one line.

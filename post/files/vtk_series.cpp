@@ -223,7 +223,7 @@ pugi::xml_node array_named(const pugi::xml_node& parent, const char* name) {
   return parent.find_child_by_attribute("DataArray", "Name", name);
 }
 
-/// One row per component and one column per point.
+/// Values with a row per component and a column per point.
 Eigen::MatrixXd values_in(const pugi::xml_node& data, const char* name, std::size_t components, std::size_t points) {
   const auto array = array_named(data, name);
   if (!array) throw std::runtime_error(fmt::format("no {}", name));

@@ -10,7 +10,7 @@ namespace post {
 /// Frames for ParaView: fields_NNNN.vtu (binary, compressed) and fields.pvd, which lists them with their times and is
 /// written anew with each frame. Point data: w, theta (2 components), damage, cut, Mxx, Myy, Mxy, Qx, Qy, von_mises,
 /// displacement (3 components: 0, 0, w); after the points of the plate come the corners of its cells on edges and
-/// cracks. Where cracks change, cracks_NNNN.vtp and cracks.pvd beside them. Where ranks share the plate, each writes
+/// cracks. Where cracks change, cracks_NNNN.vtp and cracks.pvd beside them. Where the plate is distributed, each writes
 /// its piece, fields_NNNN_RANK.vtu, and the first fields_NNNN.pvtu, which names the pieces. Collective: every rank must
 /// call each member function.
 class VtkSeries {
@@ -20,8 +20,8 @@ public:
   /// Sets the mesh of the frames from now on.
   void remesh(Mesh mesh) { mesh_ = std::move(mesh); }
   void write(const Frame& frame);
-  /// Goes on after frames that a run has written which was ended; those that are gone are listed no more, and pieces
-  /// of later ones go.
+  /// Continues after frames that an interrupted run has written; frames that are gone are removed from the list, and
+  /// pieces of later ones are deleted.
   void go_on(std::vector<double> times);
 
 private:

@@ -18,7 +18,7 @@
 namespace post {
 namespace {
 
-/// From any tip to what disturbs its field; the side of the plate without tips.
+/// Distance from any tip to what disturbs its field; the side of the plate without tips.
 double exact_clear_distance(const plate::Problem& problem, double side) {
   plate::Problem fine = problem;  // bends count, however slight
   fine.discretization.tip_spacing = 1e-6 * side;
@@ -120,7 +120,8 @@ struct Next {
   std::string end;
 };
 
-/// Where one step that doubles the number of points does not suffice by far, two at once, if they are to be had.
+/// Chooses the next size: one step that doubles the number of points, or two steps at once where one is far from
+/// sufficient and two are feasible.
 Next next_size(const std::vector<AccuracyStep>& path, std::size_t vectors, double seconds, const SrifOptions& options) {
   constexpr double enough = 3.5;
   const auto& last = path.back();

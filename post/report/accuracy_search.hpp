@@ -35,7 +35,7 @@ struct AccuracyTrial {
   std::size_t vectors;                  // of Lanczos
 };
 
-/// Why a discretisation cannot be had: points that are too coarse may not do where finer ones do.
+/// Reason why a discretisation is infeasible: points that are too coarse may not do where finer ones do.
 struct Infeasible {
   std::string why;
 };
@@ -54,12 +54,12 @@ struct AccuracyFound {
 /// plate::NumericalError where the first trial does.
 AccuracyFound refine(const SrifOptions& options, const Solve& solve, Progress& progress);
 
-/// All rows of the search: for each tip what all discretisations tend to, then those of the finest. `truncated`: what
-/// the vectors of the finest leave out of a motion.
+/// Rows of the search: for each tip the limit of all discretisations, then those of the finest. `truncated`: what the
+/// vectors of the finest leave out of a motion.
 std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<std::vector<double>>& truncated,
                                        const SrifOptions& options, double thickness);
 
-/// That the accuracy was not reached, and what ended the search.
+/// Warnings that the accuracy was not reached, and what ended the search.
 std::vector<std::string> warnings_about(const AccuracySummary& found);
 
 }  // namespace post

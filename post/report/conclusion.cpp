@@ -73,7 +73,7 @@ namespace {
 
 using geometry::Point;
 
-/// Where plates have no finite stress.
+/// Points at which plates have no finite stress.
 std::vector<Point> singular(const plate::Formulation& plate) {
   std::vector<Point> result;
   for (const auto& tip : plate.tips()) result.push_back(tip.position);

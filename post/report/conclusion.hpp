@@ -8,9 +8,8 @@
 
 namespace post {
 
-/// Where a motion was largest: K1, K2, K3 and, with a toughness, its utilisation, of every tip by its recommended
-/// method, where they are resolved; none of a quantity that may be larger where it is not. `rows` of factors at
-/// `times`.
+/// Peaks of a motion: K1, K2, K3 and, with a toughness, its utilisation, of every tip by its recommended method, where
+/// they are resolved; none of a quantity that may be larger where it is not. `rows` of factors at `times`.
 std::vector<Peak> peaks(const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows,
                         const plate::Section& section, std::optional<double> toughness);
 
@@ -30,14 +29,14 @@ namespace post {
 class ReactionRows;
 struct Table;
 
-/// Beyond this many thicknesses plates stretch: a clamped circular plate is 12 % stiffer there (Timoshenko: w + 0.488
-/// w^3).
+/// Deflection over thickness beyond which plates stretch: a clamped circular plate is 12 % stiffer there (Timoshenko: w
+/// + 0.488 w^3).
 constexpr double small_deflection = 0.5;
 
-/// Where the deflection and the von Mises stress (of both faces, which have the same) of a run on one plate are
-/// largest. Stress is looked at in frames and where the strain energy of all rows is largest: at every row it would
-/// cost more than the row. It grows without limit towards tips, pins and point forces: what is nearer to one than half
-/// the thickness, where a plate's theory has no stresses, or than four spacings, does not count.
+/// Largest deflection and von Mises stress (of both faces, which have the same) of a run on one plate, and their
+/// places. Stress is looked at in frames and where the strain energy of all rows is largest: at every row it would cost
+/// more than the row. It grows without limit towards tips, pins and point forces: what is nearer to one than half the
+/// thickness, where a plate's theory has no stresses, or than four spacings, does not count.
 class Extremes {
 public:
   /// `plate` must outlive this.
@@ -97,11 +96,12 @@ void conclude(Summary& summary, Found found);
 std::vector<std::string> sinking_supports(const std::optional<ReactionSummary>& reactions,
                                           const plate::Problem& problem, double largest);
 
-/// Where a run on one plate was largest, in motion with times. `found` by its Extremes; `rows` of factors at `times`.
+/// Adds the largest values of a run on one plate to the summary, in motion with times. `found` by its Extremes; `rows`
+/// of factors at `times`.
 void look_for_largest(Summary& summary, const plate::Section& section, std::vector<Peak> found,
                       const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows);
 
-/// Where a crack would grow: tips that reach the toughness, at the end or, in motion, at any time.
+/// Names the tips at which a crack would grow: those that reach the toughness, at the end or, in motion, at any time.
 std::vector<std::string> tips_that_grow(const Summary& summary);
 
 }  // namespace post

@@ -72,7 +72,7 @@ double of_stages(const SampleRun& run, const std::vector<std::string>& stages) {
   return sum;
 }
 
-/// In proportion to the points, and something for any number of them.
+/// Interpolates a cost as proportional to the points, plus a constant.
 double by_points(const Samples& s, double points, double small, double large) {
   return TwoTerms({s.small.points(), 1, small}, {s.large.points(), 1, large})(points, 1);
 }

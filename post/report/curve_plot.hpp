@@ -40,12 +40,13 @@ struct CurvePlot {
   std::vector<Panel> panels;
 };
 
-/// One SVG document that needs nothing beside it: axes, grid, curves, a legend above each panel.
-/// Panels with the same range and title of t share the labels of the lowest one.
+/// SVG document that needs nothing beside it: axes, grid, curves, a legend above each panel. Panels with the same range
+/// and title of t share the labels of the lowest one.
 std::string to_svg(const CurvePlot& plot);
 
-/// At most two samples, the least and the greatest, for each of `columns` strips of equal width between the ends of t;
-/// the first and the last sample stay. Curves of up to `enough` samples are returned as they are.
+/// Thins a curve to at most two samples, the least and the greatest, for each of `columns` strips of equal width
+/// between the ends of t; the first and the last sample stay. Curves of up to `enough` samples are returned as they
+/// are.
 Curve thinned(const Curve& curve, std::size_t columns, std::size_t enough = 2000);
 
 }  // namespace post

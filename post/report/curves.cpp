@@ -36,7 +36,7 @@ double largest(const std::vector<double>& values) {
   return result;
 }
 
-/// One of K1 to K3 of all tips.
+/// Series of K1, K2 or K3 of all tips.
 std::vector<Series> factors(const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows,
                             std::size_t which) {
   double least = 0;  // what is less is the noise of a symmetric plate

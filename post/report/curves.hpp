@@ -16,7 +16,7 @@ CurvePlot curves_of_motion(const std::string& title, const std::vector<double>& 
 /// growth.csv.
 CurvePlot curves_of_growth(const std::string& title, const Table& growth, bool si);
 
-/// The same as SVG.
+/// Returns curves_of_growth() as SVG.
 std::string picture_of_growth(const std::string& title, const Table& growth, bool si);
 
 }  // namespace post

@@ -16,7 +16,7 @@ const double* number(const Cell& cell) {
   return std::get_if<double>(&cell);
 }
 
-/// Has a table several rows of one instant, which stay together: one for each tip, probe or support?
+/// True where a table has several rows of one instant, which stay together: one for each tip, probe or support.
 bool is_in_time(const Table& table) {
   return !table.columns.empty() && (table.columns[0] == "time" || table.columns[0] == "advance");
 }

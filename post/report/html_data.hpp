@@ -13,7 +13,7 @@ std::string table_json(const Table& table, std::size_t most = 1500);
 /// The rows of srif.csv by the recommended method: the first of each time and tip.
 Table recommended(const Table& srifs);
 
-/// Only these columns, as far as they are there.
+/// Returns these columns only, as far as they are there.
 Table columns_of(const Table& table, const std::vector<std::string>& names);
 
 }  // namespace post

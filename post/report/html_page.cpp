@@ -11,7 +11,7 @@
 namespace post {
 namespace {
 
-/// In the order in which they are read.
+/// Scripts in the order in which they are read.
 constexpr std::array scripts{"uplot/uPlot.iife.min.js",
                              "words.js",
                              "elements.js",

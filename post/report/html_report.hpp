@@ -23,13 +23,13 @@ struct ReportedCase {
 /// numbers of summary.json. Throws std::filesystem::filesystem_error where the folder holds no summary.
 void write_report(const std::filesystem::path& folder, const ReportedCase& about, const Pictures& pictures);
 
-/// The same from the files of a run that has ended: those of the last frame and of a few before it.
+/// Writes the report of a run that has ended from its files: those of the last frame and of a few before it.
 void write_report(const std::filesystem::path& folder, const ReportedCase& about);
 
 /// Writes report.html into the folder of a study, from study.csv, orders.csv and the reports of its runs.
 void write_study_report(const std::filesystem::path& folder, const std::string& title);
 
-/// The same for a table of extremes, from extremes.csv.
+/// Writes report.html of a table of extremes, from extremes.csv.
 void write_extremes_report(const std::filesystem::path& folder, const std::string& title);
 
 /// The reports again of a study or a table of extremes that has ended, under the title that they had; false where the

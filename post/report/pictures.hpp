@@ -14,7 +14,7 @@ namespace post {
 /// whose middle is just beyond the cells have that of a neighbour inside.
 class Raster {
 public:
-  /// About so many pixels, square.
+  /// Constructs a raster of about so many pixels, square.
   Raster(const plate::Mesh& mesh, std::size_t pixels);
 
   std::size_t columns() const { return columns_; }
@@ -68,10 +68,10 @@ public:
   /// Takes what is wanted of a frame.
   void look(const Frame& frame);
 
-  /// As JSON, "null" without frames: `frames`, each with its `time`, `columns`, `rows`, `pitch`, `corner` and `data`,
-  /// per field the 16 bits of each pixel in base64; `fields`, each with its `name`, its `least` and `largest` value at
-  /// any point of the last frame, the `range` of colours between the percentiles `shares` of all frames, and the values
-  /// `low` and `high` of the codes 1 and 65535. Code 0 is no plate.
+  /// Returns JSON, "null" without frames: `frames`, each with its `time`, `columns`, `rows`, `pitch`, `corner` and
+  /// `data`, per field the 16 bits of each pixel in base64; `fields`, each with its `name`, its `least` and `largest`
+  /// value at any point of the last frame, the `range` of colours between the percentiles `shares` of all frames, and
+  /// the values `low` and `high` of the codes 1 and 65535. Code 0 is no plate.
   std::string json() const;
 
   /// Saves or restores the frames taken so far; the cells are opened again.

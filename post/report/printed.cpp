@@ -135,7 +135,7 @@ void reactions(Text out, const ReactionSummary& reactions, bool si) {
                  balance.inertia ? fmt::format(", inertia {}", force(*balance.inertia)) : "", balance.residual);
 }
 
-/// In motion with their times, in statics without.
+/// Prints the peaks, in motion with their times, in statics without.
 void peaks(Text out, const std::vector<Peak>& all, bool moves, double thickness) {
   const auto moment = [&](const Peak& peak) { return std::abs(peak.value) * (peak.quantity == "K3" ? thickness : 1); };
   const auto noise = [&](const Peak& peak) {

@@ -93,7 +93,7 @@ namespace {
 
 using Row = std::vector<Cell>;
 
-/// All that is known of the quantities of a name.
+/// Description of the quantities of a name.
 struct Kind {
   const char *name, *place;
   const char* column;  // of its history, at the last time its value; nullptr: the summary has it
@@ -168,7 +168,7 @@ const Srif* srif_of(const Quantity& quantity, const Summary& summary) {
   return found == summary.srif.end() ? nullptr : &*found;
 }
 
-/// Nothing where the factor is not resolved.
+/// Returns a factor by its name; nothing where it is not resolved.
 std::optional<double> factor(const std::string& name, const Srif& srif) {
   const std::optional<double> values[] = {srif.K1, srif.K2, srif.K3, srif.F1, srif.F2, srif.F3};
   const std::string names[] = {"K1", "K2", "K3", "F1", "F2", "F3"};

@@ -41,13 +41,13 @@ std::string kind_of_place(const std::string& quantity);
 /// Axis label of a quantity: "deflection w".
 std::string described(const std::string& quantity);
 
-/// Its unit in SI; "" without dimension.
+/// Unit of a quantity in SI; "" without dimension.
 std::string si_unit(const std::string& quantity);
 
 /// The unit in SI of "force/length" and so on; "" of any other word.
 std::string si_unit_of(const std::string& dimension);
 
-/// Does the quantity change with the time of a run, so that it has a history?
+/// True where the quantity changes with the time of a run, so that it has a history.
 bool has_history(const std::string& quantity);
 
 /// The quantity at the last time of a finished run, from its summary and the probes.csv and history.csv of its folder.
@@ -61,7 +61,7 @@ std::optional<double> estimated_error(const Quantity& quantity, const Summary& s
 /// has it.
 Curve history(const Quantity& quantity, const std::filesystem::path& folder);
 
-/// Why a finished run has no such number, as far as its summary tells.
+/// Reason why a finished run has no such number, as far as its summary tells.
 std::string lack(const Quantity& quantity, const Summary& summary);
 
 /// The samples of a curve in two columns of a table, those with a missing value left out.

@@ -32,7 +32,8 @@ double size(const Wrench& w, const Point& centre, double arm) {
                   std::hypot(w.moment_x - centre.y() * w.force, w.moment_y + centre.x() * w.force) / arm);
 }
 
-/// Beside a mirror plane the other edge goes on: what stands beyond both is of that edge.
+/// Sides that hold a fictitious point. Beside a mirror plane the other edge goes on: what stands beyond both is of that
+/// edge.
 std::vector<int> sides_that_hold(const plate::Boundary& boundary, const plate::FictitiousPoint& point) {
   const auto mirror = [&](int side) { return boundary.sides[std::size_t(side)].kind == plate::SupportKind::symmetry; };
   const auto [one, other] = point.sides;

@@ -34,7 +34,7 @@ public:
   explicit Supports(const plate::Boundary& boundary);
 
   Applied nothing() const;
-  /// Not carried over to the free degrees of freedom.
+  /// Applied forces, not carried over to the free degrees of freedom.
   Applied applied(const plate::Forces& forces) const;
   /// Balance with the reactions of edges and pins, then of foundations and springs. `internal`: force -K u on the held
   /// degrees of freedom; `loads`: that act; `inertia`: mass times acceleration, in motion; `state`: u.
@@ -107,15 +107,15 @@ public:
   /// Adds a row of the plate of the constructor: under all of its loads where nothing moves. `forces`: the plate as it
   /// is now, where bonds may have broken.
   void add(const plate::Instant& now, const plate::Operator& forces);
-  /// In equilibrium under a share of all loads.
+  /// Adds a row of a plate in equilibrium under a share of all loads.
   void add(double time, const plate::Formulation& plate, const plate::Operator& forces, const plate::State& state,
            double share);
 
-  /// In equilibrium under a load.
+  /// Adds a row of a plate in equilibrium under a load.
   void add(double time, const plate::Formulation& plate, const plate::Operator& forces, const plate::State& state,
            const plate::Forces& load);
 
-  /// By the Lanczos vectors that move the plate: ReactionSummary::truncation.
+  /// Sets the truncation by the Lanczos vectors that move the plate: ReactionSummary::truncation.
   void truncated(double share) { truncation_ = share; }
 
   bool empty() const { return balances_.empty(); }
@@ -129,7 +129,7 @@ public:
   }
 
 private:
-  /// One plate as it moves.
+  /// Moving plate.
   struct Moving;
 
   std::vector<ReactionSummary::Support> supports_;

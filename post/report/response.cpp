@@ -28,7 +28,7 @@ std::string kind_of(const std::string& quantity) {
   return quantity.starts_with('K') ? "K" : quantity.substr(0, quantity.find('_'));
 }
 
-/// In the units of K1, for comparison of the three.
+/// Amplitude in the units of K1, for comparison of the three factors.
 double size_of(const std::string& quantity, double amplitude, double thickness) {
   return quantity == "K3" ? amplitude * thickness : amplitude;
 }

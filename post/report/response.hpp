@@ -42,7 +42,7 @@ Table response_table(const std::vector<Response>& all);
 /// largest of its kind is left out.
 std::vector<ResponsePeak> largest_responses(const std::vector<Response>& all, double thickness);
 
-/// The same in lines. `si`: with units.
+/// Returns the largest responses as lines of text. `si`: with units.
 std::string printed_responses(const std::vector<ResponsePeak>& peaks, bool si);
 
 }  // namespace post

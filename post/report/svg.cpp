@@ -137,7 +137,7 @@ std::string logarithmic_label(double value, bool plain) {
   return (factor == 1 ? "" : fmt::format("{:g}\u2009\u00d7\u2009", factor)) + power_of_ten(power);
 }
 
-/// Are multiples of a power of ten by this digit labelled on an axis over so many decades?
+/// True where multiples of a power of ten by this digit are labelled on an axis over so many decades.
 bool labelled(int digit, int power, double decades) {
   if (decades > 7) return digit == 1 && power % static_cast<int>(std::ceil(decades / 7)) == 0;
   return digit == 1 || (decades < 2.3 && (digit == 2 || digit == 5));

@@ -56,7 +56,7 @@ struct PlotAxis {
   std::vector<Tick> ticks;
   int power = 0;
 
-  /// Where a value lies: 0 at the low end, 1 at the high end.
+  /// Position of a value on the axis: 0 at the low end, 1 at the high end.
   double share(double value) const;
 };
 

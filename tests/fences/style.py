@@ -4,7 +4,8 @@ import re
 import tree
 
 EMPTY = re.compile(r"\bcatch\s*\([^)]*\)\s*\{\s*\}")
-DOCSTRINGS = 0  # that begin with "Of", "Those" or "What"
+UNNAMED = ("Of", "Those", "What", "The same", "How")  # begin a docstring that names no subject
+DOCSTRINGS = 0                                        # of these are allowed
 
 
 def catches(root, path):
@@ -15,9 +16,10 @@ def catches(root, path):
 
 def docstrings(root, path):
     """Lines of the docstrings that name no subject."""
+    begins = re.compile(rf"\s*/// ({'|'.join(UNNAMED)})\b")
     before = ""
     for count, line in enumerate((root / path).read_text(encoding="utf-8").splitlines(), 1):
-        if re.match(r"\s*/// (Of|Those|What)\b", line) and not before.lstrip().startswith("///"):
+        if begins.match(line) and not before.lstrip().startswith("///"):
             yield count
         before = line
 
@@ -27,6 +29,7 @@ def check(root):
     problems = [problem for path in paths for problem in catches(root, path)]
     unnamed = [f"{path}:{line}" for path in paths for line in docstrings(root, path)]
     if len(unnamed) > DOCSTRINGS:
-        problems.append(f"{unnamed[-1]}: {len(unnamed)} docstrings begin with \"Of\", \"Those\" or \"What\", {DOCSTRINGS} are allowed: "
+        words = ", ".join(f'"{word}"' for word in UNNAMED)
+        problems.append(f"{unnamed[-1]}: {len(unnamed)} docstrings begin with one of {words}, {DOCSTRINGS} are allowed: "
                         "begin with a verb or a noun that names the subject")
     return problems, f"{len(paths)} files catch nothing in silence; {len(unnamed)} of {DOCSTRINGS} docstrings that name no subject"

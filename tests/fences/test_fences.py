@@ -174,6 +174,8 @@ class Others(Tree):
     def test_docstrings(self):
         path = self.write("plate/model/a.hpp", "/// Of one rank.\nint a;\n/// The spacing.\n/// Of all.\nint b;\n/// Often.\nint c;\n")
         self.assertEqual(list(style.docstrings(self.root, path)), [1])
+        path = self.write("plate/model/b.hpp", "/// The same as a.\nint b;\n/// How it goes.\nint c;\n/// The sameness.\nint d;\n")
+        self.assertEqual(list(style.docstrings(self.root, path)), [1, 3])
 
     def test_format(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")

@@ -101,7 +101,7 @@ private:
     return entry->second;
   }
 
-  /// Nothing where two points see different points in one place, as across two edges.
+  /// Column of points; nothing where two points see different points in one place, as across two edges.
   std::optional<PointColumn> column(const std::vector<std::uint32_t>& points) const {
     PointColumn result{points, 0, look_[points.front()], {}};
     const auto first = *turned(bonds(points.front()), spacing_);

@@ -52,7 +52,7 @@ public:
 private:
   static constexpr std::size_t lanes = Lane<Real>::size();
 
-  /// One bond of every point of a packet.
+  /// Bond that every point of a packet has.
   struct Bond {
     Real mx[lanes], my[lanes], half_length[lanes];
     Real D_kj[lanes], D_jk[lanes], curvature[lanes], shear[lanes];

@@ -22,7 +22,7 @@ public:
     for (std::size_t i = begin(thread, threads), end = begin(thread + 1, threads); i < end; ++i) visit(number_[i]);
   }
 
-  /// Where the share of a thread begins; of the one after the last, their end.
+  /// Index where the share of a thread begins; for the thread after the last, the end.
   std::size_t begin(int thread, int threads) const;
   std::size_t size() const { return number_.size(); }
   std::size_t bytes() const { return number_.size() * (sizeof(std::uint32_t) + sizeof(double)); }
@@ -101,8 +101,8 @@ private:
 extern template class LatticeRows<double>;
 extern template class LatticeRows<float>;
 
-/// The same plate as a FamilyOperator, with the forces of its LatticeRows, in double or single precision. One call at a
-/// time.
+/// FamilyOperator of a plate on the lattice whose forces are those of LatticeRows, in double or single precision. One
+/// call at a time.
 class LatticeOperator : public FamilyOperator {
 public:
   explicit LatticeOperator(FamilyOperator plate) : FamilyOperator(std::move(plate)), rows_(*this) {}

@@ -18,7 +18,7 @@ bool same_weights(const PatternBond& a, const PatternBond& b) {
          equal(a.curvature, b.curvature) && equal(a.shear, b.shear);
 }
 
-/// Is b the mirror image of a in the point that has them both?
+/// True where b is the mirror image of a in the point that has them both.
 bool opposite(const PatternBond& a, const PatternBond& b) {
   return std::abs(a.mx + b.mx) < 1e-12 && std::abs(a.my + b.my) < 1e-12 && same_weights(a, b);
 }

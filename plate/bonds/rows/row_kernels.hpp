@@ -33,7 +33,7 @@ struct RowPattern {
     Real xx, xy, yy;             // couple per rotation
     Real wx, wy;                 // couple per w
   };
-  /// All bonds of a disc, each with the weights of its mirror images.
+  /// Bonds of a disc, each with the weights of its mirror images.
   struct Fold {
     int radius_squared;                    // [spacing^2]
     std::vector<std::ptrdiff_t> up, down;  // by j: steps to (0, j) and (0, -j)

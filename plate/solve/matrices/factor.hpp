@@ -34,7 +34,7 @@ std::vector<int> elimination_order(const PointMatrix& matrix, const Forces& diag
 /// seven times as fast as Eigen's SparseLU in half the memory (19,200 unknowns: 2.1 s and 0.24 GB).
 class GeneralFactor {
 public:
-  /// With numbers of 64 bits: factors of 40,000 points have more than 2^31 bytes.
+  /// Sparse matrix with indices of 64 bits: factors of 40,000 points have more than 2^31 bytes.
   using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, long>;
 
   /// `A`: square, compressed.

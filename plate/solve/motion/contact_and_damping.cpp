@@ -59,8 +59,9 @@ void ImpactContact::move(double share, double time_step) {
   if (force_ != 0) impactor_state_.touching += time_step;
 }
 
-/// The largest eigenvalue of a sum is at most the sum of theirs. A step on the way into the contact may book too much
-/// by (dt Omega)^2 of the energy there, Omega^2 = k (1 / m + b M^-1 b): at most a hundredth.
+/// Stable step with an impactor: the largest eigenvalue of a sum is at most the sum of theirs. A step on the way into
+/// the contact may count too much by (dt Omega)^2 of the energy there, Omega^2 = k (1 / m + b M^-1 b): at most a
+/// hundredth.
 double stable_step(double free, const Impactor& impactor, const Constraints& constraints, const Forces& mass) {
   Forces unit = Forces::Zero(3, mass.cols());
   for (const auto& [dof, factor] : impactor.terms) at_dof(unit, dof) += factor;

@@ -12,13 +12,13 @@ class ImpactContact {
 public:
   /// `state`: of the plate at time 0.
   ImpactContact(const Impactor& impactor, const State& state);
-  /// Goes on.
+  /// Continues from the state of an impactor.
   ImpactContact(const Impactor& impactor, const ImpactorState& impactor_state)
       : impactor_(impactor), impactor_state_(impactor_state) {}
 
   /// The force in this state; adds it to forces that are not folded.
   void press(const State& state, Forces& forces);
-  /// At a step whose velocity is `half` a step after that of the impactor: after press().
+  /// Contact force at a step whose velocity is `half` a step after that of the impactor. Requires press().
   ContactForce contact_force(double half) const;
   /// Energies: of the spring, of the mass with the velocity of the step, and with the mean of both halves.
   double spring() const;
@@ -71,7 +71,7 @@ public:
 private:
   Damping damping_;
   double time_step_;
-  bool kept_;  // is what it remembers asked for?
+  bool kept_;  // true where its state is to be saved
   std::optional<ImpactContact> contact_;
   State earlier_;  // of the step before
   Forces before_, viscous_, pressed_;

@@ -20,8 +20,8 @@ struct TimedLoad;
 class DrivenSupports {
 public:
   DrivenSupports() = default;
-  /// `mass`: of every degree of freedom, held or not; `folded`: carried over to the free ones; `own`: points that no
-  /// other process has, empty: all.
+  /// `mass`: of every degree of freedom, held or not; `folded`: carried over to the free ones; `own`: owned points,
+  /// empty: all.
   DrivenSupports(const std::vector<TimedLoad>& loads, const Constraints& constraints, const Forces& mass,
                  const Forces& folded, const std::vector<char>& own = {});
 
@@ -31,7 +31,7 @@ public:
   void at(double time, double time_step, bool first);
   /// Adds to a state that follows from what is free where it is after the step.
   void place_next(State& state) const;
-  /// The same of where it is at a time.
+  /// Adds to a state where the supports are at `time`.
   void place(State& state, double time) const;
   /// Takes the internal force in hand, and adds the inertia of what is held to it, before it is carried over.
   template <typename Real>

@@ -89,13 +89,13 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
   return result;
 }
 
-/// Processes that share the plate stop together, at a row.
+/// Ranks of a distributed plate stop together, at a row.
 bool stops_at(const Communicator& all, bool row) {
   if (!all.distributed()) return stop_is_asked();
   return row && all.largest_of(stop_is_asked()) > 0;
 }
 
-/// As a motion begins, or goes on.
+/// State in which a motion begins, or continues.
 struct Begin {
   State state, velocity;  // velocity: half a step before, at step 0 that of time 0
   std::size_t step = 0;
@@ -117,7 +117,7 @@ struct Begin {
   }
 };
 
-/// Goes on by a step.
+/// Advances the motion by a step.
 template <typename Real>
 void move(const Step& now, const Values<Real>& force, const Masses& masses,
           const ContactAndDamping& contact_and_damping) {

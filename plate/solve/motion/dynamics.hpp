@@ -32,7 +32,7 @@ struct Impactor {
   double mass = 0;                                      // [mass]
   double velocity = 0;                                  // along w [length/time]; its sign tells the side
   double stiffness = 0;                                 // of the contact [force/length]
-  std::vector<char> own = {};                           // of the terms: no other process has the point; empty: all
+  std::vector<char> own = {};                           // of the terms: the point is owned; empty: all
   const Communicator* communicator = &single_process();
 };
 
@@ -50,7 +50,7 @@ struct ContactForce {
   std::vector<std::pair<std::uint32_t, double>> terms;  // of the Impactor
 };
 
-/// How a plate begins to move, beside loads: what its case gives, on all of its points.
+/// Initial state of a motion, beside loads: what its case gives, on all of its points.
 struct BeginOfMotion {
   State deflected = {}, velocity = {};  // empty: zero
   std::optional<Impactor> impact = {};
@@ -77,7 +77,7 @@ struct Instant {
   /// The state to which the stiffness answers: u + beta v; where it does not damp, none.
   std::function<State()> strained = {};
   std::optional<ContactForce> contact_force = {};
-  /// In statics the state less a motion as one rigid body (StaticResult); none where it is the state.
+  /// State less a motion as one rigid body, in statics (StaticResult); none where it is the state.
   const State* rest = nullptr;
   const State& what_strains() const { return rest ? *rest : state; }
 };
@@ -125,11 +125,11 @@ struct DynamicOptions {
   std::size_t observe_every = 1;
   /// Internal forces in single precision, where the plate's own are not wanted; displacements stay in double.
   std::function<void(const Values<float>&, Values<float>&)> single = {};
-  /// In double precision only.
+  /// Changes of the plate, in double precision only.
   Changes* changes = nullptr;
   bool held_forces = false;                  // for those who observe
   Forces unconstrained_mass = Forces(3, 0);  // driven_mass()
-  /// At rest at time 0, under loads that have grown slowly: their work until then counts. Empty: zero.
+  /// State of rest at time 0, under loads that have grown slowly: their work until then counts. Empty: zero.
   State start = {};
   bool bent = false;    // something else than the loads has brought the plate there
   State velocity = {};  // at time 0, what is held at rest; empty: at rest
@@ -137,11 +137,11 @@ struct DynamicOptions {
   /// alpha and beta of a damping, in double precision, of plates that do not change [1/time, time].
   double mass_damping = 0, stiffness_damping = 0;
   std::optional<Impactor> impact = {};  // likewise
-  std::vector<char> own = {};           // points that no other process has; empty: all
-  /// Goes on from here instead, with the numbers that it would have had.
+  std::vector<char> own = {};           // owned points; empty: all
+  /// Checkpoint from which the motion continues, with the numbers that it would have had; none: it begins at time 0.
   const MotionCheckpoint* from = nullptr;
-  /// Asked before every step, by processes that share the plate at every row: is a checkpoint to be saved now? It is,
-  /// too, before a signal ends the motion.
+  /// Predicate called before every step, in a distributed plate at every row: true where a checkpoint is to be saved
+  /// now. A checkpoint is saved, too, before a signal ends the motion.
   std::function<bool()> due = {};
   std::function<void(const MotionCheckpoint&)> save = {};
 };

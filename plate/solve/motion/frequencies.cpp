@@ -120,7 +120,7 @@ NumericalError not_converged() {
                         " restarts");
 }
 
-/// Where processes share the plate.
+/// Largest eigenpairs of the inverse of a distributed plate. Collective.
 Ritz largest(const Communicator& all, const Inverse& inverse, const EigenpairRequest& wanted, const VectorXd& start) {
   const auto product = [&](std::span<const double> x, std::span<double> y) { inverse.perform_op(x.data(), y.data()); };
   const auto found = all.largest_pairs(product, {start.data(), std::size_t(start.size())}, wanted);

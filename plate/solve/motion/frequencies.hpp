@@ -36,7 +36,7 @@ double shift_of(const Section& section, double length);
 
 /// The lowest eigenpairs of K q = omega^2 M q on the free degrees of freedom (u = P q): Lanczos iteration with the
 /// inverse of K + sigma M. A plate that is not held has its rigid motions among them, with frequencies near zero.
-/// `mass` as from mass(). Where processes share the plate, all of them find the same. Multiple frequencies appear as
+/// `mass` as from mass(). Where the plate is distributed, all of them find the same. Multiple frequencies appear as
 /// often as they are. Throws NumericalError where an iteration does not converge or a number is not finite,
 /// std::invalid_argument where the plate has too few degrees of freedom or the shift is not positive.
 FrequencySolution frequencies(const Operator& plate, const Constraints& constraints, const Forces& mass,

@@ -51,7 +51,7 @@ struct Modes {
     return result;
   }
 
-  /// At every frequency.
+  /// Amplitudes of the modes at every frequency.
   MatrixXcd amplitudes(const std::vector<double>& frequencies, const Damping& damping) const {
     MatrixXcd result(squares.size(), Index(frequencies.size()));
     for (Index n = 0; n < result.cols(); ++n) {

@@ -44,9 +44,9 @@ public:
   std::pair<State, State> at(std::size_t number) const;
 
   std::size_t vectors() const { return std::size_t(vectors_.cols()); }
-  /// By the last vectors, at least sixteen, in the measure of the tolerance.
+  /// Change by the last vectors, at least sixteen, in the measure of the tolerance.
   double change() const { return change_; }
-  /// The same of every watched group of every family.
+  /// Change by the last vectors of every watched group of every family.
   const std::vector<std::vector<double>>& watched_change() const { return watched_; }
 
 private:

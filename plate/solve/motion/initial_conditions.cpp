@@ -78,7 +78,7 @@ void require_possible(const Formulation& plate, const Formula& formula, const St
     if (!error.empty()) throw Jumps(formula.text(), error);
 }
 
-/// Does this process have points so near to the place that it presses on them, or on what follows them?
+/// True where this rank has points so near to the place that it presses on them, or on what follows them.
 bool touches(const Formulation& plate, const Point& at) {
   constexpr double near = 8;  // spacings, of which a process sees many more
   const auto& cloud = plate.cloud();
@@ -97,7 +97,7 @@ Impactor impactor_of(const Impact& impact, const Formulation& plate) {
 }
 
 double kinetic_energy(const Communicator& all, const Forces& mass, const State& velocity) {
-  return ordered_sum<1>(all, std::size_t(mass.size()), [&](std::size_t i) {  // copies have no mass
+  return ordered_sum<1>(all, std::size_t(mass.size()), [&](std::size_t i) {  // ghosts have no mass
     const double v = velocity.data()[i];
     return std::array<double, 1>{mass.data()[i] * v * v / 2};
   })[0];

@@ -116,7 +116,8 @@ void MovingModes::step(double from, double to) {
 
 namespace {
 
-/// Between looks at whether they suffice: as many as are worth a look, whose time grows with their third power.
+/// Number of vectors to add between checks of whether they suffice: as many as are worth a check, whose time grows with
+/// their third power.
 Index more_vectors(Index vectors) {
   return std::max<Index>(8, vectors / 64 * 8);
 }
@@ -150,7 +151,7 @@ Solved solved(LanczosSpace& space, const std::vector<TimedLoad>& loads, const La
   return result;
 }
 
-/// How much more vectors change what is wanted.
+/// Change of the wanted quantities with more vectors.
 struct Change {
   double motion;                      // in the norm of the mass, relative to the largest
   std::vector<double> watched, told;  // LanczosMotion::truncated(), truncated_told()

@@ -10,14 +10,14 @@ namespace plate {
 /// Modes that move under loads that are straight lines in time between the points of their histories: exact.
 class MovingModes {
 public:
-  /// At rest, undeformed. `squares`: omega^2 of every mode [1/time^2]. `shares`: of the loads (columns) in the modes
-  /// (rows). `loads` must outlive this.
+  /// Constructs modes at rest, undeformed. `squares`: omega^2 of every mode [1/time^2]. `shares`: of the loads
+  /// (columns) in the modes (rows). `loads` must outlive this.
   MovingModes(Eigen::VectorXd squares, Eigen::MatrixXd shares, const std::vector<TimedLoad>& loads,
               const Damping& damping = {});
 
-  /// At rest under the loads of time 0, which have grown slowly.
+  /// Sets the state of rest under the loads of time 0, which have grown slowly.
   void rest();
-  /// With these amplitudes and velocities instead, brought there by something else than the loads.
+  /// Sets amplitudes and velocities that something else than the loads has caused.
   void begin(const Eigen::VectorXd& amplitudes, const Eigen::VectorXd& velocities);
   void advance(double from, double to);
 
@@ -29,7 +29,7 @@ public:
   double work() const { return work_; }
   double strain_energy() const { return squares_.dot(y_.cwiseAbs2()) / 2; }
   double kinetic_energy() const { return v_.squaredNorm() / 2; }
-  /// By damping until now: what is left of the work.
+  /// Energy dissipated by damping until now: what is left of the work.
   double dissipated() const { return drag_.isZero(0) ? 0 : work_ - strain_energy() - kinetic_energy(); }
   double potential(double time) const { return -y_.dot(shares_ * factors(time)); }
 
@@ -63,7 +63,7 @@ struct LanczosOptions {
   std::vector<Eigen::MatrixXd> told = {};  // likewise, but however large it is
   std::function<void(std::size_t vectors, double change)> progress = {};
   Damping damping = {};
-  /// At time 0, instead of at rest: what brought the plate there counts as work. Empty: zero.
+  /// State at time 0, instead of rest: what brought the plate there counts as work. Empty: zero.
   State deflected = {}, velocity = {};
 };
 
@@ -77,19 +77,20 @@ public:
   LanczosMotion(const Operator& plate, const Constraints& constraints, const Inertia& inertia,
                 const std::vector<TimedLoad>& loads, const Preconditioner& inverse, const LanczosOptions& options);
 
-  /// From time 0 on, at `rows` equal times up to the duration and at time 0; calls `see` as central_differences does,
-  /// with the number of the row as its step. Throws NumericalError where a number is not finite.
+  /// Evaluates the motion from time 0 on, at `rows` equal times up to the duration and at time 0; calls `see` as
+  /// central_differences does, with the number of the row as its step. Throws NumericalError where a number is not
+  /// finite.
   void observe(std::size_t rows, const std::function<void(const Instant&)>& see) const;
 
   std::size_t vectors() const { return std::size_t(shapes_.cols()); }
-  /// By the last vectors, at least eight, in the measure of the tolerance.
+  /// Change by the last vectors, at least eight, in the measure of the tolerance.
   double change() const { return change_; }
   /// Estimated error of every watched group at any time, relative to the largest of its functionals: four times the
   /// largest difference from at most 0.7 times as many vectors (theory.md, "Dynamics").
   const std::vector<double>& truncated() const { return truncated_; }
-  /// The same of every group of LanczosOptions::told.
+  /// Estimated error of every group of LanczosOptions::told, defined as truncated().
   const std::vector<double>& truncated_told() const { return truncated_told_; }
-  /// That the vectors hold [1/time].
+  /// Largest frequency that the vectors hold [1/time].
   double largest_frequency() const { return largest_frequency_; }
 
 private:

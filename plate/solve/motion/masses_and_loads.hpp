@@ -75,11 +75,11 @@ public:
     return total;
   }
 
-  /// Loads have grown slowly to what they are at time 0, where this is the state.
+  /// Starts from a state under loads that have grown slowly to what they are at time 0.
   void start(const State& state);
-  /// Something else than the loads has brought the plate to this state.
+  /// Sets the state that something else than the loads has caused.
   void bent(const State& state);
-  /// ... or has begun the motion, by this work [energy].
+  /// Adds the work [energy] by which something else than the loads has begun the motion.
   void give(double work) {
     given_ += work;
   }
@@ -118,7 +118,7 @@ public:
 
   bool any() const { return !loads_.empty(); }
 
-  /// Books the work up to now and adds the forces of now to the internal ones, before they are carried over. The time
+  /// Counts the work up to now and adds the forces of now to the internal ones, before they are carried over. The time
   /// is a whole number of steps.
   template <typename Real>
   void add(double time, double time_step, const State& state, Values<Real>& force);

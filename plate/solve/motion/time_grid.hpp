@@ -31,7 +31,7 @@ struct GridOptions {
 /// Steps that end exactly on the rows of history, none above `limit`. Throws Refused where more is asked for.
 TimeGrid time_grid(const GridOptions& options, double limit);
 
-/// One step per row, for motions that need no steps. Throws Refused where there are too many.
+/// Grid with one step per row, for motions that need no steps. Throws Refused where there are too many.
 TimeGrid row_grid(const GridOptions& options);
 
 /// The stable step of central differences whose stiffness damps with the velocity half a step before, of a plate whose

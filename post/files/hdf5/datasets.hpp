@@ -103,7 +103,7 @@ public:
   Series() = default;
   /// `sizes` of one entry; `chunk` entries are stored together, of points as many as come at once.
   Series(hid_t parent, const std::string& name, Sizes sizes, hsize_t chunk, const Meaning& meaning);
-  /// One that is there.
+  /// Opens an existing dataset.
   Series(hid_t parent, const std::string& name);
 
   bool exists() const { return dataset_ >= 0; }

@@ -64,8 +64,9 @@ std::string text_attribute(hid_t file, const char* name) {
   return text;
 }
 
-/// Over a damaged superblock HDF5 1.10 loses memory, or asks for gigabytes: the widths of addresses and lengths in it
-/// are those of a file of 64 bits (HDF5 file format specification, II.A). What is too short or none at all it refuses.
+/// Checks the widths of addresses and lengths in the superblock: they are those of a file of 64 bits (HDF5 file format
+/// specification, II.A). Over a damaged superblock HDF5 1.10 loses memory, or asks for gigabytes. HDF5 itself refuses
+/// files that are too short or no HDF5 files.
 void check_widths(const std::filesystem::path& path) {
   std::array<char, 16> head{};
   if (!std::ifstream(path, std::ios::binary).read(head.data(), head.size())) return;

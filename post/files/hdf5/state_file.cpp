@@ -281,7 +281,7 @@ void OpenStateFile::write(const StateFile::Motion& frame) {
   ++in_part_;
 }
 
-/// All frames into state.h5.partial. Parts that a checkpoint may know of stay as they are.
+/// Assembles all frames in state.h5.partial. Parts that a checkpoint may know of stay as they are.
 void OpenStateFile::assemble() {
   assembled_ = true;
   const auto whole = beside(".partial");

@@ -30,8 +30,8 @@ void for_each_part(std::size_t points, const Visit& visit) {
 /// state.h5: points (positions, areas, cut), every written frame (time, step, state, moments, shear_forces, von_mises),
 /// tables (history, probes, srif), the text of the resolved case; each dataset with attributes `unit` and
 /// `description`, those of points with checksums. Written beside, as state.h5.0 and so on, and put in its place by
-/// close(). Where ranks share the plate the first writes, and the others send it their points, points_at_once of all,
-/// so that none holds more than that of others' points; then constructor and write(frame) are collective. Throws
+/// close(). Where the plate is distributed the first writes, and the others send it their points, points_at_once of
+/// all, so that none holds more than that of others' points; then constructor and write(frame) are collective. Throws
 /// std::runtime_error where HDF5 fails.
 class StateFile {
 public:
@@ -53,19 +53,19 @@ public:
     std::size_t step = 0, points = 0;
     InParts state, velocity, moments, shear_forces, von_mises;
   };
-  /// `mesh`: with the rank's own points first. `communicator` must outlive this.
+  /// `mesh`: with the rank's owned points first. `communicator` must outlive this.
   StateFile(Options options, const Mesh& mesh, const plate::Communicator& communicator = plate::single_process());
   ~StateFile();
   StateFile(StateFile&&) noexcept;
 
-  /// After so many frames that a run had written by its last part(); further ones are dropped.
+  /// Continues after so many frames that a run had written by its last part(); further ones are dropped.
   void go_on(std::size_t frames);
   /// The frames so far are what another process can go on after, from now on.
   void part();
   /// `velocity`: null where none are stored. Throws std::invalid_argument where velocities or resultants are not those
   /// of the points.
   void write(const Frame& frame, const plate::State* velocity);
-  /// No frame comes after a table.
+  /// Writes a table; no frame comes after it.
   void write(const std::string& name, const Table& table);
   void close();
 

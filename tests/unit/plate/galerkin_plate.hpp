@@ -13,7 +13,8 @@ inline const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 2};
 geometry::Tessellation cells(const geometry::Outline& outline, double spacing,
                              const std::vector<geometry::Polyline>& cracks = {}, const geometry::Grading& grading = {});
 
-/// The same with every point that is on no edge or crack moved by up to `share` of a spacing; squares become triangles.
+/// Returns the cells with every point that is on no edge or crack moved by up to `share` of a spacing; squares become
+/// triangles.
 geometry::Tessellation perturbed(geometry::Tessellation cells, double share, unsigned seed = 1);
 
 geometry::Outline with_hole();

@@ -14,8 +14,8 @@ struct Conditions {
 /// Of the unknowns of real nodes and, behind them, surface nodes.
 Eigen::VectorXd with_surface_nodes(const Solid& solid, int order, plate::FluxRule rule, const Conditions& conditions);
 
-/// The same where body, loads and supports are symmetric about the middle of an axis with an even number of nodes: of
-/// half the unknowns.
+/// Solves for half the unknowns where body, loads and supports are symmetric about the middle of an axis with an even
+/// number of nodes.
 Eigen::VectorXd with_surface_nodes_mirrored(const Solid& solid, int order, plate::FluxRule rule,
                                             const Conditions& conditions, int axis);
 
@@ -24,7 +24,7 @@ Eigen::VectorXd with_surface_nodes_mirrored(const Solid& solid, int order, plate
 Eigen::VectorXd on_nodes(const Solid& solid, const plate::SparseStiffness& K, const Conditions& conditions,
                          const Field& solution);
 
-/// The same without any correction.
+/// Solves without any correction of the boundary.
 Eigen::VectorXd uncorrected(const Solid& solid, const Conditions& conditions, const Field& solution);
 
 /// Loads inside, over real nodes.

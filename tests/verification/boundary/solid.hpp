@@ -63,8 +63,8 @@ plate::SparseStiffness stiffness(const Solid& solid, plate::Centre centre, int o
 
 using Field = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
-/// The same rows of a field that goes on beyond the body, dilatations from full families everywhere: minus forces on
-/// real nodes and fluxes times area that make it the solution.
+/// Actions on a body whose field goes on beyond it, dilatations from full families everywhere: minus forces on real
+/// nodes and fluxes times area that make the field the solution.
 Eigen::VectorXd actions_of(const Solid& solid, const Field& field, plate::FluxRule rule);
 
 /// Equilibrium without fictitious nodes: families and weighted volumes as the body cuts them.

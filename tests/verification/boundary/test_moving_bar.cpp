@@ -130,7 +130,7 @@ std::vector<Error> errors(const Bar& bar, const std::vector<int>& instants) {
   return result;
 }
 
-/// The same with conditions that multipliers hold: what moves the plate is without what would break them.
+/// Errors of a bar with conditions that multipliers hold: what moves the plate is without what would break them.
 std::vector<Error> errors(const Multiplied& bar, const std::vector<int>& instants) {
   const Eigen::MatrixXd& C = bar.conditions;
   const Eigen::Matrix2d square = C * C.transpose();

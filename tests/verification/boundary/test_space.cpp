@@ -71,7 +71,7 @@ Eigen::Vector3d pulled_field(const Eigen::Vector3d& x) {
   return {x[0] / young, -poisson / young * x[1], -poisson / young * x[2]};
 }
 
-/// The same with the moduli of the lattice: C11 strain_x + 2 C12 strain_y = 1, C12 strain_x + (C11 + C12) strain_y = 0.
+/// Field with the moduli of the lattice: C11 strain_x + 2 C12 strain_y = 1, C12 strain_x + (C11 + C12) strain_y = 0.
 bb::Field lattice_field(const Solid& s) {
   const double C11 = s.material.k_theta / 3 + s.material.k_e * bb::mean_of_directions(s.family, 3, s.influence, 4, 0);
   const double C12 = s.material.k_theta / 3 + s.material.k_e * bb::mean_of_directions(s.family, 3, s.influence, 2, 2);

@@ -9,7 +9,7 @@ namespace galerkin_systems {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// How p and Theta vary over a family.
+/// Variation of p and Theta over a family.
 enum class Pressure {
   displacement,  ///< p = K div u at every sample: no field of its own
   masters,       ///< the same at the families' first samples, and no K at the others (Bode 6.2, underintegrated)

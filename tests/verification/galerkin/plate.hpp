@@ -41,7 +41,7 @@ Eigen::VectorXd all_frequencies(const Sparse& K, const Eigen::VectorXd& mass);
 /// The lowest `count` of them, by subspace iteration on K + shift M.
 Eigen::VectorXd lowest_frequencies(const Sparse& K, const Eigen::VectorXd& mass, int count);
 
-/// How the edges of a square are held; simply: w and the rotation along the edge (hard).
+/// Support of the edges of a square; simply: w and the rotation along the edge (hard).
 enum class Held { free, simply, clamped };
 
 /// w at the middle point of a held body under unit pressure.

@@ -45,7 +45,7 @@ inline double wanted_area(const random_plates::Plate& plate, const Tessellation&
   return result;
 }
 
-/// How far the ends of borders are from the straight curves that they belong to.
+/// Largest distance of the ends of borders from the straight curves that they belong to.
 inline double furthest_off(const random_plates::Plate& plate, const Tessellation& cells) {
   double result = 0;
   const auto edges = straight_edges(plate.outline);

@@ -29,7 +29,7 @@ void together(int processes, const Find& find, const Put& put) {
 /// With formulas of its own: each is evaluated by one thread at a time.
 Problem own(Problem problem);
 
-/// How a plate moves, beside its problem.
+/// Settings of a motion of a plate, beside its problem.
 struct How {
   bool mixed = false;
   Damping damping = {};

@@ -19,7 +19,7 @@ double bending_energy(double xx, double yy, double xy) {
   return D / 2 * (xx * xx + yy * yy + 2 * nu * xx * yy + 2 * (1 - nu) * xy * xy);
 }
 
-/// The same from Dai 1 and 4 by quadrature over the disc; exact in the angle for trigonometric polynomials.
+/// Bending energy from Dai 1 and 4 by quadrature over the disc; exact in the angle for trigonometric polynomials.
 double disc_bending_energy(const PointParameters& p, Influence kind, double horizon, double xx, double yy, double xy) {
   const int rings = 2000, rays = 16;
   double dilatation = 0, sum = 0;

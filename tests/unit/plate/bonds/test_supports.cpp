@@ -12,7 +12,7 @@ using geometry::Point;
 
 namespace {
 
-/// How a degree of freedom follows: (leader, factor); nothing where it is free.
+/// Tie of a degree of freedom: (leader, factor); nothing where it is free.
 std::optional<std::pair<std::uint32_t, double>> tie_of(const Boundary& b, std::uint32_t dof) {
   for (const auto& tie : b.constraints.ties())
     if (tie.follower == dof) return std::pair{tie.leader, tie.factor};

@@ -22,7 +22,7 @@ ElasticSupports elastic_supports() {
   return ElasticSupports(std::move(parts));
 }
 
-/// The same written out.
+/// Stiffness of the elastic supports written out [3 points x 3 points].
 Eigen::MatrixXd by_hand() {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * points, 3 * points);
   const auto dof = [](Eigen::Index point, Eigen::Index component) { return component * points + point; };

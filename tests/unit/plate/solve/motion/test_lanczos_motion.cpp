@@ -52,7 +52,7 @@ struct Setting {
     return result;
   }
 
-  /// The same by central differences in steps so small that they are exact.
+  /// Computes the motion by central differences in steps so small that they are exact.
   std::vector<double> by_steps(const std::vector<History>& histories) const {
     std::vector<TimedLoad> loads;
     for (const auto& history : histories) loads.push_back({load, history});
