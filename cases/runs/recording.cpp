@@ -11,6 +11,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/process.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/archive.hpp"
 #include "post/files/checkpoints.hpp"
 #include "post/files/run_folder.hpp"
@@ -69,12 +70,12 @@ geometry::CellBox box_of(const plate::Boundary& boundary, const std::vector<std:
 post::CellValues own_values(const plate::Boundary& boundary, const std::vector<const plate::State*>& states) {
   post::CellValues result;
   const auto points = own_points(boundary);
-  for (const auto* state : states) result.width += state->cols() > 0 ? 3 : 0;
+  for (const auto* state : states) result.width += state->cols() > 0 ? plate::unknowns_per_point : 0;
   result.cells.reserve(points.size()), result.values.reserve(points.size() * result.width);
   for (const auto k : points) {
     result.cells.push_back(cell_of(boundary, k));
     for (const auto* state : states)
-      for (int c = 0; state->cols() > 0 && c < 3; ++c) result.values.push_back((*state)(c, k));
+      for (int c = 0; state->cols() > 0 && c < plate::unknowns_per_point; ++c) result.values.push_back((*state)(c, k));
   }
   return result;
 }
@@ -83,18 +84,19 @@ void put_values(const plate::Boundary& boundary, const std::vector<std::filesyst
                 const std::vector<plate::State*>& states) {
   const auto points = own_points(boundary);
   const Found points_by_cells(boundary);
-  for (auto* state : states) state->setZero(3, Eigen::Index(boundary.cloud.size()));
+  for (auto* state : states) state->setZero(plate::unknowns_per_point, Eigen::Index(boundary.cloud.size()));
   std::size_t found = 0, width = 0;
   for (const auto& path : files)
     width = post::read_cells(path, box_of(boundary, points), [&](const geometry::Cell& cell, auto values) {
       const auto k = points_by_cells.at(cell);
       if (!k || !boundary.is_plate(*k) || !boundary.owns(*k)) return;
-      for (std::size_t i = 0; i < std::min(3 * states.size(), values.size()); ++i)
-        (*states[i / 3])(Eigen::Index(i % 3), Eigen::Index(*k)) = values[i];
+      for (std::size_t i = 0; i < std::min(plate::unknowns_per_point * states.size(), values.size()); ++i)
+        (*states[plate::point_of(i)])(Eigen::Index(plate::component_of(i)), Eigen::Index(*k)) = values[i];
       ++found;
     });
   if (found != points.size()) throw std::runtime_error("the checkpoint does not have all points of the plate");
-  for (std::size_t i = width / 3; i < states.size(); ++i) states[i]->resize(3, 0);
+  for (std::size_t i = width / plate::unknowns_per_point; i < states.size(); ++i)
+    states[i]->resize(plate::unknowns_per_point, 0);
 }
 
 RunCheckpoints::RunCheckpoints(post::Checkpoints checkpoints, double every)

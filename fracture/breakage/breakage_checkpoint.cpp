@@ -87,6 +87,7 @@ BreakageCheckpoint DamagedPlate::memory() const {
 /// Families come in the order in which they lost their first bonds, as every process had them: of a piece of crack by
 /// their points, of single bonds by these.
 void DamagedPlate::restore(const BreakageCheckpoint& memory) {
+  constexpr std::size_t each = 3;  // weights of a bond
   const PointKeys keys(boundary_);
   std::vector<std::pair<std::uint32_t, const DamagedFamily*>> found;
   for (const auto& one : memory.families)
@@ -95,7 +96,7 @@ void DamagedPlate::restore(const BreakageCheckpoint& memory) {
                     [](const auto& one) { return std::tuple(one.second->event, one.second->place, one.first); });
   for (const auto& [number, share] : memory.going) going_.push_back({number, {}, share});
   for (const auto& [k, one] : found) {
-    if (one->broken.size() != base_.families()[k].size() || one->weights.size() != 3 * one->broken.size())
+    if (one->broken.size() != base_.families()[k].size() || one->weights.size() != each * one->broken.size())
       throw std::runtime_error("the checkpoint has other bonds than the plate");
     events_ = one->event;
     for (std::size_t i = 0; i < one->broken.size(); ++i)
@@ -103,7 +104,7 @@ void DamagedPlate::restore(const BreakageCheckpoint& memory) {
     auto& changed = change(k);
     changed.now.a = one->a, changed.left = one->left, changed.ongoing = one->breakage.has_value();
     for (std::size_t i = 0; i < changed.now.bonds.size(); ++i)
-      changed.now.bonds[i].weights = {one->weights[3 * i], one->weights[3 * i + 1], one->weights[3 * i + 2]};
+      changed.now.bonds[i].weights = {one->weights[each * i], one->weights[each * i + 1], one->weights[each * i + 2]};
     retarget(k);
     differ(std::size_t(broken_.number(k)));
     if (one->left > 0) easing_.push_back(k);

@@ -6,6 +6,7 @@
 #include "plate/formulation/pieces.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/archive.hpp"
 
 namespace fracture {
@@ -71,10 +72,11 @@ DetachedPieces::PointStates DetachedPieces::seen(const std::vector<SavedPoint>& 
     if (const auto k = keys.point(one.point)) found.emplace_back(*k, &one);
   std::ranges::sort(found);
   PointStates result;
-  result.state.resize(3, Eigen::Index(found.size())), result.velocity.resize(3, Eigen::Index(found.size()));
+  result.state.resize(plate::unknowns_per_point, Eigen::Index(found.size())),
+      result.velocity.resize(plate::unknowns_per_point, Eigen::Index(found.size()));
   for (const auto& [k, one] : found) {
     const auto i = Eigen::Index(result.points.size());
-    for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < plate::unknowns_per_point; ++c)
       result.state(Eigen::Index(c), i) = one->state[c], result.velocity(Eigen::Index(c), i) = one->velocity[c];
     result.points.push_back(k);
   }

@@ -9,6 +9,7 @@
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/halo_exchange.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -19,7 +20,8 @@ using geometry::Cell;
 class Overlap {
 public:
   Overlap(const PartOfLattice& part, const Boundary& boundary) : part_(part), boundary_(boundary) {
-    for (const auto& tie : boundary.constraints.ties()) leaders_.emplace_back(tie.follower / 3, tie.leader / 3);
+    for (const auto& tie : boundary.constraints.ties())
+      leaders_.emplace_back(point_of(tie.follower), point_of(tie.leader));
     std::sort(leaders_.begin(), leaders_.end());
     leaders_.erase(std::unique(leaders_.begin(), leaders_.end()), leaders_.end());
   }
@@ -72,7 +74,7 @@ private:
     std::vector<std::uint32_t> tied;
     for (const auto& one : boundary_.elastic_supports.parts())
       one->for_each([&](std::uint32_t row, std::uint32_t column, double) {
-        const auto k = row / 3, j = column / 3;
+        const auto k = point_of(row), j = point_of(column);
         if (k != j && seen[k] && families[k].find(j) == families[k].size()) tied.push_back(j);
       });
     for (const auto k : tied) {
@@ -125,8 +127,8 @@ void own_fictitious(const PartOfLattice& part, const Overlap& seen, Boundary& bo
   for (std::uint32_t k = boundary.cloud.plate_points; k < boundary.cloud.size(); ++k)
     boundary.map.owned[k] = part.partition.nearest_owner(seen.cell(k)) == self;
   for (const auto& tie : boundary.constraints.ties())
-    if (const auto k = tie.follower / 3; !boundary.is_plate(k) && tie.follower % 3 == 0)
-      boundary.map.owned[k] = boundary.map.owned[tie.leader / 3];
+    if (const auto k = point_of(tie.follower); !boundary.is_plate(k) && is_deflection(tie.follower))
+      boundary.map.owned[k] = boundary.map.owned[point_of(tie.leader)];
 }
 
 }  // namespace

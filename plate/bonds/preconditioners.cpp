@@ -9,6 +9,7 @@
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/matrices/factor.hpp"
 #include "plate/solve/matrices/point_matrix.hpp"
@@ -219,7 +220,7 @@ void for_each_coarse_column(const Operator& L, const Transfer& transfer, const C
   State coarse(3, Eigen::Index(coarse_points)), fine(3, Eigen::Index(L.points()));
   Forces force;
   for (int color = 0; color < coarse_window * coarse_window; ++color)
-    for (int component = 0; component < 3; ++component) {
+    for (int component = 0; component < unknowns_per_point; ++component) {
       const int column = color % coarse_window, row = color / coarse_window;
       coarse.setZero(), fine.setZero();
       for (std::uint32_t i = 0; i < coarse_points; ++i)
@@ -316,13 +317,13 @@ public:
 
   void solve(const Forces& force, State& u) const override {
     std::vector<double> values;
-    values.reserve(3 * own_.size());
+    values.reserve(unknowns_per_point * own_.size());
     for (const auto i : own_)
-      for (Eigen::Index c = 0; c < 3; ++c) values.push_back(force(c, Eigen::Index(i)));
+      for (Eigen::Index c = 0; c < unknowns_per_point; ++c) values.push_back(force(c, Eigen::Index(i)));
     inverse_->apply(values);
     u.setZero(3, force.cols());
     for (std::size_t n = 0; n < own_.size(); ++n)
-      for (Eigen::Index c = 0; c < 3; ++c) u(c, Eigen::Index(own_[n])) = values[3 * n + std::size_t(c)];
+      for (Eigen::Index c = 0; c < unknowns_per_point; ++c) u(c, Eigen::Index(own_[n])) = values[dof(n, c)];
     fetch(u);
   }
   std::size_t bytes() const override { return 0; }  // the libraries behind it do not say
@@ -372,7 +373,8 @@ private:
                              auto& block =
                                  found[std::size_t(place[i])][std::size_t((y + half) * coarse_window + x + half)];
                              block.column = number[j];
-                             for (int c = 0; c < 3; ++c) block.entries[std::size_t(3 * c + component)] = K_ij[c];
+                             for (int c = 0; c < unknowns_per_point; ++c)
+                               block.entries[std::size_t(unknowns_per_point * c + component)] = K_ij[c];
                            });
     DistributedRows result;
     for (std::size_t n = 0; n < own_.size(); ++n) {

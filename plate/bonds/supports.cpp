@@ -9,6 +9,7 @@
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/support_constraints.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -62,7 +63,7 @@ private:
   }
   void fix(std::uint32_t dof, const Side& side) { b_.constraints.fix(dof, moved_.of(dof, side, {})); }
   void tie_image(std::uint32_t leader, const std::array<double, 3>& factors, const Side& side) {
-    for (std::uint32_t c = 0; c < 3; ++c) tie(3 * last() + c, side, {{3 * leader + c, factors[c]}});
+    for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), factors[c]}});
   }
   void tie_clamped(std::uint32_t leader, double depth, const Side& side);
   bool within(const Side& side, const Point& u) const;
@@ -92,8 +93,9 @@ void Builder::tie_clamped(std::uint32_t leader, double depth, const Side& side) 
   const double inside = side.inside(u), ratio = depth / inside;
   const double lever = spacing_ * depth * (depth + inside) / (2 * inside);
   const Point out = side.outward(u);  // psi_n = out_x theta_y - out_y theta_x
-  tie(3 * last(), side, {{3 * leader, -ratio}, {3 * leader + 1, -lever * out.y()}, {3 * leader + 2, lever * out.x()}});
-  for (std::uint32_t c = 1; c < 3; ++c) tie(3 * last() + c, side, {{3 * leader + c, -ratio}});
+  tie(dof(last(), 0), side,
+      {{dof(leader, 0), -ratio}, {dof(leader, 1), -lever * out.y()}, {dof(leader, 2), lever * out.x()}});
+  for (std::uint32_t c = 1; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), -ratio}});
 }
 
 void Builder::mirror_images() {
@@ -125,8 +127,8 @@ void Builder::mirror_at_corners() {
         if (!within(first, b_.lattice[k]) || !within(second, b_.lattice[k])) continue;
         add(second.mirrored(first.mirrored(b_.lattice[k])), b_.cloud.areas[k],
             {{static_cast<int>(s), static_cast<int>(t)}, false, true});
-        for (std::uint32_t c = 0; c < 3; ++c)
-          b_.constraints.tie(3 * last() + c, {{3 * k + c, double(p[c] * q[c])}},
+        for (std::uint32_t c = 0; c < unknowns_per_point; ++c)
+          b_.constraints.tie(dof(last(), c), {{dof(k, c), double(p[c] * q[c])}},
                              moved_.of_corner(last(), k, c, first, p[c], second, q[c]));
       }
     }
@@ -169,7 +171,7 @@ void Builder::outside_cell(const Point& u, int s) {
     }
   add(u, spacing_ * spacing_, {{s, -1}, false, false});
   if (!leader) {
-    for (std::uint32_t c = 0; c < 3; ++c) fix(3 * last() + c, side);
+    for (std::uint32_t c = 0; c < unknowns_per_point; ++c) fix(dof(last(), c), side);
     return;
   }
   if (side.kind == SupportKind::clamped) {
@@ -179,7 +181,7 @@ void Builder::outside_cell(const Point& u, int s) {
   const auto signs = parity(side.kind, side.normal_axis());
   const double ratio = depth / side.inside(b_.lattice[*leader]);
   std::array<double, 3> factors{};
-  for (std::size_t c = 0; c < 3; ++c) factors[c] = signs[c] > 0 ? 1 : -ratio;
+  for (std::size_t c = 0; c < unknowns_per_point; ++c) factors[c] = signs[c] > 0 ? 1 : -ratio;
   tie_image(*leader, factors, side);
 }
 
@@ -205,9 +207,9 @@ void Builder::follow(std::uint32_t k, const Side& side) {
   const auto inner = cells_.at(u - step);
   const double own = side.inside(u), further = inner ? side.inside(b_.lattice[*inner]) : 0;
   if (inner && further > own)
-    tie(3 * k, side, {{3 * *inner, own / further}});
+    tie(dof(k, 0), side, {{dof(*inner, 0), own / further}});
   else
-    fix(3 * k, side);
+    fix(dof(k, 0), side);
 }
 
 /// Strips one horizon wide outside the plate, with the corner squares between two of them.
@@ -234,10 +236,10 @@ void Builder::layers() {
         {{list[0], list.size() > 1 ? list[1] : -1}, true, false});
     for (const int s : list) {
       const Side& side = b_.sides[static_cast<std::size_t>(s)];
-      fix(3 * last(), side);
-      if (side.kind == SupportKind::clamped_layer) fix(3 * last() + 1, side), fix(3 * last() + 2, side);
+      fix(dof(last(), 0), side);
+      if (side.kind == SupportKind::clamped_layer) fix(dof(last(), 1), side), fix(dof(last(), 2), side);
       if (side.kind == SupportKind::simply_supported_hard_layer)
-        fix(3 * last() + (side.normal_axis() == 0 ? 1 : 2), side);
+        fix(dof(last(), side.normal_axis() == 0 ? 1 : 2), side);
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plate/bonds/supports.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -128,7 +129,8 @@ std::vector<char> near_cracks(const Boundary& boundary, const std::vector<geomet
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < near.size(); ++k) near[k] = close(boundary.lattice[k]);
   for (const auto& tie : boundary.constraints.ties())
-    if (tie.follower / 3 >= boundary.cloud.plate_points && near[tie.leader / 3]) near[tie.follower / 3] = 1;
+    if (point_of(tie.follower) >= boundary.cloud.plate_points && near[point_of(tie.leader)])
+      near[point_of(tie.follower)] = 1;
   return near;
 }
 

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "plate/model/space.hpp"
+
 namespace plate {
 namespace {
 
@@ -16,7 +18,8 @@ constexpr PetscInt most_factorised = 3000000;
 
 class PetscInverse : public DistributedInverse {
 public:
-  PetscInverse(MPI_Comm all, const DistributedRows& rows) : unknowns_(PetscInt(3 * (rows.first.size() - 1))) {
+  PetscInverse(MPI_Comm all, const DistributedRows& rows)
+      : unknowns_(PetscInt(unknowns_per_point * (rows.first.size() - 1))) {
     assemble(all, rows);
     PetscInt size = 0;
     require(MatGetSize(matrix_, &size, nullptr));
@@ -52,9 +55,9 @@ private:
   void assemble(MPI_Comm all, const DistributedRows& rows) {
     require(MatCreate(all, &matrix_));
     require(MatSetSizes(matrix_, unknowns_, unknowns_, PETSC_DETERMINE, PETSC_DETERMINE));
-    require(MatSetBlockSize(matrix_, 3));
+    require(MatSetBlockSize(matrix_, unknowns_per_point));
     require(MatSetType(matrix_, MATAIJ));
-    const PetscInt own = unknowns_ / 3;
+    const PetscInt own = unknowns_ / unknowns_per_point;
     PetscInt begin = 0;
     MPI_Exscan(&own, &begin, 1, MPIU_INT, MPI_SUM, all);
     std::vector<PetscInt> here, there;  // blocks of every row, by whose the columns are
@@ -65,19 +68,20 @@ private:
         (mine ? here : there).back() += rows.column[b] != begin + PetscInt(k);
       }
     }
-    require(MatXAIJSetPreallocation(matrix_, 3, here.data(), there.data(), nullptr, nullptr));
+    require(MatXAIJSetPreallocation(matrix_, unknowns_per_point, here.data(), there.data(), nullptr, nullptr));
     without_stiffness_.assign(std::size_t(unknowns_), true);
     for (std::size_t k = 0; k < std::size_t(own); ++k) {
       const PetscInt row = begin + PetscInt(k);
       for (auto b = rows.first[k]; b < rows.first[k + 1]; ++b) {
         const auto column = PetscInt(rows.column[b]);
-        const double* block = &rows.block[9 * b];
+        const double* block = &rows.block[entries_per_block * b];
         require(MatSetValuesBlocked(matrix_, 1, &row, 1, &column, block, ADD_VALUES));
-        for (std::size_t c = 0; column == row && c < 3; ++c)
-          if (block[4 * c] > 0) without_stiffness_[3 * k + c] = false;
+        for (std::size_t c = 0; column == row && c < unknowns_per_point; ++c)
+          if (block[(unknowns_per_point + 1) * c] > 0) without_stiffness_[dof(k, c)] = false;
       }
       std::array<double, 9> rest{};
-      for (std::size_t c = 0; c < 3; ++c) rest[4 * c] = without_stiffness_[3 * k + c] ? 1 : 0;
+      for (std::size_t c = 0; c < unknowns_per_point; ++c)
+        rest[(unknowns_per_point + 1) * c] = without_stiffness_[dof(k, c)] ? 1 : 0;
       require(MatSetValuesBlocked(matrix_, 1, &row, 1, &row, rest.data(), ADD_VALUES));
     }
     require(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
@@ -124,11 +128,11 @@ private:
       require(MatCreateVecs(matrix_, &motions[motion], nullptr));
       double* entries = nullptr;
       require(VecGetArrayWrite(motions[motion], &entries));
-      for (std::size_t k = 0; 3 * k < std::size_t(unknowns_); ++k) {
+      for (std::size_t k = 0; unknowns_per_point * k < std::size_t(unknowns_); ++k) {
         const double x = rows.position[2 * k], y = rows.position[2 * k + 1];
         const double of_point[3][3] = {{1, 0, 0}, {x, 0, -1}, {y, 1, 0}};
-        for (std::size_t c = 0; c < 3; ++c)
-          entries[3 * k + c] = without_stiffness_[3 * k + c] ? 0 : of_point[motion][c];
+        for (std::size_t c = 0; c < unknowns_per_point; ++c)
+          entries[dof(k, c)] = without_stiffness_[dof(k, c)] ? 0 : of_point[motion][c];
       }
       require(VecRestoreArrayWrite(motions[motion], &entries));
       for (int before = 0; before < motion; ++before) {

@@ -3,6 +3,7 @@
 #include "plate/edges/boundary_conditions.hpp"
 #include "plate/edges/surface_plate.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 
@@ -38,7 +39,7 @@ int other_face(const LatticeBody& b, int s) {
 /// (Sca21, remark 4).
 bool implied(const LatticeBody& b, const std::vector<char>& held, int s, int component) {
   const int other = b.surface[std::size_t(s)].axis == 1 ? other_face(b, s) : -1;
-  return other >= 0 && held[std::size_t(3 * s + component)] && held[std::size_t(3 * other + component)];
+  return other >= 0 && held[std::size_t(dof(s, component))] && held[std::size_t(dof(other, component))];
 }
 
 void add(const RowMatrix& from, Eigen::Index of, int row, Triplets& to) {
@@ -60,7 +61,8 @@ WeightRows expansion_of_real(const SurfacePlate& p) {
 MultipliedPlate multiplied_plate(const SurfacePlate& p, const std::vector<char>& held) {
   const RowMatrix own = forces_and_fluxes(p, p.rule), crossed = forces_and_fluxes(p, FluxRule::crossing_point),
                   values = edge_values(p);
-  const int real = 3 * p.body.real, surface = 3 * int(p.body.surface.size()), count = real + 2 * surface;
+  const int real = unknowns_per_point * p.body.real, surface = unknowns_per_point * int(p.body.surface.size()),
+            count = real + 2 * surface;
   const RowMatrix assigned =
       rows_with_reactions(p, own, crossed, [&](int i) { return i >= real && held[std::size_t(i - real)]; });
 
@@ -71,7 +73,7 @@ MultipliedPlate multiplied_plate(const SurfacePlate& p, const std::vector<char>&
     const int value = real + i, multiplier = value + surface;
     const bool holds = held[std::size_t(i)];
     add(assigned, value, value, entries);
-    if (implied(p.body, held, i / 3, i % 3)) {
+    if (implied(p.body, held, point_of(i), component_of(i))) {
       result.idle.push_back(multiplier);
       continue;
     }
@@ -86,19 +88,19 @@ MultipliedPlate multiplied_plate(const SurfacePlate& p, const std::vector<char>&
 
 double added_forces(const SparseStiffness& stiffness, const SurfacePlate& p, const Eigen::VectorXd& values,
                     double arm) {
-  const Eigen::Index surface = 3 * Eigen::Index(p.body.surface.size());
+  const Eigen::Index surface = unknowns_per_point * Eigen::Index(p.body.surface.size());
   Eigen::VectorXd multipliers = values;
   multipliers.head(values.size() - surface).setZero();
   const Eigen::VectorXd added = stiffness * multipliers;
   double sum = 0;
-  for (int k = 0; k < p.body.real; ++k) sum += std::abs(added[3 * k]) + added.segment<2>(3 * k + 1).norm() / arm;
+  for (int k = 0; k < p.body.real; ++k) sum += std::abs(added[dof(k, 0)]) + added.segment<2>(dof(k, 1)).norm() / arm;
   return sum;
 }
 
 Eigen::VectorXd multiplied_solution(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {
   const auto [right, held] = edge_problem(p, edges, load);
   if (rigid_motions(p, held) > 0) throw Refused({{Subject::support, 0, "the supports leave the plate free to move"}});
-  const Eigen::Index real = 3 * p.body.real, surface = right.size() - real;
+  const Eigen::Index real = unknowns_per_point * p.body.real, surface = right.size() - real;
   std::vector<char> is_held(std::size_t(surface), false);
   for (const auto& one : held) is_held[std::size_t(one.unknown - real)] = true;
   const auto [stiffness, idle] = multiplied_plate(p, is_held);

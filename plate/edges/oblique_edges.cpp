@@ -7,6 +7,7 @@
 
 #include "plate/model/dense_algebra.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 
@@ -155,22 +156,22 @@ ObliqueEdges oblique_edges(const LatticeBody& b, std::vector<EdgeNode> nodes, co
 
 WeightRows oblique_expansion(const LatticeBody& b, const ObliqueEdges& edges) {
   Triplets entries;
-  for (int i = 0; i < 3 * b.real; ++i) entries.emplace_back(i, i, 1.0);
+  for (int i = 0; i < unknowns_per_point * b.real; ++i) entries.emplace_back(i, i, 1.0);
   for (int k = b.real; k < b.count(); ++k) {
     const auto& centres = edges.nearest[std::size_t(k - b.real)];
     const double share = 1.0 / double(centres.size());
     for (const int s : centres)
-      for (int unknown = 0; unknown < 3; ++unknown) {
+      for (int unknown = 0; unknown < unknowns_per_point; ++unknown) {
         const int order = unknown == 0 ? 2 : 1;
         const EdgeFit& f = (unknown == 0 ? edges.deflection : edges.rotation)[std::size_t(s)];
         const Eigen::VectorXd weights =
             share * f.terms.transpose() * monomials_at(place(b, k) - edges.nodes[std::size_t(s)].at, order);
-        entries.emplace_back(3 * k + unknown, 3 * (b.real + s) + unknown, share);
+        entries.emplace_back(dof(k, unknown), dof(b.real + s, unknown), share);
         for (std::size_t i = 0; i < f.nodes.size(); ++i)
-          entries.emplace_back(3 * k + unknown, 3 * f.nodes[i] + unknown, weights[Eigen::Index(i)]);
+          entries.emplace_back(dof(k, unknown), dof(f.nodes[i], unknown), weights[Eigen::Index(i)]);
       }
   }
-  WeightRows rows(3 * b.values(), 3 * (b.real + Eigen::Index(edges.nodes.size())));
+  WeightRows rows(unknowns_per_point * b.values(), unknowns_per_point * (b.real + Eigen::Index(edges.nodes.size())));
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }

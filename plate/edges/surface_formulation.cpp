@@ -13,6 +13,7 @@
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 
@@ -26,7 +27,7 @@ Eigen::VectorXd by_points(const State& state) {
 }
 
 State by_components(const Eigen::VectorXd& values) {
-  return Eigen::Map<const Eigen::Matrix3Xd>(values.data(), 3, values.size() / 3);
+  return Eigen::Map<const Eigen::Matrix3Xd>(values.data(), unknowns_per_point, values.size() / unknowns_per_point);
 }
 
 /// The free degrees of freedom, factorised.
@@ -66,7 +67,8 @@ private:
 struct Surroundings {
   Surroundings(const SurfacePlate& plate, bool multiplied, const geometry::LatticeUnits& units, double horizon,
                const std::vector<geometry::CrackPath>& cracks)
-      : rows((multiplied ? expansion_of_real(plate) : expansion(plate)).topRows(3 * plate.body.count())) {
+      : rows((multiplied ? expansion_of_real(plate) : expansion(plate))
+                 .topRows(unknowns_per_point * plate.body.count())) {
     geometry::Cloud cloud{units, {}, {}, 0};
     for (int k = 0; k < plate.body.count(); ++k) cloud.positions.push_back(plate.at(k));
     cloud.plate_points = cloud.positions.size();
@@ -182,7 +184,8 @@ Eigen::VectorXd SurfaceNodePlate::energies(const State& state) const {
 
 /// Surface nodes are points like others there.
 std::vector<PlaceShare> SurfaceNodePlate::interpolation(const Point& at) const {
-  return visible_place(at, cloud().units, boundary().lattice, std::size_t(plate_.unknowns() / 3), cracks_);
+  return visible_place(at, cloud().units, boundary().lattice, std::size_t(plate_.unknowns() / unknowns_per_point),
+                       cracks_);
 }
 
 /// Forces of the multipliers over the sizes of the loads, as the residual of the balance (post::Balance).

@@ -11,6 +11,7 @@
 #include "plate/edges/multiplied_plate.hpp"
 #include "plate/edges/outlines.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 
@@ -218,22 +219,22 @@ void hold(const SurfacePlate& plate, const std::vector<std::size_t>& side_of, Bo
     b.fictitious.push_back({{int(side_of[i % side_of.size()]), -1}, false, false});
   for (std::uint32_t s = 0; s < side_of.size(); ++s) {
     const auto condition = edge_condition(b.sides[side_of[s]].kind);
-    const auto first = std::uint32_t(3 * (plate.body.real + int(s)));
+    const auto node = std::uint32_t(plate.body.real) + s;
     if (plate.oblique) {  // one rotation that is held: a row of the stiffness
-      if (condition.held[0]) b.constraints.fix(first);
+      if (condition.held[0]) b.constraints.fix(dof(node, 0));
       for (const std::uint32_t i : {1U, 2U})
-        if (condition.held[1] && condition.held[2]) b.constraints.fix(first + i);
+        if (condition.held[1] && condition.held[2]) b.constraints.fix(dof(node, i));
       continue;
     }
     const int axis = plate.body.surface[s].axis;
     const int components[] = {0, normal_rotation(axis), tangential_rotation(axis)};
     for (std::size_t i = 0; i < 3; ++i)
-      if (condition.held[i]) b.constraints.fix(first + std::uint32_t(components[i]));
+      if (condition.held[i]) b.constraints.fix(dof(node, components[i]));
   }
   for (std::uint32_t pin = 0; pin < b.holders.size(); ++pin)
     if (const auto& at = b.holders[pin].position) {
       const auto k = std::uint32_t(geometry::nearest_plate_point(b.cloud, *at));
-      b.constraints.fix(3 * k);
+      b.constraints.fix(dof(k, 0));
       b.holds.push_back({k, pin, false});
     }
 }
@@ -253,7 +254,8 @@ SparseStiffness stiffness_of(const SurfacePlate& plate, EdgeMethod method, Bound
   Constraints conditions = b.constraints;
   conditions.resolve();
   std::vector<char> held;
-  for (int i = 3 * plate.body.real; i < plate.unknowns(); ++i) held.push_back(conditions.held(std::uint32_t(i)));
+  for (int i = unknowns_per_point * plate.body.real; i < plate.unknowns(); ++i)
+    held.push_back(conditions.held(std::uint32_t(i)));
   auto [stiffness, idle] = multiplied_plate(plate, held);
   for (const int one : idle) b.constraints.fix(std::uint32_t(one));
   b.constraints.resolve();
@@ -287,7 +289,7 @@ void add_rest(double pressure, const SurfacePlate& plate, const Boundary& b, con
   std::vector<int> held;
   double around = 0;
   for (int s = 0; s < plate.surfaces(); ++s)
-    if (b.constraints.held(std::uint32_t(3 * (plate.body.real + s)))) held.push_back(s), around += plate.length(s);
+    if (b.constraints.held(std::uint32_t(dof(plate.body.real + s, 0)))) held.push_back(s), around += plate.length(s);
   const double rest = geometry::area(outline) - plate.body.real * std::pow(plate.bonds.spacing, 2);
   for (const int s : held) forces(0, plate.body.real + s) += pressure * rest * plate.length(s) / around;
 }
@@ -308,8 +310,9 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
   };
   const auto right =
       edge_problem(plate, on_edges, [&](const Point&) { return Eigen::Vector3d(everywhere, 0, 0); }).right;
-  Forces forces = Forces::Zero(3, Eigen::Index(b.cloud.size()));
-  forces.leftCols(right.size() / 3) = Eigen::Map<const Eigen::Matrix3Xd>(right.data(), 3, right.size() / 3);
+  Forces forces = Forces::Zero(unknowns_per_point, Eigen::Index(b.cloud.size()));
+  const Eigen::Index nodes = right.size() / unknowns_per_point;
+  forces.leftCols(nodes) = Eigen::Map<const Eigen::Matrix3Xd>(right.data(), unknowns_per_point, nodes);
   if (plate.oblique) add_rest(everywhere, plate, b, outline, forces);
   return forces;
 }

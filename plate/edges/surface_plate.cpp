@@ -12,6 +12,7 @@
 #include "plate/edges/outlines.hpp"
 #include "plate/model/dense_algebra.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 
@@ -43,19 +44,19 @@ SurfacePlate oblique_plate(const Section& section, LatticeBonds bonds, const geo
 /// on the right side.
 void add_oblique(const SurfacePlate& p, int s, const EdgeCondition& c, EdgeProblem& to) {
   const Point normal = p.normal(s);
-  const int row = 3 * (p.body.real + s);
+  const int node = p.body.real + s;
   const Eigen::Vector3d given(c.value[0], c.value[1], c.value[2]), value = rotated(given, normal);
   const bool both = c.held[1] && c.held[2];
   if (c.held[0])
-    to.held.push_back({row, value[0]});
+    to.held.push_back({dof(node, 0), value[0]});
   else
-    to.right[row] = p.length(s) * c.value[0];
+    to.right[dof(node, 0)] = p.length(s) * c.value[0];
   const auto directions = turning_directions(normal);
   for (int i = 0; i < 2; ++i) {
-    if (both) to.held.push_back({row + 1 + i, value[1 + i]});
+    if (both) to.held.push_back({dof(node, 1 + i), value[1 + i]});
     const auto k = std::size_t(i);
     if (!both)
-      to.right.segment<2>(row + 1) +=
+      to.right.segment<2>(dof(node, 1)) +=
           directions[k] *
           (c.held[k + 1] ? -p.oblique->section.bending_stiffness() * c.value[k + 1] : p.length(s) * c.value[k + 1]);
   }
@@ -161,13 +162,13 @@ SparseStiffness stiffness_with_reactions(const SurfacePlate& plate, const std::f
 EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {
   const double spacing = p.bonds.spacing;
   EdgeProblem result{Eigen::VectorXd::Zero(p.unknowns()), {}};
-  for (int k = 0; k < p.body.real; ++k) result.right.segment<3>(3 * k) = spacing * spacing * load(p.at(k));
+  for (int k = 0; k < p.body.real; ++k) result.right.segment<3>(dof(k, 0)) = spacing * spacing * load(p.at(k));
   for (int s = 0; s < p.surfaces(); ++s) {
     if (p.oblique) {
       add_oblique(p, s, edges(p.at_surface(s), p.normal(s)), result);
       continue;
     }
-    const int axis = p.body.surface[std::size_t(s)].axis, row = 3 * (p.body.real + s);
+    const int axis = p.body.surface[std::size_t(s)].axis, node = p.body.real + s;
     const Point at = p.at_surface(s), normal = p.normal(s);
     const EdgeCondition c = edges(at, normal);
     const Eigen::Vector3d given(c.value[0], c.value[1], c.value[2]);
@@ -178,7 +179,7 @@ EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, con
     on_strip += on_strip[0] * Eigen::Vector3d(0, lever.y(), -lever.x());
     const int components[] = {0, normal_rotation(axis), tangential_rotation(axis)};
     for (std::size_t i = 0; i < 3; ++i) {
-      const int unknown = row + components[i];
+      const int unknown = dof(node, components[i]);
       if (c.held[i])
         result.held.push_back({unknown, value[components[i]]});
       else
@@ -198,7 +199,7 @@ SparseStiffness stiffness_under(const SurfacePlate& p, const EdgeConditions& edg
 int rigid_motions(const SurfacePlate& p, const std::vector<PrescribedUnknown>& held) {
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(3, Eigen::Index(held.size())), 3);
   for (std::size_t i = 0; i < held.size(); ++i) {
-    const int node = int(held[i].unknown) / 3, component = int(held[i].unknown) % 3;
+    const int node = point_of(int(held[i].unknown)), component = component_of(int(held[i].unknown));
     const Point at = (node < p.body.real ? p.at(node) : p.at_surface(node - p.body.real)) / p.bonds.spacing;
     // w = 1; w = x, theta_y = -1; w = y, theta_x = 1
     motions.row(Eigen::Index(i)) = component == 0   ? Eigen::RowVector3d(1, at.x(), at.y())
@@ -244,7 +245,7 @@ End end_of_free_faces(const SurfacePlate& p, const std::function<bool(int)>& hel
   for (int away = 1;; ++away) {
     const auto [next, in_line] = next_face(p.body, s, towards);
     if (next < 0) return {-1, away};
-    if (held(3 * (p.body.real + next) + component)) return {next, away};
+    if (held(dof(p.body.real + next, component))) return {next, away};
     if (!in_line) return {-1, away};
     s = next;
   }
@@ -261,8 +262,8 @@ StiffnessRows rows_with_reactions(const SurfacePlate& p, const StiffnessRows& ow
   Triplets entries;
   for (int row = 0; row < int(own.rows()); ++row) copy_row(held(row) ? crossed : own, row, 1, row, entries);
   for (int s = 0; s < int(p.body.surface.size()); ++s)
-    for (int component = 0; component < 3; ++component) {
-      const int row = 3 * (p.body.real + s) + component;
+    for (int component = 0; component < unknowns_per_point; ++component) {
+      const int row = dof(p.body.real + s, component);
       if (held(row)) continue;
       const std::array<End, 2> ends{end_of_free_faces(p, held, s, component, -1),
                                     end_of_free_faces(p, held, s, component, 1)};
@@ -270,14 +271,14 @@ StiffnessRows rows_with_reactions(const SurfacePlate& p, const StiffnessRows& ow
         const auto [surface, away] = ends[i];
         if (surface < 0 || away > ends[1 - i].away) continue;
         const double share = away == ends[1 - i].away ? 0.5 : 1;
-        const int to = 3 * (p.body.real + surface);
+        const int to = p.body.real + surface;
         const geometry::Point lever = p.at_surface(s) - p.at_surface(surface);  // theory (25)
         const std::array<double, 3> factors{component == 0 ? 1.0 : 0.0, component == 0 ? lever.y() : component == 1,
                                             component == 0 ? -lever.x() : component == 2};
-        for (int c = 0; c < 3; ++c)
-          if (factors[std::size_t(c)] != 0 && held(to + c)) {
-            copy_row(crossed, row, share * factors[std::size_t(c)], to + c, entries);
-            copy_row(own, row, -share * factors[std::size_t(c)], to + c, entries);
+        for (int c = 0; c < unknowns_per_point; ++c)
+          if (factors[std::size_t(c)] != 0 && held(dof(to, c))) {
+            copy_row(crossed, row, share * factors[std::size_t(c)], dof(to, c), entries);
+            copy_row(own, row, -share * factors[std::size_t(c)], dof(to, c), entries);
           }
       }
     }
@@ -292,10 +293,10 @@ EdgeSpectrum spectrum(const SurfacePlate& p, const EdgeConditions& edges, double
   std::vector<char> is_held(std::size_t(p.unknowns()), false);
   for (const auto& one : held) is_held[std::size_t(one.unknown)] = true;
   std::vector<Eigen::Index> surface;
-  for (Eigen::Index i = 3 * p.body.real; i < p.unknowns(); ++i)
+  for (Eigen::Index i = unknowns_per_point * p.body.real; i < p.unknowns(); ++i)
     if (!is_held[std::size_t(i)]) surface.push_back(i);
   const Eigen::MatrixXd K = stiffness_under(p, edges);
-  const Eigen::Index n = 3 * p.body.real;
+  const Eigen::Index n = unknowns_per_point * p.body.real;
   Eigen::MatrixXd inside = K.topLeftCorner(n, n);
   if (!surface.empty()) {
     const Eigen::MatrixXd follow =

@@ -4,6 +4,7 @@
 
 #include "plate/edges/boundary_conditions.hpp"
 #include "plate/edges/stiffness_rows.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 
@@ -34,7 +35,7 @@ struct SurfacePlate {
   std::optional<LocalEdges> oblique = {};  // where not all edges are along the axes; body.surface is empty then
 
   int surfaces() const { return int(oblique ? oblique->nodes.size() : body.surface.size()); }
-  int unknowns() const { return 3 * (body.real + surfaces()); }
+  int unknowns() const { return unknowns_per_point * (body.real + surfaces()); }
   geometry::Point at(int k) const;  // [length]
   geometry::Point at_surface(int s) const;
   geometry::Point normal(int s) const;  // outward

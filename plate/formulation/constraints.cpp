@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "plate/model/halo_exchange.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -92,7 +93,7 @@ void Constraints::resolve() {
   std::sort(held_.begin(), held_.end());
   held_.erase(std::unique(held_.begin(), held_.end()), held_.end());
   zero_.clear();
-  for (const auto dof : fixed_) zero_.push_back({dof % 3, dof / 3});
+  for (const auto dof : fixed_) zero_.push_back({component_of(dof), point_of(dof)});
   followers_ = sums(ties_, false), leaders_ = sums(ties_, true);
 }
 
@@ -111,10 +112,10 @@ Constraints::Sums Constraints::sums(const std::vector<Tie>& ties, bool by_leader
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const auto to = target(sorted[i]), from = by_leader ? sorted[i].follower : sorted[i].leader;
     if (i == 0 || to != target(sorted[i - 1])) {
-      result.target.push_back({to % 3, to / 3});
+      result.target.push_back({component_of(to), point_of(to)});
       result.first.push_back(i);
     }
-    result.shares.push_back({{from % 3, from / 3}, sorted[i].factor});
+    result.shares.push_back({{component_of(from), point_of(from)}, sorted[i].factor});
     result.first.back() = i + 1;
   }
   return result;
@@ -124,7 +125,7 @@ State Constraints::lift(std::size_t motion, std::size_t points) const {
   const auto found = lifts_.find(motion);
   if (found == lifts_.end()) return State(3, 0);
   State result = State::Zero(3, Eigen::Index(points));
-  for (const auto& [dof, value] : found->second) result(dof % 3, dof / 3) = value;
+  for (const auto& [dof, value] : found->second) result(component_of(dof), point_of(dof)) = value;
   return result;
 }
 
@@ -162,9 +163,9 @@ void Constraints::share(const Communicator& communicator, std::vector<std::uint3
   });
   std::vector<Tie> own, pending;
   for (std::size_t i = 0, end = 0; i < ties_.size(); i = end) {
-    bool waits = copied.contains(ties_[i].follower / 3);
+    bool waits = copied.contains(point_of(ties_[i].follower));
     for (end = i; end < ties_.size() && ties_[end].follower == ties_[i].follower; ++end)
-      waits = waits || copied.contains(ties_[end].leader / 3);
+      waits = waits || copied.contains(point_of(ties_[end].leader));
     auto& sum = waits ? pending : own;
     sum.insert(sum.end(), ties_.begin() + std::ptrdiff_t(i), ties_.begin() + std::ptrdiff_t(end));
   }

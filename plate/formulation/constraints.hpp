@@ -12,7 +12,7 @@ namespace plate {
 
 class HaloExchange;
 
-/// Degrees of freedom (3 * point + component) that are zero or follow others. Together they are the matrix P of
+/// Degrees of freedom (plate/model/space.hpp) that are zero or follow others. Together they are the matrix P of
 /// u = P q; forces go back by its transpose, so that a symmetric stiffness stays symmetric.
 class Constraints {
 public:

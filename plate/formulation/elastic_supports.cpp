@@ -5,6 +5,7 @@
 
 #include "plate/formulation/foundations.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -163,11 +164,10 @@ void ElasticSupportSum::add_unilateral(double stiffness, const std::vector<FormT
 }
 
 void ElasticSupportSum::add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  const auto flat = [&](std::uint32_t dof) { return std::uint64_t(dof % 3 * points_ + dof / 3); };
+  const auto at = [&](Eigen::Index i) { return std::uint64_t(flat(dofs[std::size_t(i)], points_)); };
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-      if (matrix(i, j) != 0)
-        entries_.push_back({flat(dofs[std::size_t(i)]) << 32 | flat(dofs[std::size_t(j)]), matrix(i, j)});
+      if (matrix(i, j) != 0) entries_.push_back({at(i) << 32 | at(j), matrix(i, j)});
 }
 
 ElasticSupport ElasticSupportSum::taken(std::string name, const std::optional<geometry::Point>& position,
@@ -193,8 +193,7 @@ ElasticSupport ElasticSupportSum::taken(std::string name, const std::optional<ge
     std::vector<Contact::Place> places;
     for (const auto& [stiffness, form] : places_) {
       places.push_back({stiffness, {}});
-      for (const auto& [dof, factor] : form)
-        places.back().form.emplace_back(std::uint32_t(dof % 3 * points_ + dof / 3), factor);
+      for (const auto& [dof, factor] : form) places.back().form.emplace_back(std::uint32_t(flat(dof, points_)), factor);
     }
     result.contact = std::make_shared<const Contact>(places);
   }

@@ -7,14 +7,15 @@
 
 #include "geometry/shape/outline.hpp"
 #include "plate/model/communicator.hpp"
+#include "plate/model/space.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
 
 class Contact;
 
-/// The stiffness of one foundation, spring or stiffener, symmetric and without negative eigenvalues, by rows. Degrees
-/// of freedom are counted as State::data(): component * points + point.
+/// The stiffness of one foundation, spring or stiffener, symmetric and without negative eigenvalues, by rows. Rows
+/// and columns are indices of the memory of a State: flat() of their degrees of freedom.
 struct ElasticSupport {
   std::string name;                         // foundation0, ..., spring0, ..., stiffener0, ... in the order of the case
   std::optional<geometry::Point> position;  // of a spring at a point [length]
@@ -31,10 +32,10 @@ struct ElasticSupport {
   Forces force(const State& state) const;
   double energy(const State& state) const;
 
-  /// visit(row, column, value) with degrees of freedom 3 * point + component.
+  /// visit(row, column, value) by degrees of freedom (plate/model/space.hpp).
   template <typename Visit>
   void for_each(const Visit& visit) const {
-    const auto dof = [&](std::uint32_t flat) { return std::uint32_t(3 * (flat % points) + flat / points); };
+    const auto dof = [&](std::uint32_t flat) { return std::uint32_t(dof_of_flat(flat, points)); };
     for (std::size_t r = 0; r < row.size(); ++r)
       for (auto i = first[r]; i < first[r + 1]; ++i) visit(dof(row[r]), dof(column[i]), value[i]);
   }
@@ -76,7 +77,7 @@ private:
   std::vector<std::shared_ptr<const ElasticSupport>> parts_;
 };
 
-/// A part of a form: factor times a degree of freedom 3 * point + component.
+/// A part of a form: factor times a degree of freedom.
 struct FormTerm {
   std::uint32_t dof;
   double factor;
@@ -89,7 +90,7 @@ public:
 
   /// Adds a spring with the energy stiffness / 2 (sum of factor * u)^2.
   void add(double stiffness, const std::vector<FormTerm>& form);
-  /// A symmetric matrix of some degrees of freedom 3 * point + component.
+  /// A symmetric matrix of some degrees of freedom.
   void add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
   /// Adds a place of a unilateral foundation.
   void add_unilateral(double stiffness, const std::vector<FormTerm>& form);

@@ -14,6 +14,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/process.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 Formulation::Formulation(Layout layout) {
@@ -164,10 +165,11 @@ std::vector<MemoryPart> memory_of(const Formulation& plate, bool single) {
   for (auto& part : plate.memory(single)) parts.push_back(std::move(part));
   if (fictitious > 0)
     parts.push_back({"fictitious points (part of the points)", "",
-                     fictitious * (sizeof(FictitiousPoint) + 3 * sizeof(Constraints::Tie))});
+                     fictitious * (sizeof(FictitiousPoint) + unknowns_per_point * sizeof(Constraints::Tie))});
   if (const auto& elastic_supports = plate.boundary().elastic_supports; !elastic_supports.parts().empty())
     parts.push_back({"foundations and springs", "parameters", double(elastic_supports.bytes())});
-  if (!plate.loads().empty()) parts.push_back({"loads", "", double(plate.loads().size()) * 3 * sizeof(double) * all});
+  if (!plate.loads().empty())
+    parts.push_back({"loads", "", double(plate.loads().size()) * unknowns_per_point * sizeof(double) * all});
   return parts;
 }
 

@@ -7,6 +7,7 @@
 
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/shape/patch.hpp"
+#include "plate/model/space.hpp"
 #include "plate/model/supports.hpp"
 
 namespace plate {
@@ -172,7 +173,7 @@ void add_cell(const Foundation& foundation, const Shape& patch, const std::array
   std::vector<std::uint32_t> dofs;
   for (std::size_t i = 0; i < N; ++i) {
     linear.row(Eigen::Index(i)) << 1 / double(N), (inverse * (ring[i] - middle)).transpose();
-    dofs.push_back(3 * cell[i]);
+    dofs.push_back(dof(cell[i], 0));
   }
   if (foundation.unilateral) {
     for_each_place(patch, ring, [&](const Point& x, double area) {
@@ -214,7 +215,7 @@ void add_below_cracks(const Foundation& foundation, const geometry::Tessellation
     if (twin == faces.end() || !covered((from + to) / 2)) continue;
     const double stiffness = foundation.shear / share_of_jump / 2;
     for (const auto& [k, j] : {std::pair{border.from, twin->second->to}, {border.to, twin->second->from}})
-      if (k != j) sum.add(stiffness, {{3 * k, 1}, {3 * j, -1}});
+      if (k != j) sum.add(stiffness, {{dof(k, 0), 1}, {dof(j, 0), -1}});
   }
 }
 
@@ -247,7 +248,7 @@ void add_shear(double stiffness, const Cells& cells, std::uint32_t k, double spa
     const auto before = beside(-1), after = beside(1);
     const double share = before && after ? 0.5 : 1;
     for (const auto& j : {before, after})
-      if (j) sum.add(share * stiffness / (spacing * spacing), {{3 * k, -1}, {3 * *j, 1}});
+      if (j) sum.add(share * stiffness / (spacing * spacing), {{dof(k, 0), -1}, {dof(*j, 0), 1}});
   }
 }
 
@@ -268,12 +269,12 @@ void add_foundation(const Foundation& foundation, const geometry::Cloud& cloud, 
     if (foundation.unilateral) {  // w + (x - x_k) . psi
       for_each_place(patch, cell, [&](const Point& at, double area) {
         sum.add_unilateral(share * foundation.modulus * area,
-                           {{3 * k, 1}, {3 * k + 1, (at - x).y()}, {3 * k + 2, -(at - x).x()}});
+                           {{dof(k, 0), 1}, {dof(k, 1), (at - x).y()}, {dof(k, 2), -(at - x).x()}});
       });
       continue;
     }
     const Eigen::Matrix3d K = share * foundation.modulus * linear * gram(moments) * linear.transpose();
-    sum.add({3 * k, 3 * k + 1, 3 * k + 2}, (K + K.transpose()) / 2);
+    sum.add({dof(k, 0), dof(k, 1), dof(k, 2)}, (K + K.transpose()) / 2);
     if (cells) add_shear(share * moments.area * foundation.shear, *cells, k, side, sum);
   }
 }

@@ -1,6 +1,7 @@
 #include "plate/formulation/inertia.hpp"
 
 #include "geometry/cells/tessellation.hpp"
+#include "plate/model/space.hpp"
 
 #include <array>
 
@@ -81,8 +82,8 @@ Forces Inertia::operator()(const State& state) const {
 }
 
 Forces Inertia::whole(const State& state) const {
-  Forces result(3, state.cols());
-  for (Eigen::Index i = 0; i < 3; ++i) {
+  Forces result(unknowns_per_point, state.cols());
+  for (Eigen::Index i = 0; i < unknowns_per_point; ++i) {
     const auto& areas = i == 0 || rotary_areas_.size() == 0 ? areas_ : rotary_areas_;
     result.row(i) = (i == 0 ? translation_ : rotation_) * (areas * state.row(i).transpose()).transpose();
   }

@@ -6,6 +6,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/model/dense_algebra.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,10 +105,10 @@ Eigen::Vector3d value_at(const std::vector<PlaceShare>& place, const State& stat
 DofTerms terms_of(const std::vector<PlaceShare>& place, std::uint32_t component) {
   DofTerms result;
   for (const auto& [k, weight, lever] : place) {
-    result.emplace_back(3 * k + component, weight);
+    result.emplace_back(dof(k, component), weight);
     if (component > 0 || lever == geometry::Point(0, 0)) continue;
-    result.emplace_back(3 * k + 1, lever.y());
-    result.emplace_back(3 * k + 2, -lever.x());
+    result.emplace_back(dof(k, 1), lever.y());
+    result.emplace_back(dof(k, 2), -lever.x());
   }
   return result;
 }

@@ -26,7 +26,7 @@ struct PlaceShare {
   geometry::Point lever{0, 0};  // [length]
 };
 
-/// Degrees of freedom 3 * point + component and their factors.
+/// Degrees of freedom (plate/model/space.hpp) and their factors.
 using DofTerms = std::vector<std::pair<std::uint32_t, double>>;
 
 /// w, theta_x and theta_y at a place.

@@ -8,6 +8,7 @@
 #include "plate/formulation/pieces.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/dense_algebra.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -27,13 +28,13 @@ RigidParts::RigidParts(const Boundary& boundary, const geometry::Families& famil
     : boundary_(boundary), families_(families), sets_(families.points()), line_(families.points(), Point(0, 0)) {
   for (std::uint32_t k = 0; k < families.points(); ++k) {
     const auto& constraints = boundary.constraints;
-    follows_.push_back(!boundary.is_plate(k) && constraints.held(3 * k) && constraints.held(3 * k + 1) &&
-                       constraints.held(3 * k + 2));
+    follows_.push_back(!boundary.is_plate(k) && constraints.held(dof(k, 0)) && constraints.held(dof(k, 1)) &&
+                       constraints.held(dof(k, 2)));
     line_[k] = line_of(k);
   }
   // what has an image is tied to all that the image is bonded to
   for (const auto& tie : boundary.constraints.ties())
-    if (follows_[tie.follower / 3]) line_[tie.leader / 3] = Point(0, 0);
+    if (follows_[point_of(tie.follower)]) line_[point_of(tie.leader)] = Point(0, 0);
   for_each_bond([&](std::uint32_t k, std::uint32_t j) {
     if (follows_[k] || follows_[j] || sets_.root(k) == sets_.root(j)) return;
     if (on_line(k) && on_line(j)) sets_.join(k, j);  // one chain; its points' turns are counted one by one
@@ -99,14 +100,14 @@ using Condition = std::vector<std::pair<std::uint32_t, Eigen::Vector3d>>;  // pa
 class Conditions {
 public:
   Conditions(const Boundary& boundary, const RigidParts& parts) : boundary_(boundary), parts_(parts) {
-    const auto size = static_cast<Eigen::Index>(3 * parts.count());
+    const auto size = static_cast<Eigen::Index>(RigidParts::unknowns * parts.count());
     gram_ = Eigen::MatrixXd::Zero(size, size);
     const auto& ties = boundary.constraints.ties();
     for (const auto dof : boundary.constraints.fixed())
-      if (parts.has(dof / 3)) add({{parts.part(dof / 3), parts.row(dof)}});
+      if (parts.has(point_of(dof))) add({{parts.part(point_of(dof)), parts.row(dof)}});
     for (std::size_t i = 0; i < ties.size(); ++i)
-      if (const auto dof = ties[i].follower; parts.has(dof / 3) && (i == 0 || ties[i - 1].follower != dof)) {
-        Condition condition{{parts.part(dof / 3), parts.row(dof)}};
+      if (const auto dof = ties[i].follower; parts.has(point_of(dof)) && (i == 0 || ties[i - 1].follower != dof)) {
+        Condition condition{{parts.part(point_of(dof)), parts.row(dof)}};
         append(condition, dof, -1);
         add(condition);
       }
@@ -123,15 +124,18 @@ public:
 private:
   void add(const Condition& condition) {
     for (const auto& [a, x] : condition)
-      for (const auto& [b, y] : condition) gram_.block<3, 3>(3 * a, 3 * b) += x * y.transpose();
+      for (const auto& [b, y] : condition)
+        gram_.block<RigidParts::unknowns, RigidParts::unknowns>(RigidParts::unknowns * a, RigidParts::unknowns * b) +=
+            x * y.transpose();
   }
 
   /// A foundation or spring, over its largest entry.
   void add_elastic(const ElasticSupport& part) {
-    const auto length = [&](std::uint32_t dof) { return dof % 3 == 0 ? boundary_.cloud.units.spacing : 1; };
+    const auto length = [&](std::uint32_t dof) { return is_deflection(dof) ? boundary_.cloud.units.spacing : 1; };
     Eigen::MatrixXd own = Eigen::MatrixXd::Zero(gram_.rows(), gram_.cols());
     part.for_each([&](std::uint32_t row, std::uint32_t column, double value) {
-      own.block<3, 3>(3 * parts_.part(row / 3), 3 * parts_.part(column / 3)) +=
+      own.block<RigidParts::unknowns, RigidParts::unknowns>(RigidParts::unknowns * parts_.part(point_of(row)),
+                                                            RigidParts::unknowns * parts_.part(point_of(column))) +=
           value * length(row) * length(column) * parts_.row(row) * parts_.row(column).transpose();
     });
     gram_ += own / own.cwiseAbs().maxCoeff();
@@ -142,14 +146,14 @@ private:
     const auto& ties = boundary_.constraints.ties();
     auto tie = std::ranges::lower_bound(ties, dof, {}, &Constraints::Tie::follower);
     for (; tie != ties.end() && tie->follower == dof; ++tie) {
-      const bool lever = dof % 3 == 0 && tie->leader % 3 != 0;  // w of rotations: [length]
+      const bool lever = is_deflection(dof) && !is_deflection(tie->leader);  // w of rotations: [length]
       const double share = lever ? tie->factor / boundary_.cloud.units.spacing : tie->factor;
-      condition.emplace_back(parts_.part(tie->leader / 3), factor * share * parts_.row(tie->leader));
+      condition.emplace_back(parts_.part(point_of(tie->leader)), factor * share * parts_.row(tie->leader));
     }
   }
   void append_any(Condition& condition, std::uint32_t dof, double factor) const {
-    if (parts_.has(dof / 3))
-      condition.emplace_back(parts_.part(dof / 3), factor * parts_.row(dof));
+    if (parts_.has(point_of(dof)))
+      condition.emplace_back(parts_.part(point_of(dof)), factor * parts_.row(dof));
     else
       append(condition, dof, factor);
   }
@@ -159,8 +163,8 @@ private:
     const Point xi = boundary_.lattice[j] - boundary_.lattice[k];
     Condition slope, deflection;
     for (const auto& [point, sign] : {std::pair{k, 1.0}, {j, -1.0}}) {
-      append_any(deflection, 3 * point, sign);
-      for (const auto& [dof, part] : {std::pair{3 * point + 1, xi.y()}, {3 * point + 2, -xi.x()}}) {
+      append_any(deflection, dof(point, 0), sign);
+      for (const auto& [dof, part] : {std::pair{dof(point, 1), xi.y()}, {dof(point, 2), -xi.x()}}) {
         append_any(deflection, dof, part / 2);
         append_any(slope, dof, sign * part / xi.norm());
       }
@@ -187,20 +191,22 @@ struct Drive {
 
 Drive drive(const Boundary& boundary, const RigidParts& parts, const Forces& load) {
   Drive result;
-  result.sum = result.size = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * parts.count()));
+  result.sum = result.size = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(RigidParts::unknowns * parts.count()));
   for (std::uint32_t dof = 0; dof < load.size(); ++dof) {
-    const double force = at_dof(load, dof) * (dof % 3 == 0 ? boundary.cloud.units.spacing : 1);
-    if (force == 0 || !parts.has(dof / 3)) continue;
+    const double force = at_dof(load, dof) * (is_deflection(dof) ? boundary.cloud.units.spacing : 1);
+    if (force == 0 || !parts.has(point_of(dof))) continue;
     const Eigen::Vector3d work = force * parts.row(dof);
-    result.sum.segment<3>(3 * parts.part(dof / 3)) += work;
-    result.size.segment<3>(3 * parts.part(dof / 3)) += work.cwiseAbs();
+    result.sum.segment<RigidParts::unknowns>(RigidParts::unknowns * parts.part(point_of(dof))) += work;
+    result.size.segment<RigidParts::unknowns>(RigidParts::unknowns * parts.part(point_of(dof))) += work.cwiseAbs();
   }
   return result;
 }
 
 /// The largest part that a motion moves, and where it hangs on one that stays.
 std::optional<LoosePart> largest(const Boundary& boundary, const RigidParts& parts, const Eigen::VectorXd& motion) {
-  const auto moves = [&](std::uint32_t part) { return motion.segment<3>(3 * part).norm() > 1e-6 * motion.norm(); };
+  const auto moves = [&](std::uint32_t part) {
+    return motion.segment<RigidParts::unknowns>(RigidParts::unknowns * part).norm() > 1e-6 * motion.norm();
+  };
   std::optional<std::uint32_t> best;
   for (std::uint32_t part = 0; part < parts.count(); ++part)
     if (moves(part) && (!best || parts.points(part) > parts.points(*best))) best = part;
@@ -219,7 +225,7 @@ std::optional<LoosePart> largest(const Boundary& boundary, const RigidParts& par
 void find_twists(const Boundary& boundary, const RigidParts& parts, const Forces& load, Mechanisms& result) {
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) {
     const auto& constraints = boundary.constraints;
-    if (!boundary.owns(k) || !parts.on_line(k) || (constraints.held(3 * k + 1) && constraints.held(3 * k + 2)))
+    if (!boundary.owns(k) || !parts.on_line(k) || (constraints.held(dof(k, 1)) && constraints.held(dof(k, 2))))
       continue;
     ++result.twisting;
     const Point& n = parts.line(k);
@@ -259,10 +265,10 @@ void tie_twists(Boundary& boundary, const geometry::Families& families) {
     const Point& n = parts.line(k);
     const std::uint32_t main = std::abs(n.x()) >= std::abs(n.y()) ? 1 : 2, other = 3 - main;
     const auto rigid = next_rigid(k, parts, families);
-    if (!rigid || constraints.held(3 * k + main)) continue;
-    auto& leaders = ties.emplace_back(3 * k + main, std::vector<Constraints::Leader>{{3 * *rigid + main, 1}}).second;
+    if (!rigid || constraints.held(dof(k, main))) continue;
+    auto& leaders = ties.emplace_back(dof(k, main), std::vector<Constraints::Leader>{{dof(*rigid, main), 1}}).second;
     const double share = main == 1 ? n.y() / n.x() : n.x() / n.y();
-    if (share != 0) leaders.push_back({3 * *rigid + other, share}), leaders.push_back({3 * k + other, -share});
+    if (share != 0) leaders.push_back({dof(*rigid, other), share}), leaders.push_back({dof(k, other), -share});
   }
   if (!ties.empty()) constraints.tie_more(std::move(ties));
 }

@@ -6,6 +6,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/pieces.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/space.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -17,6 +18,8 @@ class RigidParts {
   using Point = geometry::Point;
 
 public:
+  static constexpr int unknowns = 3;  // of a part: its deflection and two slopes
+
   RigidParts(const Boundary& boundary, const geometry::Families& families);
 
   std::size_t count() const { return first_.size(); }
@@ -29,7 +32,7 @@ public:
   bool on_line(std::uint32_t k) const { return line_[k] != Point(0, 0); }
   const Point& line(std::uint32_t k) const { return line_[k]; }  // unit vector along its bonds
 
-  /// w [spacings] and slopes at a place as linear functions of the part's three unknowns, columns 0, 1, 2: all of the
+  /// w [spacings] and slopes at a place as linear functions of the part's unknowns, columns 0, 1, 2: all of the
   /// order of 1 within the part.
   Eigen::Vector3d deflection(std::uint32_t part, const Point& u) const {
     const Point r = (u - boundary_.lattice[first_[part]]) / extent_[part];
@@ -40,9 +43,9 @@ public:
   }
   /// Returns the row of a degree of freedom, deflections in spacings.
   Eigen::Vector3d row(std::uint32_t dof) const {
-    const auto k = dof / 3, own = part(k);
-    if (dof % 3 == 0) return deflection(own, boundary_.lattice[k]);
-    return dof % 3 == 1 ? slope(own, {0, 1}) : slope(own, {-1, 0});
+    const auto k = point_of(dof), own = part(k);
+    if (is_deflection(dof)) return deflection(own, boundary_.lattice[k]);
+    return component_of(dof) == 1 ? slope(own, {0, 1}) : slope(own, {-1, 0});
   }
 
   /// Every pair of bonded points that stores energy, once.

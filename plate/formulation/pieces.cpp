@@ -7,6 +7,7 @@
 
 #include "plate/model/communicator.hpp"
 #include "plate/model/dense_algebra.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -52,7 +53,7 @@ namespace {
 
 /// The three rigid motions at one degree of freedom: w = 1; w = x, theta_y = -1; w = y, theta_x = 1.
 Eigen::Vector3d rigid(std::uint32_t dof, const geometry::Point& x) {
-  switch (dof % 3) {
+  switch (component_of(dof)) {
     case 0:
       return {1, x.x(), x.y()};
     case 1:
@@ -67,7 +68,7 @@ DisjointSets connected(const Boundary& boundary, const geometry::Families& famil
   for (std::uint32_t k = 0; k < families.points(); ++k)
     for (const auto& bond : families[k])  // far from its owned points a process does not know what has broken
       if (bond.neighbour < k && (boundary.owns(k) || boundary.owns(bond.neighbour))) sets.join(k, bond.neighbour);
-  for (const auto& tie : boundary.constraints.ties()) sets.join(tie.follower / 3, tie.leader / 3);
+  for (const auto& tie : boundary.constraints.ties()) sets.join(point_of(tie.follower), point_of(tie.leader));
   return sets;
 }
 
@@ -96,12 +97,12 @@ Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_o
   constexpr double rounding = 1e-11;
   Grams result, sizes;
   const double spacing = boundary.cloud.units.spacing;
-  const auto length = [&](std::uint32_t dof) { return dof % 3 == 0 ? spacing : 1; };
+  const auto length = [&](std::uint32_t dof) { return is_deflection(dof) ? spacing : 1; };
   for (const auto& part : boundary.elastic_supports.holding())
     part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
-      if (!boundary.owns(row / 3)) return;
-      const auto number = piece_of[row / 3];
-      const bool within = number == piece_of[column / 3];
+      if (!boundary.owns(point_of(row))) return;
+      const auto number = piece_of[point_of(row)];
+      const bool within = number == piece_of[point_of(column)];
       const Eigen::Matrix3d one =
           value * length(row) * length(column) * at(row) * at(within ? column : row).transpose();
       result.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one;
@@ -167,17 +168,18 @@ AllFound found_in(const Boundary& boundary, const std::vector<std::int64_t>& pie
 Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piece_of, const AllFound& found) {
   Grams gram;
   for (const auto& [number, one] : found) gram[number].setZero();
-  const auto counts = [&](std::uint32_t dof) { return found.contains(piece_of[dof / 3]); };
+  const auto counts = [&](std::uint32_t dof) { return found.contains(piece_of[point_of(dof)]); };
   const auto add = [&](std::uint32_t dof, const Eigen::Vector3d& row) {
-    gram.at(piece_of[dof / 3]) += row * row.transpose();
+    gram.at(piece_of[point_of(dof)]) += row * row.transpose();
   };
   const auto at = [&](std::uint32_t dof) {  // in lattice units about the piece's first point
-    return rigid(dof, boundary.lattice[dof / 3] - found.at(piece_of[dof / 3]).origin);
+    return rigid(dof, boundary.lattice[point_of(dof)] - found.at(piece_of[point_of(dof)]).origin);
   };
   for (const auto dof : boundary.constraints.fixed())
     if (counts(dof)) add(dof, at(dof));
   const auto scaled_factor = [&](const Constraints::Tie& tie) {  // w in spacings, rotations as they are
-    return tie.follower % 3 == 0 && tie.leader % 3 != 0 ? tie.factor / boundary.cloud.units.spacing : tie.factor;
+    return is_deflection(tie.follower) && !is_deflection(tie.leader) ? tie.factor / boundary.cloud.units.spacing
+                                                                     : tie.factor;
   };
   const auto& ties = boundary.constraints.ties();
   for (std::size_t i = 0; i < ties.size();) {

@@ -11,6 +11,7 @@
 #include "plate/formulation/interpolation.hpp"
 #include "plate/model/load_integration.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -30,16 +31,16 @@ using Sum = std::map<std::uint32_t, double>;  // factors of degrees of freedom
 void add_deflection(const Node& node, double factor, Sum& form) {
   for (std::size_t i = 0; i < node.shares.size(); ++i) {
     const auto [k, share] = node.shares[i];
-    form[3 * k] += factor * share;  // psi = (-theta_y, theta_x)
-    form[3 * k + 1] += factor * share * node.levers[i].y();
-    form[3 * k + 2] -= factor * share * node.levers[i].x();
+    form[dof(k, 0)] += factor * share;  // psi = (-theta_y, theta_x)
+    form[dof(k, 1)] += factor * share * node.levers[i].y();
+    form[dof(k, 2)] -= factor * share * node.levers[i].x();
   }
 }
 
 void add_slope(const Node& node, const Point& along, double factor, Sum& form) {
   for (const auto& [k, share] : node.shares) {
-    form[3 * k + 1] += factor * share * along.y();
-    form[3 * k + 2] -= factor * share * along.x();
+    form[dof(k, 1)] += factor * share * along.y();
+    form[dof(k, 2)] -= factor * share * along.x();
   }
 }
 
@@ -136,10 +137,10 @@ struct Place {
 
 Form deflection(const Place& at) {
   Form form;
-  for (const auto& [k, share] : at.shares) form.push_back({3 * k, share});
+  for (const auto& [k, share] : at.shares) form.push_back({dof(k, 0), share});
   const auto first = at.shares.front().first;
-  form.push_back({3 * first + 1, at.lever.y()});
-  form.push_back({3 * first + 2, -at.lever.x()});
+  form.push_back({dof(first, 1), at.lever.y()});
+  form.push_back({dof(first, 2), -at.lever.x()});
   return form;
 }
 
@@ -147,8 +148,8 @@ Form deflection(const Place& at) {
 Form slope(const Place& at, const Point& n) {
   Form form;
   for (const auto& [k, share] : at.shares) {
-    form.push_back({3 * k + 1, share * n.y()});
-    form.push_back({3 * k + 2, -share * n.x()});
+    form.push_back({dof(k, 1), share * n.y()});
+    form.push_back({dof(k, 2), -share * n.x()});
   }
   return form;
 }

@@ -11,6 +11,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/load_integration.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 
@@ -30,7 +31,9 @@ SupportOffsets::Offsets SupportOffsets::of(std::uint32_t dof, const Side& side, 
   Offsets result;
   for (const auto& motion : motions_) {
     if (!moves(motion, side)) continue;
-    const auto value = [&](std::uint32_t one) { return at(motion, boundary_->lattice[one / 3], side)[one % 3]; };
+    const auto value = [&](std::uint32_t one) {
+      return at(motion, boundary_->lattice[point_of(one)], side)[component_of(one)];
+    };
     double offset = value(dof);
     for (const auto& [leader, factor] : leaders) offset -= factor * value(leader);
     result.push_back({motion.load, offset});
@@ -126,8 +129,8 @@ geometry::Polyline around(const geometry::Hole& shape, double spacing) {
 void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const SupportOffsets& moved) {
   const auto& by = boundary.holders[holder];
   const bool clamps = by.kind == SupportKind::clamped;
-  for (std::uint32_t c = 0; c < (clamps ? 3U : 1U); ++c)
-    boundary.constraints.fix(3 * point + c, moved.inside(by.support, boundary.cloud.positions[point], c));
+  for (std::uint32_t c = 0; c < (clamps ? std::uint32_t(unknowns_per_point) : 1U); ++c)
+    boundary.constraints.fix(dof(point, c), moved.inside(by.support, boundary.cloud.positions[point], c));
   boundary.holds.push_back({point, holder, false});
   if (clamps) boundary.holds.push_back({point, holder, true});
 }
@@ -139,7 +142,8 @@ void hold_place(Boundary& boundary, std::uint32_t k, const Point& at, std::uint3
   const auto& by = boundary.holders[holder];
   if (by.kind == SupportKind::clamped || lever.norm() < nothing * boundary.cloud.units.spacing)
     return hold_point(boundary, k, holder, moved);
-  boundary.constraints.tie(3 * k, {{3 * k + 1, -lever.y()}, {3 * k + 2, lever.x()}}, moved.inside(by.support, at, 0));
+  boundary.constraints.tie(dof(k, 0), {{dof(k, 1), -lever.y()}, {dof(k, 2), lever.x()}},
+                           moved.inside(by.support, at, 0));
   boundary.holds.push_back({k, holder, false});
 }
 

@@ -14,6 +14,7 @@
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 
@@ -33,9 +34,9 @@ void SumByOwners::add(Forces& forces) const {
   std::vector<std::string> texts;
   for (const auto& points : sent_) {
     std::vector<double> values;
-    values.reserve(3 * points.size());
+    values.reserve(unknowns_per_point * points.size());
     for (const auto k : points)
-      for (Eigen::Index c = 0; c < 3; ++c) values.push_back(forces(c, k));
+      for (Eigen::Index c = 0; c < unknowns_per_point; ++c) values.push_back(forces(c, k));
     texts.push_back(text_of(values));
     for (const auto k : points) forces.col(k).setZero();
   }
@@ -43,7 +44,8 @@ void SumByOwners::add(Forces& forces) const {
   for (std::size_t from = 0; from < found.size(); ++from) {
     const auto values = values_of<double>(found[from]);
     for (std::size_t i = 0; i < received_[from].size(); ++i)
-      for (std::size_t c = 0; c < 3; ++c) forces(Eigen::Index(c), received_[from][i]) += values[3 * i + c];
+      for (std::size_t c = 0; c < unknowns_per_point; ++c)
+        forces(Eigen::Index(c), received_[from][i]) += values[dof(i, c)];
   }
 }
 

@@ -14,6 +14,7 @@
 #include "plate/model/halo_exchange.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -145,7 +146,7 @@ void include_elastic_supports(const ElasticSupports& elastic_supports, const std
                               std::vector<char>& wanted) {
   for (const auto& one : elastic_supports.parts())
     one->for_each([&](std::uint32_t row, std::uint32_t column, double) {
-      if (own[row / 3]) wanted[column / 3] = 1;
+      if (own[point_of(row)]) wanted[point_of(column)] = 1;
     });
 }
 
@@ -240,7 +241,7 @@ public:
   std::vector<Constraints::Offset> of(std::uint32_t dof) const {
     std::vector<Constraints::Offset> result;
     for (const auto& [motion, lift] : lifts_)
-      if (const double value = lift(dof % 3, dof / 3); value != 0) result.push_back({motion, value});
+      if (const double value = lift(component_of(dof), point_of(dof)); value != 0) result.push_back({motion, value});
     return result;
   }
 
@@ -251,15 +252,16 @@ private:
 Constraints restricted(const Constraints& whole, const std::vector<std::uint32_t>& place, std::size_t motions) {
   Constraints result;
   const DirichletLifts lifts(whole, motions, place.size());
-  const auto here = [&](std::uint32_t dof) { return 3 * place[dof / 3] + dof % 3; };
+  const auto here = [&](std::uint32_t dof) { return plate::dof(place[point_of(dof)], component_of(dof)); };
   for (const auto dof : whole.fixed())
-    if (place[dof / 3] != none) result.fix(here(dof), lifts.of(dof));
+    if (place[point_of(dof)] != none) result.fix(here(dof), lifts.of(dof));
   const auto& ties = whole.ties();
   for (std::size_t i = 0; i < ties.size();) {
     const auto follower = ties[i].follower;
     std::vector<Constraints::Leader> leaders;
     for (; i < ties.size() && ties[i].follower == follower; ++i)
-      if (place[follower / 3] != none) leaders.push_back({here(ties[i].leader), ties[i].factor});  // the point itself
+      if (place[point_of(follower)] != none)
+        leaders.push_back({here(ties[i].leader), ties[i].factor});  // the point itself
     if (!leaders.empty()) result.tie(here(follower), std::move(leaders), lifts.of(follower));
   }
   result.resolve();
@@ -345,9 +347,11 @@ std::vector<double> restricted(const std::vector<double>& whole, const geometry:
 MovingForces restricted(MovingForces whole, const PartOfCells& part) {
   const auto& number = part.part.number;
   for (auto& station : whole.stations) {
-    std::erase_if(station.forces, [&](const auto& one) { return !std::ranges::binary_search(number, one.first / 3); });
+    std::erase_if(station.forces,
+                  [&](const auto& one) { return !std::ranges::binary_search(number, point_of(one.first)); });
     for (auto& dof : station.forces | std::views::keys)
-      dof = 3 * std::uint32_t(std::ranges::lower_bound(number, dof / 3) - number.begin()) + dof % 3;
+      dof = plate::dof(std::uint32_t(std::ranges::lower_bound(number, point_of(dof)) - number.begin()),
+                       component_of(dof));
   }
   whole.own = part.own;
   return whole;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "plate/formulation/support_constraints.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -92,20 +93,20 @@ void impose_both(Constraints& constraints, std::uint32_t k, const Direction& one
   };
   add(one.offsets, other.d.y(), -other.d.x());
   add(other.offsets, -one.d.y(), one.d.x());
-  constraints.fix(3 * k + 1, times(1, theta_x)), constraints.fix(3 * k + 2, times(1, theta_y));
+  constraints.fix(dof(k, 1), times(1, theta_x)), constraints.fix(dof(k, 2), times(1, theta_y));
 }
 
 /// psi = (-theta_y, theta_x)
 void impose(Constraints& constraints, std::uint32_t k, const HeldPoint& held) {
-  if (held.w) constraints.fix(3 * k, times(1, held.of_w));
+  if (held.w) constraints.fix(dof(k, 0), times(1, held.of_w));
   if (held.directions.size() > 1) {
     impose_both(constraints, k, held.directions[0], held.directions[1]);
   } else if (held.directions.size() == 1) {
     const double length = held.directions.front().d.norm();
     const Point d = held.directions.front().d / length;
     const auto& offsets = held.directions.front().offsets;
-    const auto larger = std::abs(d.y()) >= std::abs(d.x()) ? 3 * k + 1 : 3 * k + 2, other = 6 * k + 3 - larger;
-    const bool by_x = larger % 3 == 1;
+    const bool by_x = std::abs(d.y()) >= std::abs(d.x());
+    const auto larger = dof(k, by_x ? 1 : 2), other = dof(k, by_x ? 2 : 1);
     const double ratio = by_x ? d.x() / d.y() : d.y() / d.x();
     const auto own = times(by_x ? 1 / (d.y() * length) : -1 / (d.x() * length), offsets);
     if (std::abs(ratio) < 1e-9)

@@ -23,7 +23,7 @@ struct Load;
 struct MovingForces {
   struct Station {
     double time;
-    std::vector<std::pair<std::uint32_t, double>> forces;  // of degrees of freedom 3 * point + component, ascending
+    std::vector<std::pair<std::uint32_t, double>> forces;  // by degree of freedom (dof()), ascending
   };
   std::vector<Station> stations;  // by time; nothing acts before the first and after the last
   std::vector<char> own = {};     // owned points; empty: all

@@ -7,6 +7,7 @@
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/halo_exchange.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 
@@ -89,8 +90,8 @@ DistributedRows rows(const PointMatrix& matrix, const Boundary& boundary, const 
   std::vector<std::vector<Block>> found(matrix.points());
   const auto add = [&](std::uint32_t row, std::uint32_t column, Eigen::Matrix3d entries) {
     if (!boundary.owns(row)) return;
-    for (Eigen::Index i = 0; i < 3; ++i)
-      for (Eigen::Index j = 0; j < 3; ++j)
+    for (Eigen::Index i = 0; i < unknowns_per_point; ++i)
+      for (Eigen::Index j = 0; j < unknowns_per_point; ++j)
         if (!(free(i, row) > 0) || !(free(j, column) > 0)) entries(i, j) = 0;
     if (row != column && entries.isZero(0)) return;
     if (number[column] < 0) throw std::logic_error("a point is coupled to one whose owner nobody asks");
@@ -110,8 +111,8 @@ DistributedRows rows(const PointMatrix& matrix, const Boundary& boundary, const 
     std::ranges::sort(found[k], {}, &Block::column);
     for (const auto& [column, entries] : found[k]) {
       result.column.push_back(column);
-      for (Eigen::Index i = 0; i < 3; ++i)
-        for (Eigen::Index j = 0; j < 3; ++j) result.block.push_back(entries(i, j));
+      for (Eigen::Index i = 0; i < unknowns_per_point; ++i)
+        for (Eigen::Index j = 0; j < unknowns_per_point; ++j) result.block.push_back(entries(i, j));
     }
     result.first.push_back(result.column.size());
     const auto& x = boundary.cloud.positions[k];
@@ -140,13 +141,13 @@ DistributedFactor::DistributedFactor(const Communicator& all, const Operator& pl
 
 void DistributedFactor::apply(const Forces& residual, State& result) const {
   std::vector<double> values;
-  values.reserve(3 * own_.size());
+  values.reserve(unknowns_per_point * own_.size());
   for (const auto k : own_)
-    for (Eigen::Index c = 0; c < 3; ++c) values.push_back(residual(c, k));
+    for (Eigen::Index c = 0; c < unknowns_per_point; ++c) values.push_back(residual(c, k));
   inverse_->apply(values);
   result.setZero(3, residual.cols());
   for (std::size_t n = 0; n < own_.size(); ++n)
-    for (Eigen::Index c = 0; c < 3; ++c) result(c, own_[n]) = values[3 * n + std::size_t(c)];
+    for (Eigen::Index c = 0; c < unknowns_per_point; ++c) result(c, own_[n]) = values[dof(n, c)];
 }
 
 }  // namespace plate

@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "plate/model/space.hpp"
+
 namespace post {
 
 using Complex = std::complex<double>;
@@ -130,9 +132,10 @@ SeriesFit over(const TipView& plate, const TipFrame& frame, const TipSection& at
     scatter(plate, k, of_deflection(fields.deflection(place), S, frame.ahead, q, slope), plate.areas[k], 2, rows);
   }
   const Eigen::Matrix3d factors = at.stiffness() / std::numbers::pi;
-  SeriesFit result{{ring.inner, ring.outer, 0}, {}, Eigen::Matrix3Xd(3, 3 * Eigen::Index(rows.size()))};
+  SeriesFit result{
+      {ring.inner, ring.outer, 0}, {}, Eigen::Matrix3Xd(3, plate::unknowns_per_point * Eigen::Index(rows.size()))};
   for (const auto& [k, own] : rows) {
-    result.row.middleCols(3 * Eigen::Index(result.points.size()), 3) = factors * own;
+    result.row.middleCols(plate::dof(Eigen::Index(result.points.size()), 0), plate::unknowns_per_point) = factors * own;
     result.points.push_back(k);
   }
   return result;

@@ -7,6 +7,8 @@
 #include <complex>
 #include <optional>
 
+#include "plate/model/space.hpp"
+
 namespace post {
 namespace {
 
@@ -233,7 +235,7 @@ TipSeries::Half TipSeries::half(const std::vector<Field>& fields, bool even) {
 
 Eigen::MatrixXd TipSeries::operator()(const std::vector<Polar>& places) const {
   const auto count = Eigen::Index(places.size());
-  Eigen::MatrixXd result(3 * count, size());
+  Eigen::MatrixXd result(plate::unknowns_per_point * count, size());
   for (const bool even : {true, false}) {
     const Half& half = even ? even_ : odd_;
     Eigen::MatrixXd x(count, Eigen::Index(half.terms.size())), y(count, x.cols());
@@ -258,8 +260,8 @@ Eigen::MatrixXd TipSeries::operator()(const std::vector<Polar>& places) const {
     const Eigen::MatrixXd first = (even ? x : y) * half.psi * (even ? 1 : -1), second = (even ? y : x) * half.psi;
     for (std::size_t i = 0; i < half.fields.size(); ++i)
       for (Eigen::Index k = 0; k < count; ++k)
-        result.col(half.fields[i]).segment<3>(3 * k) << w(k, Eigen::Index(i)), first(k, Eigen::Index(i)),
-            second(k, Eigen::Index(i));
+        result.col(half.fields[i]).segment<plate::unknowns_per_point>(plate::dof(k, 0)) << w(k, Eigen::Index(i)),
+            first(k, Eigen::Index(i)), second(k, Eigen::Index(i));
   }
   return result;
 }
@@ -330,21 +332,22 @@ std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& ti
     for (std::size_t n = 0; n < series.orders().size(); ++n)
       if (series.orders()[n] <= narrower.order) columns.push_back(Eigen::Index(n));
     constexpr double least_surplus = 1.5;  // equations per unknown
-    if (3 * double(within.size()) < least_surplus * double(columns.size())) break;
-    SeriesFit fit{narrower, {}, Eigen::Matrix3Xd(3, 3 * Eigen::Index(within.size()))};
-    Eigen::MatrixXd own(3 * Eigen::Index(within.size()), Eigen::Index(columns.size()));
+    if (plate::unknowns_per_point * double(within.size()) < least_surplus * double(columns.size())) break;
+    SeriesFit fit{narrower, {}, Eigen::Matrix3Xd(3, plate::unknowns_per_point * Eigen::Index(within.size()))};
+    Eigen::MatrixXd own(plate::unknowns_per_point * Eigen::Index(within.size()), Eigen::Index(columns.size()));
     std::vector<double> weight;
     for (std::size_t i = 0; i < within.size(); ++i) {
       fit.points.push_back(points[std::size_t(within[i])]);
       weight.push_back(std::sqrt(plate.areas[fit.points.back()]));
       const Eigen::Vector3d each = weight.back() * Eigen::Vector3d(1 / range.outer, 1, 1);
-      own.middleRows(3 * Eigen::Index(i), 3) =
-          each.asDiagonal() * fields.middleRows(3 * within[i], 3)(Eigen::all, columns);
+      own.middleRows(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point) =
+          each.asDiagonal() *
+          fields.middleRows(plate::dof(within[i], 0), plate::unknowns_per_point)(Eigen::all, columns);
     }
     const Eigen::MatrixXd rows = rows_of(std::move(own), series.factors()(Eigen::all, columns));
     for (std::size_t i = 0; i < within.size(); ++i)
-      fit.row.middleCols(3 * Eigen::Index(i), 3) =
-          weight[i] * rows.middleRows(3 * Eigen::Index(i), 3).transpose() * turn;
+      fit.row.middleCols(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point) =
+          weight[i] * rows.middleRows(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point).transpose() * turn;
     result.push_back(std::move(fit));
   }
   return result;
@@ -354,7 +357,8 @@ Eigen::Vector3d SeriesFit::operator()(const NearField& field) const {
   Eigen::Vector3d K = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto u = field(points[i]);
-    K += row.middleCols(3 * Eigen::Index(i), 3) * Eigen::Vector3d(u.w, u.theta_x, u.theta_y);
+    K += row.middleCols(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point) *
+         Eigen::Vector3d(u.w, u.theta_x, u.theta_y);
   }
   return K;
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "plate/model/space.hpp"
 #include "post/factors/displacement_extrapolation.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/interaction.hpp"
@@ -195,9 +196,10 @@ std::vector<FitSrif> TipMethods::AtTip::fitted(const NearField& field) const {
 Eigen::MatrixXd TipMethods::AtTip::functionals() const {
   if (fits_.empty()) return {};
   const SeriesFit& fit = fits_.front();
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 3 * Eigen::Index(view_->positions.size()));
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, plate::unknowns_per_point * Eigen::Index(view_->positions.size()));
   for (std::size_t i = 0; i < fit.points.size(); ++i)
-    result.middleCols(3 * Eigen::Index(fit.points[i]), 3) = fit.row.middleCols(3 * Eigen::Index(i), 3);
+    result.middleCols(plate::dof(Eigen::Index(fit.points[i]), 0), plate::unknowns_per_point) =
+        fit.row.middleCols(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point);
   result.row(2) *= at_.section.thickness;
   return result;
 }

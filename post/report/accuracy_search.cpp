@@ -11,6 +11,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/process.hpp"
+#include "plate/model/space.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/factors/tip_integrals.hpp"
 #include "post/report/terminal.hpp"
@@ -70,7 +71,7 @@ constexpr double least_size = 0.0715;                       // of spacing_growth
 /// Bytes that a run takes: measured 17 kB per point at 8,000 and 39,000 points, 18 at 85,000, most of them of the
 /// factor; in motion `vectors` of Lanczos beside, with their forces and the modes.
 double bytes_of(std::size_t points, std::size_t vectors) {
-  return (18e3 + 3 * 3 * 8 * double(vectors)) * double(points);
+  return (18e3 + 3 * plate::unknowns_per_point * 8 * double(vectors)) * double(points);
 }
 
 double seconds_since(Clock::time_point begin) {

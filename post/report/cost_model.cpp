@@ -7,13 +7,14 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/numerical_method.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/analysis.hpp"
 #include "post/files/summary.hpp"
 
 namespace post {
 namespace {
 
-constexpr double vector_bytes = 3 * sizeof(double);  // one state or force
+constexpr double vector_bytes = plate::unknowns_per_point * sizeof(double);  // one state or force
 
 }  // namespace
 

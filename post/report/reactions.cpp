@@ -13,6 +13,7 @@
 #include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 #include "post/report/response.hpp"
@@ -51,12 +52,12 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> holders_by_dof(const plate::
     if (std::ranges::find(all, holder) == all.end()) all.push_back(holder);
   };
   for (const auto& hold : boundary.holds)
-    for (std::uint32_t c = hold.rotations ? 1 : 0; c < (hold.rotations ? 3U : 1U); ++c)
-      add(3 * hold.point + c, hold.holder);
+    for (const auto dof : plate::dofs_of(hold.point))
+      if (plate::is_deflection(dof) != hold.rotations) add(dof, hold.holder);
   for (std::size_t i = 0; i < boundary.fictitious.size(); ++i)
     for (const int side : sides_that_hold(boundary, boundary.fictitious[i])) {
       const auto by = plate::holder(boundary.holders, boundary.sides[std::size_t(side)].name);
-      for (std::uint32_t c = 0; c < 3; ++c) add(std::uint32_t(3 * (boundary.cloud.plate_points + i)) + c, by);
+      for (const auto dof : plate::dofs_of(std::uint32_t(boundary.cloud.plate_points + i))) add(dof, by);
     }
   return result;
 }
@@ -83,9 +84,9 @@ Supports::Supports(const plate::Boundary& boundary) : boundary_(&boundary) {
   auto tie = ties.begin();
   for (std::uint32_t i = 0; i < held.size(); ++i) {
     const auto dof = held[i];
-    Wrench unit = wrench(positions[dof / 3], dof % 3, 1);
+    Wrench unit = wrench(positions[plate::point_of(dof)], plate::component_of(dof), 1);
     for (; tie != ties.end() && tie->follower == dof; ++tie)
-      unit += wrench(positions[tie->leader / 3], tie->leader % 3, -tie->factor);
+      unit += wrench(positions[plate::point_of(tie->leader)], plate::component_of(tie->leader), -tie->factor);
     const auto all = holders.find(dof);
     if (all == holders.end()) continue;  // a turn that follows another point's (plate::tie_twists): no force in sum
     for (const auto holder : all->second) shares_.push_back({holder, i, 1.0 / double(all->second.size()) * unit});
@@ -110,7 +111,7 @@ Applied Supports::applied(const plate::Forces& forces) const {
     if (!boundary_->owns(k)) return {};
     const auto force = forces.col(Eigen::Index(k));
     Wrench sum;
-    for (std::size_t c = 0; c < 3; ++c) sum += wrench(positions[k], c, force[Eigen::Index(c)]);
+    for (std::size_t c = 0; c < plate::unknowns_per_point; ++c) sum += wrench(positions[k], c, force[Eigen::Index(c)]);
     return {sum.force, sum.moment_x, sum.moment_y, std::abs(force[0]) + std::hypot(force[1], force[2]) / arm_};
   };
   const auto [force, moment_x, moment_y, size] =
@@ -130,7 +131,7 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
     const auto [force, moment_x, moment_y] =
         plate::ordered_sum<3>(*boundary_->map.communicator, of_holder.size(), [&](std::size_t s) {
           const auto& [holder, i, unit] = of_holder[std::ptrdiff_t(s)];
-          const double size = boundary_->owns(held[i] / 3) ? reaction[i] : 0;
+          const double size = boundary_->owns(plate::point_of(held[i])) ? reaction[i] : 0;
           return std::array<double, 3>{size * unit.force, size * unit.moment_x, size * unit.moment_y};
         });
     result.supports[h] = {force, moment_x, moment_y};
@@ -157,9 +158,9 @@ Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
   const auto points = Eigen::Index(plate.points());
   const auto holders = boundary_->holders.size(), all = holders + elastic_supports.size();
   const bool each = all <= most;
-  std::vector<plate::State> units(each ? holders : 1, plate::State::Zero(3, points));
-  for (const auto& [holder, i, unit] : shares_) units[each ? holder : 0].reshaped()[held[i]] += unit.force;
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(Eigen::Index(each ? all : 1), 3 * points);
+  std::vector<plate::State> units(each ? holders : 1, plate::State::Zero(plate::unknowns_per_point, points));
+  for (const auto& [holder, i, unit] : shares_) plate::at_dof(units[each ? holder : 0], held[i]) += unit.force;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(Eigen::Index(each ? all : 1), plate::unknowns_per_point * points);
   plate::Forces forces;
   const auto add = [&](std::size_t row) {
     result.row(Eigen::Index(row)) += forces.reshaped<Eigen::RowMajor>().transpose();
@@ -168,7 +169,7 @@ Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
     plate.internal_force(units[s], forces);
     add(s);
   }
-  plate::State along_w = plate::State::Zero(3, points);
+  plate::State along_w = plate::State::Zero(plate::unknowns_per_point, points);
   along_w.row(0).setOnes();
   for (std::size_t i = 0; i < elastic_supports.size(); ++i) {  // what they do to the plate is the support's own force
     forces = -elastic_supports[i]->force(along_w);

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "plate/model/space.hpp"
 #include "post/files/recorder.hpp"
 #include "post/files/table.hpp"
 
@@ -62,9 +63,10 @@ std::vector<Response> responses_of(double frequency, const Probe& probe, const p
                                    const plate::State& quadrature, double change, double thickness) {
   const Eigen::Vector3d a = plate::value_at(probe.shares, in_phase), b = plate::value_at(probe.shares, quadrature);
   double largest = 0;
-  for (Eigen::Index c = 0; c < 3; ++c) largest = std::max(largest, std::hypot(a[c], b[c]) * (c == 0 ? 1 : thickness));
+  for (Eigen::Index c = 0; c < plate::unknowns_per_point; ++c)
+    largest = std::max(largest, std::hypot(a[c], b[c]) * (c == 0 ? 1 : thickness));
   std::vector<Response> result;
-  for (Eigen::Index c = 0; c < 3; ++c) {
+  for (Eigen::Index c = 0; c < plate::unknowns_per_point; ++c) {
     const double error = change * largest / (c == 0 ? 1 : thickness);
     const std::complex value(a[c], b[c]);
     result.push_back({frequency,
@@ -78,11 +80,11 @@ std::vector<Response> responses_of(double frequency, const Probe& probe, const p
 }
 
 Eigen::MatrixXd functionals(const Probe& probe, std::size_t points, double thickness) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, 3 * Eigen::Index(points));
-  const plate::State columns(3, Eigen::Index(points));  // for the order of its numbers alone
-  for (std::uint32_t c = 0; c < 3; ++c)
+  Eigen::MatrixXd result =
+      Eigen::MatrixXd::Zero(plate::unknowns_per_point, plate::unknowns_per_point * Eigen::Index(points));
+  for (std::uint32_t c = 0; c < plate::unknowns_per_point; ++c)
     for (const auto& [dof, factor] : plate::terms_of(probe.shares, c))
-      result(c, &plate::at_dof(columns, dof) - columns.data()) = factor * (c == 0 ? 1 : thickness);
+      result(c, Eigen::Index(plate::flat(dof, points))) = factor * (c == 0 ? 1 : thickness);
   return result;
 }
 

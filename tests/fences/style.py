@@ -1,4 +1,5 @@
-"""Rules of the text of sources: no `catch` without a body, docstrings that name their subject."""
+"""Rules of the text of sources: no `catch` without a body, docstrings that name their subject, one place that numbers
+degrees of freedom."""
 import re
 
 import tree
@@ -6,6 +7,17 @@ import tree
 EMPTY = re.compile(r"\bcatch\s*\([^)]*\)\s*\{\s*\}")
 UNNAMED = ("Of", "Those", "What", "The same", "How")  # begin a docstring that names no subject
 DOCSTRINGS = 0                                        # of these are allowed
+
+DOF_ARITHMETIC = 0  # lines that number degrees of freedom by themselves
+NUMBERING = ("plate/model/space.hpp",  # and the kernels, which keep their fixed component count
+             "plate/bonds/rows/", "plate/formulation/bond_law.hpp", "plate/solve/lanes.hpp",
+             "plate/galerkin/force_kernels.", "plate/galerkin/stiffness.")
+POINT = r"\(?\*?(?!horizon|spacing)[a-z_][\w.>\-]*(?:\(\)|\(s\)|\[\w+\])?(?: \+ [\w()]+\))?"  # k, *j, last(), (real + s)
+DOF = re.compile("|".join((
+    rf"\b3 \* {POINT} \+ (?:[12a-z]\b|std::\w+\(|component|unknown|main|other)(?! \*)",  # 3 * k + c
+    rf"(?:[\[{{]|\b(?:fix|tie|held|add|add_force)\(|segment<\d>\(|\b(?:dof|row|to|first) = )3 \* {POINT}[\]),;]",  # 3 * k
+    rf"\b(?:\w*dof|follower|leader|unknown|row|column|one|held\[\w+\])\)? [/%] 3\b",  # dof / 3, dof % 3
+    r"\b[69] \* \w+(?:\]| \+ 3 -)")))  # 9 * block], 6 * k + 3 - other
 
 
 def catches(root, path):
@@ -24,6 +36,14 @@ def docstrings(root, path):
         before = line
 
 
+def dof_arithmetic(root, path):
+    """Lines that compute degrees of freedom, their points or their components."""
+    if not path.as_posix().startswith(NUMBERING):
+        for count, line in enumerate(tree.code((root / path).read_text(encoding="utf-8")).splitlines(), 1):
+            if DOF.search(line):
+                yield count
+
+
 def check(root):
     paths = tree.cpp(root)
     problems = [problem for path in paths for problem in catches(root, path)]
@@ -32,4 +52,9 @@ def check(root):
         words = ", ".join(f'"{word}"' for word in UNNAMED)
         problems.append(f"{unnamed[-1]}: {len(unnamed)} docstrings begin with one of {words}, {DOCSTRINGS} are allowed: "
                         "begin with a verb or a noun that names the subject")
-    return problems, f"{len(paths)} files catch nothing in silence; {len(unnamed)} of {DOCSTRINGS} docstrings that name no subject"
+    numbered = [f"{path}:{line}" for path in paths for line in dof_arithmetic(root, path)]
+    if len(numbered) > DOF_ARITHMETIC:
+        problems.append(f"{numbered[-1]}: {len(numbered)} lines compute degrees of freedom, {DOF_ARITHMETIC} are allowed: "
+                        f"use the functions of {NUMBERING[0]}")
+    return problems, (f"{len(paths)} files catch nothing in silence; {len(unnamed)} of {DOCSTRINGS} docstrings that name no subject; "
+                      f"{len(numbered)} of {DOF_ARITHMETIC} lines of dof arithmetic")

@@ -177,6 +177,16 @@ class Others(Tree):
         path = self.write("plate/model/b.hpp", "/// The same as a.\nint b;\n/// How it goes.\nint c;\n/// The sameness.\nint d;\n")
         self.assertEqual(list(style.docstrings(self.root, path)), [1, 3])
 
+    def test_dof_arithmetic(self):
+        numbers = ("held(3 * k);", "form[3 * k + 1] = f;", "tie(3 * last() + c, {{3 * *j, 1}});", "int row = 3 * (p.body.real + s) + c;",
+                   "k = dof / 3;", "c = tie->follower % 3;", "owns(held[i] / 3);", "block = &rows.block[9 * b];", "other = 6 * k + 3 - larger;")
+        others = ("held(dof(k, 0));", "reach = 3 * horizon + 2;", "share = area / 3;", "next = corner[(i + 1) % 3];", "y = 3 * c * s + K;",
+                  "count = unknowns_per_point * points;", "// dof / 3")
+        path = self.write("plate/model/a.cpp", "\n".join(numbers + others) + "\n")
+        self.assertEqual(list(style.dof_arithmetic(self.root, path)), list(range(1, len(numbers) + 1)))
+        for kernel in ("plate/model/space.hpp", "plate/bonds/rows/a.hpp", "plate/galerkin/stiffness.cpp"):
+            self.assertEqual(list(style.dof_arithmetic(self.root, self.write(kernel, "k = dof / 3;\n"))), [])
+
     def test_format(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")
         for name, text, right in (("a.cpp", "int a = 1;\n", True), ("b.cpp", "int b   = 1;\nint  c;\n", False)):

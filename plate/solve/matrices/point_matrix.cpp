@@ -4,6 +4,8 @@
 #include <map>
 #include <numeric>
 
+#include "plate/model/space.hpp"
+
 namespace plate {
 namespace {
 
@@ -21,7 +23,8 @@ struct Places {
 
   Places(const Unknowns& unknowns, std::size_t points) : place(points, none) {
     for (const auto dof : unknowns.dof)
-      if (place[dof / 3] == none) place[dof / 3] = std::uint32_t(point.size()), point.push_back(dof / 3);
+      if (place[point_of(dof)] == none)
+        place[point_of(dof)] = std::uint32_t(point.size()), point.push_back(point_of(dof));
   }
 };
 
@@ -66,10 +69,10 @@ std::vector<Placed> placed(const PointMatrix& matrix, const Places& places, std:
 Unknowns unknowns(const Forces& diagonal, const std::vector<int>& order) {
   Unknowns result;
   const auto points = std::size_t(diagonal.cols());
-  result.index.assign(3 * points, -1);
+  result.index.assign(unknowns_per_point * points, -1);
   for (std::size_t i = 0; i < (order.empty() ? points : order.size()); ++i) {
     const auto k = order.empty() ? i : std::size_t(order[i]);
-    for (auto dof = 3 * k; dof < 3 * k + 3; ++dof) {
+    for (const auto dof : dofs_of(k)) {
       if (!(at_dof(diagonal, dof) > 0)) continue;
       result.index[dof] = std::int32_t(result.dof.size());
       result.dof.push_back(std::uint32_t(dof));
@@ -83,8 +86,8 @@ Eigen::SparseMatrix<double> of_unknowns(const PointMatrix& matrix, const Unknown
   std::vector<std::size_t> first;
   const auto blocks = placed(matrix, places, first);
   const auto count_of = [&](std::uint32_t place) {
-    const auto dof = unknowns.index.begin() + 3 * std::ptrdiff_t(places.point[place]);
-    return std::size_t(std::count_if(dof, dof + 3, [](auto index) { return index >= 0; }));
+    const auto dofs = dofs_of(places.point[place]);
+    return std::size_t(std::ranges::count_if(dofs, [&](auto dof) { return unknowns.index[dof] >= 0; }));
   };
   const auto size = unknowns.size();
   Eigen::SparseMatrix<double> result(size, size);
@@ -98,14 +101,14 @@ Eigen::SparseMatrix<double> of_unknowns(const PointMatrix& matrix, const Unknown
   result.resizeNonZeros(Eigen::Index(entries));
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < places.point.size(); ++c)
-    for (std::size_t d = 0; d < 3; ++d) {
-      const auto u = unknowns.index[3 * places.point[c] + d];
+    for (std::size_t d = 0; d < unknowns_per_point; ++d) {
+      const auto u = unknowns.index[dof(places.point[c], d)];
       if (u < 0) continue;
       auto at = result.outerIndexPtr()[u];
       for (auto b = first[c]; b < first[c + 1]; ++b) {
         const auto& K = matrix.block[blocks[b].block];
-        for (std::size_t r = 0; r < 3; ++r) {
-          const auto v = unknowns.index[3 * places.point[blocks[b].row] + r];
+        for (std::size_t r = 0; r < unknowns_per_point; ++r) {
+          const auto v = unknowns.index[dof(places.point[blocks[b].row], r)];
           if (v < u) continue;  // none, or above the diagonal
           result.innerIndexPtr()[at] = v;
           const auto row = Eigen::Index(r), column = Eigen::Index(d);
@@ -130,11 +133,11 @@ public:
 
   Followers(const Constraints& constraints, std::size_t points) : place_(points, none) {
     for (const auto& tie : constraints.ties()) {  // ascending by follower
-      const auto k = tie.follower / 3;
+      const auto k = point_of(tie.follower);
       if (place_[k] == none) begin(k);
-      const auto row = Eigen::Index(tie.follower % 3);
+      const auto row = Eigen::Index(component_of(tie.follower));
       shares_[first_[place_[k]]].factor(row, row) = 0;
-      share(tie.leader / 3).factor(row, Eigen::Index(tie.leader % 3)) += tie.factor;
+      share(point_of(tie.leader)).factor(row, Eigen::Index(component_of(tie.leader))) += tie.factor;
     }
     first_.push_back(shares_.size());
   }
@@ -287,9 +290,9 @@ PointMatrix with(PointMatrix matrix, const ElasticSupports& elastic_supports) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Matrix3d> blocks;  // column, row: on and below the diagonal
   for (const auto& part : elastic_supports.parts())
     part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
-      if (row / 3 < column / 3) return;
-      const auto [entry, fresh] = blocks.try_emplace({column / 3, row / 3}, Eigen::Matrix3d::Zero());
-      entry->second(row % 3, column % 3) += value;
+      if (point_of(row) < point_of(column)) return;
+      const auto [entry, fresh] = blocks.try_emplace({point_of(column), point_of(row)}, Eigen::Matrix3d::Zero());
+      entry->second(component_of(row), component_of(column)) += value;
     });
   const auto of = [&](std::uint32_t column) { return blocks.lower_bound({column, 0}); };
   auto result = zeros(matrix.points(), [&](Column& column, std::uint32_t k) {

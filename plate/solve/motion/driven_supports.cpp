@@ -6,6 +6,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 
@@ -14,7 +15,7 @@ namespace plate {
 DrivenSupports::DrivenSupports(const std::vector<TimedLoad>& loads, const Constraints& constraints, const Forces& mass,
                                const Forces& folded, const std::vector<char>& own)
     : communicator_(&constraints.communicator()), any_(std::ranges::any_of(loads, &TimedLoad::lifts)) {
-  const auto owns = [&](std::uint32_t dof) { return own.empty() || own[dof / 3]; };
+  const auto owns = [&](std::uint32_t dof) { return own.empty() || own[point_of(dof)]; };
   std::map<std::uint32_t, std::vector<double>> lifts;
   for (std::size_t l = 0; l < loads.size(); ++l) {
     if (!loads[l].lifts()) continue;

@@ -12,6 +12,7 @@
 #include "plate/model/dense_algebra.hpp"
 #include "plate/model/numerical_method.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/contact_and_damping.hpp"
 #include "plate/solve/motion/driven_supports.hpp"
@@ -357,7 +358,8 @@ std::optional<State> start_by_place(const Formulation& plate) {
     std::seed_seq seed{std::uint32_t(column), std::uint32_t(row)};
     std::array<std::uint32_t, 3> random{};
     seed.generate(random.begin(), random.end());
-    for (Eigen::Index c = 0; c < 3; ++c) start(c, k) = std::ldexp(double(random[std::size_t(c)]), -31) - 1;
+    for (Eigen::Index c = 0; c < unknowns_per_point; ++c)
+      start(c, k) = std::ldexp(double(random[std::size_t(c)]), -31) - 1;
   }
   return start;
 }

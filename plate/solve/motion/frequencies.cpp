@@ -14,6 +14,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/model/section.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/statics.hpp"
 
 namespace plate {
@@ -52,7 +53,8 @@ public:
   void perform_op(const double* x, double* y) const {
     if (options_.progress) options_.progress(solutions_);
     const VectorXd rest = without_found(Eigen::Map<const VectorXd>(x, rows()));
-    const Forces load = root_mass_.cwiseProduct(Eigen::Map<const Forces>(rest.data(), 3, root_mass_.cols()));
+    const Forces load =
+        root_mass_.cwiseProduct(Eigen::Map<const Forces>(rest.data(), unknowns_per_point, root_mass_.cols()));
     const auto solution = conjugate_gradients(plate_, constraints_, shift_, load, solve_, options_.preconditioner);
     ++solutions_;
     iterations_ += solution.iterations;
@@ -192,7 +194,7 @@ public:
   }
 
   State state(const VectorXd& y) const {
-    State u = inverse_root_.cwiseProduct(Eigen::Map<const State>(y.data(), 3, inverse_root_.cols()));
+    State u = inverse_root_.cwiseProduct(Eigen::Map<const State>(y.data(), unknowns_per_point, inverse_root_.cols()));
     constraints_.impose(u);
     return u;
   }

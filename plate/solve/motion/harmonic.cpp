@@ -9,6 +9,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/dense_algebra.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/lanczos_space.hpp"
 
@@ -165,7 +166,7 @@ HarmonicResponse::HarmonicResponse(const Operator& plate, const Constraints& con
 std::pair<State, State> HarmonicResponse::at(std::size_t number) const {
   const auto state_of = [&](const VectorXd& coordinates) {
     const VectorXd u = vectors_ * coordinates;
-    return State(Eigen::Map<const State>(u.data(), 3, points_));
+    return State(Eigen::Map<const State>(u.data(), unknowns_per_point, points_));
   };
   const auto column = coordinates_.col(Index(number));
   return {state_of(column.real()), state_of(column.imag())};

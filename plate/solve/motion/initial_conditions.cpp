@@ -9,6 +9,7 @@
 #include "plate/formulation/interpolation.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 #include "plate/model/supports.hpp"
 #include "plate/model/wording.hpp"
 #include "plate/solve/analysis.hpp"
@@ -92,7 +93,7 @@ Impactor impactor_of(const Impact& impact, const Formulation& plate) {
   const bool here = touches(plate, impact.position), anywhere = plate.communicator().largest_of(here) > 0;
   if (anywhere && !here) return result;
   result.terms = terms_of(plate.interpolation(impact.position), 0);
-  for (const auto& [dof, factor] : result.terms) result.own.push_back(plate.boundary().owns(dof / 3));
+  for (const auto& [dof, factor] : result.terms) result.own.push_back(plate.boundary().owns(point_of(dof)));
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/lanczos_space.hpp"
 #include "plate/solve/validation.hpp"
@@ -259,7 +260,7 @@ LanczosMotion::LanczosMotion(const Operator& plate, const Constraints& constrain
   change_ = change.motion, truncated_ = std::move(change.watched), truncated_told_ = std::move(change.told);
   Solved motion = solved(space, loads, options);
   largest_frequency_ = std::sqrt(motion.largest_square) / (2 * std::numbers::pi);
-  shapes_ = space.size() > 0 ? MatrixXd(space.vectors() * motion.shapes) : MatrixXd(3 * points_, 0);
+  shapes_ = space.size() > 0 ? MatrixXd(space.vectors() * motion.shapes) : MatrixXd(unknowns_per_point * points_, 0);
   start_ = std::move(motion.modes);
 }
 
@@ -288,13 +289,13 @@ void LanczosMotion::observe(std::size_t rows, const std::function<void(const Ins
       const auto& then = at[std::size_t(i)];
       const double time = time_of(first + std::size_t(i));
       const auto column = [&](const MatrixXd& all) -> State {
-        return Eigen::Map<const State>(all.col(i).data(), 3, points_);
+        return Eigen::Map<const State>(all.col(i).data(), unknowns_per_point, points_);
       };
       const State state = column(states);
       require_finite(state, fmt::format("at time {:g}", time), single_process());
       const auto combined = [&](const VectorXd& of_modes) -> State {
         const VectorXd all = shapes_ * of_modes;
-        return Eigen::Map<const State>(all.data(), 3, points_);
+        return Eigen::Map<const State>(all.data(), unknowns_per_point, points_);
       };
       const auto velocity = [&] { return combined(then.velocities()); };
       const auto acceleration = [&] {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plate/model/errors.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/statics.hpp"
 
 namespace plate {
@@ -46,8 +47,8 @@ LanczosSpace::LanczosSpace(const Operator& plate, const Constraints& constraints
       inertia_(inertia),
       inverse_(inverse),
       points_(Index(plate.points())),
-      vectors_(3 * points_, 0),
-      forces_(3 * points_, 0) {}
+      vectors_(unknowns_per_point * points_, 0),
+      forces_(unknowns_per_point * points_, 0) {}
 
 bool LanczosSpace::add(const Forces& load) {
   const StaticOptions options{1e-8, 10000, {}};
@@ -117,7 +118,7 @@ double LanczosSpace::norm(const VectorXd& u) const {
 }
 
 State LanczosSpace::state_of(const VectorXd& u) const {
-  return Eigen::Map<const State>(u.data(), 3, points_);
+  return Eigen::Map<const State>(u.data(), unknowns_per_point, points_);
 }
 
 }  // namespace plate

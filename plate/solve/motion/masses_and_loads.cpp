@@ -6,6 +6,7 @@
 
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 
 namespace plate {
@@ -14,11 +15,12 @@ namespace {
 /// `key`: mass, then every load.
 PointClass class_of(const std::vector<double>& key) {
   PointClass result{};
-  for (std::size_t c = 0; c < 3; ++c) {
+  for (std::size_t c = 0; c < unknowns_per_point; ++c) {
     result.mass[c] = key[c];
     result.inverse_mass[c] = key[c] > 0 ? 1 / key[c] : 0;
   }
-  for (std::size_t i = 3; i < key.size(); i += 3) result.loads.push_back({key[i], key[i + 1], key[i + 2]});
+  for (std::size_t i = unknowns_per_point; i < key.size(); i += unknowns_per_point)
+    result.loads.push_back({key[i], key[i + 1], key[i + 2]});
   return result;
 }
 
@@ -59,7 +61,7 @@ void Masses::at(double time) {
   for (auto& one : classes_) {
     one.load = {0, 0, 0};
     for (std::size_t i = 0; i < histories_.size(); ++i)
-      for (std::size_t c = 0; c < 3; ++c) one.load[c] += factor(histories_[i], time) * one.loads[i][c];
+      for (std::size_t c = 0; c < unknowns_per_point; ++c) one.load[c] += factor(histories_[i], time) * one.loads[i][c];
   }
 }
 
@@ -107,7 +109,7 @@ std::array<double, N> TravellingLoads::products(const std::array<double, N>& tim
     for (std::size_t n = 0; n < N; ++n) {
       const double share = factor(history, times[n]);
       forces->at(times[n], [&](std::uint32_t dof, double force) {
-        if (forces->own.empty() || forces->own[dof / 3]) add(n, share * force * at_dof(state, dof));
+        if (forces->own.empty() || forces->own[point_of(dof)]) add(n, share * force * at_dof(state, dof));
       });
     }
   };

@@ -7,6 +7,7 @@
 #include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 
 namespace plate {
@@ -40,7 +41,7 @@ public:
   void for_each(Eigen::Index points, const Visit& visit) const {
 #pragma omp parallel for schedule(static)
     for (std::size_t r = 0; r < runs_.size(); ++r)
-      for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t c = 0; c < unknowns_per_point; ++c)
         visit(classes_[runs_[r].point_class], c, Eigen::Index(c) * points + runs_[r].first, runs_[r].length);
   }
 
@@ -48,7 +49,7 @@ public:
   template <std::size_t N, typename Term>
   std::array<double, N> sum(Eigen::Index points, const Term& term) const {
     const auto visit = [&](std::size_t r, const auto& add) {
-      for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t c = 0; c < unknowns_per_point; ++c) {
         const auto& one = classes_[runs_[r].point_class];
         const Eigen::Index begin = Eigen::Index(c) * points + runs_[r].first;
         for (Eigen::Index i = begin; i < begin + runs_[r].length; ++i) add(term(one, c, i));
