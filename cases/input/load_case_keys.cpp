@@ -69,10 +69,6 @@ plate::PressureTable read_table(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 const auto table_of = OfAction(plate::PressureTable{}, [](auto& one) -> decltype((one.table)) { return one.table; });
 
 }  // namespace

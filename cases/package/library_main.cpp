@@ -3,6 +3,6 @@
 
 /// The program pdplate, as libpdplate.so gives it to the launcher.
 extern "C" [[gnu::visibility("default")]] int pdplate_main(int argc, char** argv) {
-  plate::resolve_process(argv);
+  plate::set_up_process(argv);
   return cases::command_line(argc, argv, plate::single_process());
 }

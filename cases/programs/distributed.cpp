@@ -37,7 +37,7 @@ private:
 /// The program on the processes of MPI: mpirun -n 4 pdplate_distributed run CASE.toml. What ends one of them with an
 /// exit code ends all with it.
 int main(int argc, char** argv) {
-  plate::resolve_process(argv);  // may start the process again, which MPI must not see
+  plate::set_up_process(argv);  // may start the process again, which MPI must not see
   int level = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &level);
   if (level < MPI_THREAD_FUNNELED) {

@@ -3,6 +3,6 @@
 
 /// The program pdplate: one process.
 int main(int argc, char** argv) {
-  plate::resolve_process(argv);
+  plate::set_up_process(argv);
   return cases::command_line(argc, argv, plate::single_process());
 }

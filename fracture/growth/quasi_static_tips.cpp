@@ -17,6 +17,7 @@ constexpr double least_correction = 0.009;    // of a turn: half a degree
 constexpr double together = 0.01;  // of the largest energy release rate: twice what integrals scatter with the lattice
 constexpr double equal_release = 1e-6;  // of an energy release rate or a turn: what solvers leave between mirror images
 constexpr double longest_leg = 10, leg_step = 2.5;  // spacings: of a piece whose end does not tell how it goes on
+constexpr double thinnest_of_longer = 2;            // spacings: in thinner plates no length shows the mode mix
 constexpr double contradiction =
     std::numbers::pi / 4;  // a turn that the end of a shortest piece asks for after its own
 
@@ -259,6 +260,11 @@ bool QuasiStaticTips::break_through() {
   return true;
 }
 
+/// Length of a piece after a turn, at least [spacings].
+double QuasiStaticTips::least_leg() const {
+  return std::max(growth_.increment, shortest_leg);
+}
+
 /// Pieces that turn are laid longer until their ends tell how they go on; where no length serves, as short as they may
 /// be.
 void QuasiStaticTips::advance(double) {
@@ -268,10 +274,15 @@ void QuasiStaticTips::advance(double) {
   if (std::ranges::none_of(angles, turns)) {
     lay(start, angles, shortest_leg);
   } else {
-    bool known = false;
-    for (double leg = shortest_leg; leg <= longest_leg && !known && stuck_.empty(); leg += leg_step)
-      known = lay_twice(start, angles, leg);
-    if (!known && stuck_.empty()) lay_twice(start, angles, shortest_leg, true);
+    const double first = least_leg();
+    bool known = lay_twice(start, angles, first);
+    if (section_.thickness >= thinnest_of_longer * spacing_)
+      for (double leg = first + leg_step; leg <= longest_leg && !known && stuck_.empty(); leg += leg_step) try {
+          known = lay_twice(start, angles, leg);
+        } catch (const plate::NumericalError&) {
+          known = false;  // a longer piece that cannot be computed tells no more than the shortest
+        }
+    if (!known && stuck_.empty()) lay_twice(start, angles, first, true);
     if (!stuck_.empty()) return;
   }
   last_given_ = plate_.given();
@@ -284,7 +295,7 @@ bool QuasiStaticTips::lay_twice(const Start& start, std::vector<double> angles, 
   lay(start, angles, leg);
   auto trial = full_load(cracks_);
   if (!anyhow && !shows_directions(trial)) return false;
-  if (auto why = contradicted(trial, angles, leg); !why.empty()) {
+  if (auto why = contradicted(trial, angles); !why.empty()) {
     stay(start, std::move(why));
     return true;
   }
@@ -343,15 +354,15 @@ const LoadedTip* QuasiStaticTips::end_of(const LoadedPlate& trial, std::size_t m
 
 /// Reason why a direction was wrong: after a turn a crack goes on smoothly, so an end of a piece that asks for another
 /// large turn contradicts the first one.
-std::string QuasiStaticTips::contradicted(const LoadedPlate& trial, const std::vector<double>& angles,
-                                          double leg) const {
+std::string QuasiStaticTips::contradicted(const LoadedPlate& trial, const std::vector<double>& angles) const {
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const auto* end = moves_[i] ? end_of(trial, i) : nullptr;
     if (!end || !turns(angles[i])) continue;
     const double further = kink_angle(end->factors, growth_.direction, section_);
-    if (std::abs(further) > contradiction * shortest_leg / leg)
-      return fmt::format("{} would turn by {:.0f} degrees, and {:g} spacings on by {:.0f} more; {}{}",
-                         name_of(plate_.tips[i].tip), in_degrees(angles[i]), leg, in_degrees(further), remedy(),
+    const double length = (end->tip.position - plate_.tips[i].tip.position).norm() / spacing_;
+    if (std::abs(further) > contradiction * std::min(1.0, least_leg() / length))
+      return fmt::format("{} would turn by {:.0f} degrees, and {:.2g} spacings on by {:.0f} more; {}{}",
+                         name_of(plate_.tips[i].tip), in_degrees(angles[i]), length, in_degrees(further), remedy(),
                          governed_by_shear(growth_, section_, end->factors, end->errors));
   }
   return {};

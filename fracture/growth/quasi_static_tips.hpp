@@ -81,11 +81,12 @@ private:
   std::string unresolved();
   std::string stays(const geometry::Tip& tip);
   const LoadedTip* end_of(const LoadedPlate& trial, std::size_t mover) const;
-  std::string contradicted(const LoadedPlate& trial, const std::vector<double>& angles, double leg) const;
+  std::string contradicted(const LoadedPlate& trial, const std::vector<double>& angles) const;
   std::vector<Turn> turns_of(const std::vector<char>& moves) const;
   void calibrate();
   double calibration() const;
   bool break_through();
+  double least_leg() const;
   bool lay_twice(const Start& start, std::vector<double> angles, double leg, bool anyhow = false);
   void lay(const Start& start, const std::vector<double>& angles, double leg);
   bool shows_directions(const LoadedPlate& trial) const;

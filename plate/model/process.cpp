@@ -52,7 +52,7 @@ namespace {
 
 }  // namespace
 
-void resolve_process([[maybe_unused]] char** argv) {
+void set_up_process([[maybe_unused]] char** argv) {
 #if !defined PDPLATE_OWN_OPENMP && !defined PDPLATE_PACKAGE  // there the launcher does it (cases/package/launcher.cpp)
   if (set_waiting()) execv("/proc/self/exe", argv);          // starts again; where it fails threads spin
 #endif

@@ -7,7 +7,7 @@ namespace plate {
 /// two cores busy a static run took 5.1 s spinning and 3.7 s sleeping; one force evaluation alone took the same. Memory
 /// that is given back is kept for the next array: the system clears every page that it hands out. A reader that has
 /// gone, or a file larger than is allowed, fails what is written to it and does not end the process.
-void resolve_process(char** argv);
+void set_up_process(char** argv);
 
 /// Limits a wanted number of threads to what this machine can use: no more than eight for each of its processors, nor
 /// than half of the address space that is allowed holds with their stacks and heaps; one at least.

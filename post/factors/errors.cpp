@@ -59,8 +59,8 @@ public:
                  size * std::abs(K[2]) + shares_.shear * apart * largest / at_.section.thickness;
     // what K3 takes wrongly of G is missing in K1 and K2, in proportion
     const Eigen::Vector3d unit = at_.unit_release();
-    const double square = 2 * ((1.6 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2]) /
-                          unit[0];              // error of K1^2 + K2^2
+    const double taken = (1.6 * energies + size) * *srif.G + unit[2] * std::abs(K[2]) * result[2];
+    const double square = 2 * taken / unit[0];  // error of K1^2 + K2^2
     result[2] += own_shear() * std::abs(K[2]);  // which the calibration of K1 and K2 has in it
     if (bending > 0) result.head<2>() += (std::sqrt(bending * bending + square) / bending - 1) * K.head<2>().cwiseAbs();
     result.head<2>() += tied();

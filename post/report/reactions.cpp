@@ -205,7 +205,7 @@ std::function<plate::Forces(const plate::State&)> inertial_force(const plate::Fo
   };
 }
 
-plate::Forces pressing(const plate::ContactForce& contact_force, Eigen::Index points) {
+plate::Forces pressing(const plate::ImpactorMotion& contact_force, Eigen::Index points) {
   plate::Forces result = plate::Forces::Zero(3, points);
   for (const auto& [dof, factor] : contact_force.terms) plate::at_dof(result, dof) += factor * contact_force.force;
   return result;

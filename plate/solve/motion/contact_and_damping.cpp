@@ -30,7 +30,7 @@ void ImpactContact::press(const State& state, Forces& forces) {
   for (const auto& [dof, factor] : impactor_.terms) at_dof(forces, dof) += factor * force_;
 }
 
-ContactForce ImpactContact::contact_force(double half) const {
+ImpactorMotion ImpactContact::contact_force(double half) const {
   return {impactor_state_.place,
           impactor_state_.velocity + half * acceleration(),
           force_,

@@ -19,7 +19,7 @@ public:
   /// The force in this state; adds it to forces that are not folded.
   void press(const State& state, Forces& forces);
   /// Contact force at a step whose velocity is `half` a step after that of the impactor. Requires press().
-  ContactForce contact_force(double half) const;
+  ImpactorMotion contact_force(double half) const;
   /// Energies: of the spring, of the mass with the velocity of the step, and with the mean of both halves.
   double spring() const;
   double kinetic(double half) const;

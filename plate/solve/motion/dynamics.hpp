@@ -43,7 +43,7 @@ struct ImpactorState {
 };
 
 /// Motion and contact force of the impacting mass at an instant.
-struct ContactForce {
+struct ImpactorMotion {
   double place, velocity;                               // along w [length, length/time]
   double force;                                         // that it presses with, on the plate along w [force]
   double largest, touching;                             // of all steps so far: force, how long it presses [time]
@@ -76,7 +76,7 @@ struct Instant {
   double dissipated = 0;     // by damping until then [energy]
   /// The state to which the stiffness answers: u + beta v; where it does not damp, none.
   std::function<State()> strained = {};
-  std::optional<ContactForce> contact_force = {};
+  std::optional<ImpactorMotion> contact_force = {};
   /// State less a motion as one rigid body, in statics (StaticResult); none where it is the state.
   const State* rest = nullptr;
   const State& what_strains() const { return rest ? *rest : state; }

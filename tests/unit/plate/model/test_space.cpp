@@ -1,10 +1,10 @@
 #include "plate/model/space.hpp"
 
+#include <catch2/catch_test_macros.hpp>
 #include <cstdint>
 #include <type_traits>
 
 #include "plate/model/state.hpp"
-#include "tests/catch.hpp"
 
 using namespace plate;
 
@@ -38,7 +38,7 @@ static_assert(std::is_same_v<decltype(component_of(std::ptrdiff_t(1))), std::ptr
 
 }  // namespace
 
-TEST_CASE("degrees of freedom number the values of a state") {
+TEST_CASE("degrees of freedom number the values of a state", "[space]") {
   constexpr std::size_t points = 5;
   State state(unknowns_per_point, Eigen::Index(points));
   for (Eigen::Index i = 0; i < state.size(); ++i) state.data()[i] = double(i);
