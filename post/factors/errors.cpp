@@ -186,6 +186,29 @@ void widen_errors(std::vector<Srif>& sum, const std::vector<std::pair<double, co
   }
 }
 
+namespace {
+
+/// True where the errors of the factors are estimated, and the factors are more than noise.
+bool estimated(const Srif& srif) {
+  return srif.errors[0] && !of_opening(srif.method) && (!srif.G || *srif.G > 0);
+}
+
+}  // namespace
+
+double largest_of_tips(const std::vector<Srif>& srifs, double thickness) {
+  double result = 0;
+  for (const auto& srif : srifs)
+    if (estimated(srif)) result = std::max(result, largest_factor(srif, thickness));
+  return result;
+}
+
+void add_errors_of_other_tips(std::vector<Srif>& srifs, double most, double thickness) {
+  constexpr double share = 0.001;
+  for (auto& srif : srifs)
+    if (const double beyond = most - largest_factor(srif, thickness); beyond > 0 && estimated(srif))
+      widen(srif, share * beyond, thickness);
+}
+
 void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& largest) {
   const std::vector<double> before = largest;
   for (const auto& srif : srifs) {

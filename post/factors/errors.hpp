@@ -36,6 +36,13 @@ void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits,
 void widen_errors(std::vector<Srif>& sum, const std::vector<std::pair<double, const std::vector<Srif>*>>& parts,
                   double thickness);
 
+/// The largest of |K1|, |K2|, |K3| h of all tips, by the methods whose errors are estimated.
+double largest_of_tips(const std::vector<Srif>& srifs, double thickness);
+
+/// Adds to the errors of a tip a thousandth of what the most loaded tip, with `most`, has beyond it: the error of the
+/// field of the plate (theory.md, "What the estimated errors mean").
+void add_errors_of_other_tips(std::vector<Srif>& srifs, double most, double thickness);
+
 /// Marks factors by energy and by the fit whose error is above a tenth of the largest factor that their tip has had as
 /// not resolved. `largest`: of every tip, as |K1|, of the rows before; brought up to date.
 void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& largest);

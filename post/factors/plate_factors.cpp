@@ -259,8 +259,10 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
       normalize(srif, options, plate.section().thickness);
       result.push_back(std::move(srif));
     }
+  const double thickness = plate.section().thickness;
+  add_errors_of_other_tips(result, plate.communicator().largest_of(largest_of_tips(result, thickness)), thickness);
   std::vector<double> largest;
-  mark_lost(result, plate.section().thickness, largest);
+  mark_lost(result, thickness, largest);
   return result;
 }
 

@@ -163,3 +163,17 @@ TEST_CASE("the error of the leading factor is of the largest one, of the first e
   CHECK(post::error_of_leading({of(0, -2, 1, 0, {0.1, 9, 9}), of(0, 2, 1, 0, {9, 9, 9})}, 0.1) == Approx(0.05));
   CHECK(post::error_of_leading({of(0, 2, 1, 0, {0.1, 9, 9}), of(3, 2, 1, 50, {9, 9, 10})}, 0.1) == Approx(0.2));
 }
+
+TEST_CASE("a tip that others shield knows its factors no better than the field of the plate is known") {
+  const std::vector<FitSrif> fits{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}};
+  std::vector<Srif> all = estimated({by_energy("domain_integral", 1, 0.2, 3)}, fits);
+  all.push_back(all.front());
+  all.back().K1 *= 0.01, all.back().K2 *= 0.01, all.back().K3 *= 0.01, all.back().tip = 1;
+  const auto before = all;
+  const double most = largest_of_tips(all, section.thickness);
+  CHECK(most == 1);
+  add_errors_of_other_tips(all, most, section.thickness);
+  CHECK(all.front().errors == before.front().errors);
+  CHECK(*all.back().errors[1] - *before.back().errors[1] == Approx(0.001 * 0.99));
+  CHECK(*all.back().errors[2] - *before.back().errors[2] == Approx(0.001 * 0.99 / section.thickness));
+}
