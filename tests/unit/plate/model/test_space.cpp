@@ -1,10 +1,10 @@
 #include "plate/model/space.hpp"
 
-#include <catch2/catch_test_macros.hpp>
 #include <cstdint>
 #include <type_traits>
 
 #include "plate/model/state.hpp"
+#include "tests/catch.hpp"
 
 using namespace plate;
 
