@@ -203,7 +203,7 @@ double largest_of_tips(const std::vector<Srif>& srifs, double thickness) {
 }
 
 void add_errors_of_other_tips(std::vector<Srif>& srifs, double most, double thickness) {
-  constexpr double share = 0.001;
+  constexpr double share = 0.0007;
   for (auto& srif : srifs)
     if (const double beyond = most - largest_factor(srif, thickness); beyond > 0 && estimated(srif))
       widen(srif, share * beyond, thickness);

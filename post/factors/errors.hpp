@@ -39,7 +39,7 @@ void widen_errors(std::vector<Srif>& sum, const std::vector<std::pair<double, co
 /// The largest of |K1|, |K2|, |K3| h of all tips, by the methods whose errors are estimated.
 double largest_of_tips(const std::vector<Srif>& srifs, double thickness);
 
-/// Adds to the errors of a tip a thousandth of what the most loaded tip, with `most`, has beyond it: the error of the
+/// Adds to the errors of a tip 0.0007 of what the most loaded tip, with `most`, has beyond it: the error of the
 /// field of the plate (theory.md, "What the estimated errors mean").
 void add_errors_of_other_tips(std::vector<Srif>& srifs, double most, double thickness);
 

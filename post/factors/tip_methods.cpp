@@ -32,7 +32,7 @@ ErrorShares shares_of(const TipView& plate, const TipPlace& place, const plate::
           trust.shear,
           trust.fits,
           trust.fits_shear,
-          std::max(7e-4, trust.near * near) + place.known_error,
+          std::max(6e-4, trust.near * near) + place.known_error,
           trust.layer,
           trust.width / section.layer(),
           trust.doubt,
