@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "plate/edges/boundary_conditions.hpp"
+#include "plate/edges/surface_plate.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/space.hpp"
 
