@@ -1,4 +1,4 @@
-#define CATCH_CONFIG_RUNNER  // Catch2 2 defines its session here
+#define CATCH_CONFIG_RUNNER  // Catch2 2 defines its runner here
 #include "tests/catch.hpp"
 
 int main(int argc, char* argv[]) {

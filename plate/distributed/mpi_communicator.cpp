@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "plate/distributed/petsc_inverse.hpp"
-#include "plate/distributed/slepc_eigenpairs.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/halo_exchange.hpp"
 

@@ -20,4 +20,8 @@ void require(int code);
 /// Inverse by a factor of MUMPS; of more than `most_factorised` unknowns by smoothed aggregation (GAMG).
 std::unique_ptr<DistributedInverse> petsc_inverse(MPI_Comm all, const DistributedRows& rows);
 
+/// Eigenpairs by Krylov-Schur (SLEPc).
+DistributedEigenpairs slepc_eigenpairs(MPI_Comm all, const DistributedProduct& product, std::span<const double> start,
+                                       const EigenpairRequest& wanted);
+
 }  // namespace plate

@@ -1,5 +1,3 @@
-#include "plate/distributed/slepc_eigenpairs.hpp"
-
 #include <slepceps.h>
 
 #include <algorithm>
