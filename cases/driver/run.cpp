@@ -53,26 +53,32 @@ std::vector<post::Srif> coarser_srifs(const CaseFile& file, const plate::Communi
   return factors;
 }
 
-fracture::Results results_of(const Prepared& prepared, const RunOptions& options, post::Recorder recorder) {
-  return {plan_of(prepared.file.content, options), *prepared.plate, prepared.tip_methods, std::move(recorder)};
-}
+/// One plate of a run, with all that the run finds of it. Stays where it is made.
+struct PlateRun {
+  PlateRun(const Prepared& prepared, const RunOptions& options, post::Recorder recorder)
+      : stopwatch(prepared.stopwatch),
+        outputs(plan_of(prepared.file.content, options), std::move(recorder), stopwatch),
+        results(outputs, *prepared.plate, prepared.tip_methods) {}
+
+  plate::Stopwatch stopwatch;
+  fracture::Outputs outputs;
+  fracture::Results results;
+};
 
 /// The whole run of a case in its other formulation: the factors of all rows.
 std::vector<std::vector<post::Srif>> run_second(const Prepared& prepared, const RunOptions& options) {
-  plate::Stopwatch stopwatch = prepared.stopwatch;
-  auto results = results_of(prepared, options, recording_of(prepared.file.content, options).recorder);
-  fracture::run_once(prepared, results, stopwatch);
-  return results.factors().rows();
+  PlateRun run(prepared, options, recording_of(prepared.file.content, options).recorder);
+  fracture::run_once(prepared, run.results);
+  return run.results.factors().rows();
 }
 
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
   auto [plate, found, rows] = to_accuracy(file, options.quiet);
-  plate::Stopwatch stopwatch = plate->stopwatch;
-  auto results = results_of(*plate, options, recording_of(plate->file.content, options).recorder);
-  results.factors().known(std::move(rows));
-  results.found(std::move(found));
-  stopwatch.lap("output");
-  return fracture::run_once(*plate, results, stopwatch);
+  PlateRun run(*plate, options, recording_of(plate->file.content, options).recorder);
+  run.results.factors().known(std::move(rows));
+  run.results.found(std::move(found));
+  run.stopwatch.lap("output");
+  return fracture::run_once(*plate, run.results);
 }
 
 /// The plate as it has grown quasi-statically, a hundredth above the load that is there, and what it does then.
@@ -113,18 +119,17 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
   if (c.growth && c.analysis.kind == Analysis::Kind::static_) return grow(file, options);
   if (c.srif && c.srif->accuracy) return run_accurately(file, options);
   Prepared prepared(file, *options.communicator);
-  plate::Stopwatch stopwatch = prepared.stopwatch;
+  auto& stopwatch = prepared.stopwatch;
   std::optional<Prepared> second;
   if (c.srif && c.srif->second_formulation) {
     second.emplace(in_other_formulation(file));
     stopwatch.lap("second_formulation");
   }
   auto [recorder, checkpoints] = recording_of(prepared.file.content, options);
-  if (!c.load_cases.empty())
-    return fracture::run_load_cases(prepared, plan_of(c, options), std::move(recorder), stopwatch);
-  if (c.analysis.kind == Analysis::Kind::harmonic)
-    return fracture::run_response(prepared, plan_of(c, options), std::move(recorder), stopwatch);
-  auto results = results_of(prepared, options, std::move(recorder));
+  fracture::Outputs outputs(plan_of(prepared.file.content, options), std::move(recorder), stopwatch);
+  if (!c.load_cases.empty()) return fracture::run_load_cases(prepared, outputs);
+  if (c.analysis.kind == Analysis::Kind::harmonic) return fracture::run_response(prepared, outputs);
+  fracture::Results results(outputs, *prepared.plate, prepared.tip_methods);
   const plate::StopOnSignals signals;
   stopwatch.lap("output");
   if (c.srif && c.srif->richardson)
@@ -137,7 +142,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
     second.reset();
     stopwatch.lap("second_formulation");
   }
-  auto summary = fracture::run_once(prepared, results, stopwatch, checkpoints.get());
+  auto summary = fracture::run_once(prepared, results, checkpoints.get());
   if (checkpoints) checkpoints->done();
   return summary;
 }

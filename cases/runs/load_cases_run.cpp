@@ -5,8 +5,7 @@
 #include <set>
 
 #include "cases/runs/distributed_run.hpp"
-#include "cases/runs/results.hpp"
-#include "cases/runs/run_plan.hpp"
+#include "cases/runs/outputs.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
@@ -20,8 +19,12 @@
 #include "plate/solve/statics.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "post/files/factor_rows.hpp"
+#include "post/files/result_checks.hpp"
+#include "post/report/conclusion.hpp"
 #include "post/report/overlaps.hpp"
 #include "post/report/printed.hpp"
+#include "post/report/reactions.hpp"
 #include "post/report/terminal.hpp"
 
 namespace fracture {
@@ -52,27 +55,18 @@ double largest_deflection(const post::LoadCaseSummary& one) {
 }
 
 /// Load cases and combinations as they are found.
-class LoadCases {
+class LoadCases : public RunningAnalysis {
 public:
-  LoadCases(const ValidatedPlate& ready, const RunPlan& plan, post::Recorder recorder)
-      : ready_(ready),
-        plan_(plan),
-        plate_(*ready.plate),
-        recorder_(std::move(recorder)),
-        probes_(probes_of(plan.probes, plate_)) {
-    if (!recorder_.draws() && !recorder_.stores()) return;
-    const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
-    if (plate_.communicator().distributed()) {
-      drawing_ = std::make_unique<OwnedMesh>(plate_, mesh);
-      recorder_.open(drawing_->mesh());
-      return;
-    }
-    if (plan_.report) pictures_.open(mesh);
-    recorder_.open(mesh);
+  LoadCases(const ValidatedPlate& ready, Outputs& outputs) : ready_(ready), plate_(*ready.plate), outputs_(outputs) {
+    outputs.summary() = about(outputs.plan(), plate_, ready.warnings);
+    outputs.open(plate_);
   }
 
-  void solve(post::Summary& summary, plate::Stopwatch& stopwatch);
-  post::Summary finish(post::Summary summary, plate::Stopwatch& stopwatch);
+  void solve() override;
+  void finish() override;
+  plate::NumericalError failed(const plate::NumericalError& error) override {
+    return placed(error, plate_, outputs_.summary());
+  }
 
 private:
   void look(post::LoadCaseSummary one, const Case& now, std::size_t step);
@@ -80,14 +74,11 @@ private:
   void combine(const plate::Combination& combination, const std::vector<Case>& cases);
   std::vector<std::pair<double, const std::vector<post::Srif>*>> parts_of(const post::LoadCaseSummary& combined) const;
   std::vector<std::string> warnings() const;
+  const RunPlan& plan() const { return outputs_.plan(); }
 
   const ValidatedPlate& ready_;
-  const RunPlan& plan_;
   const plate::Formulation& plate_;
-  post::Recorder recorder_;
-  post::Pictures pictures_;
-  std::unique_ptr<OwnedMesh> drawing_;  // where the plate is distributed
-  std::vector<post::Probe> probes_;
+  Outputs& outputs_;
   std::vector<post::LoadCaseSummary> found_;
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
   std::vector<std::string> warnings_;
@@ -107,7 +98,7 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
   const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain - 2 * work;
-  recorder_.row(row, probes_, plate_.boundary());
+  outputs_.row(row, plate_);
   post::ReactionRows reactions;
   reactions.add(number, plate_, plate_, strained, load);
   if (!reactions.empty()) {
@@ -116,21 +107,20 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
     std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
     one.reactions = reactions.summary();
   }
-  if (plan_.srif)
+  if (plan().srif)
     one.srif =
-        of_all(plate_.communicator(), post::srifs(plate_, *plan_.srif, ready_.tip_methods, strained, true, &heat));
+        of_all(plate_.communicator(), post::srifs(plate_, *plan().srif, ready_.tip_methods, strained, true, &heat));
   if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
-  for (const auto& srif : one.srif) one.faces.push_back(post::at_faces(srif, plate_.section(), plan_.srif->toughness));
+  for (const auto& srif : one.srif) one.faces.push_back(post::at_faces(srif, plate_.section(), plan().srif->toughness));
   post::Extremes extremes(plate_);
   extremes.row(now);
-  if (recorder_.draws() || recorder_.stores()) {
+  if (outputs_.takes_frames()) {
     auto frame = post::frame_of(plate_, number, step, strained, true, &heat);
     if (less.cols() > 0) frame.state = state.leftCols(frame.state.cols());
-    if (plan_.report && !drawing_) pictures_.look(frame);
     extremes.frame(number, frame.resultants);
-    recorder_.frame(drawing_ ? drawing_->frame(std::move(frame)) : std::move(frame), {}, {});
+    outputs_.frame(plate_, std::move(frame));
   }
   one.extremes = of_all(plate_.communicator(), extremes.found(&heat));
   found_.push_back(std::move(one));
@@ -179,10 +169,12 @@ std::vector<std::string> LoadCases::warnings() const {
   return result;
 }
 
-void LoadCases::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
+void LoadCases::solve() {
+  auto& summary = outputs_.summary();
+  auto& stopwatch = outputs_.stopwatch();
   const auto& problem = plate_.problem();
-  const auto& analysis = plan_.analysis;
-  post::Progress progress(plan_.quiet, "load cases");
+  const auto& analysis = plan().analysis;
+  post::Progress progress(plan().quiet, "load cases");
   plate::StaticSolver solver(plate_, analysis.static_method(), analysis.preconditioner);
   std::vector<Case> cases;
   plate::StaticSolution all;  // of the summary: the sum of iterations, the largest residual
@@ -260,42 +252,38 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
   look({combination.name, combination.of, {}, cancels ? 0 : residual / size}, sum, 0);
 }
 
-post::Summary LoadCases::finish(post::Summary summary, plate::Stopwatch& stopwatch) {
+void LoadCases::finish() {
   const auto& section = plate_.section();
+  auto& recorder = outputs_.recorder();
+  auto& summary = outputs_.summary();
   summary.envelope = post::envelope(found_);
-  if (plan_.srif) {
+  if (plan().srif) {
     const auto crack = [&](std::size_t tip) { return plate_.tips()[tip].crack; };
     const auto named = [&](double number) { return found_.at(std::size_t(number) - 1).name; };
     for (auto& line : post::warnings_about_faces(post::face_overlaps(srifs_), section, crack, named))
       warnings_.push_back(std::move(line));
     post::name_cases(srifs_, found_);
-    recorder_.table("srif", std::move(srifs_));
-    recorder_.table("envelope", post::envelope_table(summary.envelope));
+    recorder.table("srif", std::move(srifs_));
+    recorder.table("envelope", post::envelope_table(summary.envelope));
   }
-  if (const auto cracks = post::given_cracks(plate_.paths()); !cracks.lines.empty()) recorder_.cracks(cracks, {});
+  outputs_.given_cracks(plate_);
   if (!reactions_.rows.empty()) {
     post::name_cases(reactions_, found_);
-    recorder_.table("reactions", std::move(reactions_));
+    recorder.table("reactions", std::move(reactions_));
   }
   const auto said = warnings();
   summary.load_cases = std::move(found_);
-  post::conclude(summary, {section, plan_.srif, plan_.si(), recorder_.history(), {}, {}});
-  for (const auto& some : {post::left_out(plate_.tips(), ready_.tip_methods), said, warnings_})
-    summary.warnings.insert(summary.warnings.end(), some.begin(), some.end());
-  summary = recorder_.finish(std::move(summary), stopwatch);
-  write_report(plan_, pictures_);
-  return summary;
+  post::conclude(summary, {section, plan().srif, plan().si(), recorder.history(), {}, {}});
+  outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods));
+  outputs_.warn(said);
+  outputs_.warn(warnings_);
 }
 
 }  // namespace
 
-post::Summary run_load_cases(const ValidatedPlate& ready, const RunPlan& plan, post::Recorder recorder,
-                             plate::Stopwatch& stopwatch) {
-  LoadCases run(ready, plan, std::move(recorder));
-  return carried_out(
-      about(plan, *ready.plate, ready.warnings), *ready.plate,
-      [&](post::Summary& summary) { run.solve(summary, stopwatch); },
-      [&](post::Summary summary) { return run.finish(std::move(summary), stopwatch); });
+post::Summary run_load_cases(const ValidatedPlate& ready, Outputs& outputs) {
+  LoadCases analysis(ready, outputs);
+  return carry_out(analysis, outputs);
 }
 
 }  // namespace fracture

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 #include <cmath>
 
-#include "cases/runs/distributed_run.hpp"
 #include "cases/runs/recording.hpp"
-#include "cases/runs/results.hpp"
 #include "fracture/growth/growing_plate.hpp"
 #include "fracture/growth/growth.hpp"
 #include "fracture/growth/quasi_static_bonds.hpp"
@@ -16,6 +14,7 @@
 #include "plate/solve/interruption.hpp"
 #include "post/files/archive.hpp"
 #include "post/files/result_checks.hpp"
+#include "post/report/conclusion.hpp"
 #include "post/report/curves.hpp"
 #include "post/report/overlaps.hpp"
 #include "post/report/terminal.hpp"
@@ -51,9 +50,13 @@ std::vector<geometry::Polyline> QuasiStaticRun::cracks() const {
 }
 
 post::Summary QuasiStaticRun::operator()(post::Recorder recorder, RunCheckpoints* checkpoints) {
-  recorder_.emplace(std::move(recorder));
+  outputs_.emplace(plan_, std::move(recorder), stopwatch_);
+  checkpoints_ = checkpoints;
+  return carry_out(*this, *outputs_);
+}
+
+void QuasiStaticRun::solve() {
   post::Progress progress(plan_.quiet, "growth");
-  const plate::StopOnSignals signals;
   QuasiStaticLoad load(growth_.control);
   const auto see = [&](const Equilibrium& now) {
     stopwatch_.lap("solve");
@@ -65,22 +68,20 @@ post::Summary QuasiStaticRun::operator()(post::Recorder recorder, RunCheckpoints
         double(now.advance) / double(growth_.max_advances),
         fmt::format("advance {}, load factor {:.4g}, crack length {:.4g}", now.advance, now.factor, length));
   };
-  try {
-    outcome_ =
-        grow_quasi_statically(growth_, *model_, see, checkpoints ? continuation(*checkpoints, load) : Continuation{});
-    progress.done();
-    return finish();
-  } catch (const plate::NumericalError& error) {
-    const auto failed = error.point ? placed(error, model_->plate(), {}) : error;  // without one, there may be no plate
-    outcome_.ended = {End::failed, failed.what()};
-    finish();
-    throw failed;
-  } catch (const plate::Interrupted& asked) {
-    outcome_.ended = {End::interrupted, asked.what()};
-    write_held(checkpoints);
-    finish();
-    throw;
-  }
+  outcome_ =
+      grow_quasi_statically(growth_, *model_, see, checkpoints_ ? continuation(*checkpoints_, load) : Continuation{});
+  progress.done();
+}
+
+plate::NumericalError QuasiStaticRun::failed(const plate::NumericalError& error) {
+  const auto result = error.point ? placed(error, model_->plate(), {}) : error;  // without one, there may be no plate
+  outcome_.ended = {End::failed, result.what()};
+  return result;
+}
+
+void QuasiStaticRun::interrupted() {
+  outcome_.ended = {End::interrupted, {}};
+  write_held(checkpoints_);
 }
 
 void QuasiStaticRun::observe(const Equilibrium& now) {
@@ -92,7 +93,8 @@ void QuasiStaticRun::observe(const Equilibrium& now) {
   state_ = now.factor * model_->state();
   post::Sample row{time, now.advance, state_, now.ledger.strain, 0, now.ledger.external_work, now.ledger.fracture};
   row.released_energy = now.ledger.released(), row.load_factor = now.factor, row.displacement = now.displacement;
-  recorder_->row(row, probes_of(plan_.probes, plate), plate.boundary());
+  outputs_->place_probes(plate);
+  outputs_->row(row, plate);
   reactions_.add(time, plate, model_->forces(), state_, now.factor);
   if (auto factors = model_->factors(now.factor)) {
     post::require_finite(*factors, when);
@@ -110,21 +112,18 @@ void QuasiStaticRun::observe(const Equilibrium& now) {
 
 void QuasiStaticRun::frame() {
   framed_ = true;
-  if (!recorder_->draws()) return;
+  if (!outputs_->recorder().draws()) return;
   auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
   auto mesh = model_->draw(frame, state_);
   post::set_factors(*frame.cracks, latest_);
-  if (const auto own = owned_mesh(model_->plate(), mesh))
-    return recorder_->frame(own->frame(std::move(frame)), own->mesh(), {});
-  if (plan_.report) pictures_.open(mesh), pictures_.look(frame);
-  recorder_->frame(std::move(frame), std::move(mesh), {});
+  outputs_->frame(model_->plate(), std::move(frame), std::move(mesh));
 }
 
 template <typename Archive>
 void QuasiStaticRun::memory(Archive& archive) {
   auto& [work, strain, fracture] = outcome_.ledger;
-  archive(reactions_, pictures_, srifs_, latest_, work, strain, fracture, advance_, factor_, largest_factor_, doubt_,
-          doubtful_, first_factor_, first_error_, framed_);
+  archive(reactions_, srifs_, latest_, work, strain, fracture, advance_, factor_, largest_factor_, doubt_, doubtful_,
+          first_factor_, first_error_, framed_);
 }
 
 /// `load`: to go on from.
@@ -132,7 +131,7 @@ Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints, QuasiStat
   auto* const points = model_->of_points();
   const bool goes_on = checkpoints.restore([&](plate::InArchive& archive) {
     archive(load);
-    recorder_->restore(archive);
+    outputs_->restore(archive);
     memory(archive);
     model_->restore(archive);
     if (points && !plan_.communicator->distributed()) archive(*points);
@@ -143,7 +142,7 @@ Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints, QuasiStat
   const auto hold = [this, &checkpoints, points](const QuasiStaticLoad& now) {
     const auto save_state = [&](plate::OutArchive& archive) {
       archive(now);
-      recorder_->save(archive);
+      outputs_->save(archive);
       memory(archive);
       model_->save(archive);
       if (points && !plan_.communicator->distributed()) archive(*points);
@@ -161,27 +160,25 @@ void QuasiStaticRun::write_held(RunCheckpoints* checkpoints) {
 }
 
 void QuasiStaticRun::record() {
+  auto& recorder = outputs_->recorder();
   const bool solved = state_.cols() > 0;
   if (solved && !framed_) frame();
-  if (solved && recorder_->stores()) store();
-  if (tips_ || plan_.srif) recorder_->table("srif", srifs_);
-  if (!reactions_.empty()) recorder_->table("reactions", reactions_.table());
+  if (solved && recorder.stores()) store();
+  if (tips_ || plan_.srif) recorder.table("srif", srifs_);
+  if (!reactions_.empty()) recorder.table("reactions", reactions_.table());
   const auto& record = model_->record();
-  recorder_->table("growth", record.growth);
-  recorder_->table("tips", record.tips);
-  recorder_->table("cracks", record.crack_table());
-  recorder_->cracks(record.cracks, latest_);
-  if (recorder_->plots()) recorder_->picture("curves", post::picture_of_growth(plan_.title, record.growth, plan_.si()));
+  recorder.table("growth", record.growth);
+  recorder.table("tips", record.tips);
+  recorder.table("cracks", record.crack_table());
+  recorder.cracks(record.cracks, latest_);
+  if (recorder.plots()) recorder.picture("curves", post::picture_of_growth(plan_.title, record.growth, plan_.si()));
 }
 
 void QuasiStaticRun::store() {
   const auto& plate = model_->plate();
-  const auto mesh = post::points_of(plate);
   auto frame = post::frame_of(plate, double(advance_), advance_, state_, false);
   model_->draw(frame, state_);  // its resultants
-  if (const auto own = owned_mesh(plate, mesh))
-    return recorder_->final_state(own->mesh(), own->frame(std::move(frame)));
-  recorder_->final_state(mesh, frame);
+  outputs_->final_state(plate, std::move(frame));
 }
 
 post::GrowthSummary QuasiStaticRun::growth_summary() const {
@@ -200,7 +197,7 @@ post::GrowthSummary QuasiStaticRun::growth_summary() const {
   return growth;
 }
 
-post::Summary QuasiStaticRun::finish() {
+void QuasiStaticRun::finish() {
   constexpr double much = 0.03;  // as of factors
   record();
   if (outcome_.ended.how == End::not_resolved && !first_factor_ && factor_ > 0) first_factor_ = factor_;
@@ -215,7 +212,7 @@ post::Summary QuasiStaticRun::finish() {
   for (auto& one : post::warnings_about_faces(overlaps, plan_.problem.section, {},
                                               [](double advance) { return fmt::format("advance {:g}", advance); }))
     warnings_.push_back(std::move(one));
-  post::Summary summary;
+  auto& summary = outputs_->summary();
   if (solved) summary = about(plan_, model_->plate(), warnings_);
   summary.warnings = warnings_;
   summary.title = plan_.title;
@@ -224,20 +221,15 @@ post::Summary QuasiStaticRun::finish() {
   summary.formulation_reason = plan_.formulation_reason;
   summary.analysis.kind = plate::name_of(plate::Analysis::Kind::static_);
   post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), plan_.analysis.tolerance);
-  post::conclude(summary, {plan_.problem.section, plan_.srif, plan_.si(), recorder_->history(), reactions_, latest_});
+  post::conclude(summary,
+                 {plan_.problem.section, plan_.srif, plan_.si(), outputs_->recorder().history(), reactions_, latest_});
   summary.overlaps = overlaps;
   summary.growth = growth_summary();
-  summary.outcome = "done";
-  if (outcome_.ended.how == End::failed || outcome_.ended.how == End::interrupted)
-    summary.outcome = summary.growth->outcome, summary.analysis.stop_reason = outcome_.ended.detail;
   const auto& energies = outcome_.ledger;
   summary.energy = {{"strain", energies.strain},
                     {"external_work", energies.external_work},
                     {"fracture", energies.fracture},
                     {"released", energies.released()}};
-  summary = recorder_->finish(std::move(summary), stopwatch_);
-  write_report(plan_, pictures_);
-  return summary;
 }
 
 }  // namespace fracture

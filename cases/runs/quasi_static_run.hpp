@@ -1,7 +1,9 @@
 #pragma once
-#include "cases/runs/results.hpp"
+#include "cases/runs/outputs.hpp"
 #include "fracture/growth/quasi_static_growth.hpp"
 #include "plate/formulation/discretised.hpp"
+#include "post/files/factor_rows.hpp"
+#include "post/report/reactions.hpp"
 
 namespace fracture {
 
@@ -13,16 +15,20 @@ class QuasiStaticBonds;
 /// release rate.
 post::SrifOptions factors_of_growth(const std::optional<post::SrifOptions>& asked);
 
-/// A quasi-static growth and what is recorded of it, with the number of the advance in the place of time.
-class QuasiStaticRun {
+/// A quasi-static growth, with the number of the advance in the place of time.
+class QuasiStaticRun : public RunningAnalysis {
 public:
   /// `plan` has a growth. `first`: its problem with the cracks as they are at the start.
   QuasiStaticRun(const RunPlan& plan, plate::Discretised first);
-  ~QuasiStaticRun();
+  ~QuasiStaticRun() override;
 
-  /// Grows, and writes everything. Throws plate::NumericalError or plate::Interrupted after that. `checkpoints`: of a
-  /// growth that may go on later, or goes on here.
+  /// Grows: carry_out(). `checkpoints`: of a growth that may go on later, or goes on here.
   post::Summary operator()(post::Recorder recorder, RunCheckpoints* checkpoints);
+
+  void solve() override;
+  void finish() override;
+  plate::NumericalError failed(const plate::NumericalError& error) override;
+  void interrupted() override;
 
   // of the end
   const QuasiStaticOutcome& outcome() const { return outcome_; }
@@ -39,7 +45,6 @@ private:
   void record();
   void store();
   post::GrowthSummary growth_summary() const;
-  post::Summary finish();
 
   RunPlan plan_;
   const Growth& growth_;
@@ -49,8 +54,8 @@ private:
   std::unique_ptr<GrowingPlate> tips_;
   std::unique_ptr<QuasiStaticBonds> bonds_;
   QuasiStaticModel* model_ = nullptr;
-  std::optional<post::Recorder> recorder_;
-  post::Pictures pictures_;  // for the report
+  std::optional<Outputs> outputs_;
+  RunCheckpoints* checkpoints_ = nullptr;
   post::ReactionRows reactions_;
   post::Table srifs_{post::srif_columns(), {}};
   std::vector<post::Srif> latest_;

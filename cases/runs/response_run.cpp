@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/runs/results.hpp"
-#include "cases/runs/run_plan.hpp"
+#include "cases/runs/outputs.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/harmonic.hpp"
@@ -26,36 +26,30 @@ namespace fracture {
 namespace {
 
 /// The response as it is found.
-class ResponseRun {
+class ResponseRun : public RunningAnalysis {
 public:
-  ResponseRun(const ValidatedPlate& ready, const RunPlan& plan, post::Recorder recorder)
-      : ready_(ready),
-        plan_(plan),
-        plate_(*ready.plate),
-        recorder_(std::move(recorder)),
-        probes_(probes_of(plan.probes, plate_)),
-        reactions_(plate_, *plan.analysis.damping) {
-    if (!recorder_.draws() && !recorder_.stores()) return;
-    const auto mesh = recorder_.draws() || plan_.report ? plate_.mesh() : post::points_of(plate_);
-    if (plan_.report) pictures_.open(mesh);
-    recorder_.open(mesh);
+  ResponseRun(const ValidatedPlate& ready, Outputs& outputs)
+      : ready_(ready), plate_(*ready.plate), outputs_(outputs), reactions_(plate_, *outputs.plan().analysis.damping) {
+    outputs.summary() = about(plan(), plate_, ready.warnings);
+    outputs.open(plate_);
   }
 
-  void solve(post::Summary& summary, plate::Stopwatch& stopwatch);
-  post::Summary finish(post::Summary summary, plate::Stopwatch& stopwatch);
+  void solve() override;
+  void finish() override;
+  plate::NumericalError failed(const plate::NumericalError& error) override {
+    return placed(error, plate_, outputs_.summary());
+  }
 
 private:
   plate::HarmonicResponse response(post::Progress& progress) const;
   void look(double frequency, const std::pair<plate::State, plate::State>& parts);
   std::vector<post::Srif> factors(const plate::State& state, const plate::Heat& heat) const;
   void draw_period(double frequency, const std::pair<plate::State, plate::State>& parts);
+  const RunPlan& plan() const { return outputs_.plan(); }
 
   const ValidatedPlate& ready_;
-  const RunPlan& plan_;
   const plate::Formulation& plate_;
-  post::Recorder recorder_;
-  post::Pictures pictures_;
-  std::vector<post::Probe> probes_;
+  Outputs& outputs_;
   post::HarmonicReactions reactions_;
   std::vector<post::Response> found_;
   std::vector<std::vector<double>>
@@ -65,14 +59,14 @@ private:
 };
 
 plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
-  const auto& analysis = plan_.analysis;
+  const auto& analysis = plan().analysis;
   plate::Forces load = plate::Forces::Zero(3, Eigen::Index(plate_.points()));
   for (const auto& one : plate_.loads()) load += one.forces;
   plate::HarmonicOptions options;
   options.sweep = *analysis.sweep, options.tolerance = analysis.tolerance, options.damping = *analysis.damping;
   options.watched.resize(3);  // factors, probes, reactions
   for (const auto& tip : ready_.tip_methods) options.watched[0].push_back(tip.functionals());
-  for (const auto& probe : probes_)
+  for (const auto& probe : outputs_.probes())
     options.watched[1].push_back(post::functionals(probe, plate_.points(), plate_.section().thickness));
   options.watched[2].push_back(reactions_.functionals());
   options.progress = [&](std::size_t vectors, double change) {
@@ -82,8 +76,8 @@ plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
 }
 
 std::vector<post::Srif> ResponseRun::factors(const plate::State& state, const plate::Heat& heat) const {
-  if (!plan_.srif) return {};
-  return post::srifs(plate_, *plan_.srif, ready_.tip_methods, state, true, &heat);
+  if (!plan().srif) return {};
+  return post::srifs(plate_, *plan().srif, ready_.tip_methods, state, true, &heat);
 }
 
 /// The largest of w = A cos - B sin at any time.
@@ -97,9 +91,10 @@ void ResponseRun::look(double frequency, const std::pair<plate::State, plate::St
   const auto& [in_phase, quadrature] = parts;
   post::require_finite(in_phase, when, plate_.communicator());
   post::require_finite(quadrature, when, plate_.communicator());
-  for (std::size_t i = 0; i < probes_.size(); ++i)
+  const auto& probes = outputs_.probes();
+  for (std::size_t i = 0; i < probes.size(); ++i)
     std::ranges::move(
-        post::responses_of(frequency, probes_[i], in_phase, quadrature, unknown_[1][i], plate_.section().thickness),
+        post::responses_of(frequency, probes[i], in_phase, quadrature, unknown_[1][i], plate_.section().thickness),
         std::back_inserter(found_));
   auto first = factors(in_phase, plate::heat_of(plate_, 1.0)), second = factors(quadrature, plate::Heat{});
   post::require_finite(first, when), post::require_finite(second, when);
@@ -111,25 +106,25 @@ void ResponseRun::look(double frequency, const std::pair<plate::State, plate::St
 }
 
 void ResponseRun::draw_period(double frequency, const std::pair<plate::State, plate::State>& parts) {
-  if (!recorder_.draws() && !recorder_.stores()) return;
+  if (!outputs_.takes_frames()) return;
   constexpr std::size_t frames = 8;
   for (std::size_t n = 0; n < frames; ++n) {
     const double turn = double(n) / double(frames), angle = 2 * std::numbers::pi * turn;
     const plate::State state = std::cos(angle) * parts.first - std::sin(angle) * parts.second;
     const auto heat = plate::heat_of(plate_, std::cos(angle));
-    auto frame = post::frame_of(plate_, turn / frequency, n, state, true, &heat);
-    if (plan_.report) pictures_.look(frame);
-    recorder_.frame(std::move(frame), {}, {});
+    outputs_.frame(plate_, post::frame_of(plate_, turn / frequency, n, state, true, &heat));
   }
 }
 
-void ResponseRun::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
-  post::Progress progress(plan_.quiet, "response");
+void ResponseRun::solve() {
+  auto& summary = outputs_.summary();
+  auto& stopwatch = outputs_.stopwatch();
+  post::Progress progress(plan().quiet, "response");
   const auto response = this->response(progress);
   const auto& frequencies = response.frequencies();
   stopwatch.lap("solve");
   summary.analysis.method = "lanczos";
-  summary.analysis.tolerance = plan_.analysis.tolerance;
+  summary.analysis.tolerance = plan().analysis.tolerance;
   summary.analysis.iterations = response.vectors();
   summary.analysis.residual = response.change();
   unknown_ = response.watched_change();
@@ -151,34 +146,28 @@ void ResponseRun::solve(post::Summary& summary, plate::Stopwatch& stopwatch) {
       fmt::format("{} frequencies, {} Lanczos vectors", frequencies.size(), response.vectors());
 }
 
-post::Summary ResponseRun::finish(post::Summary summary, plate::Stopwatch& stopwatch) {
+void ResponseRun::finish() {
   const auto& section = plate_.section();
+  auto& summary = outputs_.summary();
   if (largest_ >= 0) {
     summary.response = post::largest_responses(found_, section.thickness);
     summary.response.push_back({"plate", "w", largest_, where_, {}});
     summary.deflection_over_thickness = largest_ / section.thickness;
   }
-  recorder_.table("response", post::response_table(found_));
-  if (const auto cracks = post::given_cracks(plate_.paths()); !cracks.lines.empty()) recorder_.cracks(cracks, {});
+  outputs_.recorder().table("response", post::response_table(found_));
+  outputs_.given_cracks(plate_);
   if (std::ranges::any_of(summary.response, [](const auto& one) { return one.quantity == "K1"; }))
     summary.warnings.push_back(
         "K1 changes its sign in every period, and contact of crack faces is not modelled: the response is valid for "
         "cracks held open");
-  for (auto& one : post::left_out(plate_.tips(), ready_.tip_methods)) summary.warnings.push_back(std::move(one));
-  summary = recorder_.finish(std::move(summary), stopwatch);
-  write_report(plan_, pictures_);
-  return summary;
+  outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods));
 }
 
 }  // namespace
 
-post::Summary run_response(const ValidatedPlate& ready, const RunPlan& plan, post::Recorder recorder,
-                           plate::Stopwatch& stopwatch) {
-  ResponseRun run(ready, plan, std::move(recorder));
-  return carried_out(
-      about(plan, *ready.plate, ready.warnings), *ready.plate,
-      [&](post::Summary& summary) { run.solve(summary, stopwatch); },
-      [&](post::Summary summary) { return run.finish(std::move(summary), stopwatch); });
+post::Summary run_response(const ValidatedPlate& ready, Outputs& outputs) {
+  ResponseRun analysis(ready, outputs);
+  return carry_out(analysis, outputs);
 }
 
 }  // namespace fracture

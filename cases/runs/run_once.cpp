@@ -123,15 +123,32 @@ void look_at_multipliers(double share, const plate::Formulation& plate, std::vec
   warnings.push_back(text);
 }
 
-/// A run on its way.
-struct Going {
-  const ValidatedPlate& ready;
-  Results& results;
-  post::Summary& summary;
-  plate::Stopwatch& stopwatch;
+/// Statics, motion or frequencies of one plate.
+class SinglePlate : public RunningAnalysis {
+public:
+  SinglePlate(const ValidatedPlate& ready, Results& results, RunCheckpoints* checkpoints);
 
-  const RunPlan& plan() const { return results.plan(); }
-  const Analysis& analysis() const { return plan().analysis; }
+  void solve() override;
+  void finish() override { results_.finish(); }
+  plate::NumericalError failed(const plate::NumericalError& error) override { return placed(error, plate_, summary()); }
+
+private:
+  void solve_static();
+  void solve_by_lanczos();
+  void solve_dynamic();
+  void solve_frequencies();
+  std::function<void(const plate::Instant&)> observer(std::size_t last, post::Progress& progress);
+
+  const RunPlan& plan() const { return results_.plan(); }
+  post::Summary& summary() { return results_.outputs().summary(); }
+  plate::Stopwatch& stopwatch() { return results_.outputs().stopwatch(); }
+
+  const ValidatedPlate& ready_;
+  const plate::Formulation& plate_;
+  Results& results_;
+  const Analysis& analysis_;
+  RunCheckpoints* checkpoints_;
+  std::unique_ptr<MovingGrowth> growth_;
 };
 
 bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulation& plate) {
@@ -139,178 +156,181 @@ bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulati
          !post::is_zero(plate::total_lift(plate), plate.communicator());
 }
 
-void solve_static(const Going& run) {
-  auto& [ready, results, summary, stopwatch] = run;
-  const auto& analysis = run.analysis();
-  const plate::Formulation& plate = *ready.plate;
+void SinglePlate::solve_static() {
+  auto& summary = this->summary();
   using enum Analysis::Method;
-  post::Progress progress(run.plan().quiet, analysis.method == adr      ? "adaptive dynamic relaxation"
-                                            : analysis.method == direct ? "factorisation"
-                                                                        : "conjugate gradients");
-  const plate::StaticOptions options{analysis.tolerance, analysis.max_iterations, [&](std::size_t i, double residual) {
-                                       progress.update(std::log(residual) / std::log(analysis.tolerance),
+  post::Progress progress(plan().quiet, analysis_.method == adr      ? "adaptive dynamic relaxation"
+                                        : analysis_.method == direct ? "factorisation"
+                                                                     : "conjugate gradients");
+  const plate::StaticOptions options{analysis_.tolerance, analysis_.max_iterations,
+                                     [&](std::size_t i, double residual) {
+                                       progress.update(std::log(residual) / std::log(analysis_.tolerance),
                                                        fmt::format("iteration {}, residual {:.1e}", i, residual));
                                      }};
-  const auto result = ready.solution ? *ready.solution : plate::static_solution(plate, analysis, options);
+  const auto result = ready_.solution ? *ready_.solution : plate::static_solution(plate_, analysis_, options);
   const auto& solution = result.solution;
   progress.done();
-  stopwatch.lap("solve");
+  stopwatch().lap("solve");
 
   summary.analysis.preconditioner = result.preconditioner;
   if (result.factor_bytes > 0)
-    summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate.cloud().plate_points), 0});
-  post::describe(summary.analysis, result.method, solution, analysis.tolerance);
-  post::require_finite(solution.state, "in equilibrium", plate.communicator());
-  const double work = post::slow_work(plate, result);
-  const double strain = plate.strain_energy(result.what_strains());
+    summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate_.cloud().plate_points), 0});
+  post::describe(summary.analysis, result.method, solution, analysis_.tolerance);
+  post::require_finite(solution.state, "in equilibrium", plate_.communicator());
+  const double work = post::slow_work(plate_, result);
+  const double strain = plate_.strain_energy(result.what_strains());
   plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
   if (result.strained.cols() > 0) end.rest = &result.strained;
-  if (moved_as_one_body(result, plate))
+  if (moved_as_one_body(result, plate_))
     summary.warnings.emplace_back("the supports move the plate as one rigid body: nothing in it is strained");
-  results.sample(end, true);
-  stopwatch.lap("srif");
-  results.frame(end);
-  compare_with_galerkin(plate, solution.state, run.plan().problem, summary.warnings);
-  stopwatch.lap("second_formulation");
-  summary.multipliers = plate.multipliers(solution.state);
-  summary.energy = {{"strain", results.strain_energy()}, {"external_work", results.external_work()}};
-  add_elastic_support_energy(plate, solution.state, summary);
-  if (!post::moves(solution.state, work, plate.communicator()))
-    post::require_motion(plate, post::forces_of(plate), solution.state, work, summary.warnings);
+  results_.sample(end, true);
+  stopwatch().lap("srif");
+  results_.frame(end);
+  compare_with_galerkin(plate_, solution.state, plan().problem, summary.warnings);
+  stopwatch().lap("second_formulation");
+  summary.multipliers = plate_.multipliers(solution.state);
+  summary.energy = {{"strain", results_.strain_energy()}, {"external_work", results_.external_work()}};
+  add_elastic_support_energy(plate_, solution.state, summary);
+  if (!post::moves(solution.state, work, plate_.communicator()))
+    post::require_motion(plate_, post::forces_of(plate_), solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
-                                            solution.stop_reason, solution.residual, analysis.tolerance));
-  if (plate.offers(plate::Feature::symmetry))
+                                            solution.stop_reason, solution.residual, analysis_.tolerance));
+  if (plate_.offers(plate::Feature::symmetry))
     post::EnergyBalance(post::EnergyBalance::Plate::rests)
-        .check({strain + post::energy_about(plate), strain, work}, "in equilibrium");
+        .check({strain + post::energy_about(plate_), strain, work}, "in equilibrium");
   else
-    look_for_coarseness(strain, work, plate, summary.warnings);
-  if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate, summary.warnings);
+    look_for_coarseness(strain, work, plate_, summary.warnings);
+  if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate_, summary.warnings);
 }
 
 /// Takes the rows and frames of a motion, as far as the step `last`.
-std::function<void(const plate::Instant&)> observer(const Going& run, std::size_t last, post::Progress& progress) {
-  const double duration = run.analysis().duration;
-  return [&, last, duration, between = duration / double(last)](const plate::Instant& now) {
-    auto& [ready, results, summary, stopwatch] = run;
-    stopwatch.lap("solve");
+std::function<void(const plate::Instant&)> SinglePlate::observer(std::size_t last, post::Progress& progress) {
+  const double duration = analysis_.duration;
+  return [this, &progress, last, duration, between = duration / double(last)](const plate::Instant& now) {
+    auto& summary = this->summary();
+    stopwatch().lap("solve");
     progress.update(now.time / duration, fmt::format("t = {:.4g}", now.time));
     const bool is_last = now.step == last;
-    results.sample(now, is_last);
-    stopwatch.lap("srif");
-    if (is_last || now.interrupted || now.time >= results.next_frame() - between / 2) results.frame(now);
-    stopwatch.lap("output");
+    results_.sample(now, is_last);
+    stopwatch().lap("srif");
+    if (is_last || now.interrupted || now.time >= results_.next_frame() - between / 2) results_.frame(now);
+    stopwatch().lap("output");
     summary.analysis.steps = now.step;
-    summary.energy = {{"strain", results.strain_energy()},
+    summary.energy = {{"strain", results_.strain_energy()},
                       {"kinetic", now.kinetic_energy},
-                      {"external_work", results.external_work()}};
-    add_elastic_support_energy(*ready.plate, now.state, summary);
-    if (run.analysis().damping) summary.energy.emplace_back("dissipated", now.dissipated);
-    if (is_last && !post::moves(now.state, now.external_work, ready.plate->communicator()))
-      post::require_motion(*ready.plate, post::forces_of(*ready.plate), now.state, now.external_work, summary.warnings);
+                      {"external_work", results_.external_work()}};
+    add_elastic_support_energy(plate_, now.state, summary);
+    if (analysis_.damping) summary.energy.emplace_back("dissipated", now.dissipated);
+    if (is_last && !post::moves(now.state, now.external_work, plate_.communicator()))
+      post::require_motion(plate_, post::forces_of(plate_), now.state, now.external_work, summary.warnings);
   };
 }
 
-void solve_by_lanczos(const Going& run) {
-  auto& [ready, results, summary, stopwatch] = run;
-  const auto& analysis = run.analysis();
-  const auto rows = ready.steps->grid.steps;
+void SinglePlate::solve_by_lanczos() {
+  auto& summary = this->summary();
+  const auto rows = ready_.steps->grid.steps;
   summary.analysis.method = "lanczos";
-  summary.analysis.duration = analysis.duration;
-  summary.analysis.tolerance = analysis.tolerance;
-  post::Progress progress(run.plan().quiet, "Lanczos vectors");
+  summary.analysis.duration = analysis_.duration;
+  summary.analysis.tolerance = analysis_.tolerance;
+  post::Progress progress(plan().quiet, "Lanczos vectors");
   const auto found = [&](std::size_t vectors, double change) {
     progress.update(std::min(0.9, double(vectors) / 100), fmt::format("{} vectors, change {:.1e}", vectors, change));
   };
   std::optional<plate::LanczosMotion> own;
-  if (!ready.motion) {
-    const auto reactions = post::Supports(ready.plate->boundary()).elastic_forces(*ready.plate);
-    own = post::lanczos_motion(analysis, *ready.plate, ready.tip_methods, reactions, INFINITY, found);
-    results.factors().truncated(own->truncated());
+  if (!ready_.motion) {
+    const auto reactions = post::Supports(plate_.boundary()).elastic_forces(plate_);
+    own = post::lanczos_motion(analysis_, plate_, ready_.tip_methods, reactions, INFINITY, found);
+    results_.factors().truncated(own->truncated());
   }
-  const auto& motion = own ? *own : *ready.motion;
-  for (const double share : motion.truncated_told()) results.reactions().truncated(share);
-  motion.observe(rows, observer(run, rows, progress));
+  const auto& motion = own ? *own : *ready_.motion;
+  for (const double share : motion.truncated_told()) results_.reactions().truncated(share);
+  motion.observe(rows, observer(rows, progress));
   progress.done();
-  if (motion.change() > analysis.tolerance)
+  if (motion.change() > analysis_.tolerance)
     summary.warnings.push_back(
         fmt::format("{} Lanczos vectors, the maximum, still change the motion by {:.1e}, above analysis.tolerance = "
                     "{:g}; set load.rise_time of point forces",
-                    motion.vectors(), motion.change(), analysis.tolerance));
+                    motion.vectors(), motion.change(), analysis_.tolerance));
   summary.analysis.iterations = motion.vectors();
   summary.analysis.residual = motion.change();
   summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors());
 }
 
-void solve_dynamic(const Going& run, MovingGrowth* growth, RunCheckpoints* checkpoints) {
-  auto& [ready, results, summary, stopwatch] = run;
-  const auto& analysis = run.analysis();
-  const plate::Formulation& plate = *ready.plate;
-  const auto& [limit, grid] = *ready.steps;
-  const auto& constraints = growth ? growth->constraints() : plate.constraints();
+void SinglePlate::solve_dynamic() {
+  auto& summary = this->summary();
+  const auto& [limit, grid] = *ready_.steps;
+  const auto& constraints = growth_ ? growth_->constraints() : plate_.constraints();
   summary.analysis.method = "central_difference";
   summary.analysis.time_step = grid.time_step;
   summary.analysis.time_step_limit = limit;
-  summary.analysis.duration = analysis.duration;
+  summary.analysis.duration = analysis_.duration;
 
-  post::Progress progress(run.plan().quiet, "central differences");
+  post::Progress progress(plan().quiet, "central differences");
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
-  if (analysis.start == Analysis::Start::equilibrium) options.start = plate::start_of(plate, analysis);
-  if (const auto& begin = ready.begin; begin.deflected.size() > 0) options.start = begin.deflected, options.bent = true;
-  options.own = plate.boundary().map.owned;
-  options.velocity = ready.begin.velocity, options.impact = ready.begin.impact, options.given = ready.begin.given;
-  if (const auto& damping = analysis.damping)
+  if (analysis_.start == Analysis::Start::equilibrium) options.start = plate::start_of(plate_, analysis_);
+  if (const auto& begin = ready_.begin; begin.deflected.size() > 0)
+    options.start = begin.deflected, options.bent = true;
+  options.own = plate_.boundary().map.owned;
+  options.velocity = ready_.begin.velocity, options.impact = ready_.begin.impact, options.given = ready_.begin.given;
+  if (const auto& damping = analysis_.damping)
     options.mass_damping = damping->mass, options.stiffness_damping = damping->stiffness;
-  if (analysis.precision == Analysis::Precision::mixed) options.single = plate.single_precision();
-  if (growth) options.changes = &growth->changes();
+  if (analysis_.precision == Analysis::Precision::mixed) options.single = plate_.single_precision();
+  if (growth_) options.changes = &growth_->changes();
   options.held_forces = true;
-  options.unconstrained_mass = plate::driven_mass(plate, analysis.rotary_inertia);
-  MotionCheckpoints motion(plate, results, growth);
-  if (checkpoints) motion.checkpoint_to(*checkpoints, options);
-  plate::central_differences(growth ? growth->plate() : plate, constraints, plate.mass(analysis.rotary_inertia),
-                             plate.loads(), options, observer(run, grid.steps, progress));
+  options.unconstrained_mass = plate::driven_mass(plate_, analysis_.rotary_inertia);
+  MotionCheckpoints motion(plate_, results_, growth_.get());
+  if (checkpoints_) motion.checkpoint_to(*checkpoints_, options);
+  plate::central_differences(growth_ ? growth_->plate() : plate_, constraints, plate_.mass(analysis_.rotary_inertia),
+                             plate_.loads(), options, observer(grid.steps, progress));
   summary.analysis.stop_reason = "end of the duration";
 }
 
-void solve_frequencies(const Going& run) {
-  auto& [ready, results, summary, stopwatch] = run;
-  const auto& analysis = run.analysis();
-  const plate::Formulation& plate = *ready.plate;
-  const auto [low, high] = geometry::bounding_box(run.plan().problem.outline);
-  post::Progress progress(run.plan().quiet, "Lanczos iteration");
-  const double usual = 4 * double(analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
-  const double shift = plate::shift_of(plate.section(), (high - low).maxCoeff());
-  const auto inverse = plate.inverse_of_shifted(shift);
+void SinglePlate::solve_frequencies() {
+  auto& summary = this->summary();
+  const auto [low, high] = geometry::bounding_box(plan().problem.outline);
+  post::Progress progress(plan().quiet, "Lanczos iteration");
+  const double usual = 4 * double(analysis_.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
+  const double shift = plate::shift_of(plate_.section(), (high - low).maxCoeff());
+  const auto inverse = plate_.inverse_of_shifted(shift);
   const plate::FrequencyOptions options{
-      analysis.modes, analysis.tolerance, analysis.max_iterations, shift, inverse.get(), [&](std::size_t solution) {
-        plate::stop_if_asked("frequencies", plate.communicator());
+      analysis_.modes, analysis_.tolerance, analysis_.max_iterations, shift, inverse.get(), [&](std::size_t solution) {
+        plate::stop_if_asked("frequencies", plate_.communicator());
         progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
       }};
   summary.analysis.method = "lanczos";
-  summary.analysis.tolerance = analysis.tolerance;
-  const auto solution = plate::frequencies(plate, plate.constraints(), plate.mass(analysis.rotary_inertia), options);
+  summary.analysis.tolerance = analysis_.tolerance;
+  const auto solution =
+      plate::frequencies(plate_, plate_.constraints(), plate_.mass(analysis_.rotary_inertia), options);
   progress.done();
-  stopwatch.lap("solve");
+  stopwatch().lap("solve");
 
   summary.analysis.iterations = solution.iterations;
   summary.analysis.residual = 0;
   for (std::size_t i = 0; i < solution.modes.size(); ++i) {
-    results.mode(i + 1, solution.modes[i]);
+    results_.mode(i + 1, solution.modes[i]);
     summary.analysis.residual = std::max(*summary.analysis.residual, solution.modes[i].residual);
   }
-  stopwatch.lap("output");
+  stopwatch().lap("output");
   summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
 }
 
-void solve(const Going& run, MovingGrowth* growth, RunCheckpoints* checkpoints) {
-  switch (run.analysis().kind) {
+SinglePlate::SinglePlate(const ValidatedPlate& ready, Results& results, RunCheckpoints* checkpoints)
+    : ready_(ready), plate_(*ready.plate), results_(results), analysis_(plan().analysis), checkpoints_(checkpoints) {
+  summary() = about(plan(), plate_, ready.warnings);
+  if (!plan().growth) return;
+  growth_ = moving_growth(*plan().growth, plate_, plan().srif, analysis_.rotary_inertia);
+  results.grows(*growth_);
+}
+
+void SinglePlate::solve() {
+  switch (analysis_.kind) {
     case Analysis::Kind::static_:
-      return solve_static(run);
+      return solve_static();
     case Analysis::Kind::dynamic:
-      return run.analysis().method == Analysis::Method::lanczos ? solve_by_lanczos(run)
-                                                                : solve_dynamic(run, growth, checkpoints);
+      return analysis_.method == Analysis::Method::lanczos ? solve_by_lanczos() : solve_dynamic();
     case Analysis::Kind::frequencies:
-      return solve_frequencies(run);
+      return solve_frequencies();
     case Analysis::Kind::harmonic:
       throw std::logic_error("harmonic analyses are run by run_response()");
   }
@@ -318,20 +338,9 @@ void solve(const Going& run, MovingGrowth* growth, RunCheckpoints* checkpoints) 
 
 }  // namespace
 
-post::Summary run_once(const ValidatedPlate& ready, Results& results, plate::Stopwatch& stopwatch,
-                       RunCheckpoints* checkpoints) {
-  const RunPlan& plan = results.plan();
-  std::unique_ptr<MovingGrowth> growth;
-  if (plan.growth) {
-    growth = moving_growth(*plan.growth, *ready.plate, plan.srif, plan.analysis.rotary_inertia);
-    results.grows(*growth);
-  }
-  return carried_out(
-      about(plan, *ready.plate, ready.warnings), *ready.plate,
-      [&](post::Summary& summary) {
-        solve({ready, results, summary, stopwatch}, growth.get(), checkpoints);
-      },
-      [&](post::Summary summary) { return results.finish(std::move(summary), stopwatch); });
+post::Summary run_once(const ValidatedPlate& ready, Results& results, RunCheckpoints* checkpoints) {
+  SinglePlate analysis(ready, results, checkpoints);
+  return carry_out(analysis, results.outputs());
 }
 
 }  // namespace fracture

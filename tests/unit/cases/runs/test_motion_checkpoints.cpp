@@ -43,14 +43,15 @@ Moved moved(cases::CaseFile file, const plate::Communicator& all, std::size_t st
       plate::stable_step(plate::stable_time_step(*ready.plate, 1), *ready.plate, file.content.analysis, ready.begin);
   ready.steps = {limit, {0.9 * limit, steps, 5}};
   Moved result;
-  fracture::Results results(cases::plan_of(file.content, {{}, true, &result.in_memory, false, &all}), *ready.plate,
-                            ready.tip_methods, {std::make_unique<post::MemorySink>(result.in_memory), "", "", all});
+  plate::Stopwatch stopwatch;
+  fracture::Outputs outputs(cases::plan_of(file.content, {{}, true, &result.in_memory, false, &all}),
+                            {std::make_unique<post::MemorySink>(result.in_memory), "", "", all}, stopwatch);
+  fracture::Results results(outputs, *ready.plate, ready.tip_methods);
   fracture::RunCheckpoints checkpoints(std::make_shared<post::DistributedCheckpoints>(all, folder, "case"), 1e-9);
   std::vector<std::string> refused;
   result.went_on = checkpoints.find(refused);
   CHECK(refused.empty());
-  plate::Stopwatch stopwatch;
-  result.summary = fracture::run_once(ready, results, stopwatch, &checkpoints);
+  result.summary = fracture::run_once(ready, results, &checkpoints);
   return result;
 }
 

@@ -1,4 +1,4 @@
-#include "cases/runs/results.hpp"
+#include "cases/runs/owned_mesh.hpp"
 
 #include <map>
 #include <mutex>

@@ -1,36 +1,37 @@
 #include "cases/runs/results.hpp"
 
-#include "plate/formulation/interpolation.hpp"
-#include "plate/model/errors.hpp"
-#include "tests/catch.hpp"
-#include "tests/verification/verified_plate.hpp"
+#include "cases/driver/case_plan.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "post/files/sinks.hpp"
+#include "tests/unit/cases/case_text.hpp"
 
-using namespace fracture;
-namespace vp = verified_plate;
+using namespace case_text;
 
-TEST_CASE("results: an error of the numbers is told with the place of its point and the step of the motion") {
-  const auto plate = vp::assembled(vp::square(0.5));
-  post::Summary summary;
-  CHECK(placed(plate::NumericalError("w is not finite", 5), *plate, summary).what() ==
-        std::string("w is not finite; the point is at (-0.25, -0.25)"));
-  CHECK(placed(plate::NumericalError("no equilibrium"), *plate, summary).what() == std::string("no equilibrium"));
-  CHECK(placed(plate::NumericalError("odd", 1000000), *plate, summary).what() == std::string("odd"));
-  summary.analysis.time_step = 0.02, summary.analysis.time_step_limit = 0.016;
-  CHECK(placed(plate::NumericalError("odd"), *plate, summary).what() ==
-        std::string("odd; the time step 0.02 is 1.25 of the stable one"));
-}
-
-TEST_CASE("results: probes by their names, with shares of points that show a linear field as it is") {
-  const auto plate = vp::assembled(vp::square(0.25));
-  const auto probes = probes_of({{"b", {0.3, -0.41}}, {"a", {-0.99, 0.99}}}, *plate);
-  REQUIRE(probes.size() == 2);
-  CHECK(probes[0].name == "a");
-  for (const auto& probe : probes) {
-    geometry::Point at(0, 0);
-    double sum = 0;
-    for (const auto& [point, share, lever] : probe.shares)
-      at += share * plate->cloud().positions[point] + lever, sum += share;
-    CHECK(sum == Approx(1));
-    CHECK((at - probe.position).norm() < 1e-6);  // measured: 1e-7, beyond the outermost points
-  }
+TEST_CASE("results: an instant gives a row of history and of reactions, the largest deflection and no factors") {
+  const auto file = read(plain, {"discretization.spacing=0.1"});
+  const auto plate = plate::discretise(file.content).plate;
+  post::ResultsInMemory written;
+  plate::Stopwatch stopwatch;
+  fracture::Outputs outputs(cases::plan_of(file.content, {{}, true, &written}),
+                            {std::make_unique<post::MemorySink>(written), "", ""}, stopwatch);
+  const std::vector<post::TipMethods> none;
+  fracture::Results results(outputs, *plate, none);
+  plate::State state = plate::State::Zero(3, Eigen::Index(plate->points()));
+  state(0, 7) = -0.25;
+  plate->constraints().impose(state);
+  const double strain = plate->strain_energy(state);
+  results.sample({0, 0, state, {}, 0, strain, strain, 0, -2 * strain}, true);
+  CHECK(results.strain_energy() == strain);
+  CHECK(results.external_work() == strain);
+  results.finish();
+  CHECK(outputs.recorder().history().rows.size() == 1);
+  CHECK(outputs.summary().srif.empty());
+  REQUIRE(outputs.summary().reactions);
+  REQUIRE(!outputs.summary().extremes.empty());
+  CHECK(outputs.summary().extremes[0].quantity == "w");
+  CHECK(outputs.summary().extremes[0].value == -0.25);
+  CHECK(outputs.summary().deflection_over_thickness == 0.25 / file.content.section.thickness);
 }

@@ -23,10 +23,11 @@ struct Once {
     ready.plate = plate::discretise(file.content).plate;
   }
   post::Summary run() {
-    fracture::Results results(cases::plan_of(file.content, {{}, true, &in_memory}), *ready.plate, ready.tip_methods,
-                              {std::make_unique<post::MemorySink>(in_memory), "", ""});
     plate::Stopwatch stopwatch;
-    return fracture::run_once(ready, results, stopwatch);
+    fracture::Outputs outputs(cases::plan_of(file.content, {{}, true, &in_memory}),
+                              {std::make_unique<post::MemorySink>(in_memory), "", ""}, stopwatch);
+    fracture::Results results(outputs, *ready.plate, ready.tip_methods);
+    return fracture::run_once(ready, results);
   }
   bool has(const std::string& name) const {
     return std::ranges::any_of(in_memory.tables, [&](const auto& table) { return table.first == name; });

@@ -1,0 +1,136 @@
+#include "cases/runs/outputs.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "cases/runs/distributed_run.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/communicator.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/solve/archive.hpp"
+#include "plate/solve/interruption.hpp"
+#include "post/report/cost_model.hpp"
+#include "post/report/html_report.hpp"
+
+namespace fracture {
+
+post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings) {
+  auto summary = post::about(plate, plan.analysis, {plan.srif.has_value(), plan.fields});
+  summary.title = plan.title;
+  summary.units = plan.units;
+  summary.formulation_reason = plan.formulation_reason;
+  summary.warnings = std::move(warnings);
+  count_all(summary, plate);
+  return summary;
+}
+
+plate::NumericalError placed(const plate::NumericalError& error, const plate::Formulation& plate,
+                             const post::Summary& summary) {
+  std::string said = error.what();
+  if (const auto& places = plate.cloud().positions; error.point && *error.point < places.size())
+    said += fmt::format("; the point is at ({:g}, {:g})", places[*error.point].x(), places[*error.point].y());
+  if (const auto& analysis = summary.analysis; analysis.time_step && analysis.time_step_limit)
+    said += fmt::format("; the time step {:g} is {:.3g} of the stable one", *analysis.time_step,
+                        *analysis.time_step / *analysis.time_step_limit);
+  return plate::NumericalError(said);
+}
+
+std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>& places,
+                                   const plate::Formulation& plate) {
+  std::vector<post::Probe> result;
+  for (const auto& [name, x] : places)
+    result.push_back({name, x, plate.here(x) ? plate.interpolation(x) : std::vector<plate::PlaceShare>{}});
+  return result;
+}
+
+Outputs::Outputs(const RunPlan& plan, post::Recorder recorder, plate::Stopwatch& stopwatch)
+    : plan_(plan), recorder_(std::move(recorder)), stopwatch_(stopwatch) {}
+
+void Outputs::warn(std::vector<std::string> warnings) {
+  std::ranges::move(warnings, std::back_inserter(summary_.warnings));
+}
+
+void Outputs::open(const plate::Formulation& plate) {
+  place_probes(plate);
+  if (!takes_frames()) return;
+  const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
+  if (plate.communicator().distributed())
+    drawing_.emplace(plate, mesh);
+  else if (plan_.report)
+    pictures_.open(mesh);
+  recorder_.open(drawing_ ? drawing_->mesh() : mesh);
+}
+
+void Outputs::row(const post::Sample& sample, const plate::Formulation& plate) {
+  recorder_.row(sample, probes_, plate.boundary());
+}
+
+void Outputs::frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh,
+                    const plate::State& velocity) {
+  if (plate.communicator().distributed()) {
+    if (mesh) drawing_.emplace(plate, *mesh), mesh = drawing_->mesh();
+    recorder_.frame(drawing_->frame(std::move(frame)), std::move(mesh),
+                    velocity.cols() > 0 ? drawing_->own(velocity) : velocity);
+    return;
+  }
+  if (plan_.report) {
+    if (mesh) pictures_.open(*mesh);
+    pictures_.look(frame);
+  }
+  recorder_.frame(std::move(frame), std::move(mesh),
+                  velocity.cols() > 0 ? velocity.leftCols(Eigen::Index(plate.cloud().plate_points)) : velocity);
+}
+
+void Outputs::final_state(const plate::Formulation& plate, post::Frame frame) {
+  const auto mesh = post::points_of(plate);
+  if (const auto own = owned_mesh(plate, mesh)) return recorder_.final_state(own->mesh(), own->frame(std::move(frame)));
+  recorder_.final_state(mesh, frame);
+}
+
+void Outputs::given_cracks(const plate::Formulation& plate, const std::vector<post::Srif>& factors) {
+  if (const auto cracks = post::given_cracks(plate.paths()); !cracks.lines.empty()) recorder_.cracks(cracks, factors);
+}
+
+void Outputs::save(plate::OutArchive& archive) {
+  recorder_.save(archive);
+  archive(pictures_);
+}
+
+void Outputs::restore(plate::InArchive& archive) {
+  recorder_.restore(archive);
+  archive(pictures_);
+}
+
+post::Summary Outputs::finish() {
+  summary_ = recorder_.finish(std::move(summary_), stopwatch_);
+  if (plan_.report && plan_.communicator->rank() == 0)
+    post::write_report(*plan_.report, {plan_.problem, plan_.title, plan_.source, plan_.units, plan_.probes}, pictures_);
+  return summary_;
+}
+
+post::Summary carry_out(RunningAnalysis& analysis, Outputs& outputs) {
+  const plate::StopOnSignals signals;
+  const auto end = [&](const std::string& outcome, const std::optional<std::string>& reason) {
+    analysis.finish();
+    auto& summary = outputs.summary();
+    summary.outcome = outcome;
+    if (reason) summary.analysis.stop_reason = *reason;
+    return outputs.finish();
+  };
+  try {
+    analysis.solve();
+  } catch (const plate::NumericalError& error) {
+    const auto failed = analysis.failed(error);
+    end(fmt::format("failed: {}", failed.what()), failed.what());
+    throw failed;
+  } catch (const plate::Interrupted& asked) {
+    analysis.interrupted();
+    end("interrupted", asked.what());
+    throw;
+  }
+  return end("done", {});
+}
+
+}  // namespace fracture

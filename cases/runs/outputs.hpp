@@ -1,0 +1,100 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/runs/owned_mesh.hpp"
+#include "cases/runs/run_plan.hpp"
+#include "post/files/recorder.hpp"
+#include "post/files/summary.hpp"
+#include "post/report/pictures.hpp"
+
+namespace plate {
+class NumericalError;
+class Stopwatch;
+}  // namespace plate
+
+namespace fracture {
+
+/// Summary of a run before it starts.
+post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings);
+
+/// Error with the message of `error`, the place of its point and, in a motion by steps, the ratio of its step to the
+/// stable one.
+plate::NumericalError placed(const plate::NumericalError& error, const plate::Formulation& plate,
+                             const post::Summary& summary);
+
+/// The points about probes.
+std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>& places,
+                                   const plate::Formulation& plate);
+
+/// Outputs of a run, whatever its analysis: rows of history and probes, frames, tables, the summary, the report.
+class Outputs {
+public:
+  /// `stopwatch` must outlive this, and all that the plan refers to.
+  Outputs(const RunPlan& plan, post::Recorder recorder, plate::Stopwatch& stopwatch);
+
+  const RunPlan& plan() const { return plan_; }
+  plate::Stopwatch& stopwatch() { return stopwatch_; }
+  /// Tables of an analysis of its own, and the history so far.
+  post::Recorder& recorder() { return recorder_; }
+  post::Summary& summary() { return summary_; }
+  void warn(std::vector<std::string> warnings);
+
+  /// Draws and stores all frames with the cells and points of this plate, as far as they are wanted, and places the
+  /// probes.
+  void open(const plate::Formulation& plate);
+  /// Places the probes on a plate that has new points.
+  void place_probes(const plate::Formulation& plate) { probes_ = probes_of(plan_.probes, plate); }
+  const std::vector<post::Probe>& probes() const { return probes_; }
+  /// A row of history and probes.
+  void row(const post::Sample& sample, const plate::Formulation& plate);
+  /// Are frames wanted, to be drawn or to go on from?
+  bool takes_frames() const { return recorder_.draws() || recorder_.stores(); }
+  /// A frame, with other cells where they are given; `velocity` [3 x points] or without columns.
+  void frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh = {},
+             const plate::State& velocity = plate::State(3, 0));
+  /// The last state, where the points of frames were not the same throughout.
+  void final_state(const plate::Formulation& plate, post::Frame frame);
+  /// The cracks of the plate as they were given, where there are any.
+  void given_cracks(const plate::Formulation& plate, const std::vector<post::Srif>& factors = {});
+
+  /// Writes the tables, the summary and the report; returns the summary complete.
+  post::Summary finish();
+
+  /// Saves rows and pictures; on return all frames so far are written.
+  void save(plate::OutArchive& archive);
+  /// Restores them, after open().
+  void restore(plate::InArchive& archive);
+
+private:
+  RunPlan plan_;
+  post::Recorder recorder_;
+  plate::Stopwatch& stopwatch_;
+  post::Summary summary_;
+  std::vector<post::Probe> probes_;
+  post::Pictures pictures_;           // for the report
+  std::optional<OwnedMesh> drawing_;  // where the plate is distributed
+};
+
+/// An analysis that is carried out: it gives all that it finds to its outputs.
+class RunningAnalysis {
+public:
+  virtual ~RunningAnalysis() = default;
+
+  /// Throws plate::NumericalError or plate::Interrupted.
+  virtual void solve() = 0;
+  /// Gives the outputs what is known at the end only, also where solve() threw.
+  virtual void finish() = 0;
+  /// Called where solve() failed; returns the error that the user sees.
+  virtual plate::NumericalError failed(const plate::NumericalError& error) = 0;
+  /// Called where a signal ended solve().
+  virtual void interrupted() {}
+};
+
+/// Solves and writes everything. Of a run that fails or is interrupted all that there is is written too, before that is
+/// thrown on.
+post::Summary carry_out(RunningAnalysis& analysis, Outputs& outputs);
+
+}  // namespace fracture
