@@ -8,6 +8,7 @@
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
+#include "plate/model/space.hpp"
 
 namespace fracture {
 
@@ -67,7 +68,7 @@ std::vector<DamagedFamily> of_all(const plate::Communicator& all, std::vector<Da
 /// A point with its state and its velocity half a step before.
 struct SavedPoint {
   PointKey point{};
-  std::array<double, 3> state{}, velocity{};
+  std::array<double, plate::unknowns_per_point> state{}, velocity{};
 
   template <typename Archive>
   void serialize(Archive& archive) {

@@ -268,13 +268,13 @@ void DamagedPlate::internal_force(const plate::State& state, plate::Forces& forc
     }
     const auto& weights = base_.weights();
     base_sum *= 2 * now.area * weights.a[weights.kind[now.point]], sum *= 2 * now.area * now.a;
-    Eigen::Vector3d force(0, 0, 0);
+    plate::PointValues force(0, 0, 0);
     for (auto i = first_difference_[c]; i < first_difference_[c + 1]; ++i) {
       const auto& d = differences_[i];
       const auto other = kinematics(d.neighbour);
       const double bend = d.D_now * sum - d.D_base * base_sum + d.curvature * curvature_difference(d, own, other);
       const double shear = d.shear * shear_difference(d, own, other), lever = shear * d.length / 2;
-      force += Eigen::Vector3d(shear, d.mx * (bend + lever), d.my * (bend + lever));
+      force += plate::PointValues(shear, d.mx * (bend + lever), d.my * (bend + lever));
       given_[i] = {-shear, lever - bend};
     }
     own_force_[c] = force;
@@ -284,7 +284,7 @@ void DamagedPlate::internal_force(const plate::State& state, plate::Forces& forc
     for (auto i = first_difference_[c]; i < first_difference_[c + 1]; ++i) {
       const auto& d = differences_[i];
       const auto& [force, couple] = given_[i];
-      forces.col(d.neighbour) += Eigen::Vector3d(force, d.mx * couple, d.my * couple);
+      forces.col(d.neighbour) += plate::PointValues(force, d.mx * couple, d.my * couple);
     }
   }
 }

@@ -136,7 +136,7 @@ private:
   std::vector<Difference> differences_;  // of every change, as many as its base has bonds
   std::vector<std::size_t> first_difference_{0};
   /// Force and couple along m that a change gives to its point, and that every difference gives to its neighbour.
-  mutable std::vector<Eigen::Vector3d> own_force_;
+  mutable std::vector<plate::PointValues> own_force_;
   mutable std::vector<std::array<double, 2>> given_;
   std::vector<OngoingBreakage> going_;
   std::vector<std::uint32_t> easing_;  // points that lose single bonds, ascending

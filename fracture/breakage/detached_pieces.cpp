@@ -22,7 +22,7 @@ void DetachedPieces::look(const plate::Step& now) {
   for (const auto k : plate::detached_points(boundary_, plate_.families()))
     if (!std::ranges::binary_search(frozen_.points, k)) fresh_.points.push_back(k);
   const auto of = [&](const plate::State& all) {
-    plate::State result(3, Eigen::Index(fresh_.points.size()));
+    plate::State result(plate::unknowns_per_point, Eigen::Index(fresh_.points.size()));
     for (std::size_t i = 0; i < fresh_.points.size(); ++i) result.col(Eigen::Index(i)) = all.col(fresh_.points[i]);
     return result;
   };
@@ -33,7 +33,7 @@ void DetachedPieces::look(const plate::Step& now) {
 /// Freezes the detached pieces from the step before on; the energy that central differences count there is of the
 /// velocities before and after it.
 void DetachedPieces::freeze(const plate::Step& now) {
-  std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> all;
+  std::vector<std::pair<std::uint32_t, plate::PointValues>> all;
   for (std::size_t i = 0; i < frozen_.points.size(); ++i)
     all.emplace_back(frozen_.points[i], frozen_.state.col(Eigen::Index(i)));
   for (std::size_t i = 0; i < fresh_.points.size(); ++i)
@@ -46,7 +46,7 @@ void DetachedPieces::freeze(const plate::Step& now) {
       })[0];
   std::ranges::sort(all, {}, [](const auto& one) { return one.first; });
   fresh_ = {}, frozen_ = {}, any_fresh_ = false, any_frozen_ = true;
-  frozen_.state.resize(3, Eigen::Index(all.size()));
+  frozen_.state.resize(plate::unknowns_per_point, Eigen::Index(all.size()));
   for (const auto& [k, state] : all) {
     frozen_.state.col(Eigen::Index(frozen_.points.size())) = state;
     frozen_.points.push_back(k);
@@ -56,7 +56,7 @@ void DetachedPieces::freeze(const plate::Step& now) {
 std::vector<SavedPoint> DetachedPieces::of_all(const PointStates& states, const PointKeys& keys) const {
   std::vector<SavedPoint> own;
   const auto column = [](const plate::State& of, std::size_t i) {
-    if (of.cols() == 0) return std::array<double, 3>{};
+    if (of.cols() == 0) return std::array<double, plate::unknowns_per_point>{};
     const auto k = Eigen::Index(i);
     return std::array{of(0, k), of(1, k), of(2, k)};
   };

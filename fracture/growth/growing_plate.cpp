@@ -141,7 +141,7 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
   stopwatch_.lap("srif");
   latest_ = Solved{std::move(found), std::move(solution.state), std::move(factors)};
   method_ = solved.method;
-  solution.state.resize(3, 0);
+  solution.state = plate::no_state();
   solution_ = std::move(solution);
 }
 

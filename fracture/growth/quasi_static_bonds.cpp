@@ -30,7 +30,7 @@ QuasiStaticBonds::QuasiStaticBonds(const Growth& growth, const plate::Formulatio
       check_(growth, limits_, plate_, start.boundary()),
       cracks_(start),
       load_(start.total_load()),
-      state_(plate::State::Zero(3, load_.cols())) {
+      state_(plate::zero_state(load_.cols())) {
   diagonal_ = plate::folded_diagonal(plate_, start.constraints());
   norm_ = norm(load_);
   if (!start.may_move())  // the factor would enlarge the rounding of a motion without resistance

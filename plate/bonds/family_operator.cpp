@@ -3,6 +3,7 @@
 #include <algorithm>
 #include "plate/model/halo_exchange.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -81,7 +82,7 @@ PatternBond FamilyOperator::bond(std::size_t k, std::size_t i) const {
 template <bool absolute>
 void FamilyOperator::product(const State& state, const Patterns& patterns, const Eigen::ArrayXd& stiffness,
                              Forces& forces) const {
-  forces.resize(3, static_cast<Eigen::Index>(points()));
+  forces.resize(unknowns_per_point, static_cast<Eigen::Index>(points()));
   Eigen::ArrayXd q(forces.cols());  // by point: 2 A a theta
   const auto for_each_point = [&](const auto& visit) {
 #pragma omp for schedule(static)
@@ -137,7 +138,7 @@ void FamilyOperator::absolute_product(const State& state, Forces& forces) const 
 }
 
 Forces FamilyOperator::diagonal() const {
-  Forces result(3, static_cast<Eigen::Index>(points()));
+  Forces result(unknowns_per_point, static_cast<Eigen::Index>(points()));
 #pragma omp parallel for schedule(static)
   for (std::size_t r = 0; r < runs_.runs.size(); ++r) {
     const auto& run = runs_.runs[r];
@@ -188,7 +189,7 @@ Forces force_of_curvature(const geometry::Families& families, const std::vector<
                           const std::vector<double>& areas, const HorizonWeights& weights,
                           const Eigen::VectorXd& curvature, const PointMap& map) {
   constexpr double rounding = 1e-12;  // of bonds whose couples cancel
-  Forces result = Forces::Zero(3, Eigen::Index(areas.size()));
+  Forces result = zero_forces(areas.size());
   double largest = 0;
   for (Eigen::Index k = 0; k < curvature.size(); ++k) {
     const auto family = families[std::size_t(k)];

@@ -242,14 +242,14 @@ double energy(const OwnFamily& family, const State& a, const State& b) {
 void add_force(const OwnFamily& family, const State& state, double share, Forces& forces) {
   const auto own = kinematics(state, family.point);
   const double twice = 2 * share * family.area, q = twice * family.a * dilatation(family, state);
-  Eigen::Vector3d sum(0, 0, 0);
+  PointValues sum(0, 0, 0);
   for (const auto& bond : family.bonds) {
     const auto other = kinematics(state, bond.neighbour);
     const double bend = bond.weights.D * q + twice * bond.weights.B * curvature_difference(bond, own, other);
     const double shear = twice * bond.weights.S * shear_difference(bond, own, other);
     const double lever = shear * bond.length / 2, near = bend + lever, far = lever - bend;
-    sum += Eigen::Vector3d(shear, bond.mx * near, bond.my * near);
-    forces.col(bond.neighbour) += Eigen::Vector3d(-shear, bond.mx * far, bond.my * far);
+    sum += PointValues(shear, bond.mx * near, bond.my * near);
+    forces.col(bond.neighbour) += PointValues(-shear, bond.mx * far, bond.my * far);
   }
   forces.col(family.point) += sum;
 }

@@ -217,7 +217,7 @@ void check_weights(const std::vector<BondShape>& shapes, double horizon_ratio) {
 State lift_of(const Load& load, std::size_t number, const Boundary& boundary) {
   auto result = boundary.constraints.lift(number, boundary.cloud.size());
   if (boundary.map.distributed() && load.as<Settlement>() && result.cols() == 0)
-    result = State::Zero(3, Eigen::Index(boundary.cloud.size()));
+    result = zero_state(boundary.cloud.size());
   return result;
 }
 
@@ -252,7 +252,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   check_weights(shapes, d.horizon_ratio);
   layout.cut = cut_share(whole, families, shapes, boundary.cloud.plate_points);
   auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
-  Forces load = Forces::Zero(3, Eigen::Index(boundary.cloud.size()));
+  Forces load = zero_forces(boundary.cloud.size());
   for (const auto& one : problem.loads) {
     layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline, boundary.map, paths), one.history,
                             free_curvature(one, problem.section, boundary.cloud.positions, boundary.cloud.plate_points),

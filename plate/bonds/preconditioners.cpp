@@ -164,27 +164,27 @@ Transfer::Shares Transfer::transposed(const Shares& shares, std::size_t others) 
 void Transfer::prolong(const State& coarse, State& fine) const {
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < fine_.first.size() - 1; ++k) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    PointValues sum = PointValues::Zero();
     for (auto i = fine_.first[k]; i < fine_.first[k + 1]; ++i) {
       const Share& s = fine_.shares[i];
       const auto u = coarse.col(Eigen::Index(s.other));
       const double weight = s.weight;
-      sum += Eigen::Vector3d(weight * u[0] + s.y * u[1] - s.x * u[2], weight * u[1], weight * u[2]);
+      sum += PointValues(weight * u[0] + s.y * u[1] - s.x * u[2], weight * u[1], weight * u[2]);
     }
     fine.col(Eigen::Index(k)) += sum;
   }
 }
 
 void Transfer::restrict_to(State& coarse, const Forces& fine) const {
-  coarse.resize(3, Eigen::Index(coarse_points()));
+  coarse.resize(unknowns_per_point, Eigen::Index(coarse_points()));
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < coarse_points(); ++c) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    PointValues sum = PointValues::Zero();
     for (auto i = coarse_.first[c]; i < coarse_.first[c + 1]; ++i) {
       const Share& s = coarse_.shares[i];
       const auto f = fine.col(Eigen::Index(s.other));
       const double weight = s.weight;
-      sum += Eigen::Vector3d(weight * f[0], weight * f[1] + s.y * f[0], weight * f[2] - s.x * f[0]);
+      sum += PointValues(weight * f[0], weight * f[1] + s.y * f[0], weight * f[2] - s.x * f[0]);
     }
     coarse.col(Eigen::Index(c)) = sum;
   }
@@ -217,7 +217,7 @@ void for_each_coarse_column(const Operator& L, const Transfer& transfer, const C
                             const CoarseCells& index, const CoarseVisit& visit) {
   const auto& cells = transfer.cells();
   const auto coarse_points = std::uint32_t(cells.size());
-  State coarse(3, Eigen::Index(coarse_points)), fine(3, Eigen::Index(L.points()));
+  State coarse(unknowns_per_point, Eigen::Index(coarse_points)), fine(unknowns_per_point, Eigen::Index(L.points()));
   Forces force;
   for (int color = 0; color < coarse_window * coarse_window; ++color)
     for (int component = 0; component < unknowns_per_point; ++component) {
@@ -263,7 +263,7 @@ PointMatrix zeros(const std::vector<Transfer::Cell>& cells, const CoarseCells& i
 }
 
 Forces diagonal_of(const PointMatrix& matrix) {
-  Forces result(3, Eigen::Index(matrix.points()));
+  Forces result(unknowns_per_point, Eigen::Index(matrix.points()));
   for (std::size_t k = 0; k < matrix.points(); ++k)
     result.col(Eigen::Index(k)) = matrix.block[matrix.first[k]].diagonal();
   return result;
@@ -274,7 +274,7 @@ PointMatrix coarse_stiffness(const Operator& L, const Transfer& transfer, const 
   const CoarseCells index(transfer.cells());
   PointMatrix result = zeros(transfer.cells(), index);
   for_each_coarse_column(L, transfer, constraints, index,
-                         [&](std::uint32_t i, std::uint32_t j, int component, const Eigen::Vector3d& K_ij) {
+                         [&](std::uint32_t i, std::uint32_t j, int component, const PointValues& K_ij) {
                            if (j < i) return;  // what j has of i, i has of j
                            const auto begin = result.row.begin() + std::ptrdiff_t(result.first[i]),
                                       end = result.row.begin() + std::ptrdiff_t(result.first[i + 1]);
@@ -294,7 +294,7 @@ public:
 
   void solve(const Forces& force, State& u) const override {
     const Eigen::MatrixXd solution = factor_->solve(plate::gathered(unknowns_, force));
-    u.setZero(3, force.cols());
+    u.setZero(unknowns_per_point, force.cols());
     for (Eigen::Index i = 0; i < solution.rows(); ++i) at_dof(u, unknowns_.dof[std::size_t(i)]) = solution(i, 0);
   }
   std::size_t bytes() const override { return factor_->bytes(); }
@@ -321,7 +321,7 @@ public:
     for (const auto i : own_)
       for (Eigen::Index c = 0; c < unknowns_per_point; ++c) values.push_back(force(c, Eigen::Index(i)));
     inverse_->apply(values);
-    u.setZero(3, force.cols());
+    u.setZero(unknowns_per_point, force.cols());
     for (std::size_t n = 0; n < own_.size(); ++n)
       for (Eigen::Index c = 0; c < unknowns_per_point; ++c) u(c, Eigen::Index(own_[n])) = values[dof(n, c)];
     fetch(u);
@@ -331,7 +331,7 @@ public:
 private:
   /// Fetches the values of ghosts of the coarse plate through their points of the fine one.
   void fetch(State& coarse) const {
-    State fine = State::Zero(3, points_);
+    State fine = zero_state(points_);
     for (std::size_t i = 0; i < fine_.size(); ++i) fine.col(fine_[i]) = coarse.col(Eigen::Index(i));
     constraints_.fetch(fine);
     for (std::size_t i = 0; i < fine_.size(); ++i) coarse.col(Eigen::Index(i)) = fine.col(fine_[i]);
@@ -366,7 +366,7 @@ private:
     for (std::size_t n = 0; n < own_.size(); ++n) place[own_[n]] = std::int32_t(n);
     const auto& cells = transfer.cells();
     for_each_coarse_column(L, transfer, constraints_, CoarseCells(cells),
-                           [&](std::uint32_t i, std::uint32_t j, int component, const Eigen::Vector3d& K_ij) {
+                           [&](std::uint32_t i, std::uint32_t j, int component, const PointValues& K_ij) {
                              if (place[i] < 0) return;
                              const auto x = cells[j].column - cells[i].column, y = cells[j].row - cells[i].row;
                              const auto half = coarse_window / 2;

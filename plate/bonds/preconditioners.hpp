@@ -99,7 +99,7 @@ constexpr int coarse_window = 5;
 /// The stiffness R L R^T of the coarse points with the operator L, column by column: one product for all that are too
 /// far from each other to meet in it. Calls visit(i, j, component, force on i of a unit of the component of j), from
 /// several threads, each i in one of them. Where the plate is distributed, right for their owned points i.
-using CoarseVisit = std::function<void(std::uint32_t i, std::uint32_t j, int component, const Eigen::Vector3d& K_ij)>;
+using CoarseVisit = std::function<void(std::uint32_t i, std::uint32_t j, int component, const PointValues& K_ij)>;
 void for_each_coarse_column(const Operator& L, const Transfer& transfer, const Constraints& constraints,
                             const CoarseCells& index, const CoarseVisit& visit);
 

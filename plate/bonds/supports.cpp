@@ -17,10 +17,10 @@ namespace {
 using geometry::Point;
 
 /// +1 or -1 for w, theta_x, theta_y across an edge with the given normal axis.
-std::array<int, 3> parity(SupportKind kind, int normal_axis) {
+std::array<int, unknowns_per_point> parity(SupportKind kind, int normal_axis) {
   if (kind == SupportKind::clamped) return {-1, -1, -1};
   const int normal_rotation = normal_axis == 0 ? 2 : 1;  // psi_n is -theta_y or theta_x
-  std::array<int, 3> signs{1, 1, 1};
+  std::array<int, unknowns_per_point> signs{1, 1, 1};
   if (kind == SupportKind::symmetry) {
     signs[static_cast<std::size_t>(normal_rotation)] = -1;
   } else {
@@ -62,7 +62,7 @@ private:
     b_.constraints.tie(dof, leaders, moved_.of(dof, side, leaders));
   }
   void fix(std::uint32_t dof, const Side& side) { b_.constraints.fix(dof, moved_.of(dof, side, {})); }
-  void tie_image(std::uint32_t leader, const std::array<double, 3>& factors, const Side& side) {
+  void tie_image(std::uint32_t leader, const std::array<double, unknowns_per_point>& factors, const Side& side) {
     for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), factors[c]}});
   }
   void tie_clamped(std::uint32_t leader, double depth, const Side& side);
@@ -180,7 +180,7 @@ void Builder::outside_cell(const Point& u, int s) {
   }
   const auto signs = parity(side.kind, side.normal_axis());
   const double ratio = depth / side.inside(b_.lattice[*leader]);
-  std::array<double, 3> factors{};
+  std::array<double, unknowns_per_point> factors{};
   for (std::size_t c = 0; c < unknowns_per_point; ++c) factors[c] = signs[c] > 0 ? 1 : -ratio;
   tie_image(*leader, factors, side);
 }

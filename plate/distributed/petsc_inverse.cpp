@@ -130,7 +130,7 @@ private:
       require(VecGetArrayWrite(motions[motion], &entries));
       for (std::size_t k = 0; unknowns_per_point * k < std::size_t(unknowns_); ++k) {
         const double x = rows.position[2 * k], y = rows.position[2 * k + 1];
-        const double of_point[3][3] = {{1, 0, 0}, {x, 0, -1}, {y, 1, 0}};
+        const double of_point[3][unknowns_per_point] = {{1, 0, 0}, {x, 0, -1}, {y, 1, 0}};
         for (std::size_t c = 0; c < unknowns_per_point; ++c)
           entries[dof(k, c)] = without_stiffness_[dof(k, c)] ? 0 : of_point[motion][c];
       }

@@ -104,7 +104,7 @@ std::size_t ScaledFactor::bytes() const {
 
 namespace {
 
-std::array<bool, 3> held_on_edge(SupportKind kind, std::size_t number) {
+std::array<bool, unknowns_per_point> held_on_edge(SupportKind kind, std::size_t number) {
   if (is_layer(kind) || kind == SupportKind::pinned)
     throw Refused({{Subject::support, number, "surface nodes hold edges, not layers and not single points"}});
   const auto held = held_by(kind);
@@ -119,7 +119,7 @@ EdgeCondition edge_condition(SupportKind kind, const EdgeAction& a, std::size_t 
                               values[] = {a.deflection, a.normal_rotation, a.tangential_rotation};
   const char* const names[][2] = {
       {"shear", "deflection"}, {"moment", "normal rotation"}, {"twisting moment", "tangential rotation"}};
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < unknowns_per_point; ++i) {
     const auto& [force, value] = names[i];
     if (result.held[i] && forces[i])
       throw Refused({{Subject::load_edges, number,
@@ -140,12 +140,12 @@ int tangential_rotation(int axis) {
   return axis == 0 ? 1 : 2;
 }
 
-Eigen::Vector3d rotated(const Eigen::Vector3d& v, const geometry::Point& n) {
+PointValues rotated(const PointValues& v, const geometry::Point& n) {
   const geometry::Point psi = v[1] * n + v[2] * geometry::Point(-n.y(), n.x());
   return {v[0], psi.y(), -psi.x()};
 }
 
-Eigen::Vector3d conjugate(const Eigen::Vector3d& f, const geometry::Point& n) {
+PointValues conjugate(const PointValues& f, const geometry::Point& n) {
   const geometry::Point moment = f[1] * n + f[2] * geometry::Point(-n.y(), n.x());
   return {f[0], -moment.y(), moment.x()};
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
+#include "plate/model/state.hpp"
 #include "plate/model/supports.hpp"
 #include "plate/solve/matrices/factor.hpp"
 
@@ -73,8 +74,8 @@ struct EdgeAction {
 
 /// Condition of an edge, with one known of each pair: w or Q, psi_n or M_nn, psi_s or M_ns.
 struct EdgeCondition {
-  std::array<bool, 3> held;     // w, psi_n, psi_s
-  std::array<double, 3> value;  // of those; of the others Q, M_nn, M_ns
+  std::array<bool, unknowns_per_point> held;     // w, psi_n, psi_s
+  std::array<double, unknowns_per_point> value;  // of those; of the others Q, M_nn, M_ns
 };
 
 /// Condition with which a support holds an edge, with what acts on it. `number`: of the support, for refusals.
@@ -86,9 +87,9 @@ int normal_rotation(int axis);
 int tangential_rotation(int axis);
 
 /// w, theta_x, theta_y from w, psi_n, psi_s.
-Eigen::Vector3d rotated(const Eigen::Vector3d& of_edge, const geometry::Point& normal);
+PointValues rotated(const PointValues& of_edge, const geometry::Point& normal);
 
 /// Force and couples, conjugate to w, theta_x and theta_y, from Q, M_nn and M_ns (theory (26)), per length.
-Eigen::Vector3d conjugate(const Eigen::Vector3d& section_forces, const geometry::Point& normal);
+PointValues conjugate(const PointValues& section_forces, const geometry::Point& normal);
 
 }  // namespace plate

@@ -7,6 +7,7 @@
 #include "plate/edges/lattice_bonds.hpp"
 #include "plate/edges/oblique_edges.hpp"
 #include "plate/model/section.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 
@@ -34,7 +35,7 @@ PlateActions edge_actions(const LatticeBody& body, const LatticeBonds& bonds, co
                           const CrackedFamilies& cuts = {});
 
 /// Flags for w, psi_n and psi_s of an edge node: true where the support holds the value.
-using PrescribedOfNode = std::array<bool, 3>;
+using PrescribedOfNode = std::array<bool, unknowns_per_point>;
 
 /// The section forces of the local plate at edge nodes as what the edge does there: Q and the couples of M_nn and M_ns,
 /// conjugate to w, theta_x and theta_y, times the length of the part. Derivatives are those of the expansion.

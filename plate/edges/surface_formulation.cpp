@@ -23,11 +23,11 @@ using geometry::Point;
 
 /// Degree of freedom after degree of freedom, as the matrices have them.
 Eigen::VectorXd by_points(const State& state) {
-  return Eigen::Map<const Eigen::VectorXd>(Eigen::Matrix3Xd(state).data(), state.size());
+  return Eigen::Map<const Eigen::VectorXd>(StateByPoints(state).data(), state.size());
 }
 
 State by_components(const Eigen::VectorXd& values) {
-  return Eigen::Map<const Eigen::Matrix3Xd>(values.data(), unknowns_per_point, values.size() / unknowns_per_point);
+  return Eigen::Map<const StateByPoints>(values.data(), unknowns_per_point, values.size() / unknowns_per_point);
 }
 
 /// The free degrees of freedom, factorised.

@@ -228,7 +228,7 @@ void hold(const SurfacePlate& plate, const std::vector<std::size_t>& side_of, Bo
     }
     const int axis = plate.body.surface[s].axis;
     const int components[] = {0, normal_rotation(axis), tangential_rotation(axis)};
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < unknowns_per_point; ++i)
       if (condition.held[i]) b.constraints.fix(dof(node, components[i]));
   }
   for (std::uint32_t pin = 0; pin < b.holders.size(); ++pin)
@@ -308,11 +308,10 @@ Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate
     condition.held = {false, false, false};  // forces on constrained degrees of freedom count as the supports'
     return condition;
   };
-  const auto right =
-      edge_problem(plate, on_edges, [&](const Point&) { return Eigen::Vector3d(everywhere, 0, 0); }).right;
-  Forces forces = Forces::Zero(unknowns_per_point, Eigen::Index(b.cloud.size()));
+  const auto right = edge_problem(plate, on_edges, [&](const Point&) { return PointValues(everywhere, 0, 0); }).right;
+  Forces forces = zero_forces(b.cloud.size());
   const Eigen::Index nodes = right.size() / unknowns_per_point;
-  forces.leftCols(nodes) = Eigen::Map<const Eigen::Matrix3Xd>(right.data(), unknowns_per_point, nodes);
+  forces.leftCols(nodes) = Eigen::Map<const StateByPoints>(right.data(), unknowns_per_point, nodes);
   if (plate.oblique) add_rest(everywhere, plate, b, outline, forces);
   return forces;
 }

@@ -45,7 +45,7 @@ SurfacePlate oblique_plate(const Section& section, LatticeBonds bonds, const geo
 void add_oblique(const SurfacePlate& p, int s, const EdgeCondition& c, EdgeProblem& to) {
   const Point normal = p.normal(s);
   const int node = p.body.real + s;
-  const Eigen::Vector3d given(c.value[0], c.value[1], c.value[2]), value = rotated(given, normal);
+  const PointValues given(c.value[0], c.value[1], c.value[2]), value = rotated(given, normal);
   const bool both = c.held[1] && c.held[2];
   if (c.held[0])
     to.held.push_back({dof(node, 0), value[0]});
@@ -162,7 +162,8 @@ SparseStiffness stiffness_with_reactions(const SurfacePlate& plate, const std::f
 EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {
   const double spacing = p.bonds.spacing;
   EdgeProblem result{Eigen::VectorXd::Zero(p.unknowns()), {}};
-  for (int k = 0; k < p.body.real; ++k) result.right.segment<3>(dof(k, 0)) = spacing * spacing * load(p.at(k));
+  for (int k = 0; k < p.body.real; ++k)
+    result.right.segment<unknowns_per_point>(dof(k, 0)) = spacing * spacing * load(p.at(k));
   for (int s = 0; s < p.surfaces(); ++s) {
     if (p.oblique) {
       add_oblique(p, s, edges(p.at_surface(s), p.normal(s)), result);
@@ -171,14 +172,14 @@ EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, con
     const int axis = p.body.surface[std::size_t(s)].axis, node = p.body.real + s;
     const Point at = p.at_surface(s), normal = p.normal(s);
     const EdgeCondition c = edges(at, normal);
-    const Eigen::Vector3d given(c.value[0], c.value[1], c.value[2]);
-    const Eigen::Vector3d value = rotated(given, normal), force = spacing * conjugate(given, normal);
+    const PointValues given(c.value[0], c.value[1], c.value[2]);
+    const PointValues value = rotated(given, normal), force = spacing * conjugate(given, normal);
     const double strip = p.beyond(s);
-    Eigen::Vector3d on_strip = strip * spacing * load(at - strip / 2 * normal);
+    PointValues on_strip = strip * spacing * load(at - strip / 2 * normal);
     const Point lever = -strip / 2 * normal;  // theory (25)
-    on_strip += on_strip[0] * Eigen::Vector3d(0, lever.y(), -lever.x());
+    on_strip += on_strip[0] * PointValues(0, lever.y(), -lever.x());
     const int components[] = {0, normal_rotation(axis), tangential_rotation(axis)};
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < unknowns_per_point; ++i) {
       const int unknown = dof(node, components[i]);
       if (c.held[i])
         result.held.push_back({unknown, value[components[i]]});
@@ -273,8 +274,9 @@ StiffnessRows rows_with_reactions(const SurfacePlate& p, const StiffnessRows& ow
         const double share = away == ends[1 - i].away ? 0.5 : 1;
         const int to = p.body.real + surface;
         const geometry::Point lever = p.at_surface(s) - p.at_surface(surface);  // theory (25)
-        const std::array<double, 3> factors{component == 0 ? 1.0 : 0.0, component == 0 ? lever.y() : component == 1,
-                                            component == 0 ? -lever.x() : component == 2};
+        const std::array<double, unknowns_per_point> factors{component == 0 ? 1.0 : 0.0,
+                                                             component == 0 ? lever.y() : component == 1,
+                                                             component == 0 ? -lever.x() : component == 2};
         for (int c = 0; c < unknowns_per_point; ++c)
           if (factors[std::size_t(c)] != 0 && held(dof(to, c))) {
             copy_row(crossed, row, share * factors[std::size_t(c)], dof(to, c), entries);
@@ -289,7 +291,7 @@ StiffnessRows rows_with_reactions(const SurfacePlate& p, const StiffnessRows& ow
 
 EdgeSpectrum spectrum(const SurfacePlate& p, const EdgeConditions& edges, double thickness) {
   constexpr double rounding = 1e-10;  // of the largest; rigid motions of a free plate: 1e-15 to 1e-13
-  const auto held = edge_problem(p, edges, [](const geometry::Point&) { return Eigen::Vector3d(0, 0, 0); }).held;
+  const auto held = edge_problem(p, edges, [](const geometry::Point&) { return PointValues(0, 0, 0); }).held;
   std::vector<char> is_held(std::size_t(p.unknowns()), false);
   for (const auto& one : held) is_held[std::size_t(one.unknown)] = true;
   std::vector<Eigen::Index> surface;
@@ -304,7 +306,7 @@ EdgeSpectrum spectrum(const SurfacePlate& p, const EdgeConditions& edges, double
     inside -= K(Eigen::seqN(0, n), surface) * follow;
   }
   const double rotary = std::sqrt(12.0) / thickness;  // mass per area: 1, h^2 / 12, h^2 / 12
-  const Eigen::VectorXd scale = Eigen::Vector3d(1, rotary, rotary).replicate(p.body.real, 1);
+  const Eigen::VectorXd scale = PointValues(1, rotary, rotary).replicate(p.body.real, 1);
   const Eigen::MatrixXd scaled = scale.asDiagonal() * inside * scale.asDiagonal();
   const Eigen::VectorXcd values = scaled.eigenvalues();
   const double largest = values.cwiseAbs().maxCoeff();

@@ -5,6 +5,7 @@
 #include "plate/edges/boundary_conditions.hpp"
 #include "plate/edges/stiffness_rows.hpp"
 #include "plate/model/space.hpp"
+#include "plate/model/state.hpp"
 
 namespace plate {
 
@@ -73,7 +74,7 @@ SparseStiffness stiffness(const SurfacePlate& plate);
 SparseStiffness stiffness_with_reactions(const SurfacePlate& plate, const std::function<bool(int unknown)>& held);
 
 /// Loads at a place, conjugate to w, theta_x and theta_y [force / area, force / length].
-using AreaLoad = std::function<Eigen::Vector3d(const geometry::Point& at)>;
+using AreaLoad = std::function<PointValues(const geometry::Point& at)>;
 /// The conditions at a place of the edge with this outward normal.
 using EdgeConditions = std::function<EdgeCondition(const geometry::Point& at, const geometry::Point& normal)>;
 

@@ -123,8 +123,8 @@ Constraints::Sums Constraints::sums(const std::vector<Tie>& ties, bool by_leader
 
 State Constraints::lift(std::size_t motion, std::size_t points) const {
   const auto found = lifts_.find(motion);
-  if (found == lifts_.end()) return State(3, 0);
-  State result = State::Zero(3, Eigen::Index(points));
+  if (found == lifts_.end()) return no_state();
+  State result = zero_state(points);
   for (const auto& [dof, value] : found->second) result(component_of(dof), point_of(dof)) = value;
   return result;
 }

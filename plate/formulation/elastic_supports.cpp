@@ -49,7 +49,7 @@ void add_bilateral(const ElasticSupport& a, double factor, const Values<Real>& s
 }  // namespace
 
 Forces ElasticSupport::force(const State& state) const {
-  Forces result = Forces::Zero(3, state.cols());
+  Forces result = zero_forces(state.cols());
   add_bilateral(*this, -1, state, result);
   return result;
 }
@@ -105,7 +105,7 @@ void ElasticSupports::add_energies(const State& state, Eigen::VectorXd& energies
 }
 
 double ElasticSupports::energy(const State& state, const PointMap& map) const {
-  Forces force = Forces::Zero(3, state.cols());
+  Forces force = zero_forces(state.cols());
   add_force(state, force);
   return ordered_sum<1>(*map.communicator, std::size_t(state.cols()), [&](std::size_t n) {
     const auto k = Eigen::Index(n);

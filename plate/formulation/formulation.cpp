@@ -110,7 +110,7 @@ Forces Formulation::total_load() const {
 }
 
 Forces Formulation::first_load() const {
-  Forces load = Forces::Zero(3, loads().front().forces.cols());
+  Forces load = zero_forces(loads().front().forces.cols());
   for (const auto& one : loads()) load += plate::factor(one.history, 0) * one.forces;
   return load;
 }

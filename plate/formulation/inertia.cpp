@@ -46,7 +46,7 @@ Triplets products(const geometry::Tessellation& cells, const Weight& weight) {
 
 Forces mass(const PointSections& sections, const std::vector<double>& areas, const std::vector<char>& active,
             const Constraints& constraints, double rotary) {
-  Forces result = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
+  Forces result = zero_forces(areas.size());
   for (std::size_t k = 0; k < areas.size(); ++k) {
     const double translation = sections[k].mass, rotation = rotary * sections[k].rotary;
     if (active[k])

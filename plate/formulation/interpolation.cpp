@@ -93,8 +93,8 @@ std::vector<PlaceShare> visible_place(const geometry::Point& at, const geometry:
                     at.x(), at.y(), 2 * reach_of_places)}});
 }
 
-Eigen::Vector3d value_at(const std::vector<PlaceShare>& place, const State& state) {
-  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+PointValues value_at(const std::vector<PlaceShare>& place, const State& state) {
+  PointValues result = PointValues::Zero();
   for (const auto& [k, weight, lever] : place) {
     result += weight * state.col(k);
     if (lever != geometry::Point(0, 0)) result[0] += lever.y() * state(1, k) - lever.x() * state(2, k);

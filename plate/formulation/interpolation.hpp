@@ -30,7 +30,7 @@ struct PlaceShare {
 using DofTerms = std::vector<std::pair<std::uint32_t, double>>;
 
 /// w, theta_x and theta_y at a place.
-Eigen::Vector3d value_at(const std::vector<PlaceShare>& place, const State& state);
+PointValues value_at(const std::vector<PlaceShare>& place, const State& state);
 /// Terms of one component as a sum over degrees of freedom.
 DofTerms terms_of(const std::vector<PlaceShare>& place, std::uint32_t component);
 

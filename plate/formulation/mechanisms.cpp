@@ -100,7 +100,7 @@ using Condition = std::vector<std::pair<std::uint32_t, Eigen::Vector3d>>;  // pa
 class Conditions {
 public:
   Conditions(const Boundary& boundary, const RigidParts& parts) : boundary_(boundary), parts_(parts) {
-    const auto size = static_cast<Eigen::Index>(RigidParts::unknowns * parts.count());
+    const auto size = static_cast<Eigen::Index>(RigidParts::motions * parts.count());
     gram_ = Eigen::MatrixXd::Zero(size, size);
     const auto& ties = boundary.constraints.ties();
     for (const auto dof : boundary.constraints.fixed())
@@ -125,7 +125,7 @@ private:
   void add(const Condition& condition) {
     for (const auto& [a, x] : condition)
       for (const auto& [b, y] : condition)
-        gram_.block<RigidParts::unknowns, RigidParts::unknowns>(RigidParts::unknowns * a, RigidParts::unknowns * b) +=
+        gram_.block<RigidParts::motions, RigidParts::motions>(RigidParts::motions * a, RigidParts::motions * b) +=
             x * y.transpose();
   }
 
@@ -134,8 +134,8 @@ private:
     const auto length = [&](std::uint32_t dof) { return is_deflection(dof) ? boundary_.cloud.units.spacing : 1; };
     Eigen::MatrixXd own = Eigen::MatrixXd::Zero(gram_.rows(), gram_.cols());
     part.for_each([&](std::uint32_t row, std::uint32_t column, double value) {
-      own.block<RigidParts::unknowns, RigidParts::unknowns>(RigidParts::unknowns * parts_.part(point_of(row)),
-                                                            RigidParts::unknowns * parts_.part(point_of(column))) +=
+      own.block<RigidParts::motions, RigidParts::motions>(RigidParts::motions * parts_.part(point_of(row)),
+                                                          RigidParts::motions * parts_.part(point_of(column))) +=
           value * length(row) * length(column) * parts_.row(row) * parts_.row(column).transpose();
     });
     gram_ += own / own.cwiseAbs().maxCoeff();
@@ -191,13 +191,13 @@ struct Drive {
 
 Drive drive(const Boundary& boundary, const RigidParts& parts, const Forces& load) {
   Drive result;
-  result.sum = result.size = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(RigidParts::unknowns * parts.count()));
+  result.sum = result.size = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(RigidParts::motions * parts.count()));
   for (std::uint32_t dof = 0; dof < load.size(); ++dof) {
     const double force = at_dof(load, dof) * (is_deflection(dof) ? boundary.cloud.units.spacing : 1);
     if (force == 0 || !parts.has(point_of(dof))) continue;
     const Eigen::Vector3d work = force * parts.row(dof);
-    result.sum.segment<RigidParts::unknowns>(RigidParts::unknowns * parts.part(point_of(dof))) += work;
-    result.size.segment<RigidParts::unknowns>(RigidParts::unknowns * parts.part(point_of(dof))) += work.cwiseAbs();
+    result.sum.segment<RigidParts::motions>(RigidParts::motions * parts.part(point_of(dof))) += work;
+    result.size.segment<RigidParts::motions>(RigidParts::motions * parts.part(point_of(dof))) += work.cwiseAbs();
   }
   return result;
 }
@@ -205,7 +205,7 @@ Drive drive(const Boundary& boundary, const RigidParts& parts, const Forces& loa
 /// The largest part that a motion moves, and where it hangs on one that stays.
 std::optional<LoosePart> largest(const Boundary& boundary, const RigidParts& parts, const Eigen::VectorXd& motion) {
   const auto moves = [&](std::uint32_t part) {
-    return motion.segment<RigidParts::unknowns>(RigidParts::unknowns * part).norm() > 1e-6 * motion.norm();
+    return motion.segment<RigidParts::motions>(RigidParts::motions * part).norm() > 1e-6 * motion.norm();
   };
   std::optional<std::uint32_t> best;
   for (std::uint32_t part = 0; part < parts.count(); ++part)

@@ -18,7 +18,7 @@ class RigidParts {
   using Point = geometry::Point;
 
 public:
-  static constexpr int unknowns = 3;  // of a part: its deflection and two slopes
+  static constexpr int motions = 3;  // of a part: its deflection and two slopes
 
   RigidParts(const Boundary& boundary, const geometry::Families& families);
 

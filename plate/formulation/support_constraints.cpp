@@ -22,7 +22,7 @@ bool SupportOffsets::moves(const SupportMotion& motion, const Side& side) const 
   return number < boundary_->holders.size() && boundary_->holders[number].support == motion.support;
 }
 
-Eigen::Vector3d SupportOffsets::at(const SupportMotion& motion, const Point& lattice, const Side& side) const {
+PointValues SupportOffsets::at(const SupportMotion& motion, const Point& lattice, const Side& side) const {
   const auto& units = boundary_->cloud.units;
   return motion.at(units.from_lattice(lattice), side.outward(lattice), -side.inside(lattice) * units.spacing);
 }

@@ -4,6 +4,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/state.hpp"
 
 namespace plate {
 
@@ -32,7 +33,7 @@ public:
   Offsets inside(std::size_t support, const geometry::Point& x, std::uint32_t component) const;
 
 private:
-  Eigen::Vector3d at(const SupportMotion& motion, const geometry::Point& lattice, const Side& side) const;
+  PointValues at(const SupportMotion& motion, const geometry::Point& lattice, const Side& side) const;
   bool moves(const SupportMotion& motion, const Side& side) const;
 
   const Boundary* boundary_;

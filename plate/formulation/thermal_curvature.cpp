@@ -21,7 +21,7 @@ Heat heat_of(const Formulation& plate, const std::vector<double>& shares) {
     if (load.curvature.size() == 0 || shares[i] == 0) continue;
     if (result.none()) {
       result.curvature = Eigen::VectorXd::Zero(load.curvature.size());
-      result.forces = Forces::Zero(3, load.forces.cols());
+      result.forces = zero_forces(load.forces.cols());
     }
     result.curvature += shares[i] * load.curvature, result.forces += shares[i] * load.forces;
   }
@@ -74,7 +74,7 @@ State cold(const State& state, const std::vector<geometry::Point>& positions, co
   State result = state;
   for (Eigen::Index k = 0; k < result.cols(); ++k) {
     const geometry::Point x = positions[std::size_t(k)] - place;
-    result.col(k) += curvature * Eigen::Vector3d(x.squaredNorm() / 2, x.y(), -x.x());
+    result.col(k) += curvature * PointValues(x.squaredNorm() / 2, x.y(), -x.x());
   }
   return result;
 }

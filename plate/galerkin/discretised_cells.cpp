@@ -269,7 +269,7 @@ private:
       result.forces = force_of_curvature(families, problem_.section, result.curvature, layout.boundary.map);
     result.lift = layout.boundary.constraints.lift(layout.loads.size(), points);
     if (part_ && load.as<Settlement>() && result.lift.cols() == 0)
-      result.lift = State::Zero(3, Eigen::Index(points));  // all have one, also those that do not see what moves
+      result.lift = zero_state(points);  // all have one, also those that do not see what moves
     result.moving = std::move(acting.moving);
     if (const auto* pressure = load.as<Pressure>();
         pressure && pressure->gravity &&

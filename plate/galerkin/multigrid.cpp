@@ -135,15 +135,15 @@ void GalerkinMultigrid::cycle(std::size_t level, const Forces& residual, State& 
   find_rest();
   const auto& coarse_level = coarser_[level];
   const auto coarse_points = Eigen::Index(coarse_level.plate.points());
-  s.coarse_force.resize(3, coarse_points);
+  s.coarse_force.resize(unknowns_per_point, coarse_points);
 #pragma omp parallel for schedule(static)
   for (Eigen::Index i = 0; i < coarse_points; ++i) {
-    Eigen::Vector3d sum(0, 0, 0);
+    PointValues sum(0, 0, 0);
     for (auto n = s.to_coarser.first[std::size_t(i)]; n < s.to_coarser.first[std::size_t(i) + 1]; ++n) {
       const auto& share = s.to_coarser.shares[n];
       const double force = s.rest(0, share.other);  // psi = (-theta_y, theta_x)
-      sum += Eigen::Vector3d(share.weight * force, share.weight * s.rest(1, share.other) + share.y * force,
-                             share.weight * s.rest(2, share.other) - share.x * force);
+      sum += PointValues(share.weight * force, share.weight * s.rest(1, share.other) + share.y * force,
+                         share.weight * s.rest(2, share.other) - share.x * force);
     }
     s.coarse_force.col(i) = sum;
   }
@@ -155,7 +155,7 @@ void GalerkinMultigrid::cycle(std::size_t level, const Forces& residual, State& 
   for (Eigen::Index k = 0; k < result.cols(); ++k)
     for (auto n = s.from_coarser.first[std::size_t(k)]; n < s.from_coarser.first[std::size_t(k) + 1]; ++n) {
       const auto& share = s.from_coarser.shares[n];
-      const Eigen::Vector3d u = s.coarse.col(share.other);
+      const PointValues u = s.coarse.col(share.other);
       result(0, k) += share.weight * u[0] + share.y * u[1] - share.x * u[2];
       result(1, k) += share.weight * u[1];
       result(2, k) += share.weight * u[2];

@@ -34,15 +34,15 @@ template <typename Add>
 void PointRows::gather(Forces& result, const Add& add) const {
 #pragma omp parallel for schedule(static)
   for (std::size_t n = 0; n < points_.size(); ++n) {
-    Eigen::Vector3d sum(0, 0, 0);
+    PointValues sum(0, 0, 0);
     for (auto i = first_[n]; i < first_[n + 1]; ++i) add(entries_[i], matrix_.block[entries_[i].block], sum);
     result.col(Eigen::Index(points_[n])) = sum;
   }
 }
 
 void PointRows::internal_force(const State& state, Forces& forces) const {
-  gather(forces, [&](const Entry& entry, const Eigen::Matrix3d& K, Eigen::Vector3d& sum) {
-    const Eigen::Vector3d u = state.col(entry.point);
+  gather(forces, [&](const Entry& entry, const Eigen::Matrix3d& K, PointValues& sum) {
+    const PointValues u = state.col(entry.point);
     if (entry.transposed)
       sum -= K.transpose() * u;
     else
@@ -51,9 +51,9 @@ void PointRows::internal_force(const State& state, Forces& forces) const {
 }
 
 void PointRows::absolute_product(const State& state, Forces& forces) const {
-  gather(forces, [&](const Entry& entry, const Eigen::Matrix3d& K, Eigen::Vector3d& sum) {
+  gather(forces, [&](const Entry& entry, const Eigen::Matrix3d& K, PointValues& sum) {
     const Eigen::Matrix3d size = K.cwiseAbs();
-    const Eigen::Vector3d u = state.col(entry.point);
+    const PointValues u = state.col(entry.point);
     if (entry.transposed)
       sum += size.transpose() * u;
     else
@@ -90,7 +90,7 @@ GalerkinOperator::GalerkinOperator(GalerkinFamilies families, PointSections sect
 }
 
 void GalerkinOperator::internal_force(const State& state, Forces& forces) const {
-  forces.resize(3, state.cols());
+  forces.resize(unknowns_per_point, state.cols());
   if (rows_) rows_->internal_force(state, forces);
   if (whole_)
     whole_->internal_force(state, forces);
@@ -106,7 +106,7 @@ void GalerkinOperator::internal_force_overlapped(const State& state, PendingExch
     rest.complete();
     return internal_force(state, forces);
   }
-  forces.resize(3, state.cols());
+  forces.resize(unknowns_per_point, state.cols());
   rows_->internal_force_inside(state, forces);
   rest.progress();
   lists_->begin_force(state);
@@ -134,7 +134,7 @@ void GalerkinOperator::gather(const Own& own, Forces& result) const {
     place[kept[n]] = n;
     first.push_back(first.back() + f[kept[n]].size() + 1);
   }
-  std::vector<Eigen::Vector3d> found(first.back());
+  std::vector<PointValues> found(first.back());
   const auto lattice = lattice_family(families_);
 #pragma omp parallel
   {
@@ -149,7 +149,7 @@ void GalerkinOperator::gather(const Own& own, Forces& result) const {
 #pragma omp for schedule(static)
     for (std::size_t i = 0; i < rows_->others().size(); ++i) {
       const auto k = rows_->others()[i];
-      Eigen::Vector3d sum = found[first[place[k]]];
+      PointValues sum = found[first[place[k]]];
       for (const auto& bond : f[k]) sum += found[first[place[bond.neighbour]] + f[bond.neighbour].find(k) + 1];
       result.col(k) += sum;
     }
@@ -157,13 +157,13 @@ void GalerkinOperator::gather(const Own& own, Forces& result) const {
 }
 
 void GalerkinOperator::absolute_product(const State& state, Forces& forces) const {
-  forces.setZero(3, state.cols());
+  forces.setZero(unknowns_per_point, state.cols());
   if (rows_) rows_->absolute_product(state, forces);
   if (whole_) {
     whole_->absolute_product(state, forces);
     return elastic_supports_.add_absolute_product(state, forces);
   }
-  const auto own = [&](const FamilyStiffness& K, std::uint32_t k, Eigen::Vector3d* found) {
+  const auto own = [&](const FamilyStiffness& K, std::uint32_t k, PointValues* found) {
     const auto family = families_.families[k];
     for (std::size_t i = 0; i < K.members(); ++i) {
       found[i].setZero();
@@ -176,12 +176,12 @@ void GalerkinOperator::absolute_product(const State& state, Forces& forces) cons
 }
 
 Forces GalerkinOperator::diagonal() const {
-  Forces result = Forces::Zero(3, Eigen::Index(points()));
+  Forces result = zero_forces(points());
   if (rows_) rows_->diagonal(result);
   if (whole_) {
     whole_->diagonal(result);
   } else {
-    const auto own = [](const FamilyStiffness& K, std::uint32_t, Eigen::Vector3d* found) {
+    const auto own = [](const FamilyStiffness& K, std::uint32_t, PointValues* found) {
       for (std::size_t i = 0; i < K.members(); ++i) found[i] = K.block(i, i).diagonal();
     };
     gather(own, result);
@@ -216,7 +216,7 @@ Forces force_of_curvature(const GalerkinFamilies& families, const Section& secti
   const Eigen::Vector3d flat = moments_held_flat(section);
   Eigen::Matrix2d each;
   each << flat[0], flat[2], flat[2], flat[1];
-  Forces result = Forces::Zero(3, curvature.size());
+  Forces result = zero_forces(curvature.size());
   double largest = 0;
   for (std::uint32_t k = 0; k < curvature.size(); ++k) {
     const auto family = families.families[k];

@@ -332,7 +332,7 @@ ElasticSupports restricted(const ElasticSupports& whole, const geometry::CellsPa
 }
 
 Forces restricted(const Forces& whole, const geometry::CellsPart& part) {
-  Forces result(3, whole.cols() == 0 ? 0 : Eigen::Index(part.number.size()));
+  Forces result(unknowns_per_point, whole.cols() == 0 ? 0 : Eigen::Index(part.number.size()));
   for (Eigen::Index i = 0; i < result.cols(); ++i) result.col(i) = whole.col(part.number[std::size_t(i)]);
   return result;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "plate/model/space.hpp"
+
 namespace plate {
 
 Resultants resultants(const State& state, const GalerkinFamilies& families, const PointSections& sections) {
@@ -59,7 +61,7 @@ public:
   }
 
   double operator()(const NearField& u) const override {
-    State state(3, Eigen::Index(points_.size()));
+    State state(unknowns_per_point, Eigen::Index(points_.size()));
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto own = u(points_[i]);
       state.col(Eigen::Index(i)) << own.w, own.theta_x, own.theta_y;

@@ -262,7 +262,7 @@ void add_cell(Thrust& thrust, const std::array<std::uint32_t, N>& cell, const st
 
 }  // namespace
 
-Eigen::Vector3d moved_force(double force, const Point& lever) {
+PointValues moved_force(double force, const Point& lever) {
   return {force, force * lever.y(), -force * lever.x()};
 }
 
@@ -277,7 +277,7 @@ void add_pressure(const Pressure& load, const geometry::Cloud& cloud, const Poin
   for (std::size_t k = 0; k < cloud.plate_points; ++k) {
     const auto found = thrust(cell(k), cloud.positions[k], map.owns(k));
     const double share = cloud.areas[k] / (side * side);
-    forces.col(Eigen::Index(k)) += share * Eigen::Vector3d(found.value, found.first.y(), -found.first.x());
+    forces.col(Eigen::Index(k)) += share * PointValues(found.value, found.first.y(), -found.first.x());
   }
   thrust.require_known();
 }

@@ -75,7 +75,7 @@ namespace plate {
 /// moments of these (conjugate to w, theta_x, theta_y) [3 x points].
 
 /// A force F at `lever` from the point: by w(lever) = w + lever . psi it is F on w and a couple on the rotations.
-Eigen::Vector3d moved_force(double force, const geometry::Point& lever);
+PointValues moved_force(double force, const geometry::Point& lever);
 
 /// Adds a pressure that varies, or that acts on a patch: to every point what acts on its cell, exact for linear
 /// pressures and polygons but for cells that the outline cuts, where it is spread as over the whole cell. Throws

@@ -71,7 +71,7 @@ MovingForces stations(const Load& load, const std::vector<Point>& positions, std
   std::vector<std::uint32_t> near;
   for (std::uint32_t k = 0; k < count; ++k)
     if (geometry::distance(load.path(), positions[k]) < 3 * spacing) near.push_back(k);
-  Forces forces = Forces::Zero(3, Eigen::Index(positions.size()));
+  Forces forces = zero_forces(positions.size());
   for (const auto& [time, x] : places_on(load.path(), load.speed(), spacing)) {
     forces.setZero();
     if (const auto* force = load.as<PointForce>())
@@ -94,7 +94,7 @@ std::size_t MovingForces::after(double time) const {
 }
 
 Forces MovingForces::whole(double time, std::size_t points) const {
-  Forces result = Forces::Zero(3, Eigen::Index(points));
+  Forces result = zero_forces(points);
   at(time, [&](std::uint32_t dof, double force) { at_dof(result, dof) += force; });
   return result;
 }
@@ -117,7 +117,7 @@ MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells
 namespace {
 
 /// Couple of an edge moment on an edge with the normal n: work M n . (u, v)/z.
-Eigen::Vector3d edge_couple(const EdgeMoment& load, const Point& normal) {
+PointValues edge_couple(const EdgeMoment& load, const Point& normal) {
   const Point moment = load.on(normal);
   return {0, -moment.y(), moment.x()};
 }
@@ -214,25 +214,25 @@ private:
 
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
                     const PointMap& map) {
-  Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(areas.size()));
+  Forces forces = zero_forces(areas.size());
   if (!load.moves()) std::visit(OnCells{cells, areas, map, forces}, load.action);
   return forces;
 }
 
 Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geometry::Outline& outline,
                     const PointMap& map, const std::vector<geometry::CrackPath>& cracks) {
-  Forces forces = Forces::Zero(3, static_cast<Eigen::Index>(cloud.size()));
+  Forces forces = zero_forces(cloud.size());
   if (!load.moves()) std::visit(OnLattice{cloud, outline, map, cracks, forces}, load.action);
   return forces;
 }
 
 /// theta_x = psi_y, theta_y = -psi_x
-Eigen::Vector3d SupportMotion::at(const Point& x) const {
+PointValues SupportMotion::at(const Point& x) const {
   return {deflection + slope.dot(x - from), slope.y(), -slope.x()};
 }
 
-Eigen::Vector3d SupportMotion::at(const Point& x, const Point& outward, double beyond) const {
-  return at(x) + rotation * Eigen::Vector3d(beyond, outward.y(), -outward.x());
+PointValues SupportMotion::at(const Point& x, const Point& outward, double beyond) const {
+  return at(x) + rotation * PointValues(beyond, outward.y(), -outward.x());
 }
 
 std::vector<SupportMotion> support_motions(const Problem& problem) {

@@ -65,7 +65,7 @@ struct TimedLoad {
   History history;
   /// kappa_0 of a temperature at every point of the plate [1 / length]; of other loads empty.
   Eigen::VectorXd curvature = {};
-  State lift = State(3, 0);
+  State lift = no_state();
   std::shared_ptr<const MovingForces> moving = {};  // of a load that moves along a path; `forces` are zero
 
   bool lifts() const { return lift.cols() > 0; }
@@ -95,9 +95,9 @@ struct SupportMotion {
   double rotation = 0;  // psi_n of an edge, n its outward normal
 
   /// w, theta_x, theta_y of the body at a place.
-  Eigen::Vector3d at(const geometry::Point& x) const;
+  PointValues at(const geometry::Point& x) const;
   /// w, theta_x, theta_y of what moves with an edge: `beyond` the edge [length], where `outward` is its normal.
-  Eigen::Vector3d at(const geometry::Point& x, const geometry::Point& outward, double beyond) const;
+  PointValues at(const geometry::Point& x, const geometry::Point& outward, double beyond) const;
 };
 
 /// Support motions of all loads of the kind settlement, at factor 1.

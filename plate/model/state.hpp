@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <concepts>
 
 #include "plate/model/space.hpp"
 
@@ -13,6 +14,29 @@ using State = Values<double>;
 
 /// Nodal forces work-conjugate to State: force [force], couples [force length].
 using Forces = State;
+
+/// Deflection and rotations of one point, or its force and couples.
+using PointValues = Eigen::Matrix<double, unknowns_per_point, 1>;
+
+/// Copy of a State with the values of a point together: its memory is counted by the degree of freedom.
+using StateByPoints = Eigen::Matrix<double, unknowns_per_point, Eigen::Dynamic>;
+
+/// State of zeros.
+template <std::integral Count>
+State zero_state(Count points) {
+  return State::Zero(unknowns_per_point, static_cast<Eigen::Index>(points));
+}
+
+/// Forces of zeros.
+template <std::integral Count>
+Forces zero_forces(Count points) {
+  return zero_state(points);
+}
+
+/// State without columns: stands for "none" where a state is optional.
+inline State no_state() {
+  return State(unknowns_per_point, 0);
+}
 
 /// Value of a degree of freedom in a State or Forces [3 x points].
 template <typename Values>

@@ -194,7 +194,7 @@ Kept kept(const Problem& problem, std::size_t number, const Place& at, const Tog
   using enum SupportKind;
   const auto& support = problem.supports[number];
   Kept result;
-  Eigen::Vector3d body(0, 0, 0);
+  PointValues body(0, 0, 0);
   for (const auto& motion : motions)
     if (motion.support == number) body += motion.at(at.x, at.normal, 0);
   const Point psi(-body[2], body[1]);

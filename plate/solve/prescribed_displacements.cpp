@@ -41,10 +41,10 @@ namespace {
 /// `factor` of every load.
 template <typename Factor>
 State sum_of_lifts(const std::vector<TimedLoad>& loads, const Factor& factor) {
-  State lift(3, 0);
+  State lift = no_state();
   for (const auto& one : loads) {
     if (!one.lifts()) continue;
-    if (lift.cols() == 0) lift = State::Zero(3, one.lift.cols());
+    if (lift.cols() == 0) lift = zero_state(one.lift.cols());
     lift += factor(one) * one.lift;
   }
   return lift;
@@ -78,7 +78,7 @@ bool cancel(const Formulation& plate, const std::vector<Forces>& loads) {
     })[0]);
   };
   double largest = 0;
-  Forces sum = Forces::Zero(3, loads.front().cols());
+  Forces sum = zero_forces(loads.front().cols());
   for (const auto& load : loads) largest = std::max(largest, size(load)), sum += load;
   return largest > 0 && size(std::move(sum)) <= rounding * largest;
 }
@@ -87,7 +87,7 @@ Forces acting_load(const Formulation& plate) {
   std::vector<Forces> all;
   for (const auto& load : plate.loads()) all.push_back(load.forces);
   const auto sum = plate.total_load();
-  return cancel(plate, all) ? Forces(Forces::Zero(3, sum.cols())) : sum;
+  return cancel(plate, all) ? zero_forces(sum.cols()) : sum;
 }
 
 namespace {
@@ -104,7 +104,7 @@ public:
   /// psi = (-theta_y, theta_x) is the slope of w.
   State sum(const Eigen::Vector3d& shares) const {
     const geometry::Point slope(shares[1] / size_, shares[2] / size_);
-    State result(3, Eigen::Index(positions_.size()));
+    State result(unknowns_per_point, Eigen::Index(positions_.size()));
     for (std::size_t k = 0; k < positions_.size(); ++k)
       result.col(Eigen::Index(k)) << shares[0] + slope.dot(positions_[k] - middle_), slope.y(), -slope.x();
     return result;
@@ -126,7 +126,7 @@ Eigen::Vector3d nearest_sum(const Formulation& plate, const std::array<State, 3>
         if (!plate.boundary().owns(i)) return {};
         const auto k = Eigen::Index(i);
         const auto at = [&](const State& state) {
-          return Eigen::Vector3d(state(0, k), size * state(1, k), size * state(2, k));
+          return PointValues(state(0, k), size * state(1, k), size * state(2, k));
         };
         const auto a = at(bodies[0]), b = at(bodies[1]), c = at(bodies[2]), l = at(lift);
         return {a.dot(a), a.dot(b), a.dot(c), b.dot(b), b.dot(c), c.dot(c), a.dot(l), b.dot(l), c.dot(l)};
@@ -140,7 +140,7 @@ Eigen::Vector3d nearest_sum(const Formulation& plate, const std::array<State, 3>
 
 LiftParts split_lift(const Formulation& plate, const State& lift) {
   constexpr double rounding = 1e-12;
-  if (lift.cols() == 0 || plate.problem().elastically_supported()) return {State(3, 0), lift};
+  if (lift.cols() == 0 || plate.problem().elastically_supported()) return {no_state(), lift};
   const RigidMotions motions(plate);
   std::array<State, 3> bodies;  // what they move of what is held, beside what that follows
   for (Eigen::Index i = 0; i < 3; ++i) {
@@ -150,7 +150,7 @@ LiftParts split_lift(const Formulation& plate, const State& lift) {
     body -= carried;
   }
   Eigen::Vector3d shares = Eigen::Vector3d::Zero();
-  LiftParts result{State(3, 0), lift};
+  LiftParts result{no_state(), lift};
   for (int twice = 0; twice < 2; ++twice) {  // the second time takes out what rounding left
     const Eigen::Vector3d more = nearest_sum(plate, bodies, result.rest, motions.size());
     for (std::size_t i = 0; i < 3; ++i) result.rest -= more[Eigen::Index(i)] * bodies[i];
@@ -180,7 +180,7 @@ PrescribedDisplacements::Residual PrescribedDisplacements::residual(const State&
   const Forces diagonal = plate_.diagonal(), whole = force(state);
   Forces folded = diagonal;
   constraints.fold_diagonal(folded);
-  Forces reaction = Forces::Zero(3, whole.cols());
+  Forces reaction = zero_forces(whole.cols());
   for (const auto dof : constraints.held()) at_dof(reaction, dof) = at_dof(whole, dof);
   Residual result{whole};
   constraints.fold(result.force);

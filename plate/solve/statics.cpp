@@ -84,9 +84,9 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
   const double load_norm = weighted_norm(all, residual, weight);
 
   StaticSolution result;
-  result.state = State::Zero(3, load.cols());
+  result.state = zero_state(load.cols());
   if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
-  State correction, direction = State::Zero(3, load.cols());
+  State correction, direction = zero_state(load.cols());
   Forces product;
   double norm = load_norm, rho = 0;
   if (start) leave(minus_k, result.state = *start, weight, residual), norm = weighted_norm(all, residual, weight);
@@ -145,10 +145,10 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
   const double load_norm = weighted_norm(constraints.communicator(), external, weight);
 
   StaticSolution result;
-  result.state = State::Zero(3, load.cols());
+  result.state = zero_state(load.cols());
   if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
-  State velocity = State::Zero(3, load.cols());
-  Forces force, previous = Forces::Zero(3, load.cols());
+  State velocity = zero_state(load.cols());
+  Forces force, previous = zero_forces(load.cols());
   double* u = result.state.data();
   double* v = velocity.data();
   double* a_before = previous.data();  // acceleration F / lambda of the step before
@@ -221,7 +221,7 @@ StaticSolution refined(const Operator& plate, const Constraints& constraints, co
   external = external.array() * (weight.array() > 0).cast<double>();
   const double load_norm = weighted_norm(constraints.communicator(), external, weight);
   StaticSolution result;
-  result.state = State::Zero(3, load.cols());
+  result.state = zero_state(load.cols());
   if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
   Forces residual = external, internal;
   State correction;
@@ -315,7 +315,7 @@ constexpr auto flies = "nothing holds the plate any more where its soil lets it 
 /// A plate that flies off goes so far that rounding hides what is left of its load.
 void require_sound(const Formulation& plate, const Forces& load, const State& state) {
   constexpr double left = 1e-3;  // of the load
-  const State rests(3, 0);
+  const State rests = no_state();
   if (PrescribedDisplacements(plate, load, rests).residual(state).share > left) throw NumericalError(flies);
 }
 
@@ -421,7 +421,7 @@ std::optional<State> nearest(const std::vector<State>& states, const std::vector
   }
   const Eigen::MatrixXd symmetric = (energies + energies.transpose()) / 2;
   const Eigen::VectorXd share = symmetric.completeOrthogonalDecomposition().solve(work);
-  State result = State::Zero(3, load.cols());
+  State result = zero_state(load.cols());
   for (Eigen::Index i = 0; i < size; ++i) result += share[i] * states[std::size_t(i)];
   return result;
 }

@@ -65,14 +65,14 @@ struct StaticResult {
   std::size_t factor_bytes = 0;
   /// The state less a motion of the whole plate with its supports, as one rigid body: what strains it, to more digits
   /// than the state has. Without columns where it is the state.
-  State strained = State(3, 0);
+  State strained = no_state();
   const State& what_strains() const { return strained.cols() > 0 ? strained : solution.state; }
 };
 
 /// Solves for one load by a method, and with a preconditioner for conjugate gradients. `lift`: of supports that have
 /// moved; without columns none. Throws NumericalError as the solvers do.
 StaticResult solve_static(const Formulation& plate, const Forces& load, StaticMethod method, Preconditioning wanted,
-                          const StaticOptions& options, const State& lift = State(3, 0));
+                          const StaticOptions& options, const State& lift = no_state());
 
 /// Solves under all loads, by the method and with the preconditioner of an analysis.
 StaticResult static_solution(const Formulation& plate, const Analysis& analysis, const StaticOptions& options);
@@ -98,7 +98,7 @@ public:
   /// `again`: what is found helps with later loads; it is stored, six numbers per point. `lift`: of supports that have
   /// moved; without columns none. Throws NumericalError as the solvers do.
   StaticResult operator()(const Forces& load, const StaticOptions& options, bool again = false,
-                          const State& lift = State(3, 0));
+                          const State& lift = no_state());
 
 private:
   /// `plate`: the plate, or what is linear in its place.

@@ -339,7 +339,7 @@ std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& ti
     for (std::size_t i = 0; i < within.size(); ++i) {
       fit.points.push_back(points[std::size_t(within[i])]);
       weight.push_back(std::sqrt(plate.areas[fit.points.back()]));
-      const Eigen::Vector3d each = weight.back() * Eigen::Vector3d(1 / range.outer, 1, 1);
+      const plate::PointValues each = weight.back() * plate::PointValues(1 / range.outer, 1, 1);
       own.middleRows(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point) =
           each.asDiagonal() *
           fields.middleRows(plate::dof(within[i], 0), plate::unknowns_per_point)(Eigen::all, columns);
@@ -358,7 +358,7 @@ Eigen::Vector3d SeriesFit::operator()(const NearField& field) const {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto u = field(points[i]);
     K += row.middleCols(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point) *
-         Eigen::Vector3d(u.w, u.theta_x, u.theta_y);
+         plate::PointValues(u.w, u.theta_x, u.theta_y);
   }
   return K;
 }

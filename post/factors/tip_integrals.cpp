@@ -63,7 +63,7 @@ Eigen::VectorXd TipSurroundings::forward_work(const plate::State& state, const p
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const auto k = points_[i];
     if ((plate_->positions[k] - frame_.origin).norm() > radius) break;
-    const Eigen::Vector3d f = force.col(k);
+    const plate::PointValues f = force.col(k);
     if (f.isZero(0)) continue;
     const auto gradients = plate_->gradients(k, state);
     const auto own = field(k);

@@ -139,7 +139,7 @@ plate::Heat heat_of_frame(std::size_t frame, double time, const plate::Formulati
 /// Dirichlet lift of a frame: the displacements that supports prescribe [3 x points].
 plate::State lift_of_frame(std::size_t frame, double time, const plate::Formulation& plate) {
   const auto shares = shares_of_frame(frame, time, plate);
-  plate::State lift = plate::State::Zero(3, Eigen::Index(plate.points()));
+  plate::State lift = plate::zero_state(plate.points());
   for (std::size_t i = 0; i < shares.size(); ++i)
     if (const auto& one = plate.loads()[i]; one.lifts()) lift += shares[i] * one.lift;
   return lift;
@@ -158,7 +158,7 @@ Table stored_factors(const StoredRun& run, const plate::Formulation& plate, cons
     throw std::runtime_error("state.h5 does not belong to case.resolved.toml");
   if (!names.empty()) table.columns.emplace_back("case");
   std::vector<std::vector<Srif>> of_frames;  // of load cases
-  plate::State state = plate::State::Zero(3, Eigen::Index(cloud.size()));
+  plate::State state = plate::zero_state(cloud.size());
   for (std::size_t frame = 0; frame < run.times.size(); ++frame) {
     state.leftCols(Eigen::Index(cloud.plate_points)) = run.states[frame];
     plate.constraints().impose(state);

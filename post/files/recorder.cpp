@@ -95,7 +95,7 @@ void Recorder::row(const Sample& s, const std::vector<Probe>& probes, const plat
     history_.rows.back().emplace_back(*s.dissipated_energy);
   }
   for (const auto& [name, x, shares] : probes) {
-    Eigen::Vector3d u = plate::value_at(shares, s.state);
+    plate::PointValues u = plate::value_at(shares, s.state);
     for (double& component : u)
       component = plate::sum_of_all(*boundary.map.communicator, component);  // one process has the place
     probes_.rows.push_back({s.time, name, x.x(), x.y(), u[0], u[1], u[2]});

@@ -8,6 +8,7 @@
 #include <regex>
 #include <stdexcept>
 
+#include "plate/model/space.hpp"
 #include "post/files/atomic_file.hpp"
 #include "post/files/data_arrays.hpp"
 #include "post/files/frame.hpp"
@@ -260,7 +261,7 @@ Frame frame_of(const pugi::xml_node& data, std::size_t points) {
   const auto w = values("w"), theta = values("theta", 2), damage = values("damage");
   const auto xx = values("Mxx"), yy = values("Myy"), xy = values("Mxy");
   Frame frame;
-  frame.state.resize(3, Eigen::Index(points));
+  frame.state.resize(plate::unknowns_per_point, Eigen::Index(points));
   frame.state << w, theta;
   frame.damage.assign(damage.data(), damage.data() + damage.size());
   frame.resultants.moments.resize(3, Eigen::Index(points));

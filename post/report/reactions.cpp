@@ -158,7 +158,7 @@ Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
   const auto points = Eigen::Index(plate.points());
   const auto holders = boundary_->holders.size(), all = holders + elastic_supports.size();
   const bool each = all <= most;
-  std::vector<plate::State> units(each ? holders : 1, plate::State::Zero(plate::unknowns_per_point, points));
+  std::vector<plate::State> units(each ? holders : 1, plate::zero_state(points));
   for (const auto& [holder, i, unit] : shares_) plate::at_dof(units[each ? holder : 0], held[i]) += unit.force;
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(Eigen::Index(each ? all : 1), plate::unknowns_per_point * points);
   plate::Forces forces;
@@ -169,7 +169,7 @@ Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
     plate.internal_force(units[s], forces);
     add(s);
   }
-  plate::State along_w = plate::State::Zero(plate::unknowns_per_point, points);
+  plate::State along_w = plate::zero_state(points);
   along_w.row(0).setOnes();
   for (std::size_t i = 0; i < elastic_supports.size(); ++i) {  // what they do to the plate is the support's own force
     forces = -elastic_supports[i]->force(along_w);
@@ -206,7 +206,7 @@ std::function<plate::Forces(const plate::State&)> inertial_force(const plate::Fo
 }
 
 plate::Forces pressing(const plate::ImpactorMotion& contact_force, Eigen::Index points) {
-  plate::Forces result = plate::Forces::Zero(3, points);
+  plate::Forces result = plate::zero_forces(points);
   for (const auto& [dof, factor] : contact_force.terms) plate::at_dof(result, dof) += factor * contact_force.force;
   return result;
 }

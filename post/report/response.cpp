@@ -61,7 +61,7 @@ std::vector<Response> responses_of(double frequency, const std::vector<Srif>& in
 
 std::vector<Response> responses_of(double frequency, const Probe& probe, const plate::State& in_phase,
                                    const plate::State& quadrature, double change, double thickness) {
-  const Eigen::Vector3d a = plate::value_at(probe.shares, in_phase), b = plate::value_at(probe.shares, quadrature);
+  const plate::PointValues a = plate::value_at(probe.shares, in_phase), b = plate::value_at(probe.shares, quadrature);
   double largest = 0;
   for (Eigen::Index c = 0; c < plate::unknowns_per_point; ++c)
     largest = std::max(largest, std::hypot(a[c], b[c]) * (c == 0 ? 1 : thickness));

@@ -1,5 +1,5 @@
 """Rules of the text of sources: no `catch` without a body, docstrings that name their subject, one place that numbers
-degrees of freedom."""
+degrees of freedom and that knows how many a point has."""
 import re
 
 import tree
@@ -18,6 +18,18 @@ DOF = re.compile("|".join((
     rf"(?:[\[{{]|\b(?:fix|tie|held|add|add_force)\(|segment<\d>\(|\b(?:dof|row|to|first) = )3 \* {POINT}[\]),;]",  # 3 * k
     rf"\b(?:\w*dof|follower|leader|unknown|row|column|one|held\[\w+\])\)? [/%] 3\b",  # dof / 3, dof % 3
     r"\b[69] \* \w+(?:\]| \+ 3 -)")))  # 9 * block], 6 * k + 3 - other
+
+LITERAL_SIZES = 0  # lines that write the number of unknowns of a point as 3
+SIZING = (*NUMBERING, "plate/model/state.hpp",
+          "geometry/",    # knows no unknowns
+          "cases/runs/")  # not converted yet
+VALUES = r"\b(?:State|Forces|Values<\w+>)"
+SIZE = re.compile("|".join((
+    rf"{VALUES}(?:::\w+| \w+)?[({{]3, ", rf"{VALUES} .*\), \w+\(3, ",  # State::Zero(3, n), State a(3, n), b(3, n)
+    r"(?<!moments)(?<!factors_)(?:\.|->)(?:resize|setZero)\(3, ",  # of resultants and of a fit: three moments, three factors
+    r"\bMatrix<\w+, 3, (?:Eigen::)?Dynamic\b",
+    r"\bconstexpr [\w:]+ \w*(?:unknowns|components|dofs)\w*(?: = |\{)3\b",
+    r"\b(?:c|component|unknown) < 3\b")))
 
 
 def catches(root, path):
@@ -44,6 +56,14 @@ def dof_arithmetic(root, path):
                 yield count
 
 
+def literal_sizes(root, path):
+    """Lines that size values of points by a literal."""
+    if not path.as_posix().startswith(SIZING):
+        for count, line in enumerate(tree.code((root / path).read_text(encoding="utf-8")).splitlines(), 1):
+            if SIZE.search(line):
+                yield count
+
+
 def check(root):
     paths = tree.cpp(root)
     problems = [problem for path in paths for problem in catches(root, path)]
@@ -56,5 +76,10 @@ def check(root):
     if len(numbered) > DOF_ARITHMETIC:
         problems.append(f"{numbered[-1]}: {len(numbered)} lines compute degrees of freedom, {DOF_ARITHMETIC} are allowed: "
                         f"use the functions of {NUMBERING[0]}")
+    sized = [f"{path}:{line}" for path in paths for line in literal_sizes(root, path)]
+    if len(sized) > LITERAL_SIZES:
+        problems.append(f"{sized[-1]}: {len(sized)} lines write the unknowns of a point as 3, {LITERAL_SIZES} are allowed: "
+                        "use unknowns_per_point, zero_state(), zero_forces() or no_state()")
     return problems, (f"{len(paths)} files catch nothing in silence; {len(unnamed)} of {DOCSTRINGS} docstrings that name no subject; "
-                      f"{len(numbered)} of {DOF_ARITHMETIC} lines of dof arithmetic")
+                      f"{len(numbered)} of {DOF_ARITHMETIC} lines of dof arithmetic; "
+                      f"{len(sized)} of {LITERAL_SIZES} lines with a literal size")

@@ -187,6 +187,17 @@ class Others(Tree):
         for kernel in ("plate/model/space.hpp", "plate/bonds/rows/a.hpp", "plate/galerkin/stiffness.cpp"):
             self.assertEqual(list(style.dof_arithmetic(self.root, self.write(kernel, "k = dof / 3;\n"))), [])
 
+    def test_literal_sizes(self):
+        literal = ("State result = State::Zero(3, points);", "plate::Forces(3, 0)", "State u(3, n);", "State{3, 0}", "Values<float> u(3, n);",
+                   "State a(unknowns_per_point, f(n)), b(3, n);", "force.resize(3, n);", "to->setZero(3, n);",
+                   "Eigen::Matrix<double, 3, Eigen::Dynamic> u;", "constexpr int unknowns = 3;", "for (int c = 0; c < 3; ++c)")
+        others = ("State u = zero_state(n);", "State u(unknowns_per_point, n);", "Eigen::MatrixXd::Zero(3, n)", "moments.resize(3, n);",
+                  "watched.resize(3);", "for (int i = 0; i < 3; ++i)", "constexpr int most = 3;", "std::array<double, 3> K;", "// State(3, 0)")
+        text = "\n".join(literal + others) + "\n"
+        self.assertEqual(list(style.literal_sizes(self.root, self.write("plate/model/a.cpp", text))), list(range(1, len(literal) + 1)))
+        for path in ("plate/model/state.hpp", "plate/bonds/rows/a.hpp", "geometry/cells/a.cpp", "cases/runs/a.cpp"):
+            self.assertEqual(list(style.literal_sizes(self.root, self.write(path, text))), [])
+
     def test_format(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")
         for name, text, right in (("a.cpp", "int a = 1;\n", True), ("b.cpp", "int b   = 1;\nint  c;\n", False)):

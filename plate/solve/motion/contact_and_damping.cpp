@@ -5,6 +5,7 @@
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/model/space.hpp"
 
 namespace plate {
 namespace {
@@ -63,7 +64,7 @@ void ImpactContact::move(double share, double time_step) {
 /// the contact may count too much by (dt Omega)^2 of the energy there, Omega^2 = k (1 / m + b M^-1 b): at most a
 /// hundredth.
 double stable_step(double free, const Impactor& impactor, const Constraints& constraints, const Forces& mass) {
-  Forces unit = Forces::Zero(3, mass.cols());
+  Forces unit = zero_forces(mass.cols());
   for (const auto& [dof, factor] : impactor.terms) at_dof(unit, dof) += factor;
   constraints.fold(unit);
   const auto [of_plate] = ordered_sum<1>(constraints.communicator(), std::size_t(unit.size()), [&](std::size_t i) {
@@ -92,7 +93,7 @@ void ContactAndDamping::find(const State& state, const State& velocity, const Fo
     if (kept_) earlier_ = state;
   }
   if (!contact_) return;
-  pressed_.setZero(3, force.cols());
+  pressed_.setZero(unknowns_per_point, force.cols());
   contact_->press(state, pressed_);
 }
 

@@ -45,7 +45,7 @@ DrivenSupports::DrivenSupports(const std::vector<TimedLoad>& loads, const Constr
 }
 
 Forces driven_mass(const Formulation& plate, double rotary) {
-  return has_prescribed_displacements(plate) ? unconstrained_mass(plate, rotary) : Forces(3, 0);
+  return has_prescribed_displacements(plate) ? unconstrained_mass(plate, rotary) : Forces();
 }
 
 double DrivenSupports::place_of(const Driven& one, double time) const {

@@ -74,7 +74,7 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
                  now.state,  [combined, &velocity = now.velocity, half] { return combined(velocity, half); },
                  kinetic,    work,
                  strain,     product,
-                 -potential, [combined, points] { return combined(State::Zero(3, points), 1); },
+                 -potential, [combined, points] { return combined(zero_state(points), 1); },
                  {}};
   if (const auto& contact = contact_and_damping.contact()) {
     result.kinetic_energy += contact->kinetic(half), result.strain_energy += contact->spring();
@@ -102,7 +102,7 @@ struct Begin {
   std::size_t step = 0;
 
   Begin(const DynamicOptions& options, Masses& masses, Eigen::Index points)
-      : state(State::Zero(3, points)), velocity(State::Zero(3, points)) {
+      : state(zero_state(points)), velocity(zero_state(points)) {
     if (const auto* from = options.from) {
       state = from->state, velocity = from->velocity, step = from->step;
       masses.restore(*from);
@@ -240,7 +240,7 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
   if (options.unconstrained_mass.cols() > 0)
     driven = {loads, constraints, options.unconstrained_mass, mass, options.own};
   const auto points = mass.cols();
-  mass.resize(3, 0);
+  mass.resize(unknowns_per_point, 0);
   if (!options.single) {
     const auto internal_force = [&](const State& state, PendingExchange* rest, Forces& force) {
       rest ? plate.internal_force_overlapped(state, *rest, force) : plate.internal_force(state, force);
@@ -248,7 +248,7 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
     return steps<double>(internal_force, constraints, std::move(masses), std::move(driven),
                          TravellingLoads(loads, constraints.communicator()), points, options, observe);
   }
-  Values<float> rounded(3, points);
+  Values<float> rounded(unknowns_per_point, points);
   const auto internal_force = [&](const State& state, PendingExchange* rest, Values<float>& force) {
     if (rest) rest->complete();
 #pragma omp parallel for simd schedule(static)
@@ -308,7 +308,7 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
   const Communicator& all = constraints.communicator();
   const Forces root = root_of(inverse_of(mass));
   now = (root.array() > 0).select(now, 0.0);
-  State before = State::Zero(3, now.cols());
+  State before = zero_state(now.cols());
   now /= std::sqrt(dot(all, now, now));
   std::vector<double> alpha, beta;
   Forces forces;
@@ -352,11 +352,11 @@ double stable_time_step(const Operator& plate, const Constraints& constraints, c
 
 std::optional<State> start_by_place(const Formulation& plate) {
   if (!plate.communicator().distributed()) return std::nullopt;
-  State start(3, Eigen::Index(plate.points()));
+  State start(unknowns_per_point, Eigen::Index(plate.points()));
   for (Eigen::Index k = 0; k < start.cols(); ++k) {
     const auto [column, row] = geometry::cell_of(plate.boundary().lattice[std::size_t(k)]);
     std::seed_seq seed{std::uint32_t(column), std::uint32_t(row)};
-    std::array<std::uint32_t, 3> random{};
+    std::array<std::uint32_t, unknowns_per_point> random{};
     seed.generate(random.begin(), random.end());
     for (Eigen::Index c = 0; c < unknowns_per_point; ++c)
       start(c, k) = std::ldexp(double(random[std::size_t(c)]), -31) - 1;

@@ -127,8 +127,8 @@ struct DynamicOptions {
   std::function<void(const Values<float>&, Values<float>&)> single = {};
   /// Changes of the plate, in double precision only.
   Changes* changes = nullptr;
-  bool held_forces = false;                  // for those who observe
-  Forces unconstrained_mass = Forces(3, 0);  // driven_mass()
+  bool held_forces = false;        // for those who observe
+  Forces unconstrained_mass = {};  // driven_mass()
   /// State of rest at time 0, under loads that have grown slowly: their work until then counts. Empty: zero.
   State start = {};
   bool bent = false;    // something else than the loads has brought the plate there

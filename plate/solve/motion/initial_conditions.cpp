@@ -26,7 +26,7 @@ State bent(const Formulation& plate, const Formula& formula) {
   if (!formula.given()) return {};
   const double step = 1e-3 * plate.discretization().spacing_at_tips();
   const auto& positions = plate.cloud().positions;
-  State result = State::Zero(3, Eigen::Index(positions.size()));
+  State result = zero_state(positions.size());
   for (std::size_t k = 0; k < plate.cloud().plate_points; ++k) {
     if (!plate.boundary().owns(k)) continue;
     const Point& x = positions[k];
@@ -34,7 +34,7 @@ State bent(const Formulation& plate, const Formula& formula) {
       const auto at = [&](double n) { return formula(x + n * step * along); };
       return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step);
     };
-    const Eigen::Vector3d u(formula(x), slope({0, 1}), -slope({1, 0}));  // psi = (-theta_y, theta_x)
+    const PointValues u(formula(x), slope({0, 1}), -slope({1, 0}));  // psi = (-theta_y, theta_x)
     if (!u.allFinite()) throw FormulaError(formula, x);
     result.col(Eigen::Index(k)) = u;
   }

@@ -12,12 +12,12 @@
 
 namespace plate {
 
-using Triple = std::array<double, 3>;  // per component of a State
+using ByComponent = std::array<double, unknowns_per_point>;  // values of a point
 
 /// Mass and loads of a point; lattices have few different ones.
 struct PointClass {
-  Triple mass, inverse_mass, load;  // load: the sum at the time in hand
-  std::vector<Triple> loads;        // of every load, at factor 1
+  ByComponent mass, inverse_mass, load;  // load: the sum at the time in hand
+  std::vector<ByComponent> loads;        // of every load, at factor 1
 };
 
 /// Points that follow each other in one class.

@@ -1,3 +1,4 @@
+#include "plate/model/state.hpp"
 #include "post/files/hdf5/state_file.hpp"
 
 #include <array>
@@ -78,16 +79,18 @@ void check_widths(const std::filesystem::path& path) {
 
 StoredRun read_frames(hid_t file) {
   check_version(file);
-  const Numbers position(file, "/points/position", 2), time(file, "/frames/time", 1), state(file, "/frames/state", 3);
+  const Numbers position(file, "/points/position", 2), time(file, "/frames/time", 1),
+      state(file, "/frames/state", plate::unknowns_per_point);
   const hsize_t points = position.sizes[0], frames = time.sizes[0];
-  if (position.sizes[1] != 2 || state.sizes != Sizes{frames, points, 3}) {
+  if (position.sizes[1] != 2 || state.sizes != Sizes{frames, points, plate::unknowns_per_point}) {
     throw std::runtime_error("the frames do not fit the points");
   }
   StoredRun run{std::vector<Eigen::Vector2d>(points), std::vector<double>(frames),
-                std::vector<plate::State>(frames, plate::State(3, points)), text_attribute(file, "case")};
+                std::vector<plate::State>(frames, plate::State(plate::unknowns_per_point, points)),
+                text_attribute(file, "case")};
   position.read(run.positions.data()->data());
   time.read(run.times.data());
-  Eigen::Matrix3Xd by_points(3, points);
+  plate::StateByPoints by_points(plate::unknowns_per_point, points);
   for (hsize_t i = 0; i < frames; ++i) state.read(i, by_points.data()), run.states[i] = by_points;
   return run;
 }

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "plate/model/space.hpp"
 #include "post/files/hdf5/datasets.hpp"
 #include "post/files/run_folder.hpp"
 
@@ -49,8 +50,11 @@ struct FieldOfFrames {
 const std::array<FieldOfFrames, 5>& fields_of_frames() {
   using Motion = StateFile::Motion;
   static const std::array<FieldOfFrames, 5> fields{
-      {{"state", 3, &Motion::state, {"length, 1, 1", "w, theta_x, theta_y of every point"}},
-       {"velocity", 3, &Motion::velocity, {"length/time, 1/time, 1/time", "rates of w, theta_x, theta_y"}},
+      {{"state", plate::unknowns_per_point, &Motion::state, {"length, 1, 1", "w, theta_x, theta_y of every point"}},
+       {"velocity",
+        plate::unknowns_per_point,
+        &Motion::velocity,
+        {"length/time, 1/time, 1/time", "rates of w, theta_x, theta_y"}},
        {"moments", 3, &Motion::moments, {"force", "Mxx, Myy, Mxy of every point, per length"}},
        {"shear_forces", 2, &Motion::shear_forces, {"force/length", "Qx, Qy of every point, per length"}},
        {"von_mises", 1, &Motion::von_mises, {"force/length^2", "von Mises stress at the top face of every point"}}}};

@@ -50,3 +50,18 @@ TEST_CASE("degrees of freedom number the values of a state", "[space]") {
   at_dof(state, dof(3, 1)) = -1;
   CHECK(state(1, 3) == -1);
 }
+
+TEST_CASE("states of zeros and of nothing have a row for every unknown", "[space]") {
+  const State zero = zero_state(std::size_t(5));
+  CHECK((zero.rows() == unknowns_per_point && zero.cols() == 5));
+  CHECK((zero.array() == 0).all());
+  CHECK(zero_forces(Eigen::Index(5)) == zero);
+  CHECK((no_state().rows() == unknowns_per_point && no_state().cols() == 0));
+}
+
+TEST_CASE("degrees of freedom count the memory of a state by points", "[space]") {
+  constexpr std::size_t points = 5;
+  const State state = State::Random(unknowns_per_point, Eigen::Index(points));
+  const StateByPoints by_points = state;
+  for (std::size_t i = 0; i < unknowns_per_point * points; ++i) CHECK(by_points.data()[i] == at_dof(state, i));
+}
