@@ -13,6 +13,11 @@ struct Problem {
   std::string what;   // value, what is allowed, nearest match
 };
 
+/// A key of a case, such as "combination[0].of", and what is wrong with it.
+struct KeyError {
+  std::string key, what;
+};
+
 /// Exception with all problems of a case file; what() lists them, one line each.
 class CaseError : public std::runtime_error {
 public:
