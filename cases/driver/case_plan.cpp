@@ -20,12 +20,22 @@ fracture::RecordingOptions recording_options(const Case& c, const RunOptions& op
           moves,          out.checkpoint_every, options.resume,  options.quiet, options.communicator};
 }
 
-fracture::Recording recording_of(const Case& c, const RunOptions& options) {
+namespace {
+
+fracture::Recording recording_into(const Case& c, const RunOptions& options) {
   if (!options.in_memory) return fracture::recording(recording_options(c, options));
   auto& in_memory = *options.in_memory;
   in_memory.resolved = resolved_toml(c);
   in_memory.wants_fields = in_memory.wants_fields && (c.output.vtk || c.output.hdf5);
   return {{std::make_unique<post::MemorySink>(in_memory), in_memory.resolved, PDPLATE_VERSION}, nullptr};
+}
+
+}  // namespace
+
+fracture::Recording recording_of(const Case& c, const RunOptions& options) {
+  auto result = recording_into(c, options);
+  result.recorder.name_settings(with_keys);
+  return result;
 }
 
 fracture::RunPlan plan_of(const Case& c, const RunOptions& options) {

@@ -112,7 +112,7 @@ void check_held(const Load& load, std::size_t number, const Problem& problem, st
       if (shear ? held.w : (moment || twist) && (!moment || held.normal) && (!twist || held.tangential))
         found.push_back(
             {Subject::load_edges, number,
-             fmt::format("edge \"{}\" is held by support[{}] against all that this load does there: it would "
+             fmt::format("edge \"{}\" is held by `support {}` against all that this load does there: it would "
                          "go into the support and not into the plate",
                          edge, i)});
     }
@@ -133,7 +133,7 @@ void check_force(const Load& load, std::size_t number, const Problem& problem, s
     if (geometry::contains({{ring, std::vector<std::string>(ring.size())}, {}}, *position))
       found.push_back(
           {Subject::load_position, number,
-           fmt::format("{} given, lies on the part that support[{}] holds: it would go into the support and "
+           fmt::format("{} given, lies on the part that `support {}` holds: it would go into the support and "
                        "not into the plate",
                        text_of(*position), i)});
   }
@@ -186,7 +186,7 @@ void check_supports(const Problem& problem, std::vector<Refusal>& found) {
       const auto [first, fresh] = holder.emplace(edge, i);
       if (!fresh && first->second != i)
         found.push_back({Subject::support_edges, i,
-                         fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second)});
+                         fmt::format("edge \"{}\" is already held by `support {}`", edge, first->second)});
       const bool any_direction = problem.discretization.formulation->offers(Feature::any_direction) ||
                                  problem.discretization.boundary == EdgeMethod::surface_nodes;
       if (!any_direction && needs_axis_parallel(support.kind) && !axis_parallel(problem.outline, edge))

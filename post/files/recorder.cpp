@@ -1,6 +1,7 @@
 #include "post/files/recorder.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
@@ -126,7 +127,21 @@ void Recorder::restore(plate::InArchive& archive) {
   sink_->go_on(frames);
 }
 
+namespace {
+
+/// Replaces the messages of a summary.
+void replace_messages(Summary& summary, const std::function<std::string(std::string_view)>& named) {
+  const auto name = [&](std::string& message) { message = named(message); };
+  std::ranges::for_each(summary.warnings, name);
+  name(summary.outcome), name(summary.analysis.stop_reason);
+  if (summary.growth) name(summary.growth->outcome);
+  if (summary.accuracy) name(summary.accuracy->outcome);
+}
+
+}  // namespace
+
 Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
+  if (named_) replace_messages(summary, named_);
   Sink::Tables tables;
   const auto& kind = summary.analysis.kind;
   if (frequencies_.rows.empty() && kind != "frequencies" && kind != "harmonic")

@@ -1,7 +1,9 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -120,6 +122,9 @@ public:
   /// NAME.svg.
   void picture(const std::string& name, const std::string& svg) { sink_->plot(name, svg); }
 
+  /// Sets what gives the settings in a message of the summary, which stand in backticks, the names that users know.
+  void name_settings(std::function<std::string(std::string_view)> named) { named_ = std::move(named); }
+
   /// Writes the tables and, last, the summary; returns it complete.
   Summary finish(Summary summary, plate::Stopwatch& stopwatch);
 
@@ -134,6 +139,7 @@ private:
   std::unique_ptr<Sink> sink_;
   const plate::Communicator* communicator_;
   std::string resolved_, version_;
+  std::function<std::string(std::string_view)> named_;
   Table history_, probes_, frequencies_;
   std::shared_ptr<const plate::Traffic> before_;  // of this process, when the run began
   std::vector<std::pair<std::string, Table>> tables_;
