@@ -1,5 +1,5 @@
 """Rules of the text of sources: no `catch` without a body, docstrings that name their subject, one place that numbers
-degrees of freedom."""
+degrees of freedom, keys of case files in `cases` alone."""
 import re
 
 import tree
@@ -18,6 +18,9 @@ DOF = re.compile("|".join((
     rf"(?:[\[{{]|\b(?:fix|tie|held|add|add_force)\(|segment<\d>\(|\b(?:dof|row|to|first) = )3 \* {POINT}[\]),;]",  # 3 * k
     rf"\b(?:\w*dof|follower|leader|unknown|row|column|one|held\[\w+\])\)? [/%] 3\b",  # dof / 3, dof % 3
     r"\b[69] \* \w+(?:\]| \+ 3 -)")))  # 9 * block], 6 * k + 3 - other
+
+SPELLED_KEYS = 0  # of case files, in strings below `cases`
+TABLE_OF_KEYS = "cases/keys.md"
 
 
 def catches(root, path):
@@ -44,6 +47,27 @@ def dof_arithmetic(root, path):
                 yield count
 
 
+def key_pattern(root):
+    """A key of the table in a text, or the place of one: section.name, section.{}, list[0].name, list[{}]."""
+    keys = re.findall(r"^\| `(\w+)(\[\])?\.(\w+)", (root / TABLE_OF_KEYS).read_text(encoding="utf-8"), re.MULTILINE)
+    if not keys:
+        raise tree.Empty(f"no key in {TABLE_OF_KEYS}")
+    names = {rf"{section}(?:\[[^\]]*\])?\.(?:{name}\b|\{{)" for section, _, name in keys}
+    entries = {rf"{section}\[(?:\{{|\d)" for section, entry, _ in keys if entry}
+    return re.compile(rf"\b(?:{'|'.join(sorted(names | entries))})")
+
+
+def spelled_keys(root, path, pattern):
+    """Lines of the strings that spell a key of case files."""
+    if path.parts[0] == "cases":
+        return
+    text = tree.DIRECTIVE.sub(lambda m: tree.blank(m[0]), (root / path).read_text(encoding="utf-8"))
+    for literal in tree.TOKENS.finditer(text):
+        if not literal[0].startswith("/"):
+            for key in pattern.finditer(literal[0]):
+                yield text.count("\n", 0, literal.start() + key.start()) + 1
+
+
 def check(root):
     paths = tree.cpp(root)
     problems = [problem for path in paths for problem in catches(root, path)]
@@ -56,5 +80,11 @@ def check(root):
     if len(numbered) > DOF_ARITHMETIC:
         problems.append(f"{numbered[-1]}: {len(numbered)} lines compute degrees of freedom, {DOF_ARITHMETIC} are allowed: "
                         f"use the functions of {NUMBERING[0]}")
+    pattern = key_pattern(root)
+    spelled = [f"{path}:{line}" for path in paths for line in spelled_keys(root, path, pattern)]
+    if len(spelled) > SPELLED_KEYS:
+        problems.append(f"{spelled[-1]}: {len(spelled)} strings below cases spell a key, {SPELLED_KEYS} are allowed: "
+                        "name the setting in backticks, which with_keys() of cases/input/problems.hpp replaces")
     return problems, (f"{len(paths)} files catch nothing in silence; {len(unnamed)} of {DOCSTRINGS} docstrings that name no subject; "
-                      f"{len(numbered)} of {DOF_ARITHMETIC} lines of dof arithmetic")
+                      f"{len(numbered)} of {DOF_ARITHMETIC} lines of dof arithmetic; "
+                      f"{len(spelled)} of {SPELLED_KEYS} keys spelled below cases")

@@ -187,6 +187,20 @@ class Others(Tree):
         for kernel in ("plate/model/space.hpp", "plate/bonds/rows/a.hpp", "plate/galerkin/stiffness.cpp"):
             self.assertEqual(list(style.dof_arithmetic(self.root, self.write(kernel, "k = dof / 3;\n"))), [])
 
+    def test_spelled_keys(self):
+        self.write("cases/keys.md", "| key | unit |\n|---|---|\n| `title` | - |\n| `section.young` | - |\n| `support[].kind` | - |\n| `srif.rows` | - |\n")
+        spelled = ('say("set section.young = 1");', 'say("section.{} = 1");', 'say("support[{}] holds");', 'key = "support[0].kind";',
+                   'say(R"(srif.rows)");')
+        others = ('say("set `young` = 1");', "section.young = 1;", 'read("srif.csv");', 'say("`support {}`");', "// section.young",
+                  '#include "section.young"', 'say("cross_section.young");', 'say("section.younger");')
+        lines = list(range(1, len(spelled) + 1))
+        for folder, found in (("plate/model", lines), ("cases/input", [])):
+            path = self.write(f"{folder}/a.cpp", "\n".join(spelled + others) + "\n")
+            self.assertEqual(list(style.spelled_keys(self.root, path, style.key_pattern(self.root))), found)
+        self.write("cases/keys.md", "no table\n")
+        with self.assertRaises(tree.Empty):
+            style.key_pattern(self.root)
+
     def test_format(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")
         for name, text, right in (("a.cpp", "int a = 1;\n", True), ("b.cpp", "int b   = 1;\nint  c;\n", False)):
