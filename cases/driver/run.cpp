@@ -159,6 +159,8 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
   } catch (const fracture::RefusedFolder& refused) {
     const bool writes = refused.attempt() == fracture::RefusedFolder::Attempt::write;
     throw CaseError({{writes ? "--out" : "--resume", options.folder.string(), refused.what()}});
+  } catch (const plate::NumericalError& failed) {
+    throw plate::NumericalError(with_keys(failed.what()));
   }
 }
 
@@ -207,7 +209,7 @@ std::string of_plate(const CaseFile& file) {
   std::string text =
       fmt::format("tips          {}\nfictitious    {} points, {} bonds to them\n{}", plate->tips().size(),
                   plate->fictitious_points(), plate->fictitious_bonds(), plate->of_edges());
-  for (const auto& warning : warnings) text += "warning: " + warning + "\n";
+  for (const auto& warning : warnings) text += "warning: " + with_keys(warning) + "\n";
   return text;
 }
 

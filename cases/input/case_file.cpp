@@ -58,9 +58,9 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   read_fields(case_fields(), Value(root, "", reading), content);
   plate::join_loads(content);
   if (const auto without = plate::resolve_weights(content); without && reading.sound("section.density"))
-    reading.report_error("section.density",
-                         fmt::format("is missing, must be a number > 0: {} is the plate's own weight",
-                                     plate::key_of_load(content, *without)));
+    reading.report_error(
+        "section.density",
+        fmt::format("is missing, must be a number > 0: {} is the plate's own weight", key_of_load(content, *without)));
   snap_cracks(content, reading);
   resolve_formulation(states_formulation(root), content, reading);
   resolve_method(content, reading);
@@ -88,20 +88,35 @@ std::string resolved_toml(const Case& content) {
   return write_fields(case_fields(), content, content.analysis.kind, "\n") + "\n";
 }
 
+std::string key_of_load(const plate::Problem& problem, std::size_t load) {
+  const auto shared = plate::shared_loads(problem);
+  if (load < shared) return fmt::format("load[{}]", load);
+  load -= shared;
+  for (std::size_t i = 0; i < problem.load_cases.size(); ++i) {
+    const auto own = problem.load_cases[i].loads.size();
+    if (load < own) return fmt::format("case[{}].load[{}]", i, load);
+    load -= own;
+  }
+  return "load";
+}
+
 std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem) {
   using enum plate::Subject;
   static const std::map<plate::Subject, const char*> keys{{geometry, "geometry"},
                                                           {section, "section"},
                                                           {thickness_factor, "section.thickness_factor"},
                                                           {young_factor, "section.young_factor"},
+                                                          {thermal_expansion, "section.thermal_expansion"},
                                                           {region, "section.regions[{}]"},
                                                           {region_shape, "section.regions[{}].on"},
                                                           {cracks, "geometry.cracks"},
                                                           {crack, "geometry.cracks[{}]"},
                                                           {spacing, "discretization.spacing"},
                                                           {volume_correction, "discretization.volume_correction"},
+                                                          {surface_correction, "discretization.surface_correction"},
                                                           {edge_method, "discretization.boundary"},
                                                           {support, "support"},
+                                                          {support_kind, "support[{}].kind"},
                                                           {support_points, "support[{}].points"},
                                                           {support_line, "support[{}].along"},
                                                           {support_patch, "support[{}].on"},
@@ -132,7 +147,7 @@ std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem)
                                                           {rows, "output.history_every"},
                                                           {density, "section.density"}};
   const auto key = fmt::format(fmt::runtime(keys.at(refusal.subject)), refusal.number);
-  return key.starts_with("load[") ? plate::key_of_load(problem, refusal.number) + key.substr(key.find(']') + 1) : key;
+  return key.starts_with("load[") ? key_of_load(problem, refusal.number) + key.substr(key.find(']') + 1) : key;
 }
 
 std::vector<Problem> problems_of(const CaseFile& file, const std::vector<plate::Refusal>& refusals) {

@@ -60,6 +60,9 @@ CaseFile read_case_text(const std::string& text, const std::string& name, const 
 /// The whole case with all defaults as TOML: reading it gives the same case.
 std::string resolved_toml(const Case& content);
 
+/// The key of a load of a problem with the loads of all its load cases: "load[2]", "case[0].load[1]".
+std::string key_of_load(const plate::Problem& problem, std::size_t load);
+
 /// The key that a refusal is about.
 std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem);
 

@@ -192,21 +192,20 @@ std::vector<Part> parts_of(const Case& content) {
   return result;
 }
 
-std::vector<plate::KeyError> excluded(const Case& content) {
+std::vector<KeyError> excluded(const Case& content) {
   const auto parts = parts_of(content);
   const auto has = [&](Part part) { return std::ranges::find(parts, part) != parts.end(); };
-  std::vector<plate::KeyError> result;
+  std::vector<KeyError> result;
   for (const auto& [one, other, key, reason] : exclusions()) {
     if (!has(one) || !has(other)) continue;
     if (key != settlements) {
-      const plate::KeyError error{key, reason};
+      const KeyError error{key, reason};
       if (std::ranges::none_of(result, [&](const auto& old) { return old.key == key && old.what == reason; }))
         result.push_back(error);
       continue;
     }
     for (std::size_t i = 0; i < content.loads.size(); ++i)
-      if (content.loads[i].as<plate::Settlement>())
-        result.push_back({plate::key_of_load(content, i) + ".kind", reason});
+      if (content.loads[i].as<plate::Settlement>()) result.push_back({key_of_load(content, i) + ".kind", reason});
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cases/input/problems.hpp"
 #include "plate/model/problem.hpp"
 
 namespace cases {
@@ -60,7 +61,7 @@ std::string_view words_of(Part part);
 std::vector<Part> parts_of(const Case& content);
 
 /// The exclusions that a case meets, by its keys.
-std::vector<plate::KeyError> excluded(const Case& content);
+std::vector<KeyError> excluded(const Case& content);
 
 /// The exclusions as a list in Markdown.
 std::string exclusion_list();

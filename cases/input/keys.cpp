@@ -138,10 +138,14 @@ void check_tips(const Case& content, Reading& reading) {
 }
 
 void check_load_cases(const Case& content, Reading& reading) {
-  auto errors = plate::errors_in_load_cases(content);
-  for (auto& error : fracture::errors_in_load_cases(content)) errors.push_back(std::move(error));
-  for (const auto& [key, what] : errors)
+  for (const auto& [key, what] : fracture::errors_in_load_cases(content))
     if (key == "combination" || reading.sound(key)) reading.report_error(key, what);
+}
+
+std::vector<KeyError> by_keys(const std::vector<plate::Refusal>& refusals, const Case& content) {
+  std::vector<KeyError> result;
+  for (const auto& refusal : refusals) result.push_back({key_of(refusal, content), refusal.what});
+  return result;
 }
 
 void check_beside_analysis(const Case& content, Reading& reading) {
@@ -149,7 +153,7 @@ void check_beside_analysis(const Case& content, Reading& reading) {
   // what is missing or cannot be read has another value here than the file means
   std::set<std::string> unread;
   for (const auto& problem : reading.problems()) unread.insert(problem.key);
-  const auto report_error = [&](const std::vector<plate::KeyError>& errors) {
+  const auto report_error = [&](const std::vector<KeyError>& errors) {
     for (const auto& [key, what] : errors)
       if (!unread.contains(key)) reading.report_error(key, what);
   };
@@ -157,7 +161,7 @@ void check_beside_analysis(const Case& content, Reading& reading) {
   if (growth && reading.sound("geometry"))
     report_error(fracture::errors_in_growth(content, analysis, *growth, srif, given));
   report_error(fracture::errors_in_accuracy(content, analysis, srif, content.formulation_reason));
-  report_error(plate::errors_in_heat(content));
+  report_error(by_keys(plate::errors_in_heat(content), content));
   if (srif && reading.sound("section") && reading.sound("geometry")) report_error(fracture::errors_in_section(content));
   report_error(fracture::errors_in_motion(content, analysis, growth.has_value(), given));
   report_error(fracture::errors_in_response(content, analysis));

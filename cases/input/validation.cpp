@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
+#include <map>
 
+#include "cases/input/case_file.hpp"
 #include "fracture/growth/growth.hpp"
 #include "geometry/shape/crack_path.hpp"
 #include "plate/formulations.hpp"
@@ -78,7 +81,7 @@ std::vector<KeyError> errors_in_beginning(const plate::Problem& problem, const A
   const bool moves = analysis.kind == Analysis::Kind::dynamic, rests = analysis.start == Analysis::Start::equilibrium;
   for (std::size_t i = 0; i < problem.loads.size() && moves && !rests; ++i)
     if (const auto& load = problem.loads[i]; load.as<plate::Settlement>() && plate::factor(load.history, 0) != 0)
-      result.push_back({plate::key_of_load(problem, i) + ".history",
+      result.push_back({cases::key_of_load(problem, i) + ".history",
                         "moves a support at once, which takes an energy without limit: let the history begin at 0, or "
                         "start in equilibrium"});
   const bool pushes = std::ranges::any_of(
@@ -90,12 +93,62 @@ std::vector<KeyError> errors_in_beginning(const plate::Problem& problem, const A
   return result;
 }
 
+namespace {
+
+std::vector<std::string> names_of(const std::vector<plate::LoadCase>& cases) {
+  std::vector<std::string> names;
+  for (const auto& one : cases) names.push_back(one.name);
+  return names;
+}
+
+void check_names(const plate::Problem& problem, std::vector<KeyError>& errors) {
+  std::map<std::string, std::string> seen;  // name, key
+  const auto look = [&](const std::string& name, const std::string& key) {
+    if (name.empty()) return;  // complained about where it is read
+    const auto [first, is_new] = seen.emplace(name, key);
+    if (!is_new)
+      errors.push_back({key + ".name", fmt::format("\"{}\" is the name of {} already", name, first->second)});
+  };
+  for (std::size_t i = 0; i < problem.load_cases.size(); ++i)
+    look(problem.load_cases[i].name, fmt::format("case[{}]", i));
+  for (std::size_t i = 0; i < problem.combinations.size(); ++i)
+    look(problem.combinations[i].name, fmt::format("combination[{}]", i));
+}
+
+void check_combination(const plate::Problem& problem, std::size_t i, std::vector<KeyError>& errors) {
+  const auto& one = problem.combinations[i];
+  const auto names = names_of(problem.load_cases);
+  const auto key = fmt::format("combination[{}].of", i);
+  if (one.of.empty()) errors.push_back({key, "names no load case: give { name = factor, ... }"});
+  for (const auto& [name, factor] : one.of) {
+    if (!names.empty() && std::ranges::find(names, name) == names.end())
+      errors.push_back(
+          {key + "." + name, fmt::format("\"{}\" is no load case{}", name, plate::did_you_mean(name, names))});
+    if (!std::isfinite(factor)) errors.push_back({key + "." + name, "must be finite"});
+  }
+}
+
+}  // namespace
+
 std::vector<KeyError> errors_in_load_cases(const plate::Problem& problem) {
+  std::vector<KeyError> errors;
+  check_names(problem, errors);
+  for (std::size_t i = 0; i < problem.load_cases.size(); ++i)
+    if (plate::shared_loads(problem) == 0 && problem.load_cases[i].loads.empty())
+      errors.push_back({fmt::format("case[{}]", i), "nothing loads the plate in it: give it a [[case.load]]"});
+  for (std::size_t i = 0; i < problem.combinations.size(); ++i) check_combination(problem, i, errors);
+  if (!problem.combinations.empty() && problem.load_cases.empty())
+    errors.push_back({"combination", "there is no [[case]] that could be combined"});
+  if (!problem.combinations.empty() && !problem.load_cases.empty() && plate::shared_loads(problem) > 0)
+    errors.push_back({"combination",
+                      "every load case has the loads of [[load]], and a sum of them would count these as often as its "
+                      "factors say: give them to a [[case]] of their own"});
   const auto& kind = plate::formulation_of(problem.discretization);
-  if ((problem.load_cases.empty() && problem.combinations.empty()) || kind.offers(plate::Feature::symmetry)) return {};
-  return {{"discretization.boundary", "load cases need a symmetric stiffness (" +
-                                          kind.lacks.at(plate::Feature::symmetry) +
-                                          "): choose \"images\", or run each load case by itself"}};
+  if ((!problem.load_cases.empty() || !problem.combinations.empty()) && !kind.offers(plate::Feature::symmetry))
+    errors.push_back({"discretization.boundary", "load cases need a symmetric stiffness (" +
+                                                     kind.lacks.at(plate::Feature::symmetry) +
+                                                     "): choose \"images\", or run each load case by itself"});
+  return errors;
 }
 
 std::vector<KeyError> errors_in_accuracy(const plate::Problem& problem, const Analysis& analysis,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/input/problems.hpp"
 #include "plate/model/problem.hpp"
 
 namespace plate {
@@ -16,7 +17,7 @@ struct SrifOptions;
 
 namespace fracture {
 
-using plate::KeyError;
+using cases::KeyError;
 
 /// Invalid keys of a motion: those that only time steps have, and those that only Lanczos vectors have. `given`: does
 /// the case state this key?
@@ -29,7 +30,9 @@ std::vector<KeyError> errors_in_response(const plate::Problem& problem, const pl
 /// Supports and loads that move which do not begin at 0.
 std::vector<KeyError> errors_in_beginning(const plate::Problem& problem, const plate::Analysis& analysis);
 
-/// Load cases by a formulation whose stiffness is not symmetric.
+/// Names of load cases and combinations that are given twice or unknown, load cases without loads, combinations of
+/// nothing or of loads that all load cases share, which would be counted as often as the factors say, and load cases by
+/// a formulation whose stiffness is not symmetric.
 std::vector<KeyError> errors_in_load_cases(const plate::Problem& problem);
 
 /// Keys that prevent the discretisation from being found. `formulation_reason`: why the formulation is what it is.

@@ -35,7 +35,7 @@ struct Case {
   plate::Forces load;
   plate::State lift, state;  // lift: of supports that have moved, without columns where none has
   plate::Heat heat;
-  plate::State strained = plate::State(3, 0);  // plate::StaticResult
+  plate::State strained = plate::no_state();  // plate::StaticResult
 
   const plate::State& what_strains() const { return strained.cols() > 0 ? strained : state; }
 };
@@ -210,7 +210,7 @@ void LoadCases::solve() {
 }
 
 Case LoadCases::loaded(std::size_t which) const {
-  Case result{plate::Forces::Zero(3, Eigen::Index(plate_.points())), plate::State(3, 0), {}, {}};
+  Case result{plate::zero_forces(plate_.points()), plate::no_state(), {}, {}};
   std::vector<double> shares(plate_.loads().size(), 0);
   std::vector<plate::Forces> acting;
   for (const auto k : plate::loads_of(plate_.problem(), which)) {
@@ -228,8 +228,8 @@ Case LoadCases::loaded(std::size_t which) const {
 void LoadCases::combine(const plate::Combination& combination, const std::vector<Case>& cases) {
   constexpr double rounding = 1e-12;
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
-  const plate::State zero = plate::State::Zero(3, Eigen::Index(plate_.points()));
-  const plate::State of_supports = plate::has_prescribed_displacements(plate_) ? zero : plate::State(3, 0);
+  const auto zero = plate::zero_state(plate_.points());
+  const plate::State of_supports = plate::has_prescribed_displacements(plate_) ? zero : plate::no_state();
   Case sum{zero, of_supports, zero, {}, of_supports};
   double largest = 0, residual = 0;  // of the parts: load, and at most what is left of it
   for (std::size_t i = 0; i < factors.size(); ++i) {
@@ -242,7 +242,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
   const double size = folded_norm(plate_, sum);
   const bool cancels = size <= rounding * largest;
   if (cancels) {
-    sum = {zero, plate::State(3, 0), zero, {}};
+    sum = {zero, plate::no_state(), zero, {}};
     warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
   }
   std::vector<double> shares(plate_.loads().size(), 0);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "cases/input/problems.hpp"
 #include "cases/runs/distributed_run.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
@@ -103,7 +104,21 @@ void Outputs::restore(plate::InArchive& archive) {
   archive(pictures_);
 }
 
+namespace {
+
+/// Puts keys in the place of the settings that messages of the folders below name.
+void name_settings_by_keys(post::Summary& summary) {
+  const auto name = [](std::string& message) { message = cases::with_keys(message); };
+  std::ranges::for_each(summary.warnings, name);
+  name(summary.outcome), name(summary.analysis.stop_reason);
+  if (summary.growth) name(summary.growth->outcome);
+  if (summary.accuracy) name(summary.accuracy->outcome);
+}
+
+}  // namespace
+
 post::Summary Outputs::finish() {
+  name_settings_by_keys(summary_);
   summary_ = recorder_.finish(std::move(summary_), stopwatch_);
   if (plan_.report && plan_.communicator->rank() == 0)
     post::write_report(*plan_.report, {plan_.problem, plan_.title, plan_.source, plan_.units, plan_.probes}, pictures_);

@@ -54,7 +54,7 @@ public:
   bool takes_frames() const { return recorder_.draws() || recorder_.stores(); }
   /// A frame, with other cells where they are given; `velocity` [3 x points] or without columns.
   void frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh = {},
-             const plate::State& velocity = plate::State(3, 0));
+             const plate::State& velocity = plate::no_state());
   /// The last state, where the points of frames were not the same throughout.
   void final_state(const plate::Formulation& plate, post::Frame frame);
   /// The cracks of the plate as they were given, where there are any.

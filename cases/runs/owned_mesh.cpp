@@ -70,7 +70,7 @@ bool before(const Point& a, const Point& b) {
 /// Values of the plate's points with those of others' points from their owners, three rows at most.
 template <typename Rows>
 void fetch(const plate::Formulation& plate, Rows&& values) {
-  plate::State all = plate::State::Zero(3, Eigen::Index(plate.points()));
+  auto all = plate::zero_state(plate.points());
   all.topLeftCorner(values.rows(), values.cols()) = values;
   plate.constraints().fetch(all);
   values = all.topLeftCorner(values.rows(), values.cols());
@@ -105,7 +105,7 @@ std::optional<OwnedMesh> owned_mesh(const plate::Formulation& plate, const plate
 }
 
 plate::State OwnedMesh::own(const plate::State& of_plate, std::size_t count) const {
-  plate::State result(3, Eigen::Index(count));
+  plate::State result(plate::unknowns_per_point, Eigen::Index(count));
   for (std::size_t i = 0; i < count; ++i) result.col(Eigen::Index(i)) = of_plate.col(Eigen::Index(points_[i]));
   return result;
 }

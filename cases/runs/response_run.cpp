@@ -60,7 +60,7 @@ private:
 
 plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
   const auto& analysis = plan().analysis;
-  plate::Forces load = plate::Forces::Zero(3, Eigen::Index(plate_.points()));
+  auto load = plate::zero_forces(plate_.points());
   for (const auto& one : plate_.loads()) load += one.forces;
   plate::HarmonicOptions options;
   options.sweep = *analysis.sweep, options.tolerance = analysis.tolerance, options.damping = *analysis.damping;

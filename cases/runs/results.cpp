@@ -85,7 +85,7 @@ void Results::frame(const plate::Instant& now) {
   }
   if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);
   const bool rates = recorder.stores() && plan().moves();
-  outputs_.frame(plate_, std::move(frame), std::move(mesh), rates ? now.velocity() : plate::State(3, 0));
+  outputs_.frame(plate_, std::move(frame), std::move(mesh), rates ? now.velocity() : plate::no_state());
 }
 
 void Results::mode(std::size_t number, const plate::Mode& mode) {
@@ -173,7 +173,7 @@ void Results::save(plate::OutArchive& archive) {
   outputs_.save(archive);
   if (!plate_.communicator().distributed()) return memory(archive);
   auto own = extremes_;
-  extremes_.so_far(of_all(plate_.communicator(), own.so_far())), extremes_.state().resize(3, 0);
+  extremes_.so_far(of_all(plate_.communicator(), own.so_far())), extremes_.state() = plate::no_state();
   memory(archive);
   extremes_ = std::move(own);
 }

@@ -65,7 +65,7 @@ std::vector<std::string> warnings_about_bonds(const Growth& growth, const plate:
   if (!growth.apparent_toughness && growth.fracture_energy > 0 && (!measured || plate.section().poisson < 0))
     warnings.push_back(fmt::format(
         "apparent toughness of bonds was not measured at a thickness of {:.3g} spacings, a horizon of {:.3g} spacings "
-        "and Poisson's ratio {:g}; set growth.apparent_toughness",
+        "and Poisson's ratio {:g}; set `apparent_toughness`",
         h, m, plate.section().poisson));
   if (std::ranges::any_of(plate.boundary().sides,
                           [](const auto& side) { return side.kind == plate::SupportKind::symmetry; }))
@@ -81,9 +81,9 @@ std::vector<std::string> tips_without_rings(const plate::Formulation& plate) {
     const double clear = post::clear_distance(problem, plate.paths(), tip);
     result.push_back(
         fmt::format("tip at ({:g}, {:g}): {:.3g} spacings of room are too little for an energy release rate; set "
-                    "discretization.{} = {:.2g}",
+                    "{} = {:.2g}",
                     tip.position.x(), tip.position.y(), clear / problem.discretization.spacing_at_tips(),
-                    plate.offers(plate::Feature::graded_points) ? "tip_spacing" : "spacing", clear / 5));
+                    plate.offers(plate::Feature::graded_points) ? "`tip_spacing`" : "`spacing`", clear / 5));
   }
   return result;
 }
@@ -95,7 +95,7 @@ std::vector<std::string> warnings_about_spent_energy(const Growth& growth, const
   const double speed = outcome.largest_speed / section.shear_wave_speed();
   return {*outcome.spent > 1 && speed > fast
               ? fmt::format("tips took {:.2f} times the fracture energy at up to {:.2f} of the speed of shear waves: a "
-                            "crack would branch; set growth.criterion = \"bond_energy\"",
+                            "crack would branch; set `criterion` = \"bond_energy\"",
                             *outcome.spent, speed)
               : fmt::format("tips took {:.2f} times the fracture energy over {} pieces of crack: their speed is not "
                             "resolved; {}",
@@ -107,7 +107,7 @@ std::vector<std::string> warnings_about_directions(const MovingGrowthOutcome& ou
   if (outcome.direction_unknown)
     result.push_back("directions of tips are not known within 30 degrees: they went straight on; " + remedy);
   for (const auto& stopped : outcome.stopped)
-    result.push_back(fmt::format("{}: it stopped there; set growth.direction = \"straight\"", stopped));
+    result.push_back(fmt::format("{}: it stopped there; set `direction` = \"straight\"", stopped));
   for (const auto& unsteady : outcome.unsteady)
     result.push_back(fmt::format("{}: it stopped there; {}", unsteady, remedy));
   return result;

@@ -34,7 +34,7 @@ std::string governed_by_shear(const Growth& growth, const plate::Section& sectio
       shear <= 2 * others)
     return "";
   return fmt::format(
-      "; K3 times the thickness is {:.2g} times K1 and K2 there: growth.direction = \"energy_release\" counts it",
+      "; K3 times the thickness is {:.2g} times K1 and K2 there: `direction` = \"energy_release\" counts it",
       shear / others);
 }
 
@@ -129,10 +129,9 @@ std::string QuasiStaticTips::unresolved() {
     if (release_error >= 1)
       return fmt::format("the energy release rate at {} is not known within its own size; {}", name_of(tip), remedy());
     if (!found[i].resolved())
-      return fmt::format(
-          "{} would turn by {:.0f} degrees, known to {:.0f} only; {}, or growth.direction = \"straight\"{}",
-          name_of(tip), in_degrees(found[i].asked), in_degrees(found[i].error), remedy(),
-          governed_by_shear(growth_, section_, K, errors));
+      return fmt::format("{} would turn by {:.0f} degrees, known to {:.0f} only; {}, or `direction` = \"straight\"{}",
+                         name_of(tip), in_degrees(found[i].asked), in_degrees(found[i].error), remedy(),
+                         governed_by_shear(growth_, section_, K, errors));
     if (!found[i].known() &&
         std::ranges::none_of(warnings_, [&](const auto& one) { return one.starts_with(straight); }))
       warnings_.push_back(fmt::format("{}: {} goes straight on; {}", straight, name_of(tip), remedy()));

@@ -102,7 +102,7 @@ std::vector<std::string> Record::cut_places(const plate::Problem& problem) const
             cracks.lines, [&, &at = place](const auto& line) { return geometry::distance(line.vertices, at) < near; }))
       result.push_back(
           fmt::format("a crack runs through ({:g}, {:g}), where {}: both its faces share that; keep it away "
-                      "with growth.no_fail",
+                      "with `no_fail`",
                       place.x(), place.y(), what));
   return result;
 }

@@ -168,7 +168,7 @@ std::vector<MemoryPart> OrdinaryPlate::memory(bool single) const {
 
 std::string OrdinaryPlate::remedy() const {
   const auto& d = discretization();
-  return fmt::format("set discretization.spacing = {:.2g} or formulation = \"galerkin\"",
+  return fmt::format("set `spacing` = {:.2g} or formulation = \"galerkin\"",
                      std::min(section().layer() / 2 / d.horizon_ratio, d.spacing / 2));
 }
 
@@ -197,7 +197,7 @@ void warn_of_edges(const Boundary& boundary, double spacing, std::vector<std::st
     const double cells = side.edge.from[axis];
     warnings.push_back(
         fmt::format("edge '{}' lies {:.3f} spacings from the lattice's origin, not on a cell boundary; set "
-                    "discretization.spacing = {:.6g}",
+                    "`spacing` = {:.6g}",
                     side.name, cells, spacing * cells / std::round(cells)));
   }
 }

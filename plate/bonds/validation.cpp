@@ -286,7 +286,7 @@ void check_edge_layer(const Formulation& plate, bool factors, std::vector<std::s
                                         [](const auto& side) { return side.kind == SupportKind::simply_supported; });
   if (horizon <= layer || (!soft && !factors)) return;
   warnings.push_back(
-      fmt::format("horizon is {:.3g} times the edge layer: {} not resolved; set discretization.spacing = {:.2g} or "
+      fmt::format("horizon is {:.3g} times the edge layer: {} not resolved; set `spacing` = {:.2g} or "
                   "formulation = \"galerkin\"",
                   horizon / layer,
                   !soft     ? "K3 is"

@@ -133,7 +133,7 @@ public:
   std::string of_edges() const override;
   std::optional<double> multipliers(const State& state) const override;
   std::string remedy() const override {
-    return fmt::format("set discretization.spacing = {:.2g}{}", plate_.bonds.spacing / 2,
+    return fmt::format("set `spacing` = {:.2g}{}", plate_.bonds.spacing / 2,
                        multiplied_ ? " or boundary = \"images\"" : "");
   }
 

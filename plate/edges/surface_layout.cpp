@@ -329,7 +329,7 @@ void warn_of_lengths(const Problem& problem, const SurfacePlate& plate, const st
       if (std::abs(more) > close)
         b.warnings.push_back(
             fmt::format("the load on edge {} acts on {} cells of the lattice, {:.2g} % {} than its length; set "
-                        "discretization.spacing = {:.6g}",
+                        "`spacing` = {:.6g}",
                         name, faces, 100 * std::abs(more), more > 0 ? "more" : "less",
                         length / std::max(1.0, std::round(length / plate.bonds.spacing))));
     }

@@ -191,7 +191,7 @@ std::vector<std::string> warnings_about_rotary_inertia(const Formulation& plate,
   const double lower = 1 - std::sqrt((1 + share) / (1 + factor * share));
   return {fmt::format(
       "rotary inertia is {:g} times that of the plate: its lowest frequency is about {:.2g} % lower, higher "
-      "ones more; set analysis.rotary_inertia = 1",
+      "ones more; set `rotary_inertia` = 1",
       factor, 100 * lower)};
 }
 

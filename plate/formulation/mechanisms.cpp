@@ -323,7 +323,7 @@ std::string hanging(const LoosePart& part) {
 
 /// Advice that gives a ligament two rows of points.
 std::string two_rows(const Formulation& plate) {
-  return fmt::format("set discretization.spacing = {:.2g}", plate.discretization().spacing / 2);
+  return fmt::format("set `spacing` = {:.2g}", plate.discretization().spacing / 2);
 }
 
 }  // namespace

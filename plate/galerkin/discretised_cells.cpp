@@ -233,10 +233,10 @@ private:
     for (std::size_t i = 0; i < problem_.cracks.size(); ++i)
       if (const double away = geometry::distance(problem_.cracks[i], x); away < near)
         near = away, refusal = {Subject::crack, i, "vertices or further cracks"};
-    refusal.what = fmt::format(
-        "{} about ({:.4g}, {:.4g}) are far closer together than points: take fewer, or discretization.spacing = {:.2g}",
-        refusal.what, x.x(), x.y(),
-        std::min(wanted * usual_distance(families, worst), problem_.discretization.spacing / 2));
+    refusal.what =
+        fmt::format("{} about ({:.4g}, {:.4g}) are far closer together than points: take fewer, or `spacing` = {:.2g}",
+                    refusal.what, x.x(), x.y(),
+                    std::min(wanted * usual_distance(families, worst), problem_.discretization.spacing / 2));
     throw Refused({refusal});
   }
 

@@ -166,7 +166,7 @@ std::vector<std::string> warnings_about_small_holes(const Problem& problem) {
     if (circle && circle->radius < least * spacing && std::ranges::any_of(problem.supports, holds))
       result.push_back(
           fmt::format("{} is held and has a radius of {:.2g} spacings: deflections may be some percent off; set "
-                      "discretization.hole_spacing = {:.2g}",
+                      "`hole_spacing` = {:.2g}",
                       circle->name, circle->radius / spacing, circle->radius / 4));
   }
   return result;
@@ -178,13 +178,13 @@ std::vector<std::string> GalerkinPlate::warnings(bool factors) const {
   if (factors && spacing > layer / 6)
     result.push_back(
         fmt::format("spacing at the tips is {:.2g} times the edge layer, K3 needs a sixth; set "
-                    "discretization.tip_spacing = {:.2g}",
+                    "`tip_spacing` = {:.2g}",
                     spacing / layer, layer / 6));
   return result;
 }
 
 std::string GalerkinPlate::remedy() const {
-  return fmt::format("set discretization.spacing or tip_spacing = {:.2g}",
+  return fmt::format("set `spacing` or tip_spacing = {:.2g}",
                      std::min(section().layer() / 3, discretization().spacing_at_tips() / 2));
 }
 

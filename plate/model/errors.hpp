@@ -13,14 +13,17 @@ enum class Subject {
   section,
   thickness_factor,
   young_factor,
+  thermal_expansion,
   region,        // of the section
   region_shape,  // where it lies
   cracks,
   crack,  // one of them
   spacing,
   volume_correction,
+  surface_correction,
   edge_method,
   support,
+  support_kind,
   support_points,
   support_line,
   support_patch,

@@ -27,15 +27,6 @@ struct Combination {
   std::vector<std::pair<std::string, double>> of;
 };
 
-/// A key of a case, such as "combination[0].of", and what is wrong with it.
-struct KeyError {
-  std::string key, what;
-};
-
-/// Names that are given twice or unknown, load cases without loads, and combinations of nothing or of loads that all
-/// load cases share, which would be counted as often as the factors say.
-std::vector<KeyError> errors_in_load_cases(const Problem& problem);
-
 /// The problem with the loads of all its load cases behind those that they share.
 void join_loads(Problem& problem);
 /// Gives loads by gravity their value, density thickness gravity [force/length^2]; the first of them where the section
@@ -45,8 +36,6 @@ std::optional<std::size_t> resolve_weights(Problem& problem);
 std::size_t shared_loads(const Problem& problem);
 /// The loads of a problem, after join_loads(), that act in its load case `which`.
 std::vector<std::size_t> loads_of(const Problem& problem, std::size_t which);
-/// The key of a load of a problem, after join_loads(): "load[2]", "case[0].load[1]".
-std::string key_of_load(const Problem& problem, std::size_t load);
 
 /// Factor of each load case in a combination [load cases].
 std::vector<double> factors_of(const Combination& combination, const std::vector<LoadCase>& cases);

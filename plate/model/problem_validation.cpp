@@ -112,7 +112,7 @@ void check_held(const Load& load, std::size_t number, const Problem& problem, st
       if (shear ? held.w : (moment || twist) && (!moment || held.normal) && (!twist || held.tangential))
         found.push_back(
             {Subject::load_edges, number,
-             fmt::format("edge \"{}\" is held by support[{}] against all that this load does there: it would "
+             fmt::format("edge \"{}\" is held by `support {}` against all that this load does there: it would "
                          "go into the support and not into the plate",
                          edge, i)});
     }
@@ -133,7 +133,7 @@ void check_force(const Load& load, std::size_t number, const Problem& problem, s
     if (geometry::contains({{ring, std::vector<std::string>(ring.size())}, {}}, *position))
       found.push_back(
           {Subject::load_position, number,
-           fmt::format("{} given, lies on the part that support[{}] holds: it would go into the support and "
+           fmt::format("{} given, lies on the part that `support {}` holds: it would go into the support and "
                        "not into the plate",
                        text_of(*position), i)});
   }
@@ -186,7 +186,7 @@ void check_supports(const Problem& problem, std::vector<Refusal>& found) {
       const auto [first, fresh] = holder.emplace(edge, i);
       if (!fresh && first->second != i)
         found.push_back({Subject::support_edges, i,
-                         fmt::format("edge \"{}\" is already held by support[{}]", edge, first->second)});
+                         fmt::format("edge \"{}\" is already held by `support {}`", edge, first->second)});
       const bool any_direction = problem.discretization.formulation->offers(Feature::any_direction) ||
                                  problem.discretization.boundary == EdgeMethod::surface_nodes;
       if (!any_direction && needs_axis_parallel(support.kind) && !axis_parallel(problem.outline, edge))
@@ -281,30 +281,33 @@ std::vector<Refusal> errors_in_edges(const Problem& problem) {
   return found;
 }
 
-std::vector<KeyError> errors_in_heat(const Problem& problem) {
-  std::vector<KeyError> found;
+std::vector<Refusal> errors_in_heat(const Problem& problem) {
+  std::vector<Refusal> found;
   if (!heated(problem)) return found;
-  const auto say = [&](const std::string& key, const std::string& what) { found.push_back({key, what}); };
+  const auto refuse = [&](Subject subject, const std::string& what, std::size_t number = 0) {
+    found.push_back({subject, number, what});
+  };
   if (problem.section.thermal_expansion == 0)
-    say("section.thermal_expansion", "is missing, must be a number > 0: temperatures bend the plate by it");
+    refuse(Subject::thermal_expansion, "is missing, must be a number > 0: temperatures bend the plate by it");
   if (!problem.section.uniform())
-    say("section", "temperatures are of plates of one material and one thickness all over");
+    refuse(Subject::section, "temperatures are of plates of one material and one thickness all over");
   for (std::size_t i = 0; i < problem.loads.size() && !problem.section.isotropic(); ++i)
     if (problem.loads[i].as<Temperature>() && problem.loads[i].formula().given())
-      say(key_of_load(problem, i) + ".expression",
-          "temperatures that vary over the plate are of an isotropic material: give a value");
+      refuse(Subject::load_expression,
+             "temperatures that vary over the plate are of an isotropic material: give a value", i);
   const auto& d = problem.discretization;
   const bool of_bonds = d.formulation && d.formulation->offers(Feature::horizon);
   if (of_bonds && d.boundary != EdgeMethod::images)
-    say("discretization.boundary", "temperatures need \"images\": what stands beyond the edges has no temperature");
+    refuse(Subject::edge_method, "temperatures need \"images\": what stands beyond the edges has no temperature");
   if (of_bonds && d.surface_correction != SurfaceCorrection::position_aware)
-    say("discretization.surface_correction",
-        "temperatures need \"position_aware\", with which bonds bend freely without energy");
+    refuse(Subject::surface_correction,
+           "temperatures need \"position_aware\", with which bonds bend freely without energy");
   for (std::size_t i = 0; i < problem.supports.size(); ++i)
     if (is_layer(problem.supports[i].kind))
-      say(fmt::format("support[{}].kind", i),
-          "a layer outside the plate has no temperature: choose \"clamped\", \"simply_supported\" or "
-          "\"simply_supported_hard\"");
+      refuse(Subject::support_kind,
+             "a layer outside the plate has no temperature: choose \"clamped\", \"simply_supported\" or "
+             "\"simply_supported_hard\"",
+             i);
   return found;
 }
 

@@ -19,6 +19,6 @@ std::vector<Refusal> errors_in_edges(const Problem& problem);
 
 /// Faults of a problem with loads by temperature: a section without thermal expansion, edges and corrections of bonds
 /// under which a bent plate is not free of stress.
-std::vector<KeyError> errors_in_heat(const Problem& problem);
+std::vector<Refusal> errors_in_heat(const Problem& problem);
 
 }  // namespace plate

@@ -46,7 +46,7 @@ void check_edge(const Spring& spring, const std::string& edge, std::size_t numbe
     if (held.tangential && spring.rotation_tangential > 0) keys.push_back("rotation_tangential");
     if (!keys.empty())
       found.push_back({Subject::spring_edges, number,
-                       fmt::format("edge \"{}\" is held by support[{}], which leaves nothing for {} to do", edge, i,
+                       fmt::format("edge \"{}\" is held by `support {}`, which leaves nothing for {} to do", edge, i,
                                    fmt::join(keys, " and "))});
   }
 }
@@ -66,7 +66,7 @@ void check_stiffener(const Problem& problem, std::size_t number, std::vector<Ref
           held_by(s.kind).w && held_by(s.kind).normal && std::ranges::find(s.edges, edge) != s.edges.end())
         found.push_back(
             {Subject::stiffener_edges, number,
-             fmt::format("edge \"{}\" is clamped by support[{}], which leaves nothing for a beam to do", edge, i)});
+             fmt::format("edge \"{}\" is clamped by `support {}`, which leaves nothing for a beam to do", edge, i)});
 }
 
 }  // namespace
@@ -243,8 +243,8 @@ std::string torn(const Problem& problem, const Together& motions) {
         for (const auto& here : held_at(supports[i], problem.outline, x))
           for (const auto& there : held_at(supports[j], problem.outline, x))
             if (apart(kept(problem, i, here, motions), kept(problem, j, there, motions), deflection, slope))
-              return fmt::format("support[{}] and {} hold the plate at {}, which would be torn there", i,
-                                 j == i ? "another edge of it" : fmt::format("support[{}]", j), text_of(x));
+              return fmt::format("`support {}` and {} hold the plate at {}, which would be torn there", i,
+                                 j == i ? "another edge of it" : fmt::format("`support {}`", j), text_of(x));
     }
   return "";
 }
@@ -280,12 +280,12 @@ std::vector<Refusal> errors_in_settlements(const Problem& problem) {
     const auto say = [&](const std::string& what) { found.push_back({Subject::settlement, i, what}); };
     if (load.support >= problem.supports.size()) {
       say(fmt::format("{} given, there {}", load.support,
-                      problem.supports.empty() ? "is no [[support]]"
+                      problem.supports.empty() ? "is no `support`"
                                                : fmt::format("are the supports 0 to {}", problem.supports.size() - 1)));
       continue;
     }
     if (const auto what = not_held(load, problem.supports[load.support]); !what.empty())
-      say(fmt::format("support[{}] {}", load.support, what));
+      say(fmt::format("`support {}` {}", load.support, what));
     const auto method = problem.discretization.boundary;
     if (method == EdgeMethod::surface_nodes || method == EdgeMethod::fictitious_nodes)
       found.push_back({Subject::edge_method, 0,

@@ -290,9 +290,9 @@ std::vector<std::string> warnings_about_ligaments(const plate::Formulation& plat
     if (clear >= resolved * spacing) continue;
     warnings.push_back(fmt::format(
         "tip at ({:g}, {:g}): the next edge, crack or bend is {:.2g} spacings away: errors may exceed their estimates; "
-        "set discretization.{} = {:.2g}",
+        "set {} = {:.2g}",
         tip.position.x(), tip.position.y(), clear / spacing,
-        plate.offers(plate::Feature::graded_points) ? "tip_spacing" : "spacing", clear / 4));
+        plate.offers(plate::Feature::graded_points) ? "`tip_spacing`" : "`spacing`", clear / 4));
   }
   return warnings;
 }

@@ -148,8 +148,8 @@ TipMethods::AtTip::Integral TipMethods::AtTip::integral_of(const std::string& me
   if (first_ring_only && !result.rings.empty()) result.rings.erase(result.rings.begin() + 1, result.rings.end());
   if (result.rings.empty())
     throw std::invalid_argument(
-        fmt::format("{}: no ring of 4 spacings fits into {:.1f} spacings of room; set discretization.{} = {:.2g}",
-                    method, clear / plate.spacing, plate.points_on_faces ? "tip_spacing" : "spacing", clear / 5));
+        fmt::format("{}: no ring of 4 spacings fits into {:.1f} spacings of room; set {} = {:.2g}", method,
+                    clear / plate.spacing, plate.points_on_faces ? "`tip_spacing`" : "`spacing`", clear / 5));
   for (const auto& ring : result.rings)
     result.integrals.emplace_back(surroundings_, ring,
                                   method == "virtual_crack_extension" ? plate.virtual_extension(TipFrame(tip), ring)
@@ -172,9 +172,9 @@ void TipMethods::AtTip::fit(const geometry::Tip& tip, const TipPlace& place, boo
   const auto range = fit_range(at_.section, clear, plate.spacing, plate.graded);
   if (!range) {
     no_fit_ = fmt::format(
-        "series_fit: no range of 4 spacings fits into {:.1f} spacings and 2 thicknesses; set discretization.{} "
+        "series_fit: no range of 4 spacings fits into {:.1f} spacings and 2 thicknesses; set {} "
         "= {:.2g}",
-        clear / plate.spacing, plate.points_on_faces ? "tip_spacing" : "spacing",
+        clear / plate.spacing, plate.points_on_faces ? "`tip_spacing`" : "`spacing`",
         std::min(0.22 * clear, 1.7 * at_.section.layer()));
     return;
   }

@@ -52,9 +52,9 @@ std::vector<std::string> FactorRows::warnings(double tolerance) const {
   std::vector<std::string> result;
   for (std::size_t tip = 0; tip < truncated_.size(); ++tip)
     if (truncated_[tip] > 0.03)
-      result.push_back(fmt::format(
-          "tip {}: Lanczos vectors leave out some {:.2g} % of the largest factor; set analysis.tolerance = {:.2g}", tip,
-          100 * truncated_[tip], tolerance / 10));
+      result.push_back(
+          fmt::format("tip {}: Lanczos vectors leave out some {:.2g} % of the largest factor; set `tolerance` = {:.2g}",
+                      tip, 100 * truncated_[tip], tolerance / 10));
   return result;
 }
 

@@ -111,7 +111,7 @@ std::string end_before(double size, const std::vector<AccuracyStep>& path, std::
   const double free = plate::free_memory();
   if (free > 0 && bytes_of(std::size_t(ratio * double(last.points)), vectors) > free / 2) return "memory";
   constexpr double order = 1.3;  // of the time, in the number of points: measured 1.1 to 1.4
-  if (seconds + last.seconds * std::pow(ratio, order) > options.accuracy_seconds) return "srif.accuracy_seconds";
+  if (seconds + last.seconds * std::pow(ratio, order) > options.accuracy_seconds) return "`accuracy_seconds`";
   return "";
 }
 
@@ -242,7 +242,7 @@ std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<
 
 std::vector<std::string> warnings_about(const AccuracySummary& found) {
   if (found.outcome == "reached") return {};
-  return {fmt::format("srif.accuracy = {:g} not reached, estimated error {}: ended by {}", found.asked,
+  return {fmt::format("`accuracy` = {:g} not reached, estimated error {}: ended by {}", found.asked,
                       found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.outcome)};
 }
 

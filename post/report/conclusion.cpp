@@ -162,7 +162,7 @@ void warn_of(const ReactionSummary& reactions, double tolerance, std::vector<std
   if (reactions.truncation.value_or(0) > close)
     warnings.push_back(
         fmt::format("reactions are off by about {:.2g} % of the largest, or twice that: too few Lanczos vectors; set "
-                    "analysis.tolerance = {:.2g}",
+                    "`tolerance` = {:.2g}",
                     100 * *reactions.truncation, tolerance / 10));
   else if (reactions.largest_residual > close)
     warnings.push_back(
@@ -217,7 +217,7 @@ std::vector<std::string> sinking_supports(const std::optional<ReactionSummary>& 
   if (worst.empty()) return {};
   return {
       fmt::format("{} is a single point: deflections grow by {:.1g} % with every halving of the spacing; set "
-                  "support.on instead",
+                  "`support_patch` instead",
                   worst, 100 * most)};
 }
 

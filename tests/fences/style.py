@@ -1,5 +1,5 @@
 """Rules of the text of sources: no `catch` without a body, docstrings that name their subject, one place that numbers
-degrees of freedom and that knows how many a point has."""
+degrees of freedom and that knows how many a point has, keys of case files in `cases` alone."""
 import re
 
 import tree
@@ -21,8 +21,7 @@ DOF = re.compile("|".join((
 
 LITERAL_SIZES = 0  # lines that write the number of unknowns of a point as 3
 SIZING = (*NUMBERING, "plate/model/state.hpp",
-          "geometry/",    # knows no unknowns
-          "cases/runs/")  # not converted yet
+          "geometry/")  # knows no unknowns
 VALUES = r"\b(?:State|Forces|Values<\w+>)"
 SIZE = re.compile("|".join((
     rf"{VALUES}(?:::\w+| \w+)?[({{]3, ", rf"{VALUES} .*\), \w+\(3, ",  # State::Zero(3, n), State a(3, n), b(3, n)
@@ -30,6 +29,9 @@ SIZE = re.compile("|".join((
     r"\bMatrix<\w+, 3, (?:Eigen::)?Dynamic\b",
     r"\bconstexpr [\w:]+ \w*(?:unknowns|components|dofs)\w*(?: = |\{)3\b",
     r"\b(?:c|component|unknown) < 3\b")))
+
+SPELLED_KEYS = 0  # of case files, in strings below `cases`
+TABLE_OF_KEYS = "cases/keys.md"
 
 
 def catches(root, path):
@@ -64,6 +66,27 @@ def literal_sizes(root, path):
                 yield count
 
 
+def key_pattern(root):
+    """A key of the table in a text, or the place of one: section.name, section.{}, list[0].name, list[{}]."""
+    keys = re.findall(r"^\| `(\w+)(\[\])?\.(\w+)", (root / TABLE_OF_KEYS).read_text(encoding="utf-8"), re.MULTILINE)
+    if not keys:
+        raise tree.Empty(f"no key in {TABLE_OF_KEYS}")
+    names = {rf"{section}(?:\[[^\]]*\])?\.(?:{name}\b|\{{)" for section, _, name in keys}
+    entries = {rf"{section}\[(?:\{{|\d)" for section, entry, _ in keys if entry}
+    return re.compile(rf"\b(?:{'|'.join(sorted(names | entries))})")
+
+
+def spelled_keys(root, path, pattern):
+    """Lines of the strings that spell a key of case files."""
+    if path.parts[0] == "cases":
+        return
+    text = tree.DIRECTIVE.sub(lambda m: tree.blank(m[0]), (root / path).read_text(encoding="utf-8"))
+    for literal in tree.TOKENS.finditer(text):
+        if not literal[0].startswith("/"):
+            for key in pattern.finditer(literal[0]):
+                yield text.count("\n", 0, literal.start() + key.start()) + 1
+
+
 def check(root):
     paths = tree.cpp(root)
     problems = [problem for path in paths for problem in catches(root, path)]
@@ -80,6 +103,12 @@ def check(root):
     if len(sized) > LITERAL_SIZES:
         problems.append(f"{sized[-1]}: {len(sized)} lines write the unknowns of a point as 3, {LITERAL_SIZES} are allowed: "
                         "use unknowns_per_point, zero_state(), zero_forces() or no_state()")
+    pattern = key_pattern(root)
+    spelled = [f"{path}:{line}" for path in paths for line in spelled_keys(root, path, pattern)]
+    if len(spelled) > SPELLED_KEYS:
+        problems.append(f"{spelled[-1]}: {len(spelled)} strings below cases spell a key, {SPELLED_KEYS} are allowed: "
+                        "name the setting in backticks, which with_keys() of cases/input/problems.hpp replaces")
     return problems, (f"{len(paths)} files catch nothing in silence; {len(unnamed)} of {DOCSTRINGS} docstrings that name no subject; "
                       f"{len(numbered)} of {DOF_ARITHMETIC} lines of dof arithmetic; "
-                      f"{len(sized)} of {LITERAL_SIZES} lines with a literal size")
+                      f"{len(sized)} of {LITERAL_SIZES} lines with a literal size; "
+                      f"{len(spelled)} of {SPELLED_KEYS} keys spelled below cases")

@@ -195,8 +195,22 @@ class Others(Tree):
                   "watched.resize(3);", "for (int i = 0; i < 3; ++i)", "constexpr int most = 3;", "std::array<double, 3> K;", "// State(3, 0)")
         text = "\n".join(literal + others) + "\n"
         self.assertEqual(list(style.literal_sizes(self.root, self.write("plate/model/a.cpp", text))), list(range(1, len(literal) + 1)))
-        for path in ("plate/model/state.hpp", "plate/bonds/rows/a.hpp", "geometry/cells/a.cpp", "cases/runs/a.cpp"):
+        for path in ("plate/model/state.hpp", "plate/bonds/rows/a.hpp", "geometry/cells/a.cpp"):
             self.assertEqual(list(style.literal_sizes(self.root, self.write(path, text))), [])
+
+    def test_spelled_keys(self):
+        self.write("cases/keys.md", "| key | unit |\n|---|---|\n| `title` | - |\n| `section.young` | - |\n| `support[].kind` | - |\n| `srif.rows` | - |\n")
+        spelled = ('say("set section.young = 1");', 'say("section.{} = 1");', 'say("support[{}] holds");', 'key = "support[0].kind";',
+                   'say(R"(srif.rows)");')
+        others = ('say("set `young` = 1");', "section.young = 1;", 'read("srif.csv");', 'say("`support {}`");', "// section.young",
+                  '#include "section.young"', 'say("cross_section.young");', 'say("section.younger");')
+        lines = list(range(1, len(spelled) + 1))
+        for folder, found in (("plate/model", lines), ("cases/input", [])):
+            path = self.write(f"{folder}/a.cpp", "\n".join(spelled + others) + "\n")
+            self.assertEqual(list(style.spelled_keys(self.root, path, style.key_pattern(self.root))), found)
+        self.write("cases/keys.md", "no table\n")
+        with self.assertRaises(tree.Empty):
+            style.key_pattern(self.root)
 
     def test_format(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")

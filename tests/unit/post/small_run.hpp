@@ -39,8 +39,9 @@ inline std::vector<std::string> warnings_in(const std::string& json) {
   return result;
 }
 
-/// Checks that warnings in every summary.json below a folder have at most 25 words, 3 of them for "load case NAME: ".
-inline void check_length_of_warnings(const std::filesystem::path& folder) {
+/// Checks that warnings in every summary.json below a folder have at most 25 words, 3 of them for "load case NAME: ",
+/// and name settings by their keys.
+inline void check_warnings(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   std::error_code none;
   for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, none), end;
@@ -50,6 +51,7 @@ inline void check_length_of_warnings(const std::filesystem::path& folder) {
       const bool named = warning.starts_with("load case ");
       std::istringstream words(named ? warning.substr(warning.find(": ") + 1) : warning);
       INFO(warning);
+      CHECK(warning.find('`') == std::string::npos);
       CHECK(std::distance(std::istream_iterator<std::string>(words), {}) <= (named ? 22 : 25));
     }
   }
@@ -64,7 +66,7 @@ public:
     path_ = name;
   }
   ~TemporaryFolder() {
-    if (std::uncaught_exceptions() == 0) check_length_of_warnings(path_);
+    if (std::uncaught_exceptions() == 0) check_warnings(path_);
     std::filesystem::remove_all(path_);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;

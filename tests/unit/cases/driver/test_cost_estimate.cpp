@@ -84,3 +84,13 @@ TEST_CASE("check names the other method of a motion where it is cheaper, and non
   CHECK(told({steps, "-analysis.damping", moved}, 1e3).empty());
   CHECK(cases::cheaper_way(case_text::read(case_text::plain, {}), 1e3).empty());
 }
+
+TEST_CASE("check and run give settings in warnings their keys", "[foretell]") {
+  const auto file = case_text::read(case_text::plain, {"discretization.spacing=0.1", "section.density=1",
+                                                       "analysis={kind=\"dynamic\", duration=0.1, rotary_inertia=4}"});
+  CHECK_THAT(cases::cost(file), Catch::Contains("; set analysis.rotary_inertia = 1\n"));
+  const small_run::TemporaryFolder scratch;
+  const auto found = cases::run(file, {scratch / "run", true});
+  CHECK(std::ranges::any_of(found.warnings,
+                            [](const auto& text) { return text.ends_with("; set analysis.rotary_inertia = 1"); }));
+}

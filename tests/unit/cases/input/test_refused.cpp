@@ -18,6 +18,9 @@ TEST_CASE("refused: what a plate refuses is a problem of the key that it is abou
   problem.load_cases = {{"one", {{}}}, {"two", {{}, {}}}};
   CHECK(cases::key_of({Subject::load_position, 0, ""}, problem) == "load[0].position");
   CHECK(cases::key_of({Subject::load_position, 3, ""}, problem) == "case[1].load[1].position");
+  CHECK(cases::key_of_load(problem, 0) == "load[0]");
+  CHECK(cases::key_of_load(problem, 1) == "case[0].load[0]");
+  CHECK(cases::key_of_load(problem, 3) == "case[1].load[1]");
   CHECK_THROWS_AS(cases::unless_refused(file,
                                         []() -> int {
                                           throw plate::Refused({{Subject::modes, 0, "c"}});

@@ -93,3 +93,19 @@ TEST_CASE("outputs: probes by their names, with shares of points that show a lin
     CHECK((at - probe.position).norm() < 1e-6);  // measured: 1e-7, beyond the outermost points
   }
 }
+
+TEST_CASE("outputs: messages of a summary name settings by their keys") {
+  const auto file = case_text::read(case_text::plain);
+  post::ResultsInMemory written;
+  plate::Stopwatch stopwatch;
+  fracture::Outputs outputs(cases::plan_of(file.content, {{}, true, &written}),
+                            {std::make_unique<post::MemorySink>(written), "", ""}, stopwatch);
+  auto& summary = outputs.summary();
+  summary.outcome = "set `spacing`", summary.warnings = {"set `tolerance`", "edge `a`"};
+  summary.growth.emplace().outcome = "set `spacing`", summary.accuracy.emplace().outcome = "no setting";
+  const auto found = outputs.finish();
+  CHECK(found.outcome == "set discretization.spacing");
+  CHECK(found.warnings == std::vector<std::string>{"set analysis.tolerance", "edge `a`"});
+  CHECK(found.growth->outcome == "set discretization.spacing");
+  CHECK(found.accuracy->outcome == "no setting");
+}

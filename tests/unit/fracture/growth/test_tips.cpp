@@ -261,7 +261,7 @@ TEST_CASE("quasi-static growth: it ends, with the reason, where a direction is n
       },
       9, see);
   CHECK_THAT(found.outcome, Contains("the next advance is not resolved: the tip at (1.5, 0) would turn by"));
-  CHECK_THAT(found.outcome, Contains("growth.direction = \"straight\""));
+  CHECK_THAT(found.outcome, Contains("`direction` = \"straight\""));
   CHECK(found.advances == 0);
   REQUIRE(seen.size() == 1);
   CHECK(seen[0].ends);

@@ -84,7 +84,7 @@ TEST_CASE("distrust of directions: tips that stopped, each with its reason, and 
   const auto said = warnings_about_directions(outcome, "refine");
   REQUIRE(said.size() == 2);
   CHECK_THAT(said[0], Catch::Contains("went straight on; refine"));
-  CHECK_THAT(said[1], Catch::StartsWith("tip 0 would turn by 64 degrees: it stopped there; set growth.direction"));
+  CHECK_THAT(said[1], Catch::StartsWith("tip 0 would turn by 64 degrees: it stopped there; set `direction`"));
   outcome.unsteady = {"tip 1 took 3 times"};
   CHECK_THAT(warnings_about_directions(outcome, "refine").at(2),
              Catch::Equals("tip 1 took 3 times: it stopped there; refine"));

@@ -21,5 +21,5 @@ TEST_CASE(
   CHECK(warnings(0.1, "left").empty());
   CHECK(warnings(0.08, "hole0").empty());
   REQUIRE(warnings(0.1, "hole0").size() == 1);
-  CHECK_THAT(warnings(0.1, "hole0")[0], Catch::Contains("hole0") && Catch::Contains("hole_spacing = 0.045"));
+  CHECK_THAT(warnings(0.1, "hole0")[0], Catch::Contains("hole0") && Catch::Contains("`hole_spacing` = 0.045"));
 }

@@ -19,12 +19,6 @@ Problem problem() {
   return result;
 }
 
-std::vector<std::string> errors(const Problem& problem) {
-  std::vector<std::string> result;
-  for (const auto& [key, what] : errors_in_load_cases(problem)) result.push_back(key + ": " + what);
-  return result;
-}
-
 }  // namespace
 
 TEST_CASE("load cases: their loads stand behind those that all share") {
@@ -34,31 +28,6 @@ TEST_CASE("load cases: their loads stand behind those that all share") {
   CHECK(loads_of(all, 0) == std::vector<std::size_t>{0, 1, 2});
   CHECK(loads_of(all, 1) == std::vector<std::size_t>{0, 1});
   CHECK(loads_of(all, 2) == std::vector<std::size_t>{0, 1, 3, 4});
-  CHECK(key_of_load(all, 1) == "load[1]");
-  CHECK(key_of_load(all, 2) == "case[0].load[0]");
-  CHECK(key_of_load(all, 4) == "case[2].load[1]");
-  CHECK(errors(all).empty());
-}
-
-TEST_CASE("load cases: what is wrong with names, loads and sums is said at once") {
-  Problem bad;
-  bad.load_cases = {{"a", {of(3)}}, {"a", {of(1)}}, {"b", {}}};
-  bad.combinations = {{"b", {{"a", 1}, {"d", 2}}}, {"c", {}}, {"e", {{"b", INFINITY}}}};
-  join_loads(bad);
-  CHECK(errors(bad) ==
-        std::vector<std::string>{"case[1].name: \"a\" is the name of case[0] already",
-                                 "combination[0].name: \"b\" is the name of case[2] already",
-                                 "case[2]: nothing loads the plate in it: give it a [[case.load]]",
-                                 "combination[0].of.d: \"d\" is no load case" + std::string(" (did you mean 'a'?)"),
-                                 "combination[1].of: names no load case: give { name = factor, ... }",
-                                 "combination[2].of.b: must be finite"});
-  Problem alone;
-  alone.combinations = {{"c", {}}};
-  CHECK(errors(alone).size() == 2);  // of nothing, and there is nothing
-  auto shared = problem();
-  shared.combinations = {{"d", {{"a", 1}}}};
-  REQUIRE(errors(shared).size() == 1);
-  CHECK_THAT(errors(shared)[0], Catch::Contains("count these as often as its factors say"));
 }
 
 TEST_CASE("load cases: factors of a combination, own weight and larger loads") {

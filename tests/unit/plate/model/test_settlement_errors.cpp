@@ -58,7 +58,8 @@ TEST_CASE("settlements do not tear the plate where lines and parts cross, nor at
   Support across{pinned, {}, {}}, down{pinned, {}, {}}, part{clamped, {}, {}}, pin{pinned, {}, {{0.7, 0.5}}};
   across.along = {{0.1, 0.4}, {0.9, 0.4}}, down.along = {{0.3, 0.1}, {0.3, 0.9}};
   part.patch = geometry::Circle{{0.5, 0.4}, 0.1, ""};
-  CHECK_THAT(error({across, down}, {moved(0, 1)}), Contains("support[0] and support[1] hold the plate at [0.3, 0.4]"));
+  CHECK_THAT(error({across, down}, {moved(0, 1)}),
+             Contains("`support 0` and `support 1` hold the plate at [0.3, 0.4]"));
   CHECK(error({across, down}, {moved(0, 1), moved(1, 1)}).empty());
   CHECK_THAT(error({across, part}, {moved(0, 1)}), Contains("torn"));
   CHECK(error({across, part}, {moved(0, 1), moved(1, 1)}).empty());

@@ -62,7 +62,7 @@ TEST_CASE("factor rows: rows that are known stand for what is found, what motion
     CHECK(std::get<double>(row[table.column("estimated_error_K1")]) == Approx(0.21));
   REQUIRE(rows.warnings(0.01).size() == 1);
   CHECK_THAT(rows.warnings(0.01)[0],
-             Catch::Contains("tip 0") && Catch::Contains("5 %") && Catch::Contains("tolerance = 0.001"));
+             Catch::Contains("tip 0") && Catch::Contains("5 %") && Catch::Contains("`tolerance` = 0.001"));
 }
 
 TEST_CASE("factor rows: what is not finite is an error of the numbers that says when") {
