@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <cmath>
 
-#include "cases/runs/recording.hpp"
+#include "cases/runs/checkpoints.hpp"
 #include "fracture/growth/growing_plate.hpp"
 #include "fracture/growth/growth.hpp"
 #include "fracture/growth/quasi_static_bonds.hpp"
@@ -134,10 +134,11 @@ Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints, QuasiStat
     outputs_->restore(archive);
     memory(archive);
     model_->restore(archive);
-    if (points && !plan_.communicator->distributed()) archive(*points);
   });
-  if (goes_on && points && plan_.communicator->distributed())
-    put_values(model_->plate().boundary(), checkpoints.parts(), {points}), model_->restored_points();
+  if (goes_on && points) {
+    const auto complete = [this](plate::State&) { model_->restored_points(); };
+    put_values(model_->plate().boundary(), checkpoints.parts(), {{points, complete}});
+  }
   if (goes_on) state_ = factor_ * model_->state();
   const auto hold = [this, &checkpoints, points](const QuasiStaticLoad& now) {
     const auto save_state = [&](plate::OutArchive& archive) {
@@ -145,12 +146,10 @@ Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints, QuasiStat
       outputs_->save(archive);
       memory(archive);
       model_->save(archive);
-      if (points && !plan_.communicator->distributed()) archive(*points);
     };
-    std::function<post::CellValues()> own;
-    if (points && plan_.communicator->distributed())
-      own = [this, points] { return own_values(model_->plate().boundary(), {points}); };
-    checkpoints.hold(save_state, own);
+    checkpoints.hold(save_state, [this, points] {
+      return points ? own_values(model_->plate().boundary(), {points}) : post::CellValues{};
+    });
   };
   return {goes_on ? &load : nullptr, hold};
 }

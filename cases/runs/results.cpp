@@ -171,11 +171,10 @@ void Results::memory(Archive& archive) {
 
 void Results::save(plate::OutArchive& archive) {
   outputs_.save(archive);
-  if (!plate_.communicator().distributed()) return memory(archive);
-  auto own = extremes_;
-  extremes_.so_far(of_all(plate_.communicator(), own.so_far())), extremes_.state() = plate::no_state();
+  const auto own = extremes_.so_far();
+  extremes_.so_far(of_all(plate_.communicator(), own));
   memory(archive);
-  extremes_ = std::move(own);
+  extremes_.so_far(own);
 }
 
 void Results::restore(plate::InArchive& archive) {

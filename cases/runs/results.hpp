@@ -46,8 +46,8 @@ public:
   double strain_energy() const { return strain_energy_; }
   double external_work() const { return external_work_; }
 
-  /// Saves and restores the record of a motion; all frames so far are written then. Where the plate is distributed, the
-  /// record is without state_of_largest(): it has what all ranks know. Collective.
+  /// Saves and restores the record of a motion; all frames so far are written then. The record has what all ranks know,
+  /// without state_of_largest(). Collective.
   void save(plate::OutArchive& archive);
   void restore(plate::InArchive& archive);
   /// Extremes::state().

@@ -6,7 +6,7 @@
 
 #include "cases/runs/bonds_error.hpp"
 #include "cases/runs/distributed_run.hpp"
-#include "cases/runs/recording.hpp"
+#include "cases/runs/motion_checkpoints.hpp"
 #include "cases/runs/results.hpp"
 #include "fracture/growth/moving_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -15,7 +15,6 @@
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/reduction.hpp"
-#include "plate/solve/archive.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
@@ -26,66 +25,6 @@
 #include "post/report/terminal.hpp"
 
 namespace fracture {
-void MotionCheckpoints::checkpoint_to(RunCheckpoints& checkpoints, plate::DynamicOptions& options) {
-  options.due = [&] { return plate_.communicator().largest_of(checkpoints.due()) > 0; };
-  options.save = [&](const plate::MotionCheckpoint& now) {
-    plate_.communicator().distributed() ? save_part(checkpoints, now) : save(checkpoints, now);
-  };
-  if (restore(checkpoints)) options.from = &memory_;
-}
-
-void MotionCheckpoints::save(RunCheckpoints& checkpoints, const plate::MotionCheckpoint& now) {
-  checkpoints.save([&](plate::OutArchive& archive) {
-    archive(now);
-    results_.save(archive);
-    if (growth_) growth_->save(archive);
-  });
-}
-
-void MotionCheckpoints::save_part(RunCheckpoints& checkpoints, const plate::MotionCheckpoint& now) {
-  std::vector<const plate::State*> states{&now.state, &now.velocity};
-  if (saves_earlier(now.step)) states.push_back(&now.earlier);
-  states.push_back(&results_.state_of_largest());
-  const auto own = own_values(plate_.boundary(), states);
-  auto common = now;
-  common.state = {}, common.velocity = {}, common.earlier = {};
-  checkpoints.save(
-      [&](plate::OutArchive& archive) {
-        archive(common);
-        results_.save(archive);
-        if (growth_) growth_->save(archive);
-      },
-      &own);
-}
-
-bool MotionCheckpoints::restore(RunCheckpoints& checkpoints) {
-  const bool found = checkpoints.restore([&](plate::InArchive& archive) {
-    archive(memory_);
-    results_.restore(archive);
-    if (growth_) growth_->restore(archive);
-  });
-  if (found && plate_.communicator().distributed()) restore_part(checkpoints);
-  return found;
-}
-
-void MotionCheckpoints::restore_part(const RunCheckpoints& checkpoints) {
-  auto& largest = results_.state_of_largest();
-  std::vector<plate::State*> states{&memory_.state, &memory_.velocity};
-  if (saves_earlier(memory_.step)) states.push_back(&memory_.earlier);
-  states.push_back(&largest);
-  put_values(plate_.boundary(), checkpoints.parts(), states);
-  (growth_ ? growth_->constraints() : plate_.constraints()).impose(memory_.state);
-  if (largest.cols() == 0) return;
-  plate_.constraints().impose(largest);
-  if (const auto lift = plate::lift_at(plate_, results_.time_of_largest()); lift.cols() > 0) largest += lift;
-}
-
-/// The state of the step before: from the second one on, where the stiffness damps.
-bool MotionCheckpoints::saves_earlier(std::size_t step) const {
-  const auto& damping = results_.plan().analysis.damping;
-  return step > 0 && damping && damping->stiffness > 0;
-}
-
 namespace {
 
 using plate::Analysis;

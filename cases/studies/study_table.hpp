@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "post/report/curve_plot.hpp"
 #include "post/report/quantity.hpp"
 
 namespace post {

@@ -74,10 +74,9 @@ public:
   virtual void save(plate::OutArchive& archive) const = 0;
   /// Restores the state of a model that has not been solved yet. Throws plate::NumericalError.
   virtual void restore(plate::InArchive& archive) = 0;
-  /// Further values of points to be saved, null where there are none; where the plate is distributed, each saves its
-  /// own separately.
+  /// Values of points to be saved beside save(): each rank saves its own. Null where there are none.
   virtual plate::State* of_points() { return nullptr; }
-  /// Called after the further values of owned points have been restored.
+  /// Computes the values of all other points, after those of owned points have been restored.
   virtual void restored_points() {}
 
 protected:

@@ -22,101 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, Checkpoints::kept> names{"checkpoint", "checkpoint.before"};
-constexpr const char* magic = "PDPlate checkpoint 3: ";  // the number of its form
+constexpr std::array names{"checkpoint", "checkpoint.before"};
+constexpr const char* magic = "PDPlate checkpoint 4: ";  // the number of its form
 
 [[noreturn]] void fail(const fs::path& path) {
   throw fs::filesystem_error("cannot write", path, std::error_code(errno != 0 ? errno : EIO, std::generic_category()));
 }
 
 constexpr std::size_t digits = 16;  // of the checksum, at the end
-
-std::string checksum(std::string_view line, std::string_view memory) {
-  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
-  XXH3_64bits_reset(state.get());
-  for (const auto part : {line, memory}) XXH3_64bits_update(state.get(), part.data(), part.size());
-  return fmt::format("{:016x}", XXH3_64bits_digest(state.get()));
-}
-
-/// Describes the error in a checkpoint; empty where there is none.
-std::string error_in(std::string_view all, const std::string& of) {
-  const auto line = all.find('\n');
-  if (!all.starts_with(magic) || line == std::string_view::npos) return "is no checkpoint of this version";
-  const auto before = all.substr(0, std::max(all.size(), digits) - digits);
-  if (before.size() <= line || checksum(before, {}) != all.substr(before.size())) return "is damaged or not whole";
-  if (const auto found = all.substr(0, line).substr(std::string_view(magic).size()); found != of)
-    return fmt::format("is of another run: {}, not {}", found, of);
-  return {};
-}
-
-std::string content_of(std::string text) {
-  text.resize(text.size() - digits);
-  text.erase(0, text.find('\n') + 1);
-  return text;
-}
-
-}  // namespace
-
-void Checkpoints::write(const std::string& memory) const {
-  const auto newest = folder_ / names[0];
-  write_atomically(newest, [&](const fs::path& beside) {
-    const auto line = magic + of_ + "\n";
-    errno = 0;
-    std::ofstream file(beside, std::ios::binary);
-    file << line << memory << checksum(line, memory);
-    file.close();  // what is still in the buffer meets a full disk only here
-    if (!file) fail(beside);
-    wait_for_disk(beside);
-    std::error_code none;  // there is none before the second
-    fs::rename(newest, folder_ / names[1], none);
-  });
-  wait_for_disk(folder_);
-}
-
-std::optional<std::string> Checkpoints::read(std::size_t which, std::string& problem) const {
-  const auto path = folder_ / names.at(which);
-  if (!fs::exists(path)) return std::nullopt;
-  try {
-    auto text = read_text(path);
-    const auto found = error_in(text, of_);
-    if (found.empty()) return content_of(std::move(text));
-    problem = fmt::format("{} {}", path.string(), found);
-  } catch (const fs::filesystem_error& error) {
-    problem = error.what();
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> Checkpoints::read(std::vector<std::string>& refused) const {
-  for (std::size_t which = 0; which < kept; ++which) {
-    std::string problem;
-    if (auto found = read(which, problem)) return found;
-    if (!problem.empty()) refused.push_back(problem);
-  }
-  return std::nullopt;
-}
-
-bool Checkpoints::any() const {
-  std::error_code none;
-  return std::ranges::any_of(names, [&](const char* name) { return fs::exists(folder_ / name, none); });
-}
-
-void Checkpoints::remove() const {
-  std::error_code none;
-  fs::remove(folder_ / "checkpoint.partial", none);  // of a process that was killed
-  for (const auto* name : names) fs::remove(folder_ / name, none);
-}
-
-namespace {
-
-constexpr std::array<char, 8> magic_of_cells{'P', 'D', 'P', 'c', 'e', 'l', 'l', '1'};
-constexpr std::size_t piece = 1 << 20;  // bytes at once
-
-struct Header {
-  std::array<char, 8> mark = magic_of_cells;
-  std::uint64_t width = 0, points = 0;
-  std::array<std::int64_t, 4> box{0, 0, 0, 0};  // low column and row, high ones behind the last
-};
 
 class Checksum {
 public:
@@ -126,6 +39,82 @@ public:
 
 private:
   std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_;
+};
+
+std::string checksum(std::string_view text) {
+  Checksum sum;
+  sum.add(text.data(), text.size());
+  return sum.text();
+}
+
+/// Describes the error in a checkpoint; empty where there is none.
+std::string error_in(std::string_view all, const std::string& of) {
+  const auto line = all.find('\n');
+  if (!all.starts_with(magic) || line == std::string_view::npos) return "is no checkpoint of this version";
+  const auto before = all.substr(0, std::max(all.size(), digits) - digits);
+  if (before.size() <= line || checksum(before) != all.substr(before.size())) return "is damaged or not whole";
+  if (const auto found = all.substr(0, line).substr(std::string_view(magic).size()); found != of)
+    return fmt::format("is of another run: {}, not {}", found, of);
+  return {};
+}
+
+/// Content of the file of the first rank: turn and checksums of the parts, and the memory after them.
+struct Main {
+  std::size_t turn = 0;
+  std::vector<std::string> checksums;
+  std::string memory;
+};
+
+/// `head`: the lines before the memory.
+void write_main(const fs::path& folder, std::string_view head, std::string_view memory) {
+  const auto newest = folder / names[0];
+  write_atomically(newest, [&](const fs::path& beside) {
+    errno = 0;
+    std::ofstream file(beside, std::ios::binary);
+    Checksum sum;
+    for (const auto part : {head, memory}) sum.add(part.data(), part.size()), file << part;
+    file << sum.text();
+    file.close();  // what is still in the buffer meets a full disk only here
+    if (!file) fail(beside);
+    wait_for_disk(beside);
+    std::error_code none;  // there is none before the second
+    fs::rename(newest, folder / names[1], none);
+  });
+  wait_for_disk(folder);
+}
+
+/// Nothing where there is none, or where it is not whole or not of this run: then `problem` says what is wrong.
+std::optional<Main> read_main(const fs::path& path, const std::string& of, std::string& problem) {
+  if (!fs::exists(path)) return std::nullopt;
+  std::string text;
+  try {
+    text = read_text(path);
+  } catch (const fs::filesystem_error& error) {
+    problem = error.what();
+    return std::nullopt;
+  }
+  if (const auto found = error_in(text, of); !found.empty()) {
+    problem = fmt::format("{} {}", path.string(), found);
+    return std::nullopt;
+  }
+  text.resize(text.size() - digits);
+  const auto first = text.find('\n') + 1, second = text.find('\n', first);
+  std::istringstream words(text.substr(first, second - first));
+  Main main;
+  std::size_t count = 0;
+  words >> main.turn >> count;
+  for (std::string word; main.checksums.size() < count && words >> word;) main.checksums.push_back(word);
+  if (second != std::string::npos) main.memory = text.substr(second + 1);
+  return main;
+}
+
+constexpr std::array<char, 8> magic_of_cells{'P', 'D', 'P', 'c', 'e', 'l', 'l', '1'};
+constexpr std::size_t piece = 1 << 20;  // bytes at once
+
+struct Header {
+  std::array<char, 8> mark = magic_of_cells;
+  std::uint64_t width = 0, points = 0;
+  std::array<std::int64_t, 4> box{0, 0, 0, 0};  // low column and row, high ones behind the last
 };
 
 Header header_of(const CellValues& values) {
@@ -225,21 +214,26 @@ std::string first_of(const std::vector<std::string>& texts) {
   return found == texts.end() ? "" : *found;
 }
 
+/// Gathers the text `own` of every rank.
+std::vector<std::string> told(const plate::Communicator& all, const std::string& own) {
+  return all.exchanged(std::vector<std::string>(std::size_t(all.size()), own));
+}
+
+fs::path part(const fs::path& folder, std::size_t turn, std::size_t rank) {
+  return folder / fmt::format("checkpoint.{}.{}", turn, rank);
+}
+
+/// Every process looks at some of the parts.
+std::string error_in_parts(const plate::Communicator& all, const fs::path& folder, const Main& main) {
+  for (auto rank = std::size_t(all.rank()); rank < main.checksums.size(); rank += std::size_t(all.size()))
+    if (const auto path = part(folder, main.turn, rank); checksum_of(path) != main.checksums[rank])
+      return path.string() + " is damaged or not whole";
+  return "";
+}
+
 }  // namespace
 
-DistributedCheckpoints::DistributedCheckpoints(const plate::Communicator& all, fs::path folder, std::string of)
-    : all_(&all), folder_(std::move(folder)), first_(folder_, std::move(of)) {}
-
-/// Gathers the text `own` of every rank.
-std::vector<std::string> DistributedCheckpoints::told(const std::string& own) const {
-  return all_->exchanged(std::vector<std::string>(std::size_t(all_->size()), own));
-}
-
-fs::path DistributedCheckpoints::part(std::size_t turn, std::size_t rank) const {
-  return folder_ / fmt::format("checkpoint.{}.{}", turn, rank);
-}
-
-void DistributedCheckpoints::write(const std::string& memory, const CellValues& own) {
+void Checkpoints::write(const std::string& memory, const CellValues& own) {
   const auto together = [&](const auto& write) {
     std::string result, problem;
     try {
@@ -247,53 +241,34 @@ void DistributedCheckpoints::write(const std::string& memory, const CellValues& 
     } catch (const fs::filesystem_error& error) {
       problem = error.what();
     }
-    if (problem = first_of(told(problem)); !problem.empty())
-      throw fs::filesystem_error(problem, std::make_error_code(std::errc::io_error));
+    if (problem = first_of(told(*all_, problem)); !problem.empty()) throw CheckpointNotWritten(problem);
     return result;
   };
-  const auto checksums = told(together([&] { return write_cells(part(turn_, std::size_t(all_->rank())), own); }));
+  const auto path = part(folder_, turn_, std::size_t(all_->rank()));
+  const auto checksums = told(*all_, together([&] { return write_cells(path, own); }));
   together([&] {
-    if (all_->rank() == 0)
-      first_.write(fmt::format("{} {} {}\n", turn_, checksums.size(), fmt::join(checksums, " ")) + memory);
+    const auto head = fmt::format("{}{}\n{} {} {}\n", magic, of_, turn_, checksums.size(), fmt::join(checksums, " "));
+    if (all_->rank() == 0) write_main(folder_, head, memory);
     return std::string();
   });
   turn_ = (turn_ + 1) % turns;
 }
 
-DistributedCheckpoints::Main DistributedCheckpoints::main_of(const std::string& text) {
-  Main main;
-  const auto line = text.find('\n');
-  std::istringstream words(text.substr(0, line));
-  std::size_t count = 0;
-  words >> main.turn >> count;
-  for (std::string word; main.checksums.size() < count && words >> word;) main.checksums.push_back(word);
-  if (line != std::string::npos) main.memory = text.substr(line + 1);
-  return main;
-}
-
-/// Every process looks at some of the parts.
-std::string DistributedCheckpoints::error_in_parts(const Main& main) const {
-  for (auto rank = std::size_t(all_->rank()); rank < main.checksums.size(); rank += std::size_t(all_->size()))
-    if (const auto path = part(main.turn, rank); checksum_of(path) != main.checksums[rank])
-      return path.string() + " is damaged or not whole";
-  return "";
-}
-
-std::optional<DistributedCheckpoints::Found> DistributedCheckpoints::read(std::vector<std::string>& refused) {
-  for (std::size_t which = 0; which < Checkpoints::kept; ++which) {
+std::optional<Checkpoints::Found> Checkpoints::read(std::vector<std::string>& refused) {
+  for (const auto* name : names) {
     std::string problem;
-    const auto text = first_.read(which, problem);
-    const auto main = text ? main_of(*text) : Main{};
-    if (text) problem = error_in_parts(main);
-    const auto found = told(text ? "+" + problem : problem.empty() ? "" : "-" + problem);  // nothing: there is none
+    const auto main = read_main(folder_ / name, of_, problem);
+    if (main) problem = error_in_parts(*all_, folder_, *main);
+    const auto found = told(*all_, main ? "+" + problem : problem.empty() ? "" : "-" + problem);  // nothing: none
     const auto missing = std::ranges::count(found, std::string());
     const auto wrong = std::ranges::find_if(found, [](const std::string& one) { return one.size() > 1; });
     if (wrong != found.end())
       refused.push_back(wrong->substr(1));
     else if (missing == 0) {
-      turn_ = (main.turn + 1) % turns;
-      Found result{main.memory, {}};
-      for (std::size_t rank = 0; rank < main.checksums.size(); ++rank) result.parts.push_back(part(main.turn, rank));
+      turn_ = (main->turn + 1) % turns;
+      Found result{main->memory, {}};
+      for (std::size_t rank = 0; rank < main->checksums.size(); ++rank)
+        result.parts.push_back(part(folder_, main->turn, rank));
       return result;
     } else if (missing < std::ptrdiff_t(found.size()))
       refused.push_back(folder_.string() + ": not all processes see the checkpoint in it");
@@ -301,14 +276,18 @@ std::optional<DistributedCheckpoints::Found> DistributedCheckpoints::read(std::v
   return std::nullopt;
 }
 
-void DistributedCheckpoints::remove() const {
-  if (all_->rank() > 0) return;
-  first_.remove();
-  std::vector<fs::path> parts;
+bool Checkpoints::any() const {
   std::error_code none;
+  return std::ranges::any_of(names, [&](const char* name) { return fs::exists(folder_ / name, none); });
+}
+
+void Checkpoints::remove() const {
+  if (all_->rank() > 0) return;
+  std::error_code none;
+  std::vector<fs::path> files{folder_ / names[0]};
   for (const auto& entry : fs::directory_iterator(folder_, none))
-    if (entry.path().filename().string().starts_with("checkpoint.")) parts.push_back(entry.path());
-  for (const auto& path : parts) fs::remove(path, none);
+    if (entry.path().filename().string().starts_with("checkpoint.")) files.push_back(entry.path());
+  for (const auto& path : files) fs::remove(path, none);
 }
 
 }  // namespace post

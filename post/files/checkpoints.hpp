@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,33 +11,6 @@
 #include "plate/model/communicator.hpp"
 
 namespace post {
-
-/// Checkpoints of a run in its folder, from which it goes on after it was killed: `checkpoint`, and `checkpoint.before`
-/// with the previous one. A file begins with the line that identifies its run and ends with a checksum of all before.
-/// It is in its place complete and on the disk, or not at all.
-class Checkpoints {
-public:
-  /// `of`: one line that says which run of which program may go on from it.
-  Checkpoints(std::filesystem::path folder, std::string of) : folder_(std::move(folder)), of_(std::move(of)) {}
-
-  /// Throws std::filesystem::filesystem_error; the last one stays then.
-  void write(const std::string& memory) const;
-
-  static constexpr std::size_t kept = 2;
-  /// The memory in one of them, 0: the newest, if it is whole and of this run. What is wrong with it goes into
-  /// `problem`.
-  std::optional<std::string> read(std::size_t which, std::string& problem) const;
-  /// The memory in the newest checkpoint that is whole and of this run, if there is one. What is wrong with others goes
-  /// into `refused`.
-  std::optional<std::string> read(std::vector<std::string>& refused) const;
-
-  bool any() const;
-  void remove() const;
-
-private:
-  std::filesystem::path folder_;
-  std::string of_;
-};
 
 /// Numbers of the points of one process, by the cells of the lattice in which they are.
 struct CellValues {
@@ -57,17 +31,26 @@ std::string checksum_of(const std::filesystem::path& path);
 std::size_t read_cells(const std::filesystem::path& path, const geometry::CellBox& wanted,
                        const std::function<void(const geometry::Cell& cell, std::span<const double> values)>& visit);
 
-/// Checkpoints of a plate that several ranks share, in its folder; any number of ranks can go on from them. The first
-/// rank writes what all ranks know (Checkpoints). Each rank writes the values of its points to checkpoint.N.RANK, N
-/// from 0 to 2 in turn, so that the last two stay complete while the next is written. The checksums of these files are
-/// in that of the first rank. Collective: every rank must call each member function. All ranks must see the folder.
-class DistributedCheckpoints {
+/// A checkpoint that one of the ranks could not write.
+class CheckpointNotWritten : public std::runtime_error {
 public:
-  /// `all` must outlive this.
-  DistributedCheckpoints(const plate::Communicator& all, std::filesystem::path folder, std::string of);
+  using std::runtime_error::runtime_error;
+};
+
+/// Checkpoints of a run in its folder, from which it goes on after it was killed, by any number of ranks. The first
+/// rank writes what all ranks know to `checkpoint`; `checkpoint.before` is the previous one. Such a file begins with
+/// the line that identifies its run and ends with a checksum of all before. Each rank writes the values of its points
+/// to checkpoint.N.RANK, N from 0 to 2 in turn, so that the last two checkpoints stay complete while the next is
+/// written. The checksums of these files are in that of the first rank. Every file is in its place complete and on the
+/// disk, or not at all. Collective: every rank must call read() and write(). All ranks must see the folder.
+class Checkpoints {
+public:
+  /// `all` must outlive this. `of`: one line that says which run of which program may go on from it.
+  Checkpoints(const plate::Communicator& all, std::filesystem::path folder, std::string of)
+      : all_(&all), folder_(std::move(folder)), of_(std::move(of)) {}
   const plate::Communicator& communicator() const { return *all_; }
 
-  /// Throws std::filesystem::filesystem_error in all processes where one cannot write; the last one stays then.
+  /// Throws CheckpointNotWritten in all processes where one cannot write; the last one stays then.
   void write(const std::string& memory, const CellValues& own);
 
   struct Found {
@@ -77,23 +60,13 @@ public:
   /// The newest that is whole and of this run. What is wrong with others goes into `refused`, in all processes.
   std::optional<Found> read(std::vector<std::string>& refused);
 
+  bool any() const;
   void remove() const;
 
 private:
-  /// Content of the main checkpoint: turn and checksums of its parts, and the memory after them.
-  struct Main {
-    std::size_t turn = 0;
-    std::vector<std::string> checksums;
-    std::string memory;
-  };
-  static Main main_of(const std::string& text);
-  std::filesystem::path part(std::size_t turn, std::size_t rank) const;
-  std::string error_in_parts(const Main& main) const;
-  std::vector<std::string> told(const std::string& own) const;
-
   const plate::Communicator* all_;
   std::filesystem::path folder_;
-  Checkpoints first_;
+  std::string of_;
   std::size_t turn_ = 0;  // of the next
 };
 

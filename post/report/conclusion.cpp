@@ -130,6 +130,7 @@ std::vector<Peak> Extremes::so_far() const {
 }
 
 void Extremes::so_far(const std::vector<Peak>& peaks) {
+  deflection_.reset(), stress_.reset();
   for (const auto& one : peaks) (one.quantity == "w" ? deflection_ : stress_) = one;
 }
 

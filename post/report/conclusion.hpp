@@ -51,14 +51,14 @@ public:
   /// The state of the row with the largest strain energy; empty before the first.
   plate::State& state() { return state_; }
   double time() const { return time_; }  // of that row
-  /// Peaks found so far, of the deflection and of stress in frames; the second function sets them to those of all
-  /// ranks.
+  /// Peaks found so far, of the deflection and of stress in frames; the second function sets them.
   std::vector<Peak> so_far() const;
   void so_far(const std::vector<Peak>& peaks);
 
+  /// Archives what all ranks know: not state(), whose values go with the points.
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(deflection_, stress_, strain_energy_, time_, state_, seen_);
+    archive(deflection_, stress_, strain_energy_, time_, seen_);
   }
 
 private:

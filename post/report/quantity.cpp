@@ -11,6 +11,7 @@
 
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "post/report/curve_plot.hpp"
 
 namespace post {
 namespace {

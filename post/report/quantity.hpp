@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "post/files/summary.hpp"
-#include "post/report/curve_plot.hpp"
 
 namespace post {
 
@@ -14,7 +13,7 @@ namespace post {
 /// no such file, or it is incomplete.
 std::optional<Summary> read_summary(const std::filesystem::path& path);
 
-struct Summary;
+struct Curve;
 struct Table;
 
 /// A number that runs are compared by: K1, K2, K3, F1, F2, F3 of a tip, K1_peak, K2_peak, K3_peak of a motion, w,

@@ -161,7 +161,7 @@ void read_a_reference(const std::string& bytes) {
 void read_a_checkpoint(const std::string& bytes) {
   file_of("checkpoint", bytes);
   std::vector<std::string> refused;
-  post::Checkpoints(folder(), "pdplate of a case").read(refused);
+  post::Checkpoints(plate::single_process(), folder(), "pdplate of a case").read(refused);
 }
 
 void read_a_state(const std::string& bytes) {

@@ -5,6 +5,7 @@
 #include "cases/input/case_file.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
+#include "post/report/curve_plot.hpp"
 #include "post/report/quantity.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"

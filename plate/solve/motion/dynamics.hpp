@@ -111,11 +111,11 @@ struct MotionCheckpoint {
   double dissipated = 0;
   ImpactorState impactor_state = {};
 
+  /// Archives what all ranks know: not state, velocity and earlier, whose values go with the points.
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(step, state, velocity, loads, work, before, driven, travelling);
-    archive(given, earlier, dissipated, impactor_state.place, impactor_state.velocity, impactor_state.largest,
-            impactor_state.touching);
+    archive(step, loads, work, before, driven, travelling, given, dissipated);
+    archive(impactor_state.place, impactor_state.velocity, impactor_state.largest, impactor_state.touching);
   }
 };
 

@@ -1,14 +1,14 @@
 // A motion that some processes have kept goes on by others, to the same tables. Kills: tests/distributed/kills.
-#include "cases/runs/run_once.hpp"
+#include "cases/runs/motion_checkpoints.hpp"
 
 #include <mutex>
 
 #include "cases/driver/case_plan.hpp"
-#include "cases/runs/recording.hpp"
+#include "cases/runs/checkpoints.hpp"
+#include "cases/runs/run_once.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/solve/motion/initial_conditions.hpp"
-#include "post/files/checkpoints.hpp"
 #include "post/files/sinks.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/fracture/distributed_run.hpp"
@@ -47,7 +47,7 @@ Moved moved(cases::CaseFile file, const plate::Communicator& all, std::size_t st
   fracture::Outputs outputs(cases::plan_of(file.content, {{}, true, &result.in_memory, false, &all}),
                             {std::make_unique<post::MemorySink>(result.in_memory), "", "", all}, stopwatch);
   fracture::Results results(outputs, *ready.plate, ready.tip_methods);
-  fracture::RunCheckpoints checkpoints(std::make_shared<post::DistributedCheckpoints>(all, folder, "case"), 1e-9);
+  fracture::RunCheckpoints checkpoints(post::Checkpoints(all, folder, "case"), 1e-9);
   std::vector<std::string> refused;
   result.went_on = checkpoints.find(refused);
   CHECK(refused.empty());
@@ -66,11 +66,19 @@ Moved moved_by(const cases::CaseFile& file, int processes, std::size_t steps, co
   return first;
 }
 
-void require_same(const post::ResultsInMemory& one, const post::ResultsInMemory& other) {
-  REQUIRE(one.tables.size() == other.tables.size());
-  for (std::size_t i = 0; i < one.tables.size(); ++i) {
-    CHECK(one.tables[i].first == other.tables[i].first);
-    CHECK((one.tables[i].second.rows == other.tables[i].second.rows));
+void require_same(const Moved& gone_on, const Moved& whole) {
+  CHECK(gone_on.went_on);
+  CHECK_FALSE(whole.went_on);
+  const auto &tables = gone_on.in_memory.tables, &of_whole = whole.in_memory.tables;
+  REQUIRE(tables.size() == of_whole.size());
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    CHECK(tables[i].first == of_whole[i].first);
+    CHECK((tables[i].second.rows == of_whole[i].second.rows));
+  }
+  REQUIRE(gone_on.summary.peaks.size() == whole.summary.peaks.size());
+  for (std::size_t i = 0; i < whole.summary.peaks.size(); ++i) {
+    const auto &one = gone_on.summary.peaks[i], &other = whole.summary.peaks[i];
+    CHECK((one.value == other.value && one.time == other.time && one.position == other.position));
   }
 }
 
@@ -104,22 +112,19 @@ TEST_CASE("a motion in parts that was kept goes on by another number of processe
   }
   const small_run::TemporaryFolder alone;
   const auto whole = moved_by(file, 2, all, alone.path());
-  CHECK_FALSE(whole.went_on);
+  CHECK(whole.in_memory.tables.size() == tables);
+  CHECK(whole.summary.peaks.size() >= 2);
   for (const auto& [before, after, kept] : {std::array{3, 5, 20}, {4, 1, 15}, {1, 3, 25}}) {
     INFO(before << " processes, then " << after);
     const small_run::TemporaryFolder folder;
     moved_by(file, before, std::size_t(kept), folder.path());
     const auto gone_on = moved_by(file, after, all, folder.path());
-    CHECK(gone_on.went_on);
-    CHECK(whole.in_memory.tables.size() == tables);
-    require_same(gone_on.in_memory, whole.in_memory);
-    REQUIRE(gone_on.summary.peaks.size() == whole.summary.peaks.size());
-    CHECK(whole.summary.peaks.size() >= 2);
-    for (std::size_t i = 0; i < whole.summary.peaks.size(); ++i) {
-      const auto &one = gone_on.summary.peaks[i], &other = whole.summary.peaks[i];
-      CHECK((one.value == other.value && one.time == other.time && one.position == other.position));
-    }
+    require_same(gone_on, whole);
   }
+  const small_run::TemporaryFolder peace, ended;  // of one process with the whole plate
+  moved(file, plate::single_process(), 17, ended.path());
+  require_same(moved(file, plate::single_process(), all, ended.path()),
+               moved(file, plate::single_process(), all, peace.path()));
 }
 
 TEST_CASE("cracks that grow in a motion in parts that was kept go on by another number of processes") {
@@ -149,7 +154,6 @@ TEST_CASE("cracks that grow in a motion in parts that was kept go on by another 
     CHECK(first.summary.growth->advances > 0);
     CHECK(first.summary.growth->advances < whole.summary.growth->advances);
     const auto gone_on = moved_by(file, after, all, folder.path());
-    CHECK(gone_on.went_on);
-    require_same(gone_on.in_memory, whole.in_memory);
+    require_same(gone_on, whole);
   }
 }

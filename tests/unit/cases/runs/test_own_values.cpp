@@ -1,8 +1,11 @@
-#include "cases/runs/recording.hpp"
+#include "cases/runs/checkpoints.hpp"
 
+#include <cmath>
+#include <cstring>
 #include <mutex>
 
 #include "plate/bonds/ordinary_plate.hpp"
+#include "plate/edges/surface_formulation.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -54,7 +57,7 @@ TEST_CASE("own values: what some processes write of their points others find aga
       const auto plate = plate::discretise(problem, all).plate;
       const auto& boundary = plate->boundary();
       plate::State one, other, none;
-      fracture::put_values(boundary, files, {&one, &other, &none});
+      fracture::put_values(boundary, files, {{&one}, {&other}, {&none}});
       bool same = true;
       std::size_t own = 0;
       const auto first = some(boundary, 0.1), second = some(boundary, 7);
@@ -74,7 +77,41 @@ TEST_CASE("own values: what some processes write of their points others find aga
                                       [&](const plate::Communicator& all) {
                                         const auto plate = plate::discretise(problem, all).plate;
                                         plate::State one, other, none;
-                                        fracture::put_values(plate->boundary(), files, {&one, &other, &none});
+                                        fracture::put_values(plate->boundary(), files, {{&one}, {&other}, {&none}});
                                       }),
                     Catch::Contains("does not have all points"));
+}
+
+TEST_CASE("own values: one process has all columns again, of fictitious and graded points too, bit for bit") {
+  plate::Problem problem;
+  problem.outline = geometry::rectangle(-1, -1, 1, 1);
+  problem.section = {1000, 0.3, 0.4};
+  problem.supports = {{plate::SupportKind::clamped, {"left", "right", "bottom", "top"}, {}}};
+  problem.loads = {plate::Load{plate::Pressure{.value = 1}}};
+  problem.discretization.spacing = 0.1;
+  SECTION("with images") {
+    problem.discretization.formulation = &plate::ordinary;
+  }
+  SECTION("with surface nodes") {
+    problem.discretization.spacing = 0.25;
+    problem.discretization.volume_correction = plate::VolumeCorrection::lattice_fitted;
+    problem.discretization.formulation = &plate::bonds_with_surface_nodes;
+  }
+  SECTION("of a Galerkin plate with graded points") {
+    problem.cracks = {{{-0.45, 0.1}, {0.35, 0.2}}};
+    problem.discretization.tip_spacing = 0.01;
+    problem.discretization.formulation = &plate::galerkin;
+  }
+  const auto plate = plate::discretise(problem).plate;
+  plate::State state(3, Eigen::Index(plate->points())), none(3, 0);
+  for (Eigen::Index i = 0; i < state.size(); ++i)
+    state.data()[i] = i % 5 == 0 ? -0.0 : i % 7 == 0 ? NAN : i % 11 == 0 ? -INFINITY : 1 / (double(i) + 0.3);
+  const small_run::TemporaryFolder folder;
+  post::write_cells(folder / "points", fracture::own_values(plate->boundary(), {&state, &none}));
+  plate::State again;
+  const auto complete = [](plate::State&) { FAIL("nothing is missing"); };
+  fracture::put_values(plate->boundary(), {folder / "points"}, {{&again, complete}, {&none, complete}});
+  REQUIRE(again.cols() == state.cols());
+  CHECK(std::memcmp(again.data(), state.data(), std::size_t(state.size()) * sizeof(double)) == 0);
+  CHECK(none.cols() == 0);
 }

@@ -53,7 +53,7 @@ TEST_CASE("recording: what is done before is that of the same case and program, 
   CHECK_FALSE(done_before(other, false));
   other = wanted, other.version = "1.1";
   CHECK_FALSE(done_before(other, false));
-  post::Checkpoints(folder / "run", "case").write("memory");
+  post::Checkpoints(plate::single_process(), folder / "run", "case").write("memory", {});
   CHECK_FALSE(done_before(wanted, false));  // something goes on
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("recording: a run goes on from what it kept, and from nothing else") {
   {
     auto first = recording(wanted);
     REQUIRE(first.checkpoints);
-    first.checkpoints->save([](auto&) {});
+    first.checkpoints->save([](auto&) {}, [] { return post::CellValues{}; });
   }
   wanted.goes_on = true;
   CHECK_FALSE(recording(wanted).checkpoints->goes_on());  // nothing was remembered

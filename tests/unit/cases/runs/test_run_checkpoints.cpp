@@ -1,4 +1,4 @@
-#include "cases/runs/recording.hpp"
+#include "cases/runs/checkpoints.hpp"
 
 #include "plate/solve/archive.hpp"
 #include "tests/catch.hpp"
@@ -9,8 +9,17 @@ using small_run::TemporaryFolder;
 
 namespace {
 
+/// Checkpoints of one process.
+RunCheckpoints of(const std::filesystem::path& folder, double every, const std::string& run = "case 1") {
+  return {post::Checkpoints(plate::single_process(), folder, run), every};
+}
+
 RunCheckpoints::SaveState number(int n) {
   return [n](plate::OutArchive& archive) { archive(n); };
+}
+
+post::CellValues no_points() {
+  return {};
 }
 
 int restored(RunCheckpoints& checkpoints) {
@@ -23,18 +32,17 @@ int restored(RunCheckpoints& checkpoints) {
 
 TEST_CASE("keeper: what was kept last comes back to the same run, once") {
   const TemporaryFolder folder;
-  const post::Checkpoints same(folder.path(), "case 1");
-  RunCheckpoints checkpoints(same, 1e-9);
+  auto checkpoints = of(folder.path(), 1e-9);
   std::vector<std::string> refused;
   CHECK_FALSE(checkpoints.find(refused));
   CHECK_FALSE(checkpoints.restore([](plate::InArchive&) { FAIL("nothing was found"); }));
-  checkpoints.save(number(1)), checkpoints.hold(number(2));
-  RunCheckpoints again(same, 1e-9);
+  checkpoints.save(number(1), no_points), checkpoints.hold(number(2), no_points);
+  auto again = of(folder.path(), 1e-9);
   REQUIRE(again.find(refused));
   CHECK(refused.empty());
   CHECK(restored(again) == 2);
   CHECK_FALSE(again.goes_on());
-  RunCheckpoints other({folder.path(), "case 2"}, 1e-9);
+  auto other = of(folder.path(), 1e-9, "case 2");
   CHECK_FALSE(other.find(refused));
   CHECK_FALSE(refused.empty());
   checkpoints.done();
@@ -43,26 +51,26 @@ TEST_CASE("keeper: what was kept last comes back to the same run, once") {
 
 TEST_CASE("keeper: before its time it writes nothing but what it is told to, and that once") {
   const TemporaryFolder folder;
-  RunCheckpoints checkpoints({folder.path(), "case 1"}, 3600);
+  auto checkpoints = of(folder.path(), 3600);
   CHECK_FALSE(checkpoints.due());
-  checkpoints.hold(number(7));
-  checkpoints.hold(number(8));  // within a second: not taken
+  checkpoints.hold(number(7), no_points);
+  checkpoints.hold(number(8), no_points);  // within a second: not taken
   CHECK(folder.entries() == 0);
   checkpoints.write();
-  CHECK(folder.entries() == 1);
-  RunCheckpoints again({folder.path(), "case 1"}, 3600);
+  CHECK(folder.entries() == 2);
+  auto again = of(folder.path(), 3600);
   std::vector<std::string> refused;
   REQUIRE(again.find(refused));
   CHECK(restored(again) == 7);
   checkpoints.write();  // nothing has been taken since
-  CHECK(folder.entries() == 1);
+  CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("keeper: a run goes on where its checkpoint cannot be written") {
   const TemporaryFolder folder;
-  RunCheckpoints checkpoints({folder / "gone", "case 1"}, 1e-9);
-  CHECK_NOTHROW(checkpoints.save(number(1)));
-  CHECK_NOTHROW(checkpoints.save(number(2)));
+  auto checkpoints = of(folder / "gone", 1e-9);
+  CHECK_NOTHROW(checkpoints.save(number(1), no_points));
+  CHECK_NOTHROW(checkpoints.save(number(2), no_points));
   std::vector<std::string> refused;
   CHECK_FALSE(checkpoints.find(refused));
 }

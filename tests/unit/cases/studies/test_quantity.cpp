@@ -1,5 +1,6 @@
 #include "post/report/quantity.hpp"
 
+#include "post/report/curve_plot.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/finished_run.hpp"
 
