@@ -1,16 +1,22 @@
 #include "cases/driver/cost_samples.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 
 #include "cases/driver/case_plan.hpp"
+#include "cases/driver/prepared.hpp"
+#include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
+#include "cases/runs/distributed_run.hpp"
 #include "plate/formulation/discretised.hpp"
+#include "plate/formulation/formulation.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/numerical_method.hpp"
+#include "plate/model/process.hpp"
 #include "post/files/run_folder.hpp"
 
 namespace cases {
@@ -114,6 +120,78 @@ std::string cheaper_way(const CaseFile& file, double seconds) {
   } catch (const plate::NumericalError&) {
     return "";
   }
+}
+
+namespace {
+
+constexpr double giga = 1e9;
+
+/// Estimated cost, as text, of a run by `count` ranks of a distributed plate.
+std::string of_processes(const CaseFile& file, const fracture::RunEstimate& run, int count) {
+  const auto plan = plan_of(file.content, {});
+  const auto processes = unless_refused(file, [&] { return fracture::estimated_processes(file.content, count); });
+  return fracture::to_text(run, plan) + fracture::to_text(processes, fracture::run_by_one(run, plan)) +
+         fmt::format("files         {:.3g} GB\n(by runs of a sample of {} points, just now)\n", run.costs.files / giga,
+                     run.sample_points);
+}
+
+/// The cost of a case whose discretisation is known.
+std::string of_run(const CaseFile& file, int processes) {
+  const auto run = estimate_cost(file);
+  if (processes > 0) return of_processes(file, run, processes);
+  std::string text = fracture::to_text(run, plan_of(file.content, {}));
+  double bytes = run.bytes, seconds = run.costs.total();
+  if (file.content.srif && file.content.srif->second_formulation) {
+    const auto other = estimate_cost(in_other_formulation(file));
+    bytes += other.bytes, seconds += other.costs.total();
+    text += fmt::format("both ways     {:.2g} s\n", seconds);
+  }
+  text += cheaper_way(file, seconds);
+  const double free = plate::free_memory();
+  text += fmt::format("memory        {:.3g} GB at its peak; {:.3g} GB are free\nfiles         {:.3g} GB\n",
+                      bytes / giga, free / giga, run.costs.files / giga);
+  text += fmt::format("(by runs of a sample of {} points, just now)\n", run.sample_points);
+  if (free > 0 && bytes > free)
+    throw CaseError({{file.place("discretization.spacing"), "discretization.spacing",
+                      fmt::format("{:g} given makes {:.2g} points, which take {:.3g} GB, more than this machine has: "
+                                  "{:.3g} GB are free",
+                                  file.content.discretization.spacing, run.points, bytes / giga, free / giga)}});
+  return text;
+}
+
+/// Describes the plate, with the warnings and refusals of the run, where the plate is small enough to be made at once.
+std::string of_plate(const CaseFile& file) {
+  auto [plate, warnings, stopwatch] = discretised(file);
+  check_growing_tips(file, *plate, warnings);
+  tip_methods(file, *plate);
+  std::string text =
+      fmt::format("tips          {}\nfictitious    {} points, {} bonds to them\n{}", plate->tips().size(),
+                  plate->fictitious_points(), plate->fictitious_bonds(), plate->of_edges());
+  for (const auto& warning : warnings) text += "warning: " + with_keys(warning) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string cost(const CaseFile& file, int processes) {
+  constexpr double soon_made = 60000;  // points: 0.2 s
+  const Case& c = file.content;
+  if (processes > 0) require_distributable(file, fracture::not_for_processes(plan_of(c, {})));
+  std::string text = fmt::format("{}\nformulation   {} ({})\n", c.title, plate::formulation_of(c.discretization).name,
+                                 c.formulation_reason);
+  if (c.srif && c.srif->accuracy)
+    return text +
+           fmt::format(
+               "srif.accuracy finds the discretisation: in {:g} s (accuracy_seconds) at most, with half of the free "
+               "memory, {:.3g} GB, at most; the first points of the search have\n",
+               c.srif->accuracy_seconds, plate::free_memory() / 2 / giga) +
+           of_plate(file);
+  if (processes == 0) require_memory(file);
+  const double spacing = c.discretization.spacing;
+  const bool made = geometry::area(c.outline) < soon_made * spacing * spacing;
+  text += of_run(file, processes);
+  text += made ? of_plate(file) : "tips, supports and loads are checked by the run: with so many points not here\n";
+  return text;
 }
 
 }  // namespace cases

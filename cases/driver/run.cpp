@@ -5,26 +5,21 @@
 
 #include "cases/driver/accuracy.hpp"
 #include "cases/driver/case_plan.hpp"
-#include "cases/driver/cost_samples.hpp"
 #include "cases/driver/fatigue.hpp"
 #include "cases/driver/neighbouring_cracks.hpp"
+#include "cases/driver/other_factors.hpp"
 #include "cases/driver/prepared.hpp"
 #include "cases/input/case_file.hpp"
-#include "cases/runs/cost_estimate.hpp"
 #include "cases/runs/distributed_run.hpp"
 #include "cases/runs/load_cases_run.hpp"
 #include "cases/runs/quasi_static_run.hpp"
 #include "cases/runs/response_run.hpp"
 #include "cases/runs/run_once.hpp"
-#include "fracture/growth/distributed_growth.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulations.hpp"
 #include "plate/model/errors.hpp"
-#include "plate/model/process.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/hdf5/state_file.hpp"
-#include "post/files/result_checks.hpp"
 #include "post/files/summary.hpp"
 #include "post/report/html_report.hpp"
 #include "post/report/quantity.hpp"
@@ -32,26 +27,6 @@
 
 namespace cases {
 namespace {
-
-/// The intensity factors of the case with twice the spacing.
-std::vector<post::Srif> coarser_srifs(const CaseFile& file, const plate::Communicator& all,
-                                      std::vector<std::string>& warnings) {
-  CaseFile coarse = file;
-  const Case& c = coarse.content;
-  coarse.content.discretization.spacing *= 2;
-  const auto found = discretised(coarse, all);
-  const auto methods = tip_methods(coarse, *found.plate);
-  auto factors = fracture::of_all(
-      all, fracture::factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors);
-  post::require_finite(factors, "with twice the spacing");
-  for (std::size_t tip = 0; tip < methods.size(); ++tip)
-    if (!methods[tip].works())
-      warnings.push_back(
-          fmt::format("tip {}: srif.richardson gives no error, because no method has room at twice the spacing; set "
-                      "discretization.spacing = {:.2g}",
-                      tip, c.discretization.spacing / 4));
-  return factors;
-}
 
 /// One plate of a run, with all that the run finds of it. Stays where it is made.
 struct PlateRun {
@@ -64,13 +39,6 @@ struct PlateRun {
   fracture::Outputs outputs;
   fracture::Results results;
 };
-
-/// The whole run of a case in its other formulation: the factors of all rows.
-std::vector<std::vector<post::Srif>> run_second(const Prepared& prepared, const RunOptions& options) {
-  PlateRun run(prepared, options, recording_of(prepared.file.content, options).recorder);
-  fracture::run_once(prepared, run.results);
-  return run.results.factors().rows();
-}
 
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
   auto [plate, found, rows] = to_accuracy(file, options.quiet);
@@ -127,21 +95,23 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
   }
   auto [recorder, checkpoints] = recording_of(prepared.file.content, options);
   fracture::Outputs outputs(plan_of(prepared.file.content, options), std::move(recorder), stopwatch);
-  if (!c.load_cases.empty()) return fracture::run_load_cases(prepared, outputs);
   if (c.analysis.kind == Analysis::Kind::harmonic) return fracture::run_response(prepared, outputs);
-  fracture::Results results(outputs, *prepared.plate, prepared.tip_methods);
   const plate::StopOnSignals signals;
   stopwatch.lap("output");
+  post::OtherFactors others;
   if (c.srif && c.srif->richardson)
-    results.factors().coarser(coarser_srifs(file, *options.communicator, prepared.warnings)), stopwatch.lap("srif");
+    others.coarser = coarser_factors(file, *options.communicator, prepared.warnings), stopwatch.lap("srif");
   if (second) {
-    const auto name = second->file.content.discretization.formulation->name;
-    auto part = options.part(name);
+    others.formulation = second->file.content.discretization.formulation->name;
+    auto part = options.part(others.formulation);
     part.resume = false;
-    results.factors().second(name, run_second(*second, part));
+    others.second = factors_of_run(*second, part);
     second.reset();
     stopwatch.lap("second_formulation");
   }
+  if (!c.load_cases.empty()) return fracture::run_load_cases(prepared, outputs, others);
+  fracture::Results results(outputs, *prepared.plate, prepared.tip_methods);
+  results.factors().compare_with(std::move(others));
   auto summary = fracture::run_once(prepared, results, checkpoints.get());
   if (checkpoints) checkpoints->done();
   return summary;
@@ -162,78 +132,6 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
   } catch (const plate::NumericalError& failed) {
     throw plate::NumericalError(with_keys(failed.what()));
   }
-}
-
-namespace {
-
-constexpr double giga = 1e9;
-
-/// Estimated cost, as text, of a run by `count` ranks of a distributed plate.
-std::string of_processes(const CaseFile& file, const fracture::RunEstimate& run, int count) {
-  const auto plan = plan_of(file.content, {});
-  const auto processes = unless_refused(file, [&] { return fracture::estimated_processes(file.content, count); });
-  return fracture::to_text(run, plan) + fracture::to_text(processes, fracture::run_by_one(run, plan)) +
-         fmt::format("files         {:.3g} GB\n(by runs of a sample of {} points, just now)\n", run.costs.files / giga,
-                     run.sample_points);
-}
-
-/// The cost of a case whose discretisation is known.
-std::string of_run(const CaseFile& file, int processes) {
-  const auto run = estimate_cost(file);
-  if (processes > 0) return of_processes(file, run, processes);
-  std::string text = fracture::to_text(run, plan_of(file.content, {}));
-  double bytes = run.bytes, seconds = run.costs.total();
-  if (file.content.srif && file.content.srif->second_formulation) {
-    const auto other = estimate_cost(in_other_formulation(file));
-    bytes += other.bytes, seconds += other.costs.total();
-    text += fmt::format("both ways     {:.2g} s\n", seconds);
-  }
-  text += cheaper_way(file, seconds);
-  const double free = plate::free_memory();
-  text += fmt::format("memory        {:.3g} GB at its peak; {:.3g} GB are free\nfiles         {:.3g} GB\n",
-                      bytes / giga, free / giga, run.costs.files / giga);
-  text += fmt::format("(by runs of a sample of {} points, just now)\n", run.sample_points);
-  if (free > 0 && bytes > free)
-    throw CaseError({{file.place("discretization.spacing"), "discretization.spacing",
-                      fmt::format("{:g} given makes {:.2g} points, which take {:.3g} GB, more than this machine has: "
-                                  "{:.3g} GB are free",
-                                  file.content.discretization.spacing, run.points, bytes / giga, free / giga)}});
-  return text;
-}
-
-/// Describes the plate, with the warnings and refusals of the run, where the plate is small enough to be made at once.
-std::string of_plate(const CaseFile& file) {
-  auto [plate, warnings, stopwatch] = discretised(file);
-  check_growing_tips(file, *plate, warnings);
-  tip_methods(file, *plate);
-  std::string text =
-      fmt::format("tips          {}\nfictitious    {} points, {} bonds to them\n{}", plate->tips().size(),
-                  plate->fictitious_points(), plate->fictitious_bonds(), plate->of_edges());
-  for (const auto& warning : warnings) text += "warning: " + with_keys(warning) + "\n";
-  return text;
-}
-
-}  // namespace
-
-std::string cost(const CaseFile& file, int processes) {
-  constexpr double soon_made = 60000;  // points: 0.2 s
-  const Case& c = file.content;
-  if (processes > 0) require_distributable(file, fracture::not_for_processes(plan_of(c, {})));
-  std::string text = fmt::format("{}\nformulation   {} ({})\n", c.title, plate::formulation_of(c.discretization).name,
-                                 c.formulation_reason);
-  if (c.srif && c.srif->accuracy)
-    return text +
-           fmt::format(
-               "srif.accuracy finds the discretisation: in {:g} s (accuracy_seconds) at most, with half of the free "
-               "memory, {:.3g} GB, at most; the first points of the search have\n",
-               c.srif->accuracy_seconds, plate::free_memory() / 2 / giga) +
-           of_plate(file);
-  if (processes == 0) require_memory(file);
-  const double spacing = c.discretization.spacing;
-  const bool made = geometry::area(c.outline) < soon_made * spacing * spacing;
-  text += of_run(file, processes);
-  text += made ? of_plate(file) : "tips, supports and loads are checked by the run: with so many points not here\n";
-  return text;
 }
 
 post::Table energy_check(const CaseFile& file) {

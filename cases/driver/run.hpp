@@ -31,10 +31,6 @@ struct RunOptions {
 /// plate::Interrupted after the last good frame, the summary and all tables have been written.
 post::Summary run(const CaseFile& file, const RunOptions& options);
 
-/// Estimates the cost of a run, as text: points, bonds, memory, time step, steps. Writes nothing. Throws CaseError.
-/// `processes`: number that are to share the plate; 0: the run is by this program alone.
-std::string cost(const CaseFile& file, int processes = 0);
-
 /// Extracts the intensity factors again from the frames of a finished run; rows of srif.csv.
 /// Throws CaseError or std::runtime_error.
 post::Table srif_again(const std::filesystem::path& folder, const std::vector<std::string>& methods);

@@ -49,9 +49,6 @@ std::string needs_double(const char* key) {
   return fmt::format("\"mixed\" given: {} needs \"double\"", key);
 }
 
-constexpr const char* beside_settlements = "is not available beside supports that settle: remove it or the settlement";
-constexpr const char* one_load =
-    "is of one load on the plate, and [[case]] gives several: run each load case by itself";
 constexpr const char* own_estimates = "has estimates of its own: remove srif.richardson and srif.second_formulation";
 constexpr const char* equilibria =
     "load cases are equilibria, which add up: they need analysis.kind = \"static\"; loads in time are [[load]] with a "
@@ -75,12 +72,9 @@ const std::vector<Exclusion> excluded_pairs{
     {single_precision, initial, "analysis.precision", needs_double("initial")},
     {single_precision, impact, "analysis.precision", needs_double("impact")},
     {single_precision, growth, "analysis.precision", "growth is in double precision only; choose \"double\""},
-    {settlement, damping, "analysis.damping", beside_settlements},
-    {settlement, initial, "initial", beside_settlements},
-    {settlement, impact, "impact", beside_settlements},
+    {settlement, damping, "analysis.damping",
+     "is not available beside supports that settle: remove it or the settlement"},
     {settlement, harmonic, settlements, "\"settlement\" given: supports that swing are of analysis.kind = \"dynamic\""},
-    {settlement, moving_load, "load",
-     "loads that move cannot be run yet beside settlements: give them to cases of their own"},
     {settlement, growth_of_bonds_at_rest, "growth.criterion",
      "bonds that break one by one at rest know no supports that move: choose \"energy_release\""},
     {settlement, growth_by_displacement, "growth.control",
@@ -93,7 +87,8 @@ const std::vector<Exclusion> excluded_pairs{
      "a plate that may lift off has no frequencies: remove lifts_off"},
     {unilateral_foundation, harmonic, "foundation",
      "soil that lifts off has no harmonic response, as it is not linear: remove lifts_off"},
-    {unilateral_foundation, growth, "foundation", "cracks do not grow yet on soil that lifts off: remove lifts_off"},
+    {unilateral_foundation, growth, "foundation",
+     "cracks grow at loads that are known of linear plates alone: remove lifts_off"},
     {unilateral_foundation, settlement, "foundation",
      "settlements cannot be run yet beside soil that lifts off: remove lifts_off"},
     {unilateral_foundation, combinations, "combination",
@@ -126,9 +121,8 @@ const std::vector<Exclusion> excluded_pairs{
     {load_cases, motion, "case", equilibria},
     {load_cases, frequencies, "case", equilibria},
     {load_cases, harmonic, "case", equilibria},
-    {load_cases, factors_to_accuracy, "srif.accuracy", std::string(one_load) + ", or state the spacing"},
-    {load_cases, richardson, "srif.richardson", one_load},
-    {load_cases, second_formulation, "srif.second_formulation", one_load},
+    {load_cases, factors_to_accuracy, "srif.accuracy",
+     "is of one load on the plate, and [[case]] gives several: run each load case by itself, or state the spacing"},
     {factors_to_accuracy, richardson, "srif.accuracy", own_estimates},
     {factors_to_accuracy, second_formulation, "srif.accuracy", own_estimates},
     {factors_to_accuracy, varied_section, "srif.accuracy",

@@ -4,6 +4,7 @@
 #include <omp.h>
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include "cases/driver/cost_samples.hpp"
 #include "cases/driver/fatigue.hpp"
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"

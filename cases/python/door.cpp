@@ -1,5 +1,6 @@
 #include "cases/python/door.hpp"
 #include <omp.h>
+#include "cases/driver/cost_samples.hpp"
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"

@@ -57,7 +57,8 @@ double largest_deflection(const post::LoadCaseSummary& one) {
 /// Load cases and combinations as they are found.
 class LoadCases : public RunningAnalysis {
 public:
-  LoadCases(const ValidatedPlate& ready, Outputs& outputs) : ready_(ready), plate_(*ready.plate), outputs_(outputs) {
+  LoadCases(const ValidatedPlate& ready, Outputs& outputs, const post::OtherFactors& others)
+      : ready_(ready), plate_(*ready.plate), outputs_(outputs), others_(others) {
     outputs.summary() = about(outputs.plan(), plate_, ready.warnings);
     outputs.open(plate_);
   }
@@ -79,6 +80,7 @@ private:
   const ValidatedPlate& ready_;
   const plate::Formulation& plate_;
   Outputs& outputs_;
+  const post::OtherFactors& others_;
   std::vector<post::LoadCaseSummary> found_;
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
   std::vector<std::string> warnings_;
@@ -110,6 +112,7 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
   if (plan().srif)
     one.srif =
         of_all(plate_.communicator(), post::srifs(plate_, *plan().srif, ready_.tip_methods, strained, true, &heat));
+  others_.widen_row(found_.size(), one.srif, plate_.section().thickness);
   if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
@@ -281,8 +284,8 @@ void LoadCases::finish() {
 
 }  // namespace
 
-post::Summary run_load_cases(const ValidatedPlate& ready, Outputs& outputs) {
-  LoadCases analysis(ready, outputs);
+post::Summary run_load_cases(const ValidatedPlate& ready, Outputs& outputs, const post::OtherFactors& others) {
+  LoadCases analysis(ready, outputs, others);
   return carry_out(analysis, outputs);
 }
 

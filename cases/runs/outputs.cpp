@@ -5,6 +5,7 @@
 
 #include "cases/input/problems.hpp"
 #include "cases/runs/distributed_run.hpp"
+#include "cases/runs/owned_mesh.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -49,6 +50,8 @@ std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>&
 Outputs::Outputs(const RunPlan& plan, post::Recorder recorder, plate::Stopwatch& stopwatch)
     : plan_(plan), recorder_(std::move(recorder)), stopwatch_(stopwatch) {}
 
+Outputs::~Outputs() = default;
+
 void Outputs::warn(std::vector<std::string> warnings) {
   std::ranges::move(warnings, std::back_inserter(summary_.warnings));
 }
@@ -58,7 +61,7 @@ void Outputs::open(const plate::Formulation& plate) {
   if (!takes_frames()) return;
   const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
   if (plate.communicator().distributed())
-    drawing_.emplace(plate, mesh);
+    drawing_ = std::make_unique<OwnedMesh>(plate, mesh);
   else if (plan_.report)
     pictures_.open(mesh);
   recorder_.open(drawing_ ? drawing_->mesh() : mesh);
@@ -71,7 +74,7 @@ void Outputs::row(const post::Sample& sample, const plate::Formulation& plate) {
 void Outputs::frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh,
                     const plate::State& velocity) {
   if (plate.communicator().distributed()) {
-    if (mesh) drawing_.emplace(plate, *mesh), mesh = drawing_->mesh();
+    if (mesh) drawing_ = std::make_unique<OwnedMesh>(plate, *mesh), mesh = drawing_->mesh();
     recorder_.frame(drawing_->frame(std::move(frame)), std::move(mesh),
                     velocity.cols() > 0 ? drawing_->own(velocity) : velocity);
     return;

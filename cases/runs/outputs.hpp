@@ -1,10 +1,10 @@
 #pragma once
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cases/runs/owned_mesh.hpp"
 #include "cases/runs/run_plan.hpp"
 #include "post/files/recorder.hpp"
 #include "post/files/summary.hpp"
@@ -16,6 +16,8 @@ class Stopwatch;
 }  // namespace plate
 
 namespace fracture {
+
+class OwnedMesh;
 
 /// Summary of a run before it starts.
 post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings);
@@ -34,6 +36,7 @@ class Outputs {
 public:
   /// `stopwatch` must outlive this, and all that the plan refers to.
   Outputs(const RunPlan& plan, post::Recorder recorder, plate::Stopwatch& stopwatch);
+  ~Outputs();
 
   const RunPlan& plan() const { return plan_; }
   plate::Stopwatch& stopwatch() { return stopwatch_; }
@@ -74,8 +77,8 @@ private:
   plate::Stopwatch& stopwatch_;
   post::Summary summary_;
   std::vector<post::Probe> probes_;
-  post::Pictures pictures_;           // for the report
-  std::optional<OwnedMesh> drawing_;  // where the plate is distributed
+  post::Pictures pictures_;             // for the report
+  std::unique_ptr<OwnedMesh> drawing_;  // where the plate is distributed
 };
 
 /// An analysis that is carried out: it gives all that it finds to its outputs.

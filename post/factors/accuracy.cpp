@@ -248,12 +248,13 @@ std::optional<double> largest_error(const std::vector<std::vector<Srif>>& refine
 
 namespace {
 
-/// Widens errors to the factors of the same tips after a later discretisation.
+/// Widens errors to the factors of the same tips after a later discretisation, unless that knows much less of a tip.
 void widen_to(const std::vector<std::vector<Srif>>& later, std::vector<std::vector<Srif>>& rows, double thickness) {
+  constexpr double much = 3;
   for (std::size_t row = 0; row < rows.size() && row < later.size(); ++row)
     for (auto& srif : rows[row]) {
       const auto other = std::ranges::find(later[row], srif.tip, &Srif::tip);
-      if (other == later[row].end()) continue;
+      if (other == later[row].end() || worst_error(*other, thickness) > much * worst_error(srif, thickness)) continue;
       const Factors apart(srif.K1 - other->K1, srif.K2 - other->K2, srif.K3 - other->K3);
       for (std::size_t i = 0; i < 3; ++i) srif.errors[i] = std::max(*srif.errors[i], std::abs(apart[Eigen::Index(i)]));
       if (const double largest = largest_factor(srif, thickness); largest > 0)

@@ -19,19 +19,21 @@
 
 namespace post {
 
+void OtherFactors::widen_row(std::size_t number, std::vector<Srif>& row, double thickness) const {
+  const std::size_t of_coarser = coarser.size() == 1 ? 0 : number;
+  for (auto& srif : row)
+    for (std::size_t i = 0; of_coarser < coarser.size() && i < coarser[of_coarser].size(); ++i)
+      if (const auto& other = coarser[of_coarser][i]; other.tip == srif.tip && other.method == srif.method)
+        widen(srif, other, thickness);
+  if (number >= second.size()) return;
+  for (auto& srif : row)
+    if (const auto other = std::ranges::find(second[number], srif.tip, &Srif::tip); other != second[number].end())
+      compare_with(srif, *other, formulation, thickness);
+}
+
 void FactorRows::add(std::vector<Srif> found, const std::string& when) {
   auto row = known_.empty() ? std::move(found) : known_.at(rows_.size());
-  if (known_.empty()) {
-    for (auto& srif : row)
-      for (const auto& other : coarser_)
-        if (other.tip == srif.tip && other.method == srif.method) widen(srif, other, thickness_);
-    const auto& [formulation, others] = second_;
-    if (rows_.size() < others.size())
-      for (auto& srif : row)
-        if (const auto other = std::ranges::find(others[rows_.size()], srif.tip, &Srif::tip);
-            other != others[rows_.size()].end())
-          compare_with(srif, *other, formulation, thickness_);
-  }
+  if (known_.empty()) others_.widen_row(rows_.size(), row, thickness_);
   require_finite(row, when);
   mark_lost(row, thickness_, largest_);
   rows_.push_back(std::move(row));

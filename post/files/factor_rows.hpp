@@ -6,18 +6,24 @@
 
 namespace post {
 
+/// Factors of the same tips that were found in other ways: how far they are off bounds the errors.
+struct OtherFactors {
+  std::vector<std::vector<Srif>> coarser = {};  // with twice the spacing, row by row; a single row is for all
+  std::string formulation = {};                 // another one
+  std::vector<std::vector<Srif>> second = {};   // by it, row by row, the recommended of each tip first
+
+  /// Widens the errors of a row.
+  void widen_row(std::size_t number, std::vector<Srif>& row, double thickness) const;
+};
+
 /// The intensity factors of a run row by row, with all that bears on their estimated errors. The tips of all rows are
 /// the same.
 class FactorRows {
 public:
   explicit FactorRows(double thickness) : thickness_(thickness) {}
 
-  /// Factors of the same tips and methods with twice the spacing: the difference counts in estimated errors.
-  void coarser(std::vector<Srif> srifs) { coarser_ = std::move(srifs); }
-  /// Factors of the same tips in another formulation, row by row, the recommended of each tip first.
-  void second(std::string formulation, std::vector<std::vector<Srif>> rows) {
-    second_ = {std::move(formulation), std::move(rows)};
-  }
+  /// Sets the factors that count in estimated errors.
+  void compare_with(OtherFactors others) { others_ = std::move(others); }
   /// The factors of all rows where they are known already, the recommended ones of each tip first.
   void known(std::vector<std::vector<Srif>> rows) { known_ = std::move(rows); }
   bool known() const { return !known_.empty(); }
@@ -46,10 +52,9 @@ public:
 
 private:
   double thickness_;
-  std::vector<Srif> coarser_;
+  OtherFactors others_;
   std::vector<std::vector<Srif>> known_, rows_;
   std::vector<double> truncated_, largest_;
-  std::pair<std::string, std::vector<std::vector<Srif>>> second_;  // formulation, rows
 };
 
 /// The rows of srif.csv: time,tip,x,y,method,K1,K2,K3,F1,F2,F3,estimated_error,fit_residual,samples,

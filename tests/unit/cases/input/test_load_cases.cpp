@@ -47,8 +47,8 @@ TEST_CASE("keys of load cases: problems are at the load, all in one message") {
   expect(two, ":1", "section.density", "case[0].load[0] is the plate's own weight");
   expect(plain + "[[case]]\nname = \"a b\"\n", ":19", "case[0].name", "letters, digits");
   expect(plain + "[[case]]\nname = \"a\"\n[growth]\nfracture_energy = 1\n", ":20", "growth", "another plate");
-  expect(plain + "[[case]]\nname = \"a\"\n", "--set srif.richardson", "srif.richardson", "of one load",
-         {"srif.richardson=true"});
+  expect(plain + "[[case]]\nname = \"a\"\n", "--set srif.accuracy", "srif.accuracy", "of one load",
+         {"srif.accuracy=0.01"});
   expect(plain + "[[combination]]\nname = \"a\"\nof = { b = 1 }\n", ":18", "combination", "no [[case]]");
 }
 

@@ -116,6 +116,33 @@ TEST_CASE("load cases: each is what it is alone, and a combination what its load
   }
 }
 
+TEST_CASE("load cases: twice the spacing and the other formulation bound the errors of each as they do alone") {
+  const std::vector<std::string> fine{"discretization.spacing=0.05", "discretization.refine_tips=false",
+                                      "geometry.cracks=[[[-0.5,0.0],[0.5,0.0]]]"};
+  for (const std::string how : {"richardson", "second_formulation"}) {
+    INFO(how);
+    auto settings = fine;
+    settings.push_back("srif." + how + "=true");
+    const auto all = run(cases_of_three, "galerkin", settings), without = run(cases_of_three, "galerkin", fine);
+    const auto idle = "[[load]]\n" + scaled(second, "0");
+    const auto alone = run(no_load + "[[load]]\n" + scaled(third, "-0.3") + idle, "galerkin", settings);
+    const auto &moment = all.summary.load_cases[2], &sum = all.summary.load_cases[3];
+    REQUIRE(moment.srif.size() == alone.summary.srif.size());
+    bool wider = false;
+    for (std::size_t i = 0; i < moment.srif.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto of_run = alone.summary.srif[i].errors[k], own = without.summary.load_cases[2].srif[i].errors[k];
+        if (!of_run) continue;
+        CHECK(*moment.srif[i].errors[k] == Approx(*of_run).epsilon(1e-6).margin(1e-12));
+        wider = wider || *moment.srif[i].errors[k] > 1.01 * *own;
+        CHECK(*sum.srif[i].errors[k] >= 1.5 * *moment.srif[i].errors[k] * (1 - 1e-9));
+      }
+      if (how == "second_formulation" && i == 0) CHECK(moment.srif[i].second->formulation == "ordinary");
+    }
+    CHECK(wider);
+  }
+}
+
 TEST_CASE("load cases: by conjugate gradients as exactly as these are asked for") {
   const std::vector<std::string> cg{"discretization.spacing=0.1", "analysis.method=cg", "analysis.tolerance=1e-9"};
   const auto direct = run(cases_of_three, "galerkin", {"discretization.spacing=0.1"});

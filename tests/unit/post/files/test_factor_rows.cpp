@@ -40,14 +40,22 @@ TEST_CASE("factor rows: a row for every tip, method and time, in the columns tha
 
 TEST_CASE("factor rows: errors hold coarser points of the same method, and another formulation") {
   FactorRows rows(0.1);
-  rows.coarser({of_tip(0, 0.5, "b"), of_tip(0, 0.9), of_tip(1, 7)});
-  rows.second("galerkin", {{of_tip(0, 1.3)}});
+  rows.compare_with({{{of_tip(0, 0.5, "b"), of_tip(0, 0.9), of_tip(1, 7)}}, "galerkin", {{of_tip(0, 1.3)}}});
   rows.add({of_tip(0, 1)}, "then");
   CHECK(*rows.last()[0].errors[0] == Approx(0.3));
   CHECK(rows.last()[0].second->formulation == "galerkin");
   rows.add({of_tip(0, 1)}, "beyond what the other formulation has");
   CHECK(*rows.last()[0].errors[0] == Approx(0.1));
   CHECK_FALSE(rows.last()[0].second);
+}
+
+TEST_CASE("factor rows: coarser points of every row widen its own errors") {
+  const OtherFactors others{{{of_tip(0, 0.7)}, {of_tip(0, 0.9)}}, {}, {}};
+  std::vector<Srif> row{of_tip(0, 1)};
+  others.widen_row(2, row, 0.1);
+  CHECK(*row[0].errors[0] == Approx(0.1));  // its own: there is no such row
+  others.widen_row(0, row, 0.1);
+  CHECK(*row[0].errors[0] == Approx(0.3));
 }
 
 TEST_CASE("factor rows: rows that are known stand for what is found, what motion leaves out is added in the end") {
