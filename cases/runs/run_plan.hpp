@@ -6,13 +6,16 @@
 #include "fracture/growth/growth.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/model/problem.hpp"
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/lanczos_motion.hpp"
 #include "plate/solve/motion/time_grid.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/srif.hpp"
 #include "post/factors/tip_methods.hpp"
+
+namespace plate {
+struct Problem;
+}
 
 namespace fracture {
 

@@ -4,9 +4,12 @@
 
 #include "fracture/breakage/damaged_plate.hpp"
 #include "fracture/growth/tip_advance.hpp"
-#include "plate/model/problem.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/factors/tip_methods.hpp"
+
+namespace plate {
+struct Problem;
+}
 
 namespace fracture {
 

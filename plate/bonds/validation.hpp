@@ -3,9 +3,10 @@
 
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/model/problem.hpp"
 
 namespace plate {
+
+struct Problem;
 
 /// Checks that a lattice of points (bonds over a horizon) can carry the problem. Throws Refused with all violations:
 /// parts of the plate that have no points because they are no wider than a spacing, loaded edges without points, pins

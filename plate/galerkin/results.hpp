@@ -2,9 +2,10 @@
 #include "plate/formulation/sections.hpp"
 #include "plate/formulation/tip_view.hpp"
 #include "plate/galerkin/families.hpp"
-#include "plate/model/problem.hpp"
 
 namespace plate {
+
+struct Problem;
 
 /// Resultants from the mean strains of the Galerkin plate's families; shear forces with its shear scaling, which they
 /// contain.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plate/model/communicator.hpp"
-#include "plate/model/loads.hpp"
+#include "plate/model/history.hpp"
 #include "plate/model/state.hpp"
 
 namespace geometry {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "plate/model/communicator.hpp"
-#include "plate/model/loads.hpp"
+#include "plate/model/history.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
-#include "plate/model/loads.hpp"
+#include "plate/model/history.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
