@@ -113,13 +113,19 @@ OpeningFit narrow_fit(const PlateScale& scale) {
   return {"opening", 3.1 * scale.spacing, 0, 1, 0, true};
 }
 
-DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& positions,
-                                                     const geometry::CrackPath& path, const geometry::Tip& tip,
-                                                     const PlateScale& scale, const OpeningFit& how)
+DisplacementExtrapolation::DisplacementExtrapolation(const geometry::Tip& tip, const PlateScale& scale,
+                                                     const OpeningFit& how)
     : tip_(tip),
       scale_(scale),
       how_(how),
-      stiffness_(TipSection(scale.section.at(tip.position), tip.direction).stiffness() / std::sqrt(8.0)) {
+      stiffness_(TipSection(scale.section.at(tip.position), tip.direction).stiffness() / std::sqrt(8.0)) {}
+
+std::variant<DisplacementExtrapolation, std::string> DisplacementExtrapolation::at(const std::vector<Point>& positions,
+                                                                                   const geometry::CrackPath& path,
+                                                                                   const geometry::Tip& tip,
+                                                                                   const PlateScale& scale,
+                                                                                   const OpeningFit& how) {
+  DisplacementExtrapolation result(tip, scale, how);
   const auto& v = path.vertices;
   const double straight = tip.at_back ? (v.back() - v[v.size() - 2]).norm() : (v.front() - v[1]).norm();
   const double window = std::min(how.window, straight);
@@ -142,18 +148,19 @@ DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& p
         const double share = how.rows == 1 ? 1 : row == 0 ? second / scale.spacing : -first / scale.spacing;
         const double y = face * (row == 0 ? first : second);
         const auto values = face_value(by_crack, face, r, y, scale.spacing);
-        if (values.empty()) throw std::invalid_argument("no points beside the crack behind the tip");
+        if (values.empty()) return "no points beside the crack behind the tip";
         for (const auto& [point, weight] : values) {
           sample.jump.push_back({point, face * share * weight});
           sample.lever.push_back({point, face * share * weight * y});
         }
       }
-    samples_.push_back(std::move(sample));
+    result.samples_.push_back(std::move(sample));
   }
-  const std::size_t least = std::size_t(how.degree) + 1;
-  if (samples_.size() < least)
-    throw std::invalid_argument("the window holds " + std::to_string(samples_.size()) + " of " + std::to_string(least) +
-                                " samples needed: refine, widen it or skip fewer");
+  const std::size_t found = result.samples_.size(), least = std::size_t(how.degree) + 1;
+  if (found < least)
+    return "the window holds " + std::to_string(found) + " of " + std::to_string(least) +
+           " samples needed: refine, widen it or skip fewer";
+  return result;
 }
 
 Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
