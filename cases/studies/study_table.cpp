@@ -18,14 +18,15 @@ namespace {
 /// Compares the history of a quantity with a curve.
 void compare_with(StudyRow& row, const KnownCurve& known, const Curve& computed) {
   row.source = fmt::format("{} {}", known.file.filename().string(), known.column);
-  try {
-    const auto result = compare(computed.t, computed.y, known.curve.t, known.curve.y);
-    row.computed = result.peak_computed;
-    row.reference = result.peak_reference;
-    row.rms_error = result.rms_of_peak;
-  } catch (const std::invalid_argument& error) {
-    row.message = error.what();
+  const auto found = compare(computed.t, computed.y, known.curve.t, known.curve.y);
+  if (const auto* reason = std::get_if<std::string>(&found)) {
+    row.message = *reason;
+    return;
   }
+  const auto& result = std::get<Comparison>(found);
+  row.computed = result.peak_computed;
+  row.reference = result.peak_reference;
+  row.rms_error = result.rms_of_peak;
 }
 
 }  // namespace
