@@ -23,7 +23,7 @@ namespace fracture {
 
 post::SrifOptions factors_of_growth(const std::optional<post::SrifOptions>& asked) {
   post::SrifOptions standard;
-  standard.methods = {"virtual_crack_extension", "domain_integral"};
+  standard.methods = {post::SrifMethod::virtual_crack_extension, post::SrifMethod::domain_integral};
   return asked.value_or(standard);
 }
 

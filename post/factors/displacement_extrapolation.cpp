@@ -93,7 +93,7 @@ Line fit(const std::vector<double>& r, const Eigen::VectorXd& value, int degree)
 }  // namespace
 
 OpeningFit paper_fit(const PlateScale& scale, const SrifOptions& options) {
-  return {"displacement_extrapolation",
+  return {SrifMethod::displacement_extrapolation,
           options.window.value_or(options.window_horizons * scale.horizon),
           options.skip,
           options.rows,
@@ -104,13 +104,13 @@ OpeningFit paper_fit(const PlateScale& scale, const SrifOptions& options) {
 
 OpeningFit series_fit(const PlateScale& scale) {
   const double window = std::max(scale.section.thickness / 2, 8 * scale.spacing);
-  if (scale.points_on_faces) return {"opening_series", window, 0, 1, 2, false, true};
-  return {"opening_series", window, 1, 2, 2, true};
+  if (scale.points_on_faces) return {SrifMethod::opening_series, window, 0, 1, 2, false, true};
+  return {SrifMethod::opening_series, window, 1, 2, 2, true};
 }
 
 OpeningFit narrow_fit(const PlateScale& scale) {
-  if (scale.points_on_faces) return {"opening", 5.1 * scale.spacing, 0, 1, 0, false, true};
-  return {"opening", 3.1 * scale.spacing, 0, 1, 0, true};
+  if (scale.points_on_faces) return {SrifMethod::opening, 5.1 * scale.spacing, 0, 1, 0, false, true};
+  return {SrifMethod::opening, 3.1 * scale.spacing, 0, 1, 0, true};
 }
 
 DisplacementExtrapolation::DisplacementExtrapolation(const geometry::Tip& tip, const PlateScale& scale,
@@ -183,7 +183,7 @@ Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
 
   Srif result;
   result.position = tip_.position;
-  result.method = how_.name;
+  result.method = how_.method;
   result.samples = samples_.size();
   double* const value[] = {&result.K1, &result.K2, &result.K3};
   double spread[3], misfit[3];

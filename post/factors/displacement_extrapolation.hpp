@@ -12,7 +12,7 @@ namespace post {
 
 /// Samples that a fit of the opening takes, and terms that it fits.
 struct OpeningFit {
-  std::string name;                  // of the method
+  SrifMethod method;
   double window;                     // samples up to this distance from the tip [length]
   int skip = 0;                      // samples next to the tip left out
   int rows = 1;                      // rows of points on each side: 1 nearest row, 2 extrapolated to the crack

@@ -31,7 +31,7 @@ Json json_of(const Summary::Analysis& analysis) {
 }
 
 Json json_of(const Srif& srif) {
-  Json json{{"tip", srif.tip}, {"x", srif.position.x()}, {"y", srif.position.y()}, {"method", srif.method},
+  Json json{{"tip", srif.tip}, {"x", srif.position.x()}, {"y", srif.position.y()}, {"method", name_of(srif.method)},
             {"K1", nullptr},   {"K2", nullptr},          {"K3", nullptr}};
   const std::array<const char*, 3> K{"K1", "K2", "K3"}, F{"F1", "F2", "F3"},
       error{"estimated_error_K1", "estimated_error_K2", "estimated_error_K3"};
@@ -48,7 +48,7 @@ Json json_of(const Srif& srif) {
   if (const auto where = overlap(srif); where != Overlap::unknown) json["overlaps_at"] = name_of(where);
   if (const auto& second = srif.second)
     json["second_formulation"] = {{"formulation", second->formulation},
-                                  {"method", second->method},
+                                  {"method", name_of(second->method)},
                                   {"K1", second->K1},
                                   {"K2", second->K2},
                                   {"K3", second->K3},

@@ -36,7 +36,7 @@ TEST_CASE("accuracy: the program finds the discretisation, and its factors are a
   for (std::size_t i = 0; i < summary.srif.size(); ++i) {
     const auto& srif = summary.srif[i];
     const bool first = i == 0 || summary.srif[i - 1].tip != srif.tip;
-    CHECK((srif.method == "refinement") == first);
+    CHECK((srif.method == post::SrifMethod::refinement) == first);
     CHECK(srif.accuracy_reached.has_value() == first);
     CHECK(std::abs(srif.K1 - exact) < *srif.errors[0]);
     if (!first) continue;
@@ -71,7 +71,7 @@ TEST_CASE("accuracy: a force next to a tip needs no more points than a pressure,
   CHECK(summary.accuracy->outcome == "reached");
   CHECK(summary.points < 10000);  // measured 3,813; 141,998 where points only grow from the tips
   for (const auto& srif : summary.srif) {
-    if (srif.tip != 1 || srif.method != "refinement") continue;
+    if (srif.tip != 1 || srif.method != post::SrifMethod::refinement) continue;
     CHECK(std::abs(srif.K1 - exact) < *srif.errors[0]);
     CHECK(std::abs(srif.K1 / exact - 1) < 0.002);     // measured 0.0010
     CHECK(std::abs(0.1 * srif.K3) < 0.0005 * exact);  // zero by symmetry; measured 0.00036

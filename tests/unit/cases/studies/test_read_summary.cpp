@@ -13,7 +13,7 @@ TEST_CASE("read_summary: what was written is read, to the last digit") {
   summary.analysis.iterations = 17;
   summary.seconds = {{"solve", 0.1}, {"total", 1.0 / 3}};
   post::Srif srif;
-  srif.tip = 2, srif.method = "m", srif.K1 = 1.0 / 3, srif.K3 = -2e-17, srif.F1 = 0.1;
+  srif.tip = 2, srif.method = post::SrifMethod::series_fit, srif.K1 = 1.0 / 3, srif.K3 = -2e-17, srif.F1 = 0.1;
   srif.resolved = {true, false, true};
   srif.errors = {0.01, std::nullopt, 0.02};
   summary.srif = {srif};
@@ -35,6 +35,7 @@ TEST_CASE("read_summary: what was written is read, to the last digit") {
   CHECK(read->analysis.iterations == 17);
   CHECK_FALSE(read->analysis.steps);
   CHECK(read->srif.size() == 1);
+  CHECK(read->srif[0].method == srif.method);
   CHECK(read->srif[0].K1 == srif.K1);
   CHECK(read->srif[0].K3 == srif.K3);
   CHECK(read->srif[0].F1 == srif.F1);

@@ -14,7 +14,7 @@ post::Srif srif() {
   post::Srif srif;
   srif.tip = 1;
   srif.position = {0.3, -0.5};
-  srif.method = "displacement_extrapolation";
+  srif.method = post::SrifMethod::displacement_extrapolation;
   srif.K1 = 0.1;
   srif.K2 = 2;
   srif.K3 = 3;
