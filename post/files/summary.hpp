@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
+#include "plate/solve/analysis.hpp"
 #include "post/factors/accuracy.hpp"
 
 namespace post {
@@ -148,7 +149,8 @@ struct Summary {
   };
   std::optional<Matched> position_aware;  // points by how their weights could be matched
   struct Analysis {
-    std::string kind, method, stop_reason;
+    plate::Analysis::Kind kind{};
+    std::string method, stop_reason;
     std::optional<std::string> preconditioner;
     std::optional<std::size_t> iterations, steps;
     std::optional<double> residual, tolerance, time_step, time_step_limit, duration;

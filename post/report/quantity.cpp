@@ -58,13 +58,16 @@ GrowthSummary growth_of(const Json& json) {
   return growth;
 }
 
+/// None where an analysis or a method is of another version.
 std::optional<Summary> summary_of(const Json& json) {
   Summary summary;
   summary.units = json.value("units", ""), summary.title = json.at("title"), summary.outcome = json.at("outcome");
   summary.version = json.at("version"), summary.digest = json.at("digest");
   summary.formulation = json.at("formulation"), summary.formulation_reason = json.value("formulation_reason", "");
   summary.points = json.at("points"), summary.bonds = json.at("bonds");
-  summary.analysis.kind = json.at("analysis").at("kind");
+  const auto kind = plate::analysis_kind(json.at("analysis").at("kind").get<std::string>());
+  if (!kind) return std::nullopt;
+  summary.analysis.kind = *kind;
   summary.analysis.stop_reason = json.at("analysis").value("stop_reason", "");
   summary.analysis.iterations = optional<std::size_t>(json.at("analysis"), "iterations");
   summary.analysis.steps = optional<std::size_t>(json.at("analysis"), "steps");

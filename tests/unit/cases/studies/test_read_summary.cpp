@@ -9,7 +9,7 @@ TEST_CASE("read_summary: what was written is read, to the last digit") {
   summary.points = 400, summary.bonds = 12;
   summary.formulation = "galerkin", summary.formulation_reason = "as the case says";
   summary.analysis.stop_reason = "6 modes";
-  summary.analysis.kind = "frequencies";
+  summary.analysis.kind = plate::Analysis::Kind::frequencies;
   summary.analysis.iterations = 17;
   summary.seconds = {{"solve", 0.1}, {"total", 1.0 / 3}};
   post::Srif srif;
@@ -31,6 +31,7 @@ TEST_CASE("read_summary: what was written is read, to the last digit") {
   CHECK(read->bonds == 12);
   CHECK(read->formulation == "galerkin");
   CHECK(read->formulation_reason == "as the case says");
+  CHECK(read->analysis.kind == summary.analysis.kind);
   CHECK(read->analysis.stop_reason == "6 modes");
   CHECK(read->analysis.iterations == 17);
   CHECK_FALSE(read->analysis.steps);
@@ -58,6 +59,10 @@ TEST_CASE("read_summary: what is not whole is nothing") {
   const auto text = post::to_json({});
   std::ofstream(folder / "half.json") << text.substr(0, text.size() / 2);
   CHECK_FALSE(post::read_summary(folder / "half.json"));
+  auto elsewhere = text;
+  elsewhere.replace(elsewhere.find("\"static\""), 8, "\"quasi-static\"");
+  std::ofstream(folder / "elsewhere.json") << elsewhere;
+  CHECK_FALSE(post::read_summary(folder / "elsewhere.json"));
   std::ofstream(folder / "other.json") << "{\"title\": 3}";
   CHECK_FALSE(post::read_summary(folder / "other.json"));
 }

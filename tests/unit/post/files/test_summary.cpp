@@ -35,7 +35,7 @@ TEST_CASE("summary.json has the fields of its contract in their order") {
   post::Summary summary;
   summary.title = "plate \xC3\xA9 \xFF";  // an e with an accent, and a byte that is not UTF-8
   summary.bonds = 123456789012;
-  summary.analysis.kind = "static";
+  summary.analysis.kind = plate::Analysis::Kind::static_;
   summary.analysis.iterations = 7;
   summary.analysis.residual = 1e-7;
   summary.seconds = {{"solve", 1.5}, {"total", 2.0}};
