@@ -129,7 +129,7 @@ std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>&
   StudyRow common = run;
   common.points = summary.points;
   common.stage_seconds = summary.seconds;
-  common.outcome = "done";
+  common.outcome = RunOutcome::done;
   common.iterations = summary.analysis.iterations ? summary.analysis.iterations : summary.analysis.steps;
   for (const auto& [stage, spent] : summary.seconds) {
     if (stage == "total") common.seconds = spent;
@@ -206,7 +206,7 @@ const std::vector<Column>& own_columns() {
       {"srif_seconds", nullptr, [](Row row) { return cell_of(row, "srif"); }, {}},
       {"output_seconds", nullptr, [](Row row) { return cell_of(row, "output"); }, {}},
       {"reference_source", nullptr, [](Row row) { return cell(row.source); }, {}},
-      {"outcome", nullptr, [](Row row) { return cell(row.outcome); }, {}},
+      {"outcome", nullptr, [](Row row) { return cell(name_of(row.outcome)); }, {}},
       {"message", "", [](Row row) { return cell(row.message); }, {}}};
   return columns;
 }

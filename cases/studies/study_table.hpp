@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "cases/studies/ledger.hpp"
 #include "post/report/curve_plot.hpp"
 #include "post/report/quantity.hpp"
 
@@ -82,7 +83,7 @@ struct StudyRow {
   std::optional<double> seconds, solve_seconds;   // of the run in total, and of its solution; medians of repetitions
   std::optional<double> seconds_min = {}, seconds_max = {};        // of a run that was repeated
   std::vector<std::pair<std::string, double>> stage_seconds = {};  // by the stages of summary.json
-  std::string outcome = {};                                        // done, refused, failed, killed
+  RunOutcome outcome = RunOutcome::done;
   std::string message = {};
 
   double seconds_of(const std::string& stage) const;  // 0 where the run has no such stage
