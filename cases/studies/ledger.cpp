@@ -63,7 +63,7 @@ std::vector<std::string> columns() {
   return names;
 }
 
-/// None with an outcome of another version.
+/// Reads a record; none with an outcome of another version.
 std::optional<RunRecord> record_of(const Table& table, const std::vector<Cell>& row) {
   const auto word = [&](const char* column, std::size_t skip = 0) {
     const auto* text = std::get_if<std::string>(&row.at(table.column(column)));

@@ -52,7 +52,7 @@ struct Row {
   std::size_t line;
 };
 
-/// What is wrong with a line.
+/// Message about a line and what is wrong with it.
 std::string error_of(std::size_t line, std::string what) {
   std::ranges::replace(what, '\0', '?');  // where it is printed it would end there
   return fmt::format("line {}: {}", line, what);
@@ -81,7 +81,7 @@ std::variant<double, std::string> number_of(const std::string& text) {
   return value;
 }
 
-/// The three numbers of a row, or what is wrong with them.
+/// Parses the three numbers of a row, or says what is wrong with them.
 std::variant<Row, std::string> row_of(const std::vector<std::string>& fields, std::size_t line) {
   constexpr double farthest = 1e100;
   if (fields.size() != 3)

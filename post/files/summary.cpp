@@ -199,7 +199,7 @@ Json json_of(const ProcessesSummary& all) {
 Json json_of(const AccuracySummary& accuracy) {
   Json json{{"asked", accuracy.asked}};
   add(json, "reached", accuracy.reached);
-  json["outcome"] = accuracy.outcome;
+  json["outcome"] = accuracy.outcome();
   json["path"] = list_of(accuracy.path);
   return json;
 }

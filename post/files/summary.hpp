@@ -132,8 +132,11 @@ struct GrowthSummary {
 struct AccuracySummary {
   double asked = 0;
   std::optional<double> reached;  // estimated, of all tips
-  std::string outcome;            // "reached", or what ended it
+  std::string ended_by;           // what ended it before `asked` was reached; empty where it was
   std::vector<AccuracyStep> path;
+
+  /// "reached", or what ended the search, as files have it.
+  std::string outcome() const { return ended_by.empty() ? "reached" : ended_by; }
 };
 
 /// Content of summary.json; cases/files.md documents every field.

@@ -157,7 +157,7 @@ void peaks(Text out, const std::vector<Peak>& all, bool moves, double thickness)
 
 void accuracy(Text out, const AccuracySummary& accuracy) {
   fmt::format_to(out, "accuracy {:.2g} % asked: {}\n{:>8} {:>10} {:>11} {:>9} {:>16}\n", 100 * accuracy.asked,
-                 accuracy.outcome, "points", "spacing", "tip spacing", "seconds", "estimated error");
+                 accuracy.outcome(), "points", "spacing", "tip spacing", "seconds", "estimated error");
   for (const auto& step : accuracy.path)
     fmt::format_to(out, "{:>8} {:>10.4g} {:>11.4g} {:>9.2f} {:>16}\n", step.points, step.spacing, step.tip_spacing,
                    step.seconds, step.error ? fmt::format("{:.2g} %", 100 * *step.error) : "-");

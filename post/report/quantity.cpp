@@ -24,7 +24,7 @@ std::optional<Value> optional(const Json& json, const char* name) {
   return found == json.end() || found->is_null() ? std::nullopt : std::optional(found->get<Value>());
 }
 
-/// None by a method of another version.
+/// Reads the factors of a tip; none by a method of another version.
 std::optional<Srif> srif_of(const Json& json) {
   const auto method = srif_method(json.at("method"));
   if (!method) return std::nullopt;
@@ -58,7 +58,7 @@ GrowthSummary growth_of(const Json& json) {
   return growth;
 }
 
-/// None where an analysis or a method is of another version.
+/// Reads a summary; none where an analysis or a method is of another version.
 std::optional<Summary> summary_of(const Json& json) {
   Summary summary;
   summary.units = json.value("units", ""), summary.title = json.at("title"), summary.outcome = json.at("outcome");
