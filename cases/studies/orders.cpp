@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "cases/studies/ledger.hpp"
 #include "post/files/table.hpp"
 
 namespace post {

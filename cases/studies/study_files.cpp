@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cases/studies/ledger.hpp"
 #include "cases/studies/orders.hpp"
 #include "cases/studies/study_plots.hpp"
 #include "post/files/atomic_file.hpp"

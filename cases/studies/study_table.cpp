@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "cases/studies/comparison.hpp"
+#include "cases/studies/ledger.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 

@@ -8,11 +8,12 @@
 #include <variant>
 #include <vector>
 
-#include "cases/studies/ledger.hpp"
 #include "post/report/curve_plot.hpp"
 #include "post/report/quantity.hpp"
 
 namespace post {
+
+enum class RunOutcome;
 
 struct Table;
 
@@ -83,7 +84,7 @@ struct StudyRow {
   std::optional<double> seconds, solve_seconds;   // of the run in total, and of its solution; medians of repetitions
   std::optional<double> seconds_min = {}, seconds_max = {};        // of a run that was repeated
   std::vector<std::pair<std::string, double>> stage_seconds = {};  // by the stages of summary.json
-  RunOutcome outcome = RunOutcome::done;
+  RunOutcome outcome{};
   std::string message = {};
 
   double seconds_of(const std::string& stage) const;  // 0 where the run has no such stage

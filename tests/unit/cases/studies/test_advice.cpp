@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cases/studies/ledger.hpp"
 #include "tests/catch.hpp"
 
 namespace {

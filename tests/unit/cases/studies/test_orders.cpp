@@ -1,5 +1,6 @@
 #include "cases/studies/orders.hpp"
 
+#include "cases/studies/ledger.hpp"
 #include "post/files/table.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/study_of_powers.hpp"
