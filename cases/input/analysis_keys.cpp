@@ -221,11 +221,12 @@ Field<plate::Initial> anywhere(const std::string& name, const std::string& unit,
       [member](const Value& given, plate::Initial& initial) {
         const auto text = given.is_text() ? given.text() : std::nullopt;
         const auto number = text ? std::nullopt : given.number();
-        if (text || number) try {
-            initial.*member = plate::Formula(text ? *text : number_text(*number));
-          } catch (const std::invalid_argument& error) {
-            given.report_error(error.what());
-          }
+        if (!text && !number) return;
+        auto found = plate::Formula::parsed(text ? *text : number_text(*number));
+        if (const auto* error = std::get_if<std::string>(&found))
+          given.report_error(*error);
+        else
+          initial.*member = std::get<plate::Formula>(std::move(found));
       },
       [member](const plate::Initial& initial) {
         return (initial.*member).given() ? quoted((initial.*member).text()) : "";

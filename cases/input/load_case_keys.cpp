@@ -56,16 +56,16 @@ using plate::Load;
 
 namespace {
 
-/// Throws std::invalid_argument where it is none.
-plate::PressureTable read_table(const std::filesystem::path& path) {
+/// Reads a table of pressures, or says why it cannot be read or is none.
+std::variant<plate::PressureTable, std::string> read_table(const std::filesystem::path& path) {
   constexpr std::size_t most = 256 << 20;  // bytes
   try {
-    if (std::filesystem::is_directory(path)) throw std::invalid_argument("cannot be read");
-    return {post::read_text(path, most), path};
+    if (std::filesystem::is_directory(path)) return "cannot be read";
+    return plate::PressureTable::parsed(post::read_text(path, most), path);
   } catch (const std::length_error& error) {
-    throw std::invalid_argument(error.what());
+    return error.what();
   } catch (const std::filesystem::filesystem_error&) {
-    throw std::invalid_argument("cannot be read");
+    return "cannot be read";
   }
 }
 
@@ -80,11 +80,12 @@ Field<Load> table_field() {
        "the pressure at places, sought beside the case: bilinear on a grid, else linear on triangles"},
       [](const Value& given, Load& load) {
         const auto text = given.text();
-        if (text) try {
-            table_of(load) = read_table(given.reading().folder / *text);
-          } catch (const std::invalid_argument& error) {
-            given.report_error(fmt::format("\"{}\": {}", *text, error.what()));
-          }
+        if (!text) return;
+        auto found = read_table(given.reading().folder / *text);
+        if (const auto* error = std::get_if<std::string>(&found))
+          given.report_error(fmt::format("\"{}\": {}", *text, *error));
+        else
+          table_of(load) = std::get<plate::PressureTable>(std::move(found));
       },
       [](const Load& load) {
         const auto& table = table_of(load);

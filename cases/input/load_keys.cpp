@@ -181,11 +181,11 @@ Field<Load> point(const std::string& name, const std::string& unit, Project proj
 }  // namespace
 
 std::optional<plate::Formula> formula_of(const Value& given) {
-  if (const auto text = given.text()) try {
-      return plate::Formula(*text);
-    } catch (const std::invalid_argument& error) {
-      given.report_error(error.what());
-    }
+  const auto text = given.text();
+  if (!text) return std::nullopt;
+  auto found = plate::Formula::parsed(*text);
+  if (auto* formula = std::get_if<plate::Formula>(&found)) return std::move(*formula);
+  given.report_error(std::get<std::string>(found));
   return std::nullopt;
 }
 

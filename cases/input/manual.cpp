@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <regex>
-#include <stdexcept>
 
 namespace post {
 
@@ -120,11 +119,11 @@ std::string fish(const Program& program, const std::vector<ManualKey>& keys,
 
 }  // namespace
 
-std::string completion(const std::string& shell, const Program& program, const std::vector<ManualKey>& keys,
-                       const std::vector<std::string>& templates) {
+std::optional<std::string> completion(const std::string& shell, const Program& program,
+                                      const std::vector<ManualKey>& keys, const std::vector<std::string>& templates) {
   if (shell == "bash") return bash(program, keys, templates);
   if (shell == "fish") return fish(program, keys, templates);
-  throw std::invalid_argument("\"" + shell + "\" given, must be one of \"bash\", \"fish\"");
+  return std::nullopt;
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -54,9 +55,9 @@ std::string key_table(const std::vector<ManualKey>& keys);
 std::string man_page(const Program& program, const std::vector<ManualKey>& keys);
 
 /// Completion of commands, options, keys behind --set and --unset, files and folders for "bash" or "fish". `templates`
-/// complete what follows "new". Throws std::invalid_argument for any other shell.
-std::string completion(const std::string& shell, const Program& program, const std::vector<ManualKey>& keys,
-                       const std::vector<std::string>& templates);
+/// complete what follows "new". None for any other shell.
+std::optional<std::string> completion(const std::string& shell, const Program& program,
+                                      const std::vector<ManualKey>& keys, const std::vector<std::string>& templates);
 
 /// JSON schema (draft-07) of a case file: tables, types, bounds and words as the keys allow them.
 std::string schema(const std::string& title, const std::vector<ManualKey>& keys);

@@ -26,21 +26,30 @@ void check_normalization(const Value& given, Normalization& n) {
 }
 
 Field<SrifOptions> srif_methods() {
-  static const Words<int> words{{{"virtual_crack_extension", 0},
-                                 {"domain_integral", 0},
-                                 {"displacement_extrapolation", 0},
-                                 {"opening_series", 0},
-                                 {"series_fit", 0}}};
+  using enum post::SrifMethod;
+  static const auto words = [] {
+    Words<int> result;
+    for (const auto method :
+         {virtual_crack_extension, domain_integral, displacement_extrapolation, opening_series, series_fit})
+      result.allowed.emplace_back(name_of(method), 0);
+    return result;
+  }();
   return value<SrifOptions>(
       {"methods", "-", "a list of " + words.text(), "", "how the intensity factors are found"},
       [](const Value& given, SrifOptions& options) {
         const auto found = chosen(given, words);
-        if (!found.empty())
-          options.methods = found;
-        else if (given.reading().sound(given.key()))
-          given.refuse("a list of at least one of " + words.text());
+        if (found.empty()) {
+          if (given.reading().sound(given.key())) given.refuse("a list of at least one of " + words.text());
+          return;
+        }
+        options.methods.clear();
+        for (const auto& name : found) options.methods.push_back(*post::srif_method(name));
       },
-      [](const SrifOptions& options) { return text_of(options.methods); });
+      [](const SrifOptions& options) {
+        std::vector<std::string> names;
+        for (const auto method : options.methods) names.push_back(name_of(method));
+        return text_of(names);
+      });
 }
 
 Field<SrifOptions> boolean(const std::string& name, bool SrifOptions::*member, const std::string& help) {

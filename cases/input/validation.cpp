@@ -162,9 +162,10 @@ std::vector<KeyError> errors_in_accuracy(const plate::Problem& problem, const An
                  "): remove it or that");
   else if (analysis.kind == Analysis::Kind::dynamic && analysis.method != Analysis::Method::lanczos)
     report_error("moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety)");
-  for (const char* method : {"virtual_crack_extension", "domain_integral", "series_fit"})
+  using enum post::SrifMethod;
+  for (const auto method : {virtual_crack_extension, domain_integral, series_fit})
     if (std::ranges::find(srif->methods, method) == srif->methods.end())
-      report_error(fmt::format("compares methods: add \"{}\" to srif.methods, or remove these", method));
+      report_error(fmt::format("compares methods: add \"{}\" to srif.methods, or remove these", name_of(method)));
   return result;
 }
 
@@ -231,8 +232,11 @@ void check_cracks(const plate::Problem& problem, const Growth& growth, const Rep
 
 void check_factors(const Growth& growth, const std::optional<post::SrifOptions>& srif,
                    const ReportError& report_error) {
-  const auto has = [&](const char* method) { return std::ranges::find(srif->methods, method) != srif->methods.end(); };
-  if (srif && !growth.by_bonds() && !has("virtual_crack_extension") && !has("domain_integral"))
+  const auto has = [&](post::SrifMethod method) {
+    return std::ranges::find(srif->methods, method) != srif->methods.end();
+  };
+  if (srif && !growth.by_bonds() && !has(post::SrifMethod::virtual_crack_extension) &&
+      !has(post::SrifMethod::domain_integral))
     report_error("srif.methods",
                  "growth needs an energy release rate: add \"virtual_crack_extension\" or \"domain_integral\"");
 }

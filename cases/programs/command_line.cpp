@@ -128,11 +128,11 @@ std::string own_pages(const CLI::App& app, const Arguments& a) {
   for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
     program.commands.push_back(described(*command));
   if (app.got_subcommand("manual")) return post::man_page(program, cases::keys());
-  try {
-    return post::completion(a.key, program, cases::keys(), cases::template_names());
-  } catch (const std::invalid_argument& error) {
-    throw cases::CaseError({{"completion", a.key, error.what()}});
-  }
+  const auto found = post::completion(a.key, program, cases::keys(), cases::template_names());
+  if (!found)
+    throw cases::CaseError(
+        {{"completion", a.key, fmt::format("\"{}\" given, must be one of \"bash\", \"fish\"", a.key)}});
+  return *found;
 }
 
 /// Ranks share the plate of a run; all other commands are of the first rank alone.

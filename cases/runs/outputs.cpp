@@ -115,7 +115,7 @@ void name_settings_by_keys(post::Summary& summary) {
   std::ranges::for_each(summary.warnings, name);
   name(summary.outcome), name(summary.analysis.stop_reason);
   if (summary.growth) name(summary.growth->outcome);
-  if (summary.accuracy) name(summary.accuracy->outcome);
+  if (summary.accuracy) name(summary.accuracy->ended_by);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace fracture {
 
 post::SrifOptions factors_of_growth(const std::optional<post::SrifOptions>& asked) {
   post::SrifOptions standard;
-  standard.methods = {"virtual_crack_extension", "domain_integral"};
+  standard.methods = {post::SrifMethod::virtual_crack_extension, post::SrifMethod::domain_integral};
   return asked.value_or(standard);
 }
 
@@ -218,7 +218,7 @@ void QuasiStaticRun::finish() {
   summary.units = plan_.units;
   summary.formulation = plan_.problem.discretization.formulation->name;
   summary.formulation_reason = plan_.formulation_reason;
-  summary.analysis.kind = plate::name_of(plate::Analysis::Kind::static_);
+  summary.analysis.kind = plate::Analysis::Kind::static_;
   post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), plan_.analysis.tolerance);
   post::conclude(summary,
                  {plan_.problem.section, plan_.srif, plan_.si(), outputs_->recorder().history(), reactions_, latest_});

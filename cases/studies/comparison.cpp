@@ -112,11 +112,10 @@ void add(std::vector<ComparedQuantity>& rows, const Table& computed, const Table
     for (const std::string& name : reference_columns(reference, quantity)) {
       const Curve known = curve(reference, "t", name);
       if (std::ranges::all_of(known.y, [](double y) { return y == 0; })) continue;
-      try {
-        rows.push_back({quantity, name, compare(run.t, run.y, known.t, known.y), run, known});
-      } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(fmt::format("{}: {}", name, error.what()));
-      }
+      const auto found = compare(run.t, run.y, known.t, known.y);
+      if (const auto* reason = std::get_if<std::string>(&found))
+        throw std::invalid_argument(fmt::format("{}: {}", name, *reason));
+      rows.push_back({quantity, name, std::get<Comparison>(found), run, known});
     }
   }
 }

@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace post {
 namespace {
 
-void check(const std::vector<double>& t, const std::vector<double>& y, const char* which) {
-  if (t.size() != y.size())
-    throw std::invalid_argument(fmt::format("{}: {} times, {} values", which, t.size(), y.size()));
-  if (t.empty()) throw std::invalid_argument(fmt::format("{}: no samples", which));
-  if (!std::ranges::is_sorted(t)) throw std::invalid_argument(fmt::format("{}: time goes back", which));
+/// Returns what is wrong with a curve, empty where nothing is.
+std::string error_of(const std::vector<double>& t, const std::vector<double>& y, const char* which) {
+  if (t.size() != y.size()) return fmt::format("{}: {} times, {} values", which, t.size(), y.size());
+  if (t.empty()) return fmt::format("{}: no samples", which);
+  if (!std::ranges::is_sorted(t)) return fmt::format("{}: time goes back", which);
+  return "";
 }
 
 /// Linear between the samples; beyond them their ends.
@@ -113,10 +113,11 @@ std::optional<double> Comparison::relative_shift() const {
   return shift ? std::optional(*shift / (to - from)) : std::nullopt;
 }
 
-Comparison compare(const std::vector<double>& t, const std::vector<double>& y, const std::vector<double>& reference_t,
-                   const std::vector<double>& reference_y) {
-  check(t, y, "computed");
-  check(reference_t, reference_y, "reference");
+std::variant<Comparison, std::string> compare(const std::vector<double>& t, const std::vector<double>& y,
+                                              const std::vector<double>& reference_t,
+                                              const std::vector<double>& reference_y) {
+  if (auto error = error_of(t, y, "computed"); !error.empty()) return error;
+  if (auto error = error_of(reference_t, reference_y, "reference"); !error.empty()) return error;
   const double from = std::max(t.front(), reference_t.front()), to = std::min(t.back(), reference_t.back());
   Comparison result;
   double differences = 0, squares = 0;
@@ -128,10 +129,10 @@ Comparison compare(const std::vector<double>& t, const std::vector<double>& y, c
     ++result.samples;
   }
   if (result.samples < 2)
-    throw std::invalid_argument(fmt::format(
+    return fmt::format(
         "{} samples in common, where two are needed: computed are times {:g} to {:g}, the reference has {:g} to {:g}",
-        result.samples, t.front(), t.back(), reference_t.front(), reference_t.back()));
-  if (squares == 0) throw std::invalid_argument("the reference is zero where the curves overlap");
+        result.samples, t.front(), t.back(), reference_t.front(), reference_t.back());
+  if (squares == 0) return "the reference is zero where the curves overlap";
   const Extremum computed = peak(t, y, from, to), reference = peak(reference_t, reference_y, from, to);
   result.relative_rms = std::sqrt(differences / squares);
   result.rms_of_peak = std::sqrt(differences / static_cast<double>(result.samples)) / std::abs(reference.value);

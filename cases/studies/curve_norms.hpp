@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "post/report/curve_plot.hpp"
@@ -30,11 +31,12 @@ struct Comparison {
 };
 
 /// Compares y(t) with reference_y(reference_t). The shift is that by which the two correlate best, at most a quarter of
-/// the common range each way; of several such the smallest. Throws std::invalid_argument where times and values differ
+/// the common range each way; of several such the smallest. Returns the reason instead where times and values differ
 /// in number, times decrease, fewer than two times of the reference lie in the common range, or the reference is zero
 /// there.
-Comparison compare(const std::vector<double>& t, const std::vector<double>& y, const std::vector<double>& reference_t,
-                   const std::vector<double>& reference_y);
+std::variant<Comparison, std::string> compare(const std::vector<double>& t, const std::vector<double>& y,
+                                              const std::vector<double>& reference_t,
+                                              const std::vector<double>& reference_y);
 
 /// The names of `measures`.
 const std::vector<std::string>& measure_names();

@@ -23,7 +23,7 @@ Ended caught(const std::function<Ended()>& work) {
   try {
     return work();
   } catch (const std::exception& error) {
-    return {"broken", error.what()};
+    return {RunOutcome::broken, error.what()};
   }
 }
 
@@ -62,7 +62,7 @@ std::string read_all(int from, pid_t child, bool passed_on) {
     omp_set_num_threads(threads);
     ended = caught(work);
   }).join();
-  write_all(to, ended.outcome + "\n" + ended.message);
+  write_all(to, std::string(name_of(ended.outcome)) + "\n" + ended.message);
   std::fflush(nullptr);
   _exit(0);
 }
@@ -90,11 +90,12 @@ Ended isolated(const std::function<Ended()>& work) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   if (WIFSIGNALED(status))
-    return {"killed", std::string("the run was ended by signal ") + std::to_string(WTERMSIG(status)) + " (" +
-                          strsignal(WTERMSIG(status)) + ")"};
+    return {RunOutcome::killed, std::string("the run was ended by signal ") + std::to_string(WTERMSIG(status)) + " (" +
+                                    strsignal(WTERMSIG(status)) + ")"};
   const auto line = said.find('\n');
-  if (line == std::string::npos) return {"killed", "the run ended with code " + std::to_string(WEXITSTATUS(status))};
-  return {said.substr(0, line), said.substr(line + 1)};
+  const auto outcome = line == std::string::npos ? std::nullopt : run_outcome(said.substr(0, line));
+  if (!outcome) return {RunOutcome::killed, "the run ended with code " + std::to_string(WEXITSTATUS(status))};
+  return {*outcome, said.substr(line + 1)};
 }
 
 namespace {
@@ -116,11 +117,11 @@ RunRecord new_record(RunRecord wanted, std::size_t repeats, const std::filesyste
                      const std::function<Ended()>& run) {
   ledger.forget(wanted.run);
   std::vector<std::vector<std::pair<std::string, double>>> seconds;
-  for (std::size_t i = 0; i < repeats && wanted.outcome == "done"; ++i) {
+  for (std::size_t i = 0; i < repeats && wanted.outcome == RunOutcome::done; ++i) {
     const auto ended = isolated(run);
-    if (ended.outcome == "broken") throw std::runtime_error(ended.message);
+    if (ended.outcome == RunOutcome::broken) throw std::runtime_error(ended.message);
     wanted.outcome = ended.outcome, wanted.message = ended.message;
-    if (const auto found = summary_of(wanted, folder); found && ended.outcome == "done")
+    if (const auto found = summary_of(wanted, folder); found && ended.outcome == RunOutcome::done)
       seconds.push_back(found->seconds);
   }
   wanted.cost = cost_of(seconds);
@@ -133,7 +134,7 @@ std::vector<StudyRow> rows_of(const RunRecord& record, StudyRow row, const std::
   row.outcome = record.outcome;
   row.message = record.message;
   auto summary = summary_of(record, folder);
-  if (record.outcome != "done" || !summary) return {row};
+  if (record.outcome != RunOutcome::done || !summary) return {row};
   summary->seconds = record.cost.seconds;
   if (record.cost.repeats > 1) row.seconds_min = record.cost.least, row.seconds_max = record.cost.most;
   return study_rows(row, wanted, *summary, folder / record.run);

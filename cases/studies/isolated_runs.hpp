@@ -8,14 +8,14 @@
 
 namespace post {
 
-/// Outcome of a piece of work: "done", "refused", "failed", "killed" (its process, by a signal) or "broken" (the
-/// machine: no memory, disk full), and why.
+/// Outcome of a piece of work, and why.
 struct Ended {
-  std::string outcome, message = {};
+  RunOutcome outcome = RunOutcome::done;
+  std::string message = {};
 };
 
 /// Runs the work in a separate process, so that nothing that becomes of it ends this one; it ends with this one. The
-/// work returns "done", "refused" or "failed"; what it throws is "broken". Threads: as many as this process would use.
+/// work returns how it ended; what it throws is RunOutcome::broken. Threads: as many as this process would use.
 Ended isolated(const std::function<Ended()>& work);
 
 /// Record in the ledger of a run that was done as it is wanted, and so often, and whose results are there; none

@@ -12,6 +12,14 @@
 namespace post {
 namespace {
 
+constexpr std::array<std::pair<RunOutcome, const char*>, 7> names_of_outcomes{{{RunOutcome::done, "done"},
+                                                                               {RunOutcome::refused, "refused"},
+                                                                               {RunOutcome::failed, "failed"},
+                                                                               {RunOutcome::interrupted, "interrupted"},
+                                                                               {RunOutcome::killed, "killed"},
+                                                                               {RunOutcome::missing, "missing"},
+                                                                               {RunOutcome::broken, "broken"}}};
+
 constexpr std::array stages{"geometry", "families", "parameters", "solve", "srif", "output", "second_formulation"};
 
 double median(std::vector<double> values) {
@@ -38,7 +46,7 @@ std::vector<Cell> row_of(const RunRecord& r) {
   std::vector<Cell> row{entry("./" + r.run),
                         entry("id " + r.digest),  // words, not numbers
                         entry("version " + r.version),
-                        entry(r.outcome),
+                        entry(name_of(r.outcome)),
                         entry(r.message),
                         double(r.cost.repeats),
                         entry(stage(r.cost, "total")),
@@ -55,7 +63,8 @@ std::vector<std::string> columns() {
   return names;
 }
 
-RunRecord record_of(const Table& table, const std::vector<Cell>& row) {
+/// Reads a record; none with an outcome of another version.
+std::optional<RunRecord> record_of(const Table& table, const std::vector<Cell>& row) {
   const auto word = [&](const char* column, std::size_t skip = 0) {
     const auto* text = std::get_if<std::string>(&row.at(table.column(column)));
     return text ? text->substr(std::min(skip, text->size())) : std::string();
@@ -64,7 +73,9 @@ RunRecord record_of(const Table& table, const std::vector<Cell>& row) {
     const auto* value = std::get_if<double>(&row.at(table.column(column)));
     return value ? std::optional(*value) : std::nullopt;
   };
-  RunRecord record{word("run", 2), word("digest", 3), word("version", 8), word("outcome"), word("message")};
+  const auto outcome = run_outcome(word("outcome"));
+  if (!outcome) return std::nullopt;
+  RunRecord record{word("run", 2), word("digest", 3), word("version", 8), *outcome, word("message")};
   record.cost.repeats = std::size_t(number("repeats").value_or(0));
   record.cost.least = number("seconds_min").value_or(0), record.cost.most = number("seconds_max").value_or(0);
   for (const std::string name : stages)
@@ -82,6 +93,16 @@ bool whole(const std::string& text) {
 }
 
 }  // namespace
+
+const char* name_of(RunOutcome outcome) {
+  return std::ranges::find(names_of_outcomes, outcome, &std::pair<RunOutcome, const char*>::first)->second;
+}
+
+std::optional<RunOutcome> run_outcome(std::string_view name) {
+  for (const auto& [outcome, known] : names_of_outcomes)
+    if (name == known) return outcome;
+  return std::nullopt;
+}
 
 Cost cost_of(const std::vector<std::vector<std::pair<std::string, double>>>& seconds) {
   Cost cost{seconds.size()};
@@ -115,8 +136,8 @@ std::optional<RunRecord> Ledger::known(const std::string& run) const {
 
 std::optional<RunRecord> Ledger::done(const RunRecord& wanted, std::size_t repeats) const {
   auto found = known(wanted.run);
-  if (!found || found->outcome != "done" || found->digest != wanted.digest || found->version != wanted.version ||
-      found->cost.repeats < repeats)
+  if (!found || found->outcome != RunOutcome::done || found->digest != wanted.digest ||
+      found->version != wanted.version || found->cost.repeats < repeats)
     return std::nullopt;
   return found;
 }

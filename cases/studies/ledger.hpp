@@ -2,10 +2,19 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace post {
+
+/// Outcome of a run of a study: it is done; its case is refused; its numbers failed; the user ended it; a signal ended
+/// its process; its record is missing; the machine failed (no memory, disk full), which ends the study.
+enum class RunOutcome { done, refused, failed, interrupted, killed, missing, broken };
+/// Name of an outcome in files and tables.
+const char* name_of(RunOutcome outcome);
+/// Outcome of a name; none of any other text.
+std::optional<RunOutcome> run_outcome(std::string_view name);
 
 /// The seconds of a run that was repeated: medians by stage, `total` among them, and the shortest and longest total.
 struct Cost {
@@ -20,7 +29,8 @@ Cost cost_of(const std::vector<std::vector<std::pair<std::string, double>>>& sec
 /// Record of a run of a study; a row of runs.csv.
 struct RunRecord {
   std::string run, digest, version;  // its folder; of its settings; of the program
-  std::string outcome, message = {};
+  RunOutcome outcome = RunOutcome::done;
+  std::string message = {};
   Cost cost = {};
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "cases/studies/ledger.hpp"
 #include "post/files/table.hpp"
 
 namespace post {
@@ -84,7 +85,7 @@ namespace {
 /// True where a run is to be made that may be finer than this row, of the same labels but along the refinement.
 bool lacks_finer(const StudyTable& study, const StudyRow& finest, std::size_t along) {
   return std::ranges::any_of(study.rows, [&](const StudyRow& row) {
-    return row.outcome == "missing" && row.spacing && *row.spacing <= *finest.spacing &&
+    return row.outcome == RunOutcome::missing && row.spacing && *row.spacing <= *finest.spacing &&
            without(row.labels, along) == without(finest.labels, along);
   });
 }

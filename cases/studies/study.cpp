@@ -72,13 +72,13 @@ post::StudyTitles titles(const Study& study) {
 post::Ended run_once(const CaseFile& file, const fs::path& folder) {
   try {
     run(file, {folder, true});
-    return {"done"};
+    return {post::RunOutcome::done};
   } catch (const CaseError& error) {
-    return {"refused", error.what()};
+    return {post::RunOutcome::refused, error.what()};
   } catch (const plate::NumericalError& error) {
-    return {"failed", error.what()};
+    return {post::RunOutcome::failed, error.what()};
   } catch (const plate::Interrupted& asked) {
-    return {"interrupted", asked.what()};
+    return {post::RunOutcome::interrupted, asked.what()};
   }
 }
 
@@ -88,7 +88,7 @@ std::string program() {
 }
 
 post::RunRecord wanted_record(const StudyRun& run) {
-  return {run.folder, post::digest(resolved_toml(run.file.content)), program(), "done"};
+  return {run.folder, post::digest(resolved_toml(run.file.content)), program(), post::RunOutcome::done};
 }
 
 }  // namespace

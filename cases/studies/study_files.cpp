@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cases/studies/ledger.hpp"
 #include "cases/studies/orders.hpp"
 #include "cases/studies/study_plots.hpp"
 #include "post/files/atomic_file.hpp"
@@ -137,8 +138,8 @@ std::vector<std::string> advice(const StudyTable& study) {
 std::string to_json(const std::string& title, const StudyTable& study) {
   using Json = nlohmann::ordered_json;
   std::map<std::vector<std::string>, std::string> outcomes;
-  for (const auto& row : study.rows) outcomes[row.labels] = row.outcome;
-  std::map<std::string, std::size_t> counts{{"done", 0}};
+  for (const auto& row : study.rows) outcomes[row.labels] = name_of(row.outcome);
+  std::map<std::string, std::size_t> counts{{name_of(RunOutcome::done), 0}};
   for (const auto& [labels, outcome] : outcomes) ++counts[outcome];
   Json json{{"title", title}, {"runs", outcomes.size()}, {"outcomes", counts}};
   json["advice"] = advice(study);

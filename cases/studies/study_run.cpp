@@ -79,10 +79,10 @@ public:
 
   void take(std::size_t i, const RunRecord& record, bool before) {
     const auto& job = study_.jobs[i];
-    outcome_.wrong_cases += record.outcome == "refused";
-    outcome_.failed_numbers += record.outcome == "failed";
-    outcome_.killed += record.outcome == "killed" || record.outcome == "interrupted";
-    outcome_.missing += record.outcome == "missing";
+    outcome_.wrong_cases += record.outcome == RunOutcome::refused;
+    outcome_.failed_numbers += record.outcome == RunOutcome::failed;
+    outcome_.killed += record.outcome == RunOutcome::killed || record.outcome == RunOutcome::interrupted;
+    outcome_.missing += record.outcome == RunOutcome::missing;
     auto& [kept, rows] = made_[i];
     kept = record;
     rows = rows_of(record, job.row, job.quantities, options_.folder);
@@ -107,7 +107,7 @@ public:
   void write() const {
     std::vector<RunRecord> records;
     for (const auto& [i, run] : made_)
-      if (run.record.outcome != "missing") records.push_back(run.record);
+      if (run.record.outcome != RunOutcome::missing) records.push_back(run.record);
     write_records(options_.folder / "runs.csv", records);
     write_study(outcome().table, study_.titles, options_.folder);
   }
@@ -129,8 +129,8 @@ std::string lack(const std::optional<RunRecord>& known, const StudyJob& job, std
   if (!known) return "not made to its end (or its record is damaged)";
   if (known->digest != job.wanted.digest) return "made with other settings";
   if (!same_program(*known, job.wanted)) return "made by another build of the program: " + known->version;
-  if (known->outcome == "interrupted") return "was interrupted";
-  if (known->outcome != "done") return {};
+  if (known->outcome == RunOutcome::interrupted) return "was interrupted";
+  if (known->outcome != RunOutcome::done) return {};
   if (known->cost.repeats < repeats) return fmt::format("made {} times of {}", known->cost.repeats, repeats);
   return read_summary(folder / job.wanted.run / "summary.json") ? "" : "its results are not there";
 }
@@ -142,7 +142,7 @@ StudyOutcome merged(const StudyJobs& study, const StudyOptions& options, const L
     const NamedLock lock(ledger.locks(), "run " + job.wanted.run, Use::together);  // nobody makes it meanwhile
     const auto known = ledger.known(job.wanted.run);
     auto missing = job.wanted;
-    missing.outcome = "missing";
+    missing.outcome = RunOutcome::missing;
     missing.message = lock.held() ? lack(known, job, study.repeats, options.folder) : "another process makes it now";
     made.take(i, missing.message.empty() ? *known : missing, true);
   }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "cases/studies/comparison.hpp"
+#include "cases/studies/ledger.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
@@ -18,14 +19,15 @@ namespace {
 /// Compares the history of a quantity with a curve.
 void compare_with(StudyRow& row, const KnownCurve& known, const Curve& computed) {
   row.source = fmt::format("{} {}", known.file.filename().string(), known.column);
-  try {
-    const auto result = compare(computed.t, computed.y, known.curve.t, known.curve.y);
-    row.computed = result.peak_computed;
-    row.reference = result.peak_reference;
-    row.rms_error = result.rms_of_peak;
-  } catch (const std::invalid_argument& error) {
-    row.message = error.what();
+  const auto found = compare(computed.t, computed.y, known.curve.t, known.curve.y);
+  if (const auto* reason = std::get_if<std::string>(&found)) {
+    row.message = *reason;
+    return;
   }
+  const auto& result = std::get<Comparison>(found);
+  row.computed = result.peak_computed;
+  row.reference = result.peak_reference;
+  row.rms_error = result.rms_of_peak;
 }
 
 }  // namespace
@@ -128,7 +130,7 @@ std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>&
   StudyRow common = run;
   common.points = summary.points;
   common.stage_seconds = summary.seconds;
-  common.outcome = "done";
+  common.outcome = RunOutcome::done;
   common.iterations = summary.analysis.iterations ? summary.analysis.iterations : summary.analysis.steps;
   for (const auto& [stage, spent] : summary.seconds) {
     if (stage == "total") common.seconds = spent;
@@ -205,7 +207,7 @@ const std::vector<Column>& own_columns() {
       {"srif_seconds", nullptr, [](Row row) { return cell_of(row, "srif"); }, {}},
       {"output_seconds", nullptr, [](Row row) { return cell_of(row, "output"); }, {}},
       {"reference_source", nullptr, [](Row row) { return cell(row.source); }, {}},
-      {"outcome", nullptr, [](Row row) { return cell(row.outcome); }, {}},
+      {"outcome", nullptr, [](Row row) { return cell(name_of(row.outcome)); }, {}},
       {"message", "", [](Row row) { return cell(row.message); }, {}}};
   return columns;
 }

@@ -13,6 +13,8 @@
 
 namespace post {
 
+enum class RunOutcome;
+
 struct Table;
 
 /// The reference is the run of the finest points: see `refer_to_finest`.
@@ -82,7 +84,7 @@ struct StudyRow {
   std::optional<double> seconds, solve_seconds;   // of the run in total, and of its solution; medians of repetitions
   std::optional<double> seconds_min = {}, seconds_max = {};        // of a run that was repeated
   std::vector<std::pair<std::string, double>> stage_seconds = {};  // by the stages of summary.json
-  std::string outcome = {};                                        // done, refused, failed, killed
+  RunOutcome outcome{};
   std::string message = {};
 
   double seconds_of(const std::string& stage) const;  // 0 where the run has no such stage

@@ -44,7 +44,7 @@ MovingCracks::MovingCracks(const Growth& growth, const plate::Problem& problem, 
 /// The energy release rate of a tip; none where no ring fits about it.
 std::shared_ptr<const post::TipMethods> MovingCracks::gauge(const geometry::Tip& tip) const {
   post::SrifOptions options;
-  options.methods = {"virtual_crack_extension"};
+  options.methods = {post::SrifMethod::virtual_crack_extension};
   options.first_ring_only = true;
   const double near = 7.6 * spacing_;  // rings of 7 spacings: a quarter of the work of the usual 16
   auto found = post::tip_methods(plate_.tip_view(), problem_, paths_, tip, options, near);

@@ -24,8 +24,9 @@ MovingGrowth::MovingGrowth(const Growth& growth, const plate::Formulation& start
       rotary_inertia_(rotary_inertia) {
   record_.in_motion = true;
   if (!options_) return;
-  const auto by_energy = std::ranges::count_if(
-      options_->methods, [](const auto& m) { return m == "virtual_crack_extension" || m == "domain_integral"; });
+  const auto by_energy = std::ranges::count_if(options_->methods, [](post::SrifMethod m) {
+    return m == post::SrifMethod::virtual_crack_extension || m == post::SrifMethod::domain_integral;
+  });
   options_->first_ring_only = by_energy == 2;  // one estimates the error of the other
 }
 

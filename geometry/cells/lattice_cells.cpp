@@ -351,7 +351,7 @@ private:
       fence.from = index[fence.from], fence.to = index[fence.to];
       parted.push_back(fence);
     }
-    const auto found = delaunay(places, pieces);
+    const auto found = required_triangles(places, pieces);
     const auto inside = geometry::within(found, parted);
     for (std::size_t t = 0; t < inside.size(); ++t)
       if (const auto& [a, b, c] = found.corners[t]; inside[t])

@@ -22,18 +22,19 @@ using Triangulation =
 
 }  // namespace
 
-Triangulated delaunay(const std::vector<Point>& points, const std::vector<std::array<std::uint32_t, 2>>& pieces) {
+std::variant<Triangulated, std::string> delaunay(const std::vector<Point>& points,
+                                                 const std::vector<std::array<std::uint32_t, 2>>& pieces) {
   std::vector<std::pair<Kernel::Point_2, std::uint32_t>> places;
   for (const auto& x : points) places.emplace_back(Kernel::Point_2(x.x(), x.y()), std::uint32_t(places.size()));
   Triangulation triangulation;
   triangulation.insert(places.begin(), places.end());
-  if (triangulation.number_of_vertices() != points.size()) throw std::invalid_argument("two points at one place");
+  if (triangulation.number_of_vertices() != points.size()) return "two points at one place";
   std::vector<Triangulation::Vertex_handle> vertex(points.size());
   for (const auto v : triangulation.finite_vertex_handles()) vertex[v->info()] = v;
   try {
     for (const auto& [from, to] : pieces) triangulation.insert_constraint(vertex[from], vertex[to]);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
-    throw std::invalid_argument("edges and cracks cross each other within a spacing");
+    return "edges and cracks cross each other within a spacing";
   }
   Triangulated result;
   for (const auto face : triangulation.all_face_handles()) face->info() = Triangulated::none;
@@ -46,6 +47,13 @@ Triangulated delaunay(const std::vector<Point>& points, const std::vector<std::a
       corners[std::size_t(i)] = face->vertex(i)->info(), across[std::size_t(i)] = face->neighbor(i)->info();
   }
   return result;
+}
+
+Triangulated required_triangles(const std::vector<Point>& points,
+                                const std::vector<std::array<std::uint32_t, 2>>& pieces) {
+  auto found = delaunay(points, pieces);
+  if (const auto* reason = std::get_if<std::string>(&found)) throw std::invalid_argument(*reason);
+  return std::get<Triangulated>(std::move(found));
 }
 
 std::vector<Fence> fences(const std::vector<Curves::Piece>& pieces) {
@@ -100,7 +108,7 @@ TriangleMesh::TriangleMesh(const Curves& curves) : points_(curves.nodes) {
     return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
   };
   for (const auto& [from, to, edge] : curves.pieces) pieces.push_back({from, to}), mark_of[key(from, to)] = edge;
-  const auto found = delaunay(points_, pieces);
+  const auto found = required_triangles(points_, pieces);
   const auto inside = within(found, fences(curves.pieces));
   for (std::size_t t = 0; t < inside.size(); ++t) {
     const auto& corner = found.corners[t];

@@ -1,5 +1,7 @@
 #pragma once
 #include <array>
+#include <string>
+#include <variant>
 
 #include "geometry/lattice/curves.hpp"
 
@@ -12,8 +14,13 @@ struct Triangulated {
   std::vector<std::array<std::int32_t, 3>> across;    // beyond the side opposite to each corner
 };
 
-/// Triangulates all points, with the pieces among the sides. Throws std::invalid_argument where pieces cross.
-Triangulated delaunay(const std::vector<Point>& points, const std::vector<std::array<std::uint32_t, 2>>& pieces);
+/// Triangulates all points, with the pieces among the sides; or says why it cannot: two points lie at one place, or
+/// pieces cross.
+std::variant<Triangulated, std::string> delaunay(const std::vector<Point>& points,
+                                                 const std::vector<std::array<std::uint32_t, 2>>& pieces);
+/// Returns what delaunay() does. Throws std::invalid_argument where it cannot.
+Triangulated required_triangles(const std::vector<Point>& points,
+                                const std::vector<std::array<std::uint32_t, 2>>& pieces);
 
 /// A side that parts what belongs to the plate from what does not: which of both lies to its left and right.
 struct Fence {

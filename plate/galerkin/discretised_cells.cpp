@@ -100,31 +100,34 @@ Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& 
   return geometry::tessellation(c.outline, paths, spacing, own_places(c, paths, spacing), grading_of(c, factor));
 }
 
-namespace {
-
-GlobalCells global_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor,
-                         bool distributed) {
+std::variant<GlobalCells, Refusal> possible_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths,
+                                                  double factor, bool distributed) {
   const auto& d = c.discretization;
-  if (!distributed || d.tip_spacing || d.hole_spacing) return cells_of(c, paths, factor);
   const double spacing = factor * d.spacing;
-  return geometry::GlobalLattice(c.outline, paths, spacing, own_places(c, paths, spacing));
+  try {  // constructors of geometry throw where cells are impossible
+    if (!distributed || d.tip_spacing || d.hole_spacing) return GlobalCells(cells_of(c, paths, factor));
+    return GlobalCells(geometry::GlobalLattice(c.outline, paths, spacing, own_places(c, paths, spacing)));
+  } catch (const std::invalid_argument& error) {
+    return Refusal{Subject::geometry, 0, error.what()};
+  } catch (const std::length_error& error) {
+    return Refusal{Subject::spacing, 0, fmt::format("{:g} given makes {}", spacing, error.what())};
+  }
 }
-
-}  // namespace
 
 GlobalCells global_cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor,
                             bool distributed) {
-  return global_cells(c, paths, factor, distributed);
+  auto found = possible_cells(c, paths, factor, distributed);
+  if (const auto* refusal = std::get_if<Refusal>(&found)) throw Refused({*refusal});
+  return std::get<GlobalCells>(std::move(found));
 }
 
 GlobalCells required_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths, bool distributed) {
-  try {
-    return global_cells(c, paths, 1, distributed);
-  } catch (const std::invalid_argument& error) {
-    throw Refused({{Subject::geometry, 0, fmt::format("{}; refine", error.what())}});
-  } catch (const std::length_error& error) {
-    throw Refused({{Subject::spacing, 0, fmt::format("{:g} given makes {}", c.discretization.spacing, error.what())}});
+  auto found = possible_cells(c, paths, 1, distributed);
+  if (auto* refusal = std::get_if<Refusal>(&found)) {
+    if (refusal->subject == Subject::geometry) refusal->what += "; refine";
+    throw Refused({*refusal});
   }
+  return std::get<GlobalCells>(std::move(found));
 }
 
 std::vector<double> cut_share(const Tessellation& cells, const std::vector<double>& areas) {

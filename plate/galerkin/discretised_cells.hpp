@@ -1,10 +1,12 @@
 #pragma once
+#include <variant>
 #include <vector>
 
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/layout.hpp"
 #include "plate/galerkin/families.hpp"
 #include "plate/galerkin/part_of_cells.hpp"
+#include "plate/model/errors.hpp"
 
 namespace plate {
 
@@ -12,7 +14,13 @@ namespace plate {
 /// and edges are too close to each other for them.
 geometry::Tessellation cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
 
-/// Returns the cells of cells_of(); where ranks share them and they are on a lattice, the lattice that describes them.
+/// Returns the cells of cells_of(), or the reason why there are none: cracks and edges are too close to each other, or
+/// the points too many to be numbered. Where ranks share the cells and they are on a lattice: the lattice that
+/// describes them.
+std::variant<GlobalCells, Refusal> possible_cells(const Problem& problem, const std::vector<geometry::CrackPath>& paths,
+                                                  double factor, bool distributed);
+/// Returns what possible_cells() does.
+/// @throws Refused  where there are none
 GlobalCells global_cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor,
                             bool distributed);
 /// Cells of the plate itself (factor 1). `distributed`: true where ranks share the cells, or are to.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "plate/galerkin/stiffness.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/solve/lanes.hpp"
 
 namespace plate {
@@ -279,7 +279,7 @@ void GalerkinLists::add_block(const GalerkinFamilies& families, const PointSecti
   const auto of_lane = [&](std::size_t lane) { return kept_[std::min(first + lane, kept_.size() - 1)]; };
   std::size_t most = 0;
   for (std::size_t lane = 0; lane < lanes; ++lane) most = std::max(most, families.families[of_lane(lane)].size());
-  if (most > most_bonds) throw std::invalid_argument("a point has more than 32 neighbours");
+  if (most > most_bonds) throw Refused({{Subject::geometry, 0, "a point has more than 32 neighbours"}});
   blocks_.push_back({members_.size() / lanes, std::uint32_t(most)});
   members_.resize(members_.size() + most * lanes);
   bonds_.resize(bonds_.size() + most * lanes * bond_numbers, 0);

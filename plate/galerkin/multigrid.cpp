@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <variant>
 
 #include "geometry/cells/tessellation.hpp"
 #include "plate/formulation/pieces.hpp"
@@ -215,8 +215,6 @@ public:
                            boundary_.elastic_supports, part_.column_block);
     return MultigridLevel{std::move(cells), std::move(beside),    std::move(boundary_),
                           std::move(plate), std::move(to_finer_), std::move(sum_)};
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
   } catch (const Refused&) {
     return std::nullopt;
   }
@@ -246,7 +244,8 @@ private:
   std::shared_ptr<const SumByOwners> sum_;
 };
 
-std::optional<MultigridLevel> global_level(const Problem& c, geometry::Tessellation cells) try {
+/// Throws Refused where cracks, edges and supports have no room for such points.
+MultigridLevel global_level(const Problem& c, geometry::Tessellation cells) {
   auto families = galerkin_families(cells);
   auto boundary = galerkin_boundary(cells, families.areas, geometry::to_lattice(c.outline, cells.units), c.supports);
   auto seen = geometry::positions_inside_faces(cells);
@@ -254,10 +253,6 @@ std::optional<MultigridLevel> global_level(const Problem& c, geometry::Tessellat
   PointSections sections(c.section, cells);
   return MultigridLevel{std::move(cells), std::move(seen), std::move(boundary),
                         GalerkinOperator(std::move(families), std::move(sections), std::move(elastic_supports))};
-} catch (const std::invalid_argument&) {
-  return std::nullopt;
-} catch (const Refused&) {
-  return std::nullopt;
 }
 
 }  // namespace
@@ -278,21 +273,21 @@ std::vector<MultigridLevel> multigrid_levels(const Formulation& plate, const std
   for (double factor = 2; points > few && factor * c.discretization.spacing <= (high - low).minCoeff() / 8;
        factor *= 2) {
     try {
-      auto whole = global_cells_of(c, plate.paths(), factor, all.distributed());
-      points = points_of(whole);
+      auto found = possible_cells(c, plate.paths(), factor, all.distributed());
+      auto* const cells = std::get_if<GlobalCells>(&found);
+      if (!cells) break;  // on every rank: cracks and edges are too close to each other for such points
+      points = points_of(*cells);
       const bool first = result.empty();
       auto level = all.distributed() ? DistributedMultigridLevel(
-                                           all, c, std::move(whole), first ? seen : result.back().seen,
+                                           all, c, std::move(*cells), first ? seen : result.back().seen,
                                            first ? plate.boundary().map.owned : result.back().boundary.map.owned)
                                            .level()
-                                     : global_level(c, std::get<geometry::Tessellation>(std::move(whole)));
+                                     : global_level(c, std::get<geometry::Tessellation>(std::move(*cells)));
       if (all.largest_of(level ? 0 : 1) > 0) break;
       if (pieces(level->boundary, level->plate.families().families).size() != plate.pieces().size()) break;
       result.push_back(std::move(*level));
-    } catch (const std::invalid_argument&) {  // on every rank, as the next
-      break;                                  // cracks and edges are too close to each other for such points
     } catch (const Refused&) {
-      break;  // a part that is held has none of them, or a rank would
+      break;  // on every rank: a part that is held has none of them, or a rank would
     }
   }
   return result;

@@ -23,40 +23,51 @@ std::string begin_of(const std::string& text) {
   return text.size() <= most ? text : text.substr(0, most) + "...";
 }
 
-/// A place to store to makes a formula that means another thing than it says.
-void refuse_assignments(const std::string& text) {
+/// Returns what is wrong with a text that assigns, empty where none does: a place to store to makes a formula that
+/// means another thing than it says.
+std::string error_of_assignments(const std::string& text) {
   const std::string comparing = "=<>!";
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '=') continue;
     const bool before = i > 0 && comparing.find(text[i - 1]) != std::string::npos;
     if (!before && (i + 1 == text.size() || text[i + 1] != '='))
-      throw std::invalid_argument(fmt::format("'=' at character {}: nothing can be assigned", i + 1));
+      return fmt::format("'=' at character {}: nothing can be assigned", i + 1);
   }
+  return "";
 }
 
 }  // namespace
 
-Formula::Formula(const std::string& text) : parsed_(std::make_shared<Parsed>()) {
-  refuse_assignments(text);
-  parsed_->text = text;
-  auto& parser = parsed_->parser;
+Formula::Formula(const std::string& text) {
+  auto found = parsed(text);
+  if (const auto* error = std::get_if<std::string>(&found)) throw std::invalid_argument(*error);
+  *this = std::get<Formula>(std::move(found));
+}
+
+std::variant<Formula, std::string> Formula::parsed(const std::string& text) {
+  if (auto error = error_of_assignments(text); !error.empty()) return error;
+  Formula result;
+  result.parsed_ = std::make_shared<Parsed>();
+  result.parsed_->text = text;
+  auto& parser = result.parsed_->parser;
   try {
-    parser.DefineVar("x", &parsed_->x);
-    parser.DefineVar("y", &parsed_->y);
+    parser.DefineVar("x", &result.parsed_->x);
+    parser.DefineVar("y", &result.parsed_->y);
     parser.DefineConst("pi", std::numbers::pi);
     parser.SetExpr(text);
     int results = 0;
     parser.Eval(results);
-    if (results != 1) throw std::invalid_argument(fmt::format("{} expressions, must be one", results));
+    if (results != 1) return fmt::format("{} expressions, must be one", results);
   } catch (const mu::Parser::exception_type& error) {
     const auto where = error.GetPos();
-    throw std::invalid_argument(
-        error.GetToken().empty()
-            ? error.GetMsg()
-            : fmt::format("\"{}\" at character {} ({}); known are x, y, pi, functions as sin, sqrt, exp, abs, min, and "
-                          "c ? a : b",
-                          error.GetToken(), where + 1, error.GetMsg()));
+    return error.GetToken().empty()
+               ? error.GetMsg()
+               : fmt::format(
+                     "\"{}\" at character {} ({}); known are x, y, pi, functions as sin, sqrt, exp, abs, min, "
+                     "and c ? a : b",
+                     error.GetToken(), where + 1, error.GetMsg());
   }
+  return result;
 }
 
 std::string Formula::text() const {

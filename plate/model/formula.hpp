@@ -2,6 +2,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 #include "geometry/shape/outline.hpp"
 
@@ -12,8 +13,10 @@ namespace plate {
 class Formula {
 public:
   Formula() = default;
-  /// Throws std::invalid_argument: what is wrong with the text, and where.
+  /// Constructs the formula of a text that is known to be one. Throws std::invalid_argument where parsed() has none.
   explicit Formula(const std::string& text);
+  /// Parses a text. Returns the formula, or what is wrong with the text and where.
+  static std::variant<Formula, std::string> parsed(const std::string& text);
 
   bool given() const { return bool(parsed_); }
   std::string text() const;

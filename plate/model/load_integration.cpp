@@ -8,6 +8,7 @@
 
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/shape/patch.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/reduction.hpp"
 
 namespace plate {
@@ -347,7 +348,8 @@ std::vector<LinePiece> pieces_of(const geometry::Polyline& line, const std::vect
         std::iter_swap(next, std::min_element(next, near.end(), closer));
         if (!parted(middle, *next)) break;
       }
-      if (next == near.end()) throw std::invalid_argument("a line has no point of the plate within two spacings");
+      if (next == near.end())
+        throw Refused({{Subject::spacing, 0, "a line has no point of the plate within two spacings"}});
       result.push_back({*next, middle, end - begin});
     }
   }

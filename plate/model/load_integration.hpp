@@ -93,7 +93,7 @@ struct LinePiece {
 
 /// Splits a line into pieces of an eighth of a spacing at most, as far as it was discretised. No piece crosses a crack,
 /// and the point of a piece lies on the same side of all cracks as the piece.
-/// @throws std::invalid_argument  where a piece has no point of the plate within two spacings
+/// @throws Refused  where a piece has no point of the plate within two spacings
 std::vector<LinePiece> line_pieces(const geometry::Polyline& line, const geometry::Cloud& cloud,
                                    const std::vector<geometry::CrackPath>& cracks);
 /// Returns the pieces of a line on points that lie on the edges.

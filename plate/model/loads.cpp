@@ -52,9 +52,10 @@ struct Row {
   std::size_t line;
 };
 
-[[noreturn]] void refuse(std::size_t line, std::string what) {
-  std::ranges::replace(what, '\0', '?');  // it would end there
-  throw std::invalid_argument(fmt::format("line {}: {}", line, what));
+/// Message about a line and what is wrong with it.
+std::string error_of(std::size_t line, std::string what) {
+  std::ranges::replace(what, '\0', '?');  // where it is printed it would end there
+  return fmt::format("line {}: {}", line, what);
 }
 
 /// Fields between commas, without blanks about them.
@@ -68,21 +69,37 @@ std::vector<std::string> fields_of(const std::string& line) {
   return result;
 }
 
-/// Decimal: 0x10 is none.
-double number_of(const std::string& text, std::size_t line) {
+/// Parses a decimal number (0x10 is none), or says what is wrong with it.
+std::variant<double, std::string> number_of(const std::string& text) {
   double value = 0;
   const char *begin = text.data() + (text.starts_with('+') ? 1 : 0), *end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(begin, end, value);
   if (begin == end || rest != end || error == std::errc::invalid_argument || text.starts_with("+-"))
-    refuse(line, fmt::format("\"{}\" is no number", text));
+    return fmt::format("\"{}\" is no number", text);
   if (error == std::errc::result_out_of_range) value = std::strtod(text.c_str(), nullptr);  // too small, or too large
-  if (!std::isfinite(value)) refuse(line, fmt::format("{} is not finite", text));
+  if (!std::isfinite(value)) return fmt::format("{} is not finite", text);
   return value;
 }
 
-/// Lines that begin with # and empty ones say nothing; the first that says something names the columns.
-std::vector<Row> rows_of(const std::string& content) {
+/// Parses the three numbers of a row, or says what is wrong with them.
+std::variant<Row, std::string> row_of(const std::vector<std::string>& fields, std::size_t line) {
   constexpr double farthest = 1e100;
+  if (fields.size() != 3)
+    return error_of(line, fmt::format("{} values given, must be x, y and pressure", fields.size()));
+  std::array<double, 3> numbers{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto found = number_of(fields[i]);
+    if (const auto* error = std::get_if<std::string>(&found)) return error_of(line, *error);
+    numbers[i] = std::get<double>(found);
+  }
+  const Point x(numbers[0], numbers[1]);
+  if (x.cwiseAbs().maxCoeff() > farthest)
+    return error_of(line, fmt::format("a place beyond {:g} is given, ({:g}, {:g})", farthest, x.x(), x.y()));
+  return Row{x, numbers[2], line};
+}
+
+/// Lines that begin with # and empty ones say nothing; the first that says something names the columns.
+std::variant<std::vector<Row>, std::string> rows_of(const std::string& content) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";  // of the order of bytes, with which spreadsheets begin UTF-8
   std::vector<Row> rows;
   std::stringstream stream(content.starts_with(mark) ? content.substr(mark.size()) : content);
@@ -93,17 +110,15 @@ std::vector<Row> rows_of(const std::string& content) {
     if (fields.empty() || (fields.size() == 1 && fields[0].empty()) || fields[0].starts_with('#')) continue;
     if (!headed) {
       if (fields != std::vector<std::string>{"x", "y", "pressure"})
-        refuse(number, fmt::format("\"{}\" given, the first line must be x,y,pressure", line));
+        return error_of(number, fmt::format("\"{}\" given, the first line must be x,y,pressure", line));
       headed = true;
       continue;
     }
-    if (fields.size() != 3) refuse(number, fmt::format("{} values given, must be x, y and pressure", fields.size()));
-    const Point x(number_of(fields[0], number), number_of(fields[1], number));
-    if (x.cwiseAbs().maxCoeff() > farthest)
-      refuse(number, fmt::format("a place beyond {:g} is given, ({:g}, {:g})", farthest, x.x(), x.y()));
-    rows.push_back({x, number_of(fields[2], number), number});
+    const auto found = row_of(fields, number);
+    if (const auto* error = std::get_if<std::string>(&found)) return *error;
+    rows.push_back(std::get<Row>(found));
   }
-  if (rows.size() < 3) throw std::invalid_argument(fmt::format("{} places given, must be 3 or more", rows.size()));
+  if (rows.size() < 3) return fmt::format("{} places given, must be 3 or more", rows.size());
   return rows;
 }
 
@@ -141,8 +156,9 @@ struct PressureTable::Values {
   bool grid(const std::vector<Row>& given);
   /// Places on a straight border of them all are seldom on a line to the last bit, and the flat triangles between them
   /// tell nothing. Triangles are found with the places drawn towards the middle, those on borders most, and flat ones
-  /// are left out: so every place on a border is a corner of one that is not flat.
-  void triangulate(const std::vector<Row>& given);
+  /// are left out: so every place on a border is a corner of one that is not flat. Returns what is wrong with the
+  /// places, empty where nothing is.
+  std::string triangulate(const std::vector<Row>& given);
   /// The triangle about x, by a walk from the last one; none outside.
   std::optional<std::size_t> about(const Point& x) const;
   double nearest(const Point& x) const;
@@ -160,19 +176,21 @@ bool PressureTable::Values::grid(const std::vector<Row>& given) {
   return true;
 }
 
-void PressureTable::Values::triangulate(const std::vector<Row>& given) {
+std::string PressureTable::Values::triangulate(const std::vector<Row>& given) {
   columns.clear(), rows.clear(), pressures.clear();
   low = given.front().x;
   Point high = low;
   for (const auto& row : given) low = low.cwiseMin(row.x), high = high.cwiseMax(row.x);
   size = high - low;
-  if (!(size.minCoeff() > 0)) throw std::invalid_argument("all places lie on one line");
+  if (!(size.minCoeff() > 0)) return "all places lie on one line";
   for (const auto& row : given) places.push_back((row.x - low).cwiseQuotient(size)), pressures.push_back(row.pressure);
   constexpr double drawn = 1e-6, flat = 1e-12;
   const Point middle(0.5, 0.5);
   std::vector<Point> inwards;
   for (const Point& u : places) inwards.push_back(u + drawn * (u - middle).squaredNorm() * (u - middle));
-  triangles = geometry::delaunay(inwards, {});
+  auto found = geometry::delaunay(inwards, {});
+  if (auto* error = std::get_if<std::string>(&found)) return std::move(*error);
+  triangles = std::get<geometry::Triangulated>(std::move(found));
   const auto is_flat = [&](std::size_t triangle) {
     const auto& [a, b, c] = triangles.corners[triangle];
     return !(turn(places[a], places[b], places[c]) > flat);
@@ -181,7 +199,7 @@ void PressureTable::Values::triangulate(const std::vector<Row>& given) {
     for (auto& next : across)
       if (next != geometry::Triangulated::none && is_flat(std::size_t(next))) next = geometry::Triangulated::none;
   while (last < triangles.corners.size() && is_flat(last)) ++last;
-  if (last == triangles.corners.size()) throw std::invalid_argument("all places lie on one line");
+  return last == triangles.corners.size() ? "all places lie on one line" : "";
 }
 
 std::optional<std::size_t> PressureTable::Values::about(const Point& x) const {
@@ -210,16 +228,28 @@ double PressureTable::Values::nearest(const Point& x) const {
 }
 
 PressureTable::PressureTable(const std::string& content, const std::filesystem::path& file) {
-  const auto rows = rows_of(content);
+  auto found = parsed(content, file);
+  if (const auto* error = std::get_if<std::string>(&found)) throw std::invalid_argument(*error);
+  *this = std::get<PressureTable>(std::move(found));
+}
+
+std::variant<PressureTable, std::string> PressureTable::parsed(const std::string& content,
+                                                               const std::filesystem::path& file) {
+  const auto found = rows_of(content);
+  if (const auto* error = std::get_if<std::string>(&found)) return *error;
+  const auto& rows = std::get<std::vector<Row>>(found);
   std::map<std::pair<double, double>, std::size_t> seen;
   for (const auto& row : rows)
     if (const auto [first, fresh] = seen.emplace(std::pair(row.x.x(), row.x.y()), row.line); !fresh)
-      refuse(row.line,
-             fmt::format("the place ({:g}, {:g}) is given in line {} already", row.x.x(), row.x.y(), first->second));
+      return error_of(row.line, fmt::format("the place ({:g}, {:g}) is given in line {} already", row.x.x(), row.x.y(),
+                                            first->second));
   auto values = std::make_shared<Values>();
   values->file = std::filesystem::absolute(file).lexically_normal(), values->digest = digest_of(content);
-  if (!values->grid(rows)) values->triangulate(rows);
-  values_ = std::move(values);
+  if (!values->grid(rows))
+    if (auto error = values->triangulate(rows); !error.empty()) return error;
+  PressureTable result;
+  result.values_ = std::move(values);
+  return result;
 }
 
 const std::filesystem::path& PressureTable::file() const {

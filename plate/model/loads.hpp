@@ -21,8 +21,10 @@ namespace plate {
 class PressureTable {
 public:
   PressureTable() = default;
-  /// `content`: of the file. Throws std::invalid_argument: what is wrong, with the number of the line.
+  /// Constructs the table of a content that is known to be one. Throws std::invalid_argument where parsed() has none.
   PressureTable(const std::string& content, const std::filesystem::path& file);
+  /// Parses the content of a file. Returns the table, or what is wrong with the number of the line.
+  static std::variant<PressureTable, std::string> parsed(const std::string& content, const std::filesystem::path& file);
 
   bool given() const { return bool(values_); }
   const std::filesystem::path& file() const;

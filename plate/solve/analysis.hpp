@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include "plate/model/numerical_method.hpp"
 
@@ -39,7 +40,7 @@ struct Analysis {
   }
 };
 
-/// Name of a kind of analysis in case files.
+/// Name of a kind of analysis in case files and results.
 inline const char* name_of(Analysis::Kind kind) {
   switch (kind) {
     case Analysis::Kind::static_:
@@ -52,6 +53,14 @@ inline const char* name_of(Analysis::Kind kind) {
       break;
   }
   return "harmonic";
+}
+
+/// Kind of analysis of a name; none of any other text.
+inline std::optional<Analysis::Kind> analysis_kind(std::string_view name) {
+  using enum Analysis::Kind;
+  for (const auto kind : {static_, dynamic, frequencies, harmonic})
+    if (name == name_of(kind)) return kind;
+  return std::nullopt;
 }
 
 }  // namespace plate

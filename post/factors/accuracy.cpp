@@ -23,7 +23,7 @@ struct Pair {
   double tied;  // K3 h that the fit finds where a shear layer ties both faces: K1 and K2 may be as far off
 };
 
-const Srif* find(const std::vector<Srif>& srifs, std::size_t tip, const char* method) {
+const Srif* find(const std::vector<Srif>& srifs, std::size_t tip, SrifMethod method) {
   const auto found =
       std::ranges::find_if(srifs, [&](const Srif& srif) { return srif.tip == tip && srif.method == method; });
   return found == srifs.end() ? nullptr : &*found;
@@ -35,8 +35,9 @@ std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, std::size_t row, 
   std::vector<Pair> result;
   for (const auto& one : path) {
     const auto& srifs = one.rows.at(row);
-    const auto *domain = find(srifs, tip, "domain_integral"), *extension = find(srifs, tip, "virtual_crack_extension"),
-               *fit = find(srifs, tip, "series_fit");
+    const auto *domain = find(srifs, tip, SrifMethod::domain_integral),
+               *extension = find(srifs, tip, SrifMethod::virtual_crack_extension),
+               *fit = find(srifs, tip, SrifMethod::series_fit);
     if (!domain || !extension || !fit) {
       result.clear();
       continue;
@@ -183,7 +184,7 @@ std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, do
     for (std::size_t row = 0; row < rows.size(); ++row) {
       const auto& [K, errors] = found[row];
       Srif srif;
-      srif.tip = tip, srif.position = rows.front()[i].position, srif.method = "refinement";
+      srif.tip = tip, srif.position = rows.front()[i].position, srif.method = SrifMethod::refinement;
       srif.samples = course.front().size();
       srif.K1 = K[0], srif.K2 = K[1], srif.K3 = K[2] / thickness;
       srif.errors = {errors[0], errors[1], errors[2] / thickness};

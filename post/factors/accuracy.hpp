@@ -19,7 +19,7 @@ struct AccuracyStep {
   std::optional<double> error;  // estimated, of the worst factor of all tips, relative to the largest of its tip
 };
 
-/// The factors of every tip that the discretisations tend to, at all times, as method "refinement", with their
+/// The factors of every tip that the discretisations tend to, at all times, as SrifMethod::refinement, with their
 /// estimated errors. Tips that do not have both integrals and the fit in each of the last three discretisations are
 /// left out. No rows where no tip is left.
 std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, double thickness);

@@ -93,7 +93,7 @@ Line fit(const std::vector<double>& r, const Eigen::VectorXd& value, int degree)
 }  // namespace
 
 OpeningFit paper_fit(const PlateScale& scale, const SrifOptions& options) {
-  return {"displacement_extrapolation",
+  return {SrifMethod::displacement_extrapolation,
           options.window.value_or(options.window_horizons * scale.horizon),
           options.skip,
           options.rows,
@@ -104,22 +104,28 @@ OpeningFit paper_fit(const PlateScale& scale, const SrifOptions& options) {
 
 OpeningFit series_fit(const PlateScale& scale) {
   const double window = std::max(scale.section.thickness / 2, 8 * scale.spacing);
-  if (scale.points_on_faces) return {"opening_series", window, 0, 1, 2, false, true};
-  return {"opening_series", window, 1, 2, 2, true};
+  if (scale.points_on_faces) return {SrifMethod::opening_series, window, 0, 1, 2, false, true};
+  return {SrifMethod::opening_series, window, 1, 2, 2, true};
 }
 
 OpeningFit narrow_fit(const PlateScale& scale) {
-  if (scale.points_on_faces) return {"opening", 5.1 * scale.spacing, 0, 1, 0, false, true};
-  return {"opening", 3.1 * scale.spacing, 0, 1, 0, true};
+  if (scale.points_on_faces) return {SrifMethod::opening, 5.1 * scale.spacing, 0, 1, 0, false, true};
+  return {SrifMethod::opening, 3.1 * scale.spacing, 0, 1, 0, true};
 }
 
-DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& positions,
-                                                     const geometry::CrackPath& path, const geometry::Tip& tip,
-                                                     const PlateScale& scale, const OpeningFit& how)
+DisplacementExtrapolation::DisplacementExtrapolation(const geometry::Tip& tip, const PlateScale& scale,
+                                                     const OpeningFit& how)
     : tip_(tip),
       scale_(scale),
       how_(how),
-      stiffness_(TipSection(scale.section.at(tip.position), tip.direction).stiffness() / std::sqrt(8.0)) {
+      stiffness_(TipSection(scale.section.at(tip.position), tip.direction).stiffness() / std::sqrt(8.0)) {}
+
+std::variant<DisplacementExtrapolation, std::string> DisplacementExtrapolation::at(const std::vector<Point>& positions,
+                                                                                   const geometry::CrackPath& path,
+                                                                                   const geometry::Tip& tip,
+                                                                                   const PlateScale& scale,
+                                                                                   const OpeningFit& how) {
+  DisplacementExtrapolation result(tip, scale, how);
   const auto& v = path.vertices;
   const double straight = tip.at_back ? (v.back() - v[v.size() - 2]).norm() : (v.front() - v[1]).norm();
   const double window = std::min(how.window, straight);
@@ -142,18 +148,19 @@ DisplacementExtrapolation::DisplacementExtrapolation(const std::vector<Point>& p
         const double share = how.rows == 1 ? 1 : row == 0 ? second / scale.spacing : -first / scale.spacing;
         const double y = face * (row == 0 ? first : second);
         const auto values = face_value(by_crack, face, r, y, scale.spacing);
-        if (values.empty()) throw std::invalid_argument("no points beside the crack behind the tip");
+        if (values.empty()) return "no points beside the crack behind the tip";
         for (const auto& [point, weight] : values) {
           sample.jump.push_back({point, face * share * weight});
           sample.lever.push_back({point, face * share * weight * y});
         }
       }
-    samples_.push_back(std::move(sample));
+    result.samples_.push_back(std::move(sample));
   }
-  const std::size_t least = std::size_t(how.degree) + 1;
-  if (samples_.size() < least)
-    throw std::invalid_argument("the window holds " + std::to_string(samples_.size()) + " of " + std::to_string(least) +
-                                " samples needed: refine, widen it or skip fewer");
+  const std::size_t found = result.samples_.size(), least = std::size_t(how.degree) + 1;
+  if (found < least)
+    return "the window holds " + std::to_string(found) + " of " + std::to_string(least) +
+           " samples needed: refine, widen it or skip fewer";
+  return result;
 }
 
 Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
@@ -176,7 +183,7 @@ Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
 
   Srif result;
   result.position = tip_.position;
-  result.method = how_.name;
+  result.method = how_.method;
   result.samples = samples_.size();
   double* const value[] = {&result.K1, &result.K2, &result.K3};
   double spread[3], misfit[3];

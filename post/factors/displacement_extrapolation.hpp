@@ -1,4 +1,8 @@
 #pragma once
+#include <string>
+#include <variant>
+#include <vector>
+
 #include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/model/state.hpp"
@@ -8,7 +12,7 @@ namespace post {
 
 /// Samples that a fit of the opening takes, and terms that it fits.
 struct OpeningFit {
-  std::string name;                  // of the method
+  SrifMethod method;
   double window;                     // samples up to this distance from the tip [length]
   int skip = 0;                      // samples next to the tip left out
   int rows = 1;                      // rows of points on each side: 1 nearest row, 2 extrapolated to the crack
@@ -34,10 +38,12 @@ OpeningFit narrow_fit(const PlateScale& scale);
 /// number of times.
 class DisplacementExtrapolation {
 public:
-  /// `positions`: points of the plate. `path`: the tip's crack. Throws std::invalid_argument where the window holds
-  /// fewer than two samples, or no points lie beside the crack.
-  DisplacementExtrapolation(const std::vector<geometry::Point>& positions, const geometry::CrackPath& path,
-                            const geometry::Tip& tip, const PlateScale& scale, const OpeningFit& how);
+  /// Finds the samples behind a tip; or says why there is no extrapolation: the window holds fewer samples than the fit
+  /// needs, or no points lie beside the crack. `positions`: points of the plate. `path`: the tip's crack.
+  static std::variant<DisplacementExtrapolation, std::string> at(const std::vector<geometry::Point>& positions,
+                                                                 const geometry::CrackPath& path,
+                                                                 const geometry::Tip& tip, const PlateScale& scale,
+                                                                 const OpeningFit& how);
 
   /// K1, K2, K3 in the tip's axes (x' ahead, y' 90 degrees to its left) [see Srif].
   Srif operator()(const plate::State& state) const;
@@ -48,6 +54,8 @@ private:
     std::vector<plate::Share> jump;   // upper face minus lower face
     std::vector<plate::Share> lever;  // the same shares times their distance y' from the crack [length]
   };
+
+  DisplacementExtrapolation(const geometry::Tip& tip, const PlateScale& scale, const OpeningFit& how);
 
   geometry::Tip tip_;
   PlateScale scale_;

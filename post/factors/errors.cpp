@@ -160,7 +160,7 @@ void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits,
   }
   for (auto& srif : found) {
     if (srif.G || largest_factor(srif, h) == 0) continue;
-    if (srif.method == "series_fit") {
+    if (srif.method == SrifMethod::series_fit) {
       set(srif, estimate.by_fit(srif, best ? best->G : std::nullopt), h);
     } else if (best) {
       Eigen::Vector3d errors = 1.5 * (vector_of(srif) - vector_of(*best)).cwiseAbs();

@@ -21,8 +21,32 @@ void at_least(Srif& srif, const std::array<double, 3>& other) {
 
 }  // namespace
 
-bool of_opening(const std::string& method) {
-  return method == "displacement_extrapolation" || method == "opening_series";
+namespace {
+
+constexpr std::array<std::pair<SrifMethod, const char*>, 7> names_of_methods{
+    {{SrifMethod::virtual_crack_extension, "virtual_crack_extension"},
+     {SrifMethod::domain_integral, "domain_integral"},
+     {SrifMethod::series_fit, "series_fit"},
+     {SrifMethod::displacement_extrapolation, "displacement_extrapolation"},
+     {SrifMethod::opening_series, "opening_series"},
+     {SrifMethod::opening, "opening"},
+     {SrifMethod::refinement, "refinement"}}};
+
+}  // namespace
+
+const char* name_of(SrifMethod method) {
+  const auto found = std::ranges::find(names_of_methods, method, &std::pair<SrifMethod, const char*>::first);
+  return found->second;
+}
+
+std::optional<SrifMethod> srif_method(const std::string& name) {
+  for (const auto& [method, known] : names_of_methods)
+    if (name == known) return method;
+  return std::nullopt;
+}
+
+bool of_opening(SrifMethod method) {
+  return method == SrifMethod::displacement_extrapolation || method == SrifMethod::opening_series;
 }
 
 double largest_factor(const Srif& srif, double thickness) {

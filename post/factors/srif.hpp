@@ -16,9 +16,25 @@ struct Normalization {
   std::optional<double> pressure, width, moment;
 };
 
+/// Methods of finding intensity factors. `opening`: proportions of the modes alone, from the first samples behind a
+/// tip; `refinement`: the limit of several discretisations (refined()).
+enum class SrifMethod {
+  virtual_crack_extension,
+  domain_integral,
+  series_fit,
+  displacement_extrapolation,
+  opening_series,
+  opening,
+  refinement
+};
+/// Name of a method in files, keys and messages.
+const char* name_of(SrifMethod method);
+/// Method of a name; none of any other text.
+std::optional<SrifMethod> srif_method(const std::string& name);
+
 struct SrifOptions {
-  std::vector<std::string> methods{"virtual_crack_extension", "domain_integral", "series_fit",
-                                   "displacement_extrapolation"};
+  std::vector<SrifMethod> methods{SrifMethod::virtual_crack_extension, SrifMethod::domain_integral,
+                                  SrifMethod::series_fit, SrifMethod::displacement_extrapolation};
   double window_horizons = 2;       // displacement extrapolation: fit over 0 < r <= this many horizons (Dai: 2) ...
   std::optional<double> window;     // ... or over this length
   int skip = 0;                     // samples next to the tip left out
@@ -48,7 +64,8 @@ struct FitSrif {
 
 /// The factors of the same tip by the recommended method of the other formulation.
 struct SecondSrif {
-  std::string formulation, method;
+  std::string formulation;
+  SrifMethod method{};
   double K1 = 0, K2 = 0, K3 = 0;
   double difference = 0;  // largest of the three, relative to the largest K
 };
@@ -57,7 +74,7 @@ struct SecondSrif {
 struct Srif {
   std::size_t tip = 0;
   geometry::Point position{0, 0};
-  std::string method;
+  SrifMethod method{};
   double K1 = 0, K2 = 0, K3 = 0;                // [force length^(1/2)] moments, [force / length^(1/2)] shear
   std::optional<double> F1, F2, F3;             // where a normalisation is given
   std::optional<double> estimated_error;        // relative to the largest of |K1|, |K2|, |K3| h
@@ -81,7 +98,7 @@ struct PlateScale {
 };
 
 /// True where a method reads the opening of the crack, false where it reads the field about the tip.
-bool of_opening(const std::string& method);
+bool of_opening(SrifMethod method);
 
 /// The largest of |K1|, |K2|, |K3| h.
 double largest_factor(const Srif& srif, double thickness);

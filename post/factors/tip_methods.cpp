@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <stdexcept>
+#include <variant>
 
 #include "plate/model/space.hpp"
 #include "post/factors/displacement_extrapolation.hpp"
@@ -74,18 +74,24 @@ public:
 
 private:
   struct Integral {
-    std::string method;
+    SrifMethod method;
     std::vector<Ring> rings;
     std::vector<TipIntegral> integrals;  // one per ring
   };
 
-  Integral integral_of(const std::string& method, const geometry::Tip& tip, double clear, bool first_ring_only) const;
+  /// Adds a method. Returns the reason why it cannot work at this tip, empty where it can.
+  std::string add(SrifMethod method, const std::vector<geometry::Point>& positions, const TipPlace& place,
+                  const SrifOptions& options);
+  std::string add_opening(std::vector<DisplacementExtrapolation>& openings,
+                          const std::vector<geometry::Point>& positions, const TipPlace& place, const OpeningFit& how);
+  std::string add_integral(SrifMethod method, const geometry::Tip& tip, double clear, bool first_ring_only);
   /// `heat`: what heat that varies adds to G of a ring.
   Srif of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix, const NearField& field,
           const Eigen::VectorXd& forward_work, const std::function<double(const Ring&)>& heat) const;
   std::size_t rings_of(const Integral& integral, bool all) const;
   Srif by_fit(const std::vector<FitSrif>& fits) const;
   void fit(const geometry::Tip& tip, const TipPlace& place, bool first_only);
+  PlateScale scale() const { return {at_.section, view_->spacing, view_->horizon, view_->points_on_faces}; }
   std::vector<FitSrif> fitted(const NearField& field) const;
   /// K1, K2, K3 of the first fit; K3 is zero where a shear layer holds both faces together.
   Eigen::Vector3d of_first(const std::vector<FitSrif>& fits) const;
@@ -95,7 +101,8 @@ private:
   geometry::Tip tip_;
   TipSection at_;
   ErrorShares shares_;
-  std::vector<std::string> methods_, left_out_;
+  std::vector<SrifMethod> methods_;
+  std::vector<std::string> left_out_;
   TipSurroundings surroundings_;
   std::vector<Integral> integrals_;
   std::vector<SeriesFit> fits_;  // the best first; none where the field within a thickness is not resolved
@@ -112,49 +119,51 @@ TipMethods::AtTip::AtTip(std::shared_ptr<const TipView> view, const TipPlace& pl
       methods_(options.methods),
       surroundings_(*view_, centred(place.tip, *view_), largest_radius(place.clear, view_->spacing, view_->graded)) {
   const TipView& plate = *view_;
-  const geometry::Tip tip = centred(place.tip, plate);
-  const PlateScale scale{at_.section, plate.spacing, plate.horizon, plate.points_on_faces};
-  if (!std::ranges::all_of(methods_, of_opening)) fit(tip, place, options.first_ring_only);
+  if (!std::ranges::all_of(methods_, of_opening)) fit(centred(place.tip, plate), place, options.first_ring_only);
   const std::vector<geometry::Point> positions(plate.positions.begin(),
                                                plate.positions.begin() + std::ptrdiff_t(plate.plate_points));
-  for (const auto& method : methods_) {
-    try {
-      if (of_opening(method)) {
-        const auto how = method == "opening_series" ? series_fit(scale) : paper_fit(scale, options);
-        openings_.emplace_back(positions, place.path, place.tip, scale, how);
-      } else if (method == "series_fit") {
-        if (!no_fit_.empty()) throw std::invalid_argument(no_fit_);
-      } else {
-        integrals_.push_back(integral_of(method, tip, place.clear, options.first_ring_only));
-      }
-    } catch (const std::invalid_argument& reason) {
-      left_out_.push_back(reason.what());
-    }
-  }
+  for (const auto method : methods_)
+    if (auto reason = add(method, positions, place, options); !reason.empty()) left_out_.push_back(std::move(reason));
   if (!fits_.empty() || integrals_.empty()) return;
-  try {
-    mix_.emplace_back(positions, place.path, place.tip, scale, narrow_fit(scale));
-  } catch (const std::invalid_argument& reason) {
+  if (const auto reason = add_opening(mix_, positions, place, narrow_fit(scale())); !reason.empty()) {
     for (const auto& integral : integrals_)
-      left_out_.push_back(fmt::format("{}: no mode mix: {}", integral.method, reason.what()));
+      left_out_.push_back(fmt::format("{}: no mode mix: {}", name_of(integral.method), reason));
     integrals_.clear();
   }
 }
 
-TipMethods::AtTip::Integral TipMethods::AtTip::integral_of(const std::string& method, const geometry::Tip& tip,
-                                                           double clear, bool first_ring_only) const {
+std::string TipMethods::AtTip::add(SrifMethod method, const std::vector<geometry::Point>& positions,
+                                   const TipPlace& place, const SrifOptions& options) {
+  if (method == SrifMethod::series_fit) return no_fit_;
+  if (method == SrifMethod::opening_series) return add_opening(openings_, positions, place, series_fit(scale()));
+  if (of_opening(method)) return add_opening(openings_, positions, place, paper_fit(scale(), options));
+  return add_integral(method, centred(place.tip, *view_), place.clear, options.first_ring_only);
+}
+
+std::string TipMethods::AtTip::add_opening(std::vector<DisplacementExtrapolation>& openings,
+                                           const std::vector<geometry::Point>& positions, const TipPlace& place,
+                                           const OpeningFit& how) {
+  auto found = DisplacementExtrapolation::at(positions, place.path, place.tip, scale(), how);
+  if (auto* reason = std::get_if<std::string>(&found)) return std::move(*reason);
+  openings.push_back(std::get<DisplacementExtrapolation>(std::move(found)));
+  return "";
+}
+
+std::string TipMethods::AtTip::add_integral(SrifMethod method, const geometry::Tip& tip, double clear,
+                                            bool first_ring_only) {
   const TipView& plate = *view_;
   Integral result{method, rings(clear, plate.spacing, plate.graded), {}};
   if (first_ring_only && !result.rings.empty()) result.rings.erase(result.rings.begin() + 1, result.rings.end());
   if (result.rings.empty())
-    throw std::invalid_argument(
-        fmt::format("{}: no ring of 4 spacings fits into {:.1f} spacings of room; set {} = {:.2g}", method,
-                    clear / plate.spacing, plate.points_on_faces ? "`tip_spacing`" : "`spacing`", clear / 5));
+    return fmt::format("{}: no ring of 4 spacings fits into {:.1f} spacings of room; set {} = {:.2g}", name_of(method),
+                       clear / plate.spacing, plate.points_on_faces ? "`tip_spacing`" : "`spacing`", clear / 5);
   for (const auto& ring : result.rings)
     result.integrals.emplace_back(surroundings_, ring,
-                                  method == "virtual_crack_extension" ? plate.virtual_extension(TipFrame(tip), ring)
-                                                                      : domain_integral(plate, TipFrame(tip), ring));
-  return result;
+                                  method == SrifMethod::virtual_crack_extension
+                                      ? plate.virtual_extension(TipFrame(tip), ring)
+                                      : domain_integral(plate, TipFrame(tip), ring));
+  integrals_.push_back(std::move(result));
+  return "";
 }
 
 /// Fits over the widest range that serves, and over parts of it for the estimate of the error.
@@ -243,7 +252,7 @@ Srif TipMethods::AtTip::of(const Integral& integral, std::size_t rings, const Ei
 Srif TipMethods::AtTip::by_fit(const std::vector<FitSrif>& fits) const {
   Srif result;
   result.position = tip_.position;
-  result.method = "series_fit";
+  result.method = SrifMethod::series_fit;
   result.samples = fits_.front().points.size();
   result.fits = fits;
   const Eigen::Vector3d K = of_first(fits);
@@ -265,11 +274,11 @@ std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const
   if (curvature)
     heat = [&](const Ring& ring) { return release_of_heat(*view_, surroundings_.frame(), ring, state, *curvature); };
   std::vector<Srif> found;
-  for (const auto& method : methods_) {
+  for (const auto method : methods_) {
     for (const auto& integral : integrals_)
       if (integral.method == method)
         found.push_back(of(integral, rings_of(integral, all_rings), mix, field, work, heat));
-    if (method == "series_fit" && no_fit_.empty()) found.push_back(by_fit(fits));
+    if (method == SrifMethod::series_fit && no_fit_.empty()) found.push_back(by_fit(fits));
     for (const auto& opening : openings_)
       if (auto srif = opening(state); srif.method == method) {
         found.push_back(std::move(srif));
@@ -285,8 +294,9 @@ std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const
   // thickness is resolved
   const Eigen::Vector3d energy = at_.unit_release().cwiseProduct(mix.cwiseAbs2());
   const bool sheared = energy[1] + energy[2] > mixed_mode * energy.sum();
-  const std::string first =
-      (sheared && !fits_.empty()) || view_->trust.domain_integral ? "domain_integral" : "virtual_crack_extension";
+  const SrifMethod first = (sheared && !fits_.empty()) || view_->trust.domain_integral
+                               ? SrifMethod::domain_integral
+                               : SrifMethod::virtual_crack_extension;
   std::ranges::stable_partition(found, [&](const Srif& srif) { return srif.method == first; });
   std::ranges::stable_partition(
       found, [](const Srif& srif) { return srif.resolved[0] || srif.resolved[1] || srif.resolved[2]; });

@@ -43,18 +43,30 @@ void serialize(Archive& archive, FitSrif& fit) {
   archive(inner, outer, K1, K2, K3);
 }
 
+/// Archives a method by its name.
+template <typename Archive>
+void archive_name(Archive& archive, SrifMethod& method) {
+  std::string name = name_of(method);
+  archive(name);
+  method = srif_method(name).value();
+}
+
 template <typename Archive>
 void serialize(Archive& archive, SecondSrif& second) {
   auto& [formulation, method, K1, K2, K3, difference] = second;
-  archive(formulation, method, K1, K2, K3, difference);
+  archive(formulation);
+  archive_name(archive, method);
+  archive(K1, K2, K3, difference);
 }
 
 template <typename Archive>
 void serialize(Archive& archive, Srif& srif) {
   auto& [tip, position, method, K1, K2, K3, F1, F2, F3, error, errors, accuracy, lost_shear, resolved, second, G, rings,
          fits, residual, samples] = srif;
-  archive(tip, position, method, K1, K2, K3, F1, F2, F3, error, errors, accuracy, lost_shear, resolved, second, G,
-          rings, fits, residual, samples);
+  archive(tip, position);
+  archive_name(archive, method);
+  archive(K1, K2, K3, F1, F2, F3, error, errors, accuracy, lost_shear, resolved, second, G, rings, fits, residual,
+          samples);
 }
 
 template <typename Archive>

@@ -88,11 +88,12 @@ void append(Table& table, double time, const std::vector<Srif>& srifs) {
       return srif.resolved[i] ? cell(value) : Cell();
     };
     const auto where = overlap(srif);
-    table.rows.push_back({time, static_cast<double>(srif.tip), srif.position.x(), srif.position.y(), srif.method,
-                          factor(0, srif.K1), factor(1, srif.K2), factor(2, srif.K3), factor(0, srif.F1),
-                          factor(1, srif.F2), factor(2, srif.F3), cell(srif.estimated_error), srif.fit_residual,
-                          static_cast<double>(srif.samples), cell(srif.errors[0]), cell(srif.errors[1]),
-                          cell(srif.errors[2]), where == Overlap::unknown ? Cell() : Cell(name_of(where))});
+    table.rows.push_back({time, static_cast<double>(srif.tip), srif.position.x(), srif.position.y(),
+                          name_of(srif.method), factor(0, srif.K1), factor(1, srif.K2), factor(2, srif.K3),
+                          factor(0, srif.F1), factor(1, srif.F2), factor(2, srif.F3), cell(srif.estimated_error),
+                          srif.fit_residual, static_cast<double>(srif.samples), cell(srif.errors[0]),
+                          cell(srif.errors[1]), cell(srif.errors[2]),
+                          where == Overlap::unknown ? Cell() : Cell(name_of(where))});
   }
 }
 

@@ -128,10 +128,11 @@ void Recorder::restore(plate::InArchive& archive) {
 
 Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
   Sink::Tables tables;
-  const auto& kind = summary.analysis.kind;
-  if (frequencies_.rows.empty() && kind != "frequencies" && kind != "harmonic")
+  using Kind = plate::Analysis::Kind;
+  const auto kind = summary.analysis.kind;
+  if (frequencies_.rows.empty() && kind != Kind::frequencies && kind != Kind::harmonic)
     tables.emplace_back("history", &history_);
-  if (!frequencies_.rows.empty() || kind == "frequencies") tables.emplace_back("frequencies", &frequencies_);
+  if (!frequencies_.rows.empty() || kind == Kind::frequencies) tables.emplace_back("frequencies", &frequencies_);
   if (!probes_.rows.empty()) tables.emplace_back("probes", &probes_);
   for (const auto& [name, table] : tables_) tables.emplace_back(name, &table);
   sink_->tables(tables);

@@ -26,8 +26,8 @@ void require_finite(const Named& numbers, const std::string& when) {
 
 void require_finite(const std::vector<Srif>& factors, const std::string& when) {
   for (const auto& one : factors) {
-    const auto at =
-        fmt::format("by {} at the tip at ({:g}, {:g}) {}", one.method, one.position.x(), one.position.y(), when);
+    const auto at = fmt::format("by {} at the tip at ({:g}, {:g}) {}", name_of(one.method), one.position.x(),
+                                one.position.y(), when);
     require_finite({{"K1", one.K1}, {"K2", one.K2}, {"K3", one.K3}, {"G", one.G.value_or(0)}}, at);
   }
 }

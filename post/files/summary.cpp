@@ -17,7 +17,7 @@ void add(Json& json, const char* name, const std::optional<Value>& value) {
 }
 
 Json json_of(const Summary::Analysis& analysis) {
-  Json json{{"kind", analysis.kind}, {"method", analysis.method}};
+  Json json{{"kind", plate::name_of(analysis.kind)}, {"method", analysis.method}};
   add(json, "preconditioner", analysis.preconditioner);
   add(json, "iterations", analysis.iterations);
   add(json, "steps", analysis.steps);
@@ -31,7 +31,7 @@ Json json_of(const Summary::Analysis& analysis) {
 }
 
 Json json_of(const Srif& srif) {
-  Json json{{"tip", srif.tip}, {"x", srif.position.x()}, {"y", srif.position.y()}, {"method", srif.method},
+  Json json{{"tip", srif.tip}, {"x", srif.position.x()}, {"y", srif.position.y()}, {"method", name_of(srif.method)},
             {"K1", nullptr},   {"K2", nullptr},          {"K3", nullptr}};
   const std::array<const char*, 3> K{"K1", "K2", "K3"}, F{"F1", "F2", "F3"},
       error{"estimated_error_K1", "estimated_error_K2", "estimated_error_K3"};
@@ -48,7 +48,7 @@ Json json_of(const Srif& srif) {
   if (const auto where = overlap(srif); where != Overlap::unknown) json["overlaps_at"] = name_of(where);
   if (const auto& second = srif.second)
     json["second_formulation"] = {{"formulation", second->formulation},
-                                  {"method", second->method},
+                                  {"method", name_of(second->method)},
                                   {"K1", second->K1},
                                   {"K2", second->K2},
                                   {"K3", second->K3},
@@ -199,7 +199,7 @@ Json json_of(const ProcessesSummary& all) {
 Json json_of(const AccuracySummary& accuracy) {
   Json json{{"asked", accuracy.asked}};
   add(json, "reached", accuracy.reached);
-  json["outcome"] = accuracy.outcome;
+  json["outcome"] = accuracy.outcome();
   json["path"] = list_of(accuracy.path);
   return json;
 }
@@ -269,7 +269,7 @@ std::string to_json(const Summary& summary) {
   if (!summary.peaks.empty()) json["peaks"] = json_of(summary.peaks, true);
   if (!summary.extremes.empty()) json["extremes"] = json_of(summary.extremes, false);
   if (const auto& reactions = summary.reactions)
-    json["reactions"] = json_of(*reactions, summary.growth || summary.analysis.kind == "dynamic");
+    json["reactions"] = json_of(*reactions, summary.growth || summary.analysis.kind == plate::Analysis::Kind::dynamic);
   for (const auto& one : summary.load_cases) json["load_cases"].push_back(json_of(one));
   for (const auto& one : summary.envelope) json["envelope"].push_back(json_of(one));
   if (summary.deflection_over_thickness)
@@ -277,7 +277,7 @@ std::string to_json(const Summary& summary) {
   if (summary.touching) json["touching"] = *summary.touching;
   if (summary.multipliers) json["multipliers"] = *summary.multipliers;
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);
-  if (summary.analysis.kind == "frequencies") json["frequencies"] = list_of(summary.frequencies);
+  if (summary.analysis.kind == plate::Analysis::Kind::frequencies) json["frequencies"] = list_of(summary.frequencies);
   for (const auto& one : summary.response) json["response"].push_back(json_of(one));
   if (!summary.resonances.empty()) json["resonances"] = summary.resonances;
   if (summary.growth) json["growth"] = json_of(*summary.growth);

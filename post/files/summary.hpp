@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
+#include "plate/solve/analysis.hpp"
 #include "post/factors/accuracy.hpp"
 
 namespace post {
@@ -131,8 +132,11 @@ struct GrowthSummary {
 struct AccuracySummary {
   double asked = 0;
   std::optional<double> reached;  // estimated, of all tips
-  std::string outcome;            // "reached", or what ended it
+  std::string ended_by;           // what ended it before `asked` was reached; empty where it was
   std::vector<AccuracyStep> path;
+
+  /// "reached", or what ended the search, as files have it.
+  std::string outcome() const { return ended_by.empty() ? "reached" : ended_by; }
 };
 
 /// Content of summary.json; cases/files.md documents every field.
@@ -148,7 +152,8 @@ struct Summary {
   };
   std::optional<Matched> position_aware;  // points by how their weights could be matched
   struct Analysis {
-    std::string kind, method, stop_reason;
+    plate::Analysis::Kind kind{};
+    std::string method, stop_reason;
     std::optional<std::string> preconditioner;
     std::optional<std::size_t> iterations, steps;
     std::optional<double> residual, tolerance, time_step, time_step_limit, duration;

@@ -166,21 +166,20 @@ public:
     constexpr double first_sizes = 0.2;
     constexpr int most = 3;  // that fail one after the other
     int failed = 0;
-    for (double size = 1; found_.outcome.empty();) {
+    for (double size = 1; found_.ended_by.empty();) {
       const auto why = step(size);
       failed = why.empty() ? 0 : failed + 1;
       if (found_.path.empty() && size < first_sizes) return {};
       if (!why.empty()) {
         size /= doubles_the_points;
         if (found_.path.empty()) continue;
-        found_.outcome =
+        found_.ended_by =
             failed == most ? why : end_before(size, found_.path, vectors_, seconds_since(start_), options_);
         continue;
       }
-      if (found_.path.back().error && *found_.path.back().error <= found_.asked) found_.outcome = "reached";
-      if (!found_.outcome.empty()) break;
+      if (found_.path.back().error && *found_.path.back().error <= found_.asked) break;
       const auto next = next_size(found_.path, vectors_, seconds_since(start_), options_);
-      size = next.size, found_.outcome = next.end;
+      size = next.size, found_.ended_by = next.end;
     }
     auto best = best_of(refined_, tips_, thickness_, nominal_);
     judge(best.rows, thickness_, nominal_);
@@ -241,9 +240,9 @@ std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<
 }
 
 std::vector<std::string> warnings_about(const AccuracySummary& found) {
-  if (found.outcome == "reached") return {};
+  if (found.ended_by.empty()) return {};
   return {fmt::format("`accuracy` = {:g} not reached, estimated error {}: ended by {}", found.asked,
-                      found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.outcome)};
+                      found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.ended_by)};
 }
 
 }  // namespace post

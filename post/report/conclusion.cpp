@@ -224,7 +224,7 @@ std::vector<std::string> sinking_supports(const std::optional<ReactionSummary>& 
 
 void look_for_largest(Summary& summary, const plate::Section& section, std::vector<Peak> found,
                       const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows) {
-  if (summary.analysis.kind != "dynamic") {
+  if (summary.analysis.kind != plate::Analysis::Kind::dynamic) {
     summary.extremes = std::move(found);
     return;
   }

@@ -59,7 +59,7 @@ Summary about(const plate::Formulation& plate, const plate::Analysis& analysis, 
   if (const auto match = plate.matched())
     summary.position_aware = {match->exact, match->blended, match->arbitrary_horizon};
   summary.scene = scene(plate, analysis, given);
-  summary.analysis.kind = plate::name_of(analysis.kind);
+  summary.analysis.kind = analysis.kind;
   return summary;
 }
 

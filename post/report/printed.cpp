@@ -67,7 +67,7 @@ void row(Text out, const Srif& srif, bool normalized, double thickness) {
   for (std::size_t i = 0; i < 3 && normalized; ++i)
     fmt::format_to(out, " {:>9}", K[i] == "-" ? "-" : fmt::format("{:.5f}", K[i] == "0" ? 0 : F[i].value_or(0)));
   const auto error = error_of(srif, thickness);
-  fmt::format_to(out, " {:>8}  {}{}\n", error ? in_percent(*error) : "", srif.method,
+  fmt::format_to(out, " {:>8}  {}{}\n", error ? in_percent(*error) : "", name_of(srif.method),
                  error && *error >= rough ? "   (rough)" : "");
 }
 
@@ -91,8 +91,8 @@ void factors(Text out, const std::vector<Srif>& srifs, bool si, double thickness
   for (const auto& one : srifs)
     if (one.second && recommended(one))
       fmt::format_to(out, "tip {}: {} by {} gives K1 {:.6g}, K2 {:.6g}, K3 {:.6g}: {:.2f} % apart\n", one.tip,
-                     one.second->formulation, one.second->method, one.second->K1, one.second->K2, one.second->K3,
-                     100 * one.second->difference);
+                     one.second->formulation, name_of(one.second->method), one.second->K1, one.second->K2,
+                     one.second->K3, 100 * one.second->difference);
 }
 
 /// The factors at the faces, of recommended methods.
@@ -157,7 +157,7 @@ void peaks(Text out, const std::vector<Peak>& all, bool moves, double thickness)
 
 void accuracy(Text out, const AccuracySummary& accuracy) {
   fmt::format_to(out, "accuracy {:.2g} % asked: {}\n{:>8} {:>10} {:>11} {:>9} {:>16}\n", 100 * accuracy.asked,
-                 accuracy.outcome, "points", "spacing", "tip spacing", "seconds", "estimated error");
+                 accuracy.outcome(), "points", "spacing", "tip spacing", "seconds", "estimated error");
   for (const auto& step : accuracy.path)
     fmt::format_to(out, "{:>8} {:>10.4g} {:>11.4g} {:>9.2f} {:>16}\n", step.points, step.spacing, step.tip_spacing,
                    step.seconds, step.error ? fmt::format("{:.2g} %", 100 * *step.error) : "-");
@@ -254,7 +254,7 @@ void print_factors(std::string& text, const Summary& summary, bool si, double th
       if (!recommended(one.srif, i)) continue;
       const auto K = factor_texts(one.srif[i], thickness);
       fmt::format_to(out, "{:<{}} {:>4} {:>13} {:>13} {:>13} {:>8}  {}\n", one.name, width, one.srif[i].tip, K[0], K[1],
-                     K[2], error_text(one.srif[i], thickness), one.srif[i].method);
+                     K[2], error_text(one.srif[i], thickness), name_of(one.srif[i].method));
     }
 }
 

@@ -24,11 +24,14 @@ std::optional<Value> optional(const Json& json, const char* name) {
   return found == json.end() || found->is_null() ? std::nullopt : std::optional(found->get<Value>());
 }
 
-Srif srif_of(const Json& json) {
+/// Reads the factors of a tip; none by a method of another version.
+std::optional<Srif> srif_of(const Json& json) {
+  const auto method = srif_method(json.at("method"));
+  if (!method) return std::nullopt;
   Srif srif;
   srif.tip = json.at("tip");
   srif.position = {json.at("x").get<double>(), json.at("y").get<double>()};
-  srif.method = json.at("method");
+  srif.method = *method;
   const std::array factors{&srif.K1, &srif.K2, &srif.K3};
   const std::array normalized{&srif.F1, &srif.F2, &srif.F3};
   const std::array<const char*, 3> K{"K1", "K2", "K3"}, F{"F1", "F2", "F3"},
@@ -55,18 +58,25 @@ GrowthSummary growth_of(const Json& json) {
   return growth;
 }
 
-Summary summary_of(const Json& json) {
+/// Reads a summary; none where an analysis or a method is of another version.
+std::optional<Summary> summary_of(const Json& json) {
   Summary summary;
   summary.units = json.value("units", ""), summary.title = json.at("title"), summary.outcome = json.at("outcome");
   summary.version = json.at("version"), summary.digest = json.at("digest");
   summary.formulation = json.at("formulation"), summary.formulation_reason = json.value("formulation_reason", "");
   summary.points = json.at("points"), summary.bonds = json.at("bonds");
-  summary.analysis.kind = json.at("analysis").at("kind");
+  const auto kind = plate::analysis_kind(json.at("analysis").at("kind").get<std::string>());
+  if (!kind) return std::nullopt;
+  summary.analysis.kind = *kind;
   summary.analysis.stop_reason = json.at("analysis").value("stop_reason", "");
   summary.analysis.iterations = optional<std::size_t>(json.at("analysis"), "iterations");
   summary.analysis.steps = optional<std::size_t>(json.at("analysis"), "steps");
   for (const auto& [stage, spent] : json.at("seconds").items()) summary.seconds.emplace_back(stage, spent);
-  for (const auto& one : json.at("srif")) summary.srif.push_back(srif_of(one));
+  for (const auto& one : json.at("srif")) {
+    auto srif = srif_of(one);
+    if (!srif) return std::nullopt;
+    summary.srif.push_back(std::move(*srif));
+  }
   for (const auto& one : json.value("peaks", Json::array()))
     summary.peaks.push_back(
         {one.at("quantity"), optional<std::size_t>(one, "tip"), one.at("value"), one.at("time"), {}, {}});
@@ -164,7 +174,7 @@ Table rows_of(const Quantity& quantity, const std::filesystem::path& folder) {
 /// Factors at the tip of the quantity; null where there are none.
 const Srif* srif_of(const Quantity& quantity, const Summary& summary) {
   const auto found = std::ranges::find_if(summary.srif, [&](const Srif& s) {
-    return s.tip == quantity.tip && (quantity.method.empty() || s.method == quantity.method);
+    return s.tip == quantity.tip && (quantity.method.empty() || quantity.method == name_of(s.method));
   });
   return found == summary.srif.end() ? nullptr : &*found;
 }
@@ -269,7 +279,7 @@ Curve history(const Quantity& quantity, const std::filesystem::path& folder) {
 std::string lack(const Quantity& quantity, const Summary& summary) {
   std::vector<std::string> methods;
   for (const Srif& srif : summary.srif)
-    if (srif.tip == quantity.tip) methods.push_back(srif.method);
+    if (srif.tip == quantity.tip) methods.push_back(name_of(srif.method));
   if (quantity.method.empty() || methods.empty() || std::ranges::find(methods, quantity.method) != methods.end())
     return "the results have no such number";
   return fmt::format("{} has no method {}, but {}", quantity.place(), quantity.method, fmt::join(methods, ", "));

@@ -128,12 +128,11 @@ void run_a_case(const std::string& bytes) {
 }
 
 void read_a_table(const std::string& bytes) {
-  try {
-    const plate::PressureTable table(bytes, "pressure.csv");
-    for (const auto& x : {geometry::Point(0, 0), geometry::Point(0.3, 0.7), geometry::Point(1e9, -1e9)})
-      if (!std::isfinite(table(x)) && table.reaches(x)) std::abort();
-  } catch (const std::invalid_argument&) {
-  }
+  const auto found = plate::PressureTable::parsed(bytes, "pressure.csv");
+  const auto* table = std::get_if<plate::PressureTable>(&found);
+  if (!table) return;
+  for (const auto& x : {geometry::Point(0, 0), geometry::Point(0.3, 0.7), geometry::Point(1e9, -1e9)})
+    if (!std::isfinite((*table)(x)) && table->reaches(x)) std::abort();
 }
 
 void read_a_study(const std::string& bytes) {

@@ -44,7 +44,7 @@ cases::Case cracked(double spacing, double thickness, double a) {
   c.cracks = {{{-a, 0}, {a, 0}}};
   c.supports = {vp::held(SupportKind::simply_supported, {"bottom", "top"})};
   c.srif.emplace();
-  c.srif->methods = {"virtual_crack_extension", "domain_integral"};
+  c.srif->methods = {post::SrifMethod::virtual_crack_extension, post::SrifMethod::domain_integral};
   return c;
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("Galerkin plate: K1 of an oblique crack with points far closer togethe
     c.loads = {Load{EdgeMoment{.edges = {"left", "right", "bottom", "top"}, .value = 1}}};
     c.analysis.method = cases::Analysis::Method::direct;
     c.srif.emplace();
-    c.srif->methods = {"domain_integral"};
+    c.srif->methods = {post::SrifMethod::domain_integral};
     const auto a = vp::assembled(c);
     const auto state = plate::static_solution(*a, c.analysis, {1e-8, 1000, {}}).solution.state;
     for (const auto& srif : post::srifs(*a, *c.srif, cases::tip_methods({c, {}}, *a), state)) {

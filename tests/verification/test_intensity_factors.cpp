@@ -36,7 +36,7 @@ cases::Case section_4_1(double spacing, SurfaceCorrection correction) {
   c.cracks = {{{-0.3, 0}, {0.3, 0}}};
   c.supports = {vp::held(SupportKind::simply_supported, {"bottom", "top"})};
   c.srif.emplace();
-  c.srif->methods = {"displacement_extrapolation"};
+  c.srif->methods = {post::SrifMethod::displacement_extrapolation};
   c.srif->normalize = post::Normalization{1.0, 2.0, {}};
   c.srif->half_length = 0.3;
   return c;
@@ -87,7 +87,7 @@ TEST_CASE("relaxation and conjugate gradients give the same intensity factors") 
 TEST_CASE("virtual crack extension and domain integral: F1 at spacing 1/125, inside the estimated error") {
   const Reference exact = reference("pressure");
   auto c = section_4_1(0.008, SurfaceCorrection::position_aware);
-  c.srif->methods = {"virtual_crack_extension", "domain_integral"};
+  c.srif->methods = {post::SrifMethod::virtual_crack_extension, post::SrifMethod::domain_integral};
   const auto a = vp::assembled(c);
   const auto solution = conjugate_gradients(*a, a->constraints(), a->total_load(), {1e-8, 100000, {}});
   REQUIRE(solution.converged);
@@ -105,7 +105,7 @@ TEST_CASE("virtual crack extension and domain integral: F1 at spacing 1/125, ins
 TEST_CASE("a single ring and no other method: the fit vouches for it") {
   auto c = section_4_1(0.02, SurfaceCorrection::position_aware);
   c.cracks = {{{-0.07, 0}, {0.07, 0}}};  // 7 spacings: one ring fits
-  c.srif->methods = {"virtual_crack_extension"};
+  c.srif->methods = {post::SrifMethod::virtual_crack_extension};
   const auto [left, right] = factors(c, false, 1e-6);
   CHECK(left.rings.size() == 1);
   REQUIRE(left.estimated_error);

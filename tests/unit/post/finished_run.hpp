@@ -19,8 +19,8 @@ struct FinishedRun {
 
   FinishedRun() {
     post::Srif first, other_method, second;
-    first.method = second.method = "first";
-    other_method.method = "second";
+    first.method = second.method = post::SrifMethod::domain_integral;
+    other_method.method = post::SrifMethod::series_fit;
     first.K1 = 0.5;
     first.F1 = 0.25;
     other_method.K1 = 99;

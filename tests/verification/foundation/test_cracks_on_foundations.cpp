@@ -12,6 +12,8 @@
 using namespace plate;
 namespace vp = verified_plate;
 
+using post::SrifMethod;
+
 namespace {
 
 /// A crack in a square with soft supports below and above, under pressure.
@@ -24,7 +26,7 @@ cases::Case cracked(const FormulationKind& kind, double modulus, double shear = 
   c.supports = {vp::held(SupportKind::simply_supported, {"bottom", "top"})};
   if (modulus > 0) c.foundations = {{modulus, shear, {}}};
   c.srif.emplace();
-  c.srif->methods = {"virtual_crack_extension", "domain_integral"};
+  c.srif->methods = {SrifMethod::virtual_crack_extension, SrifMethod::domain_integral};
   return c;
 }
 
@@ -48,11 +50,11 @@ Found solved(const cases::Case& c) {
   return result;
 }
 
-const post::Srif& of(const Found& found, const std::string& method, std::size_t tip = 0) {
+const post::Srif& of(const Found& found, SrifMethod method, std::size_t tip = 0) {
   return *std::ranges::find_if(found.srifs, [&](const auto& s) { return s.tip == tip && s.method == method; });
 }
 
-double G(const Found& found, const std::string& method, std::size_t tip = 0) {
+double G(const Found& found, SrifMethod method, std::size_t tip = 0) {
   return *of(found, method, tip).G;
 }
 
@@ -65,12 +67,13 @@ TEST_CASE("K on soil: both integrals, both formulations, and the energy of neigh
     for (const auto* kind : {&galerkin, &ordinary}) {
       const auto c = cracked(*kind, k);
       const auto found = solved(c);
-      const double extension = G(found, "virtual_crack_extension"), integral = G(found, "domain_integral");
+      const double extension = G(found, SrifMethod::virtual_crack_extension),
+                   integral = G(found, SrifMethod::domain_integral);
       const auto table = post::energy_check(c, c.analysis);
       const double energy = std::get<double>(table.rows[0][4]);
       CHECK(integral == Approx(extension).epsilon(0.005));  // measured: 0.07 % (Galerkin), 0.26 % (bonds)
       CHECK(energy == Approx(extension).epsilon(0.005));    // measured: 0.08 %, 0.23 %
-      K[kind->name] = of(found, "virtual_crack_extension").K1;
+      K[kind->name] = of(found, SrifMethod::virtual_crack_extension).K1;
     }
     CHECK(K["ordinary"] == Approx(K["galerkin"]).epsilon(0.012));  // measured: 0.8, 0.8, 0.7, 0.4 %
     if (k == 0) bare = K["galerkin"];
@@ -84,7 +87,7 @@ TEST_CASE("K on soil: the energy release rate of finite elements") {
   // tests/verification/foundation/finite_elements, 40 and 80 elements, extrapolated; 20 and 40 give the same to 0.13 %
   for (const auto& [k, elements] : {std::pair{0.0, 0.196942}, {1.0, 0.117513}, {10.0, 0.0114035}, {100.0, 4.92668e-5}})
     for (const auto* kind : {&galerkin, &ordinary}) {
-      const double found = G(solved(cracked(*kind, k)), "virtual_crack_extension");
+      const double found = G(solved(cracked(*kind, k)), SrifMethod::virtual_crack_extension);
       CAPTURE(k, kind->name);
       // measured: -0.48, -0.43, -0.28, -0.04 %; bonds +1.1, +1.0, +0.5, -1.1 %
       CHECK(found == Approx(elements).epsilon(kind == &galerkin ? 0.006 : 0.03));
@@ -110,14 +113,14 @@ TEST_CASE("an oblique crack on a shear layer that goes on beneath it") {
     const auto found = solved(c);
     const auto table = post::energy_check(c, c.analysis);
     for (std::size_t tip = 0; tip < 2; ++tip) {
-      const double integral = G(found, "domain_integral", tip);
+      const double integral = G(found, SrifMethod::domain_integral, tip);
       CAPTURE(kind->name, tip, integral);
       // measured: 0.1 % (Galerkin), 3.1 % (bonds)
-      CHECK(G(found, "virtual_crack_extension", tip) == Approx(integral).epsilon(0.04));
+      CHECK(G(found, SrifMethod::virtual_crack_extension, tip) == Approx(integral).epsilon(0.04));
       // measured: -2.4 %, -3.3 %, by cracks six spacings longer and shorter; at 1/50 -0.4 %, with a layer or without
       CHECK(std::get<double>(table.rows[tip][4]) == Approx(integral).epsilon(0.04));
     }
-    of_kind[kind->name] = G(found, "domain_integral");
+    of_kind[kind->name] = G(found, SrifMethod::domain_integral);
   }
   CHECK(of_kind["ordinary"] == Approx(of_kind["galerkin"]).epsilon(0.01));  // measured: 0.5 %
 }

@@ -17,6 +17,7 @@
 using namespace plate;
 namespace vp = verified_plate;
 using geometry::Point;
+using post::SrifMethod;
 
 namespace {
 
@@ -202,7 +203,8 @@ cases::Case cracked(const FormulationKind& kind, const std::string& expression, 
   c.cracks = {oblique ? geometry::Polyline{{0.37, 0.42}, {0.61, 0.65}} : geometry::Polyline{{0.36, 0.5}, {0.62, 0.5}}};
   c.loads = {temperature(expression)};
   c.srif.emplace();
-  c.srif->methods = {"virtual_crack_extension", "domain_integral", "series_fit", "displacement_extrapolation"};
+  c.srif->methods = {SrifMethod::virtual_crack_extension, SrifMethod::domain_integral, SrifMethod::series_fit,
+                     SrifMethod::displacement_extrapolation};
   return c;
 }
 
@@ -219,22 +221,23 @@ TEST_CASE("cracks in heated plates: both integrals, the fit, and the energy of n
         const auto srifs = post::srifs(*plate, *c.srif, post::tip_methods(*plate, *c.srif), u, true, &heat);
         const auto table = post::energy_check(c, c.analysis);
         for (std::size_t tip = 0; tip < 2; ++tip) {
-          std::map<std::string, post::Srif> of;
+          std::map<SrifMethod, post::Srif> of;
           for (const auto& srif : srifs)
             if (srif.tip == tip) of[srif.method] = srif;
           const double energy = std::get<double>(table.rows[tip][4]);
-          const double extension = *of["virtual_crack_extension"].G, integral = *of["domain_integral"].G;
-          CAPTURE(kind->name, oblique, expression, tip, energy, extension, integral, of["series_fit"].K1,
-                  of["domain_integral"].K1, of["displacement_extrapolation"].K1);
+          const double extension = *of[SrifMethod::virtual_crack_extension].G,
+                       integral = *of[SrifMethod::domain_integral].G;
+          CAPTURE(kind->name, oblique, expression, tip, energy, extension, integral, of[SrifMethod::series_fit].K1,
+                  of[SrifMethod::domain_integral].K1, of[SrifMethod::displacement_extrapolation].K1);
           // measured: straight 0.17 % (Galerkin), 3.6 % (bonds); oblique, whose cracks are six spacings longer and
           // shorter, 2.3 % and 8.2 %
           const double band = kind == &galerkin ? (oblique ? 0.03 : 0.004) : (oblique ? 0.1 : 0.05);
           CHECK(extension == Approx(energy).epsilon(band));
           CHECK(integral == Approx(energy).epsilon(band));
-          CHECK(of["domain_integral"].K1 < 0);  // the warm face would be pressed together
+          CHECK(of[SrifMethod::domain_integral].K1 < 0);  // the warm face would be pressed together
           // measured: 1.8 % (Galerkin), 2.7 % (bonds)
-          CHECK(of["series_fit"].K1 == Approx(of["domain_integral"].K1).epsilon(0.04));
-          K1[kind->name] = of["domain_integral"].K1;
+          CHECK(of[SrifMethod::series_fit].K1 == Approx(of[SrifMethod::domain_integral].K1).epsilon(0.04));
+          K1[kind->name] = of[SrifMethod::domain_integral].K1;
         }
         if (K1.size() == 2) CHECK(K1["ordinary"] == Approx(K1["galerkin"]).epsilon(0.02));  // measured: 0.9 % (tip 1)
       }
@@ -267,7 +270,7 @@ TEST_CASE(
   const auto u = at_rest(*plate);
   CHECK((u - other.solution.state).norm() < 1e-10 * u.norm());
   // of the opening of the faces the free curvature has no part
-  c.srif->methods = {"displacement_extrapolation"};
+  c.srif->methods = {SrifMethod::displacement_extrapolation};
   const auto methods = post::tip_methods(*plate, *c.srif);
   const auto heat = heat_of(*plate, 1);
   const auto heated = post::srifs(*plate, *c.srif, methods, u, true, &heat);

@@ -19,7 +19,7 @@ cases::Case cracked(const Section& section, const geometry::Polyline& crack) {
   c.supports = {vp::held(SupportKind::simply_supported, {"bottom", "top"})};
   c.loads = {uniform_pressure()};
   c.srif.emplace();
-  c.srif->methods = {"virtual_crack_extension", "domain_integral"};
+  c.srif->methods = {post::SrifMethod::virtual_crack_extension, post::SrifMethod::domain_integral};
   return c;
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("cracks in plates with a thicker part: the energy of neighbouring leng
 
 TEST_CASE("interaction integrals find the factors of the fits of isotropic plates") {
   auto c = cracked({1000, 0.3, 0.3, 5.0 / 6, 2}, {{-0.25, -0.12}, {0.21, 0.27}});
-  c.srif->methods = {"series_fit"};
+  c.srif->methods = {post::SrifMethod::series_fit};
   for (const double spacing : {0.04, 0.02}) {
     c.discretization.spacing = spacing;
     const auto plate = vp::assembled(c);

@@ -21,7 +21,8 @@ cases::Case cracked(double spacing, const geometry::Polyline& crack, EdgeMethod 
   c.analysis.method = cases::Analysis::Method::direct;
   c.cracks = {crack};
   c.srif.emplace();
-  c.srif->methods = {"virtual_crack_extension", "domain_integral", "displacement_extrapolation"};
+  c.srif->methods = {post::SrifMethod::virtual_crack_extension, post::SrifMethod::domain_integral,
+                     post::SrifMethod::displacement_extrapolation};
   return c;
 }
 

@@ -28,7 +28,7 @@ TEST_CASE("accuracy: the program finds the discretisation, and its factors are a
   const small_run::TemporaryFolder folder;
   const auto summary = cases::run(case_text::read(unmeshed()), {folder / "first", true});
   REQUIRE(summary.accuracy);
-  CHECK(summary.accuracy->outcome == "reached");
+  CHECK(summary.accuracy->ended_by.empty());
   CHECK(*summary.accuracy->reached <= 0.004);
   CHECK(summary.accuracy->path.size() >= 3);
   CHECK(summary.points == summary.accuracy->path.back().points);
@@ -36,7 +36,7 @@ TEST_CASE("accuracy: the program finds the discretisation, and its factors are a
   for (std::size_t i = 0; i < summary.srif.size(); ++i) {
     const auto& srif = summary.srif[i];
     const bool first = i == 0 || summary.srif[i - 1].tip != srif.tip;
-    CHECK((srif.method == "refinement") == first);
+    CHECK((srif.method == post::SrifMethod::refinement) == first);
     CHECK(srif.accuracy_reached.has_value() == first);
     CHECK(std::abs(srif.K1 - exact) < *srif.errors[0]);
     if (!first) continue;
@@ -49,6 +49,7 @@ TEST_CASE("accuracy: the program finds the discretisation, and its factors are a
 
   const auto json = nlohmann::json::parse(small_run::text_of(folder / "first/summary.json"));
   CHECK(json["accuracy"]["asked"] == 0.004);
+  CHECK(json["accuracy"]["outcome"] == "reached");
   CHECK(json["accuracy"]["path"].size() == summary.accuracy->path.size());
   CHECK(json["srif"][0]["accuracy_reached"] == *summary.srif[0].accuracy_reached);
 
@@ -68,10 +69,10 @@ TEST_CASE("accuracy: a force next to a tip needs no more points than a pressure,
   text.replace(text.find(two), two.size(), "edges = [\"left\", \"right\", \"bottom\", \"top\"]");
   const small_run::TemporaryFolder folder;
   const auto summary = cases::run(case_text::read(text, {"srif.accuracy=0.003"}), {folder.path(), true});
-  CHECK(summary.accuracy->outcome == "reached");
+  CHECK(summary.accuracy->ended_by.empty());
   CHECK(summary.points < 10000);  // measured 3,813; 141,998 where points only grow from the tips
   for (const auto& srif : summary.srif) {
-    if (srif.tip != 1 || srif.method != "refinement") continue;
+    if (srif.tip != 1 || srif.method != post::SrifMethod::refinement) continue;
     CHECK(std::abs(srif.K1 - exact) < *srif.errors[0]);
     CHECK(std::abs(srif.K1 / exact - 1) < 0.002);     // measured 0.0010
     CHECK(std::abs(0.1 * srif.K3) < 0.0005 * exact);  // zero by symmetry; measured 0.00036
@@ -82,7 +83,7 @@ TEST_CASE("accuracy: what ends the search before is said, and the error that was
   const small_run::TemporaryFolder folder;
   const auto summary = cases::run(case_text::read(unmeshed(), {"srif.accuracy=1e-5", "srif.accuracy_seconds=1e-9"}),
                                   {folder.path(), true});
-  CHECK(summary.accuracy->outcome == "srif.accuracy_seconds");
+  CHECK(summary.accuracy->ended_by == "srif.accuracy_seconds");
   CHECK_FALSE(summary.accuracy->reached);
   CHECK_THAT(summary.warnings,
              Catch::VectorContains(std::string("srif.accuracy = 1e-05 not reached, estimated error unknown: ended "

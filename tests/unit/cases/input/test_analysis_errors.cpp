@@ -42,7 +42,7 @@ TEST_CASE("analysis faults: what stands in the way of a stated accuracy") {
   CHECK(fracture::errors_in_accuracy(problem, {}, srif, "").empty());
   srif.accuracy = 0.01;
   CHECK(fracture::errors_in_accuracy(problem, {}, srif, "").empty());
-  srif.methods = {"series_fit"};
+  srif.methods = {post::SrifMethod::series_fit};
   CHECK(fracture::errors_in_accuracy(problem, {}, srif, "").size() == 2);
   problem.discretization.formulation = plate::formulations().back();
   CHECK_THAT(fracture::errors_in_accuracy(problem, {}, srif, "as it is").at(0).what,

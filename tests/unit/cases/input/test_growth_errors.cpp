@@ -42,6 +42,6 @@ TEST_CASE("growth faults: each is told by the key that it is about") {
   CHECK(with_error(growth, {"growth.fracture_energy"}) == Keys{"growth.max_length"});
   growth.max_length.reset();
   post::SrifOptions srif;
-  srif.methods = {"series_fit"};
+  srif.methods = {post::SrifMethod::series_fit};
   CHECK(with_error(growth, {"growth.fracture_energy"}, srif) == Keys{"srif.methods"});
 }

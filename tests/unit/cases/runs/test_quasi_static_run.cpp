@@ -9,9 +9,10 @@ using namespace case_text;
 
 TEST_CASE("quasi-static run: without factors of its own, those that give the energy release rate") {
   const auto standard = fracture::factors_of_growth({});
-  CHECK(standard.methods == std::vector<std::string>{"virtual_crack_extension", "domain_integral"});
+  CHECK(standard.methods ==
+        std::vector<post::SrifMethod>{post::SrifMethod::virtual_crack_extension, post::SrifMethod::domain_integral});
   post::SrifOptions asked;
-  asked.methods = {"domain_integral"};
+  asked.methods = {post::SrifMethod::domain_integral};
   CHECK(fracture::factors_of_growth(asked).methods == asked.methods);
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cases/studies/ledger.hpp"
 #include "tests/catch.hpp"
 
 namespace {
@@ -11,7 +12,7 @@ post::StudyRow row(const std::vector<std::string>& labels, double error, double 
   result.labels = labels;
   result.quantity = "K1", result.place = "tip 0";
   result.computed = reference * (1 + error), result.reference = reference;
-  result.seconds = seconds, result.outcome = "done";
+  result.seconds = seconds, result.outcome = post::RunOutcome::done;
   return result;
 }
 

@@ -108,7 +108,7 @@ TEST_CASE("quantities are listed for every run without a reference, with their e
   const auto& rows = outcome.table.rows;
   REQUIRE(rows.size() == 6);
   for (const auto& row : rows) {
-    CHECK(row.outcome == "done");
+    CHECK(row.outcome == post::RunOutcome::done);
     CHECK(row.computed.has_value());
     CHECK_FALSE(row.error());
     CHECK(*row.seconds_min <= *row.seconds);

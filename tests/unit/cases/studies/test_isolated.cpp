@@ -8,6 +8,8 @@
 
 #include "tests/catch.hpp"
 
+using post::RunOutcome;
+
 namespace {
 
 /// Work that a team of threads shares.
@@ -22,20 +24,20 @@ long shared_work() {
 
 TEST_CASE("isolated: what a run comes to is told, however it ends") {
   using post::Ended, post::isolated;
-  CHECK(isolated([] { return Ended{"done"}; }).outcome == "done");
-  const auto refused = isolated([] { return Ended{"refused", "two\nlines"}; });
-  CHECK(refused.outcome == "refused");
+  CHECK(isolated([] { return Ended{RunOutcome::done}; }).outcome == RunOutcome::done);
+  const auto refused = isolated([] { return Ended{RunOutcome::refused, "two\nlines"}; });
+  CHECK(refused.outcome == RunOutcome::refused);
   CHECK(refused.message == "two\nlines");
   const auto broken = isolated([]() -> Ended { throw std::runtime_error("disk full"); });
-  CHECK(broken.outcome == "broken");
+  CHECK(broken.outcome == RunOutcome::broken);
   CHECK(broken.message == "disk full");
   const auto killed = isolated([]() -> Ended {
     std::raise(SIGKILL);
-    return {"done"};
+    return {RunOutcome::done};
   });
-  CHECK(killed.outcome == "killed");
+  CHECK(killed.outcome == RunOutcome::killed);
   CHECK_THAT(killed.message, Catch::Contains("signal 9"));
-  CHECK(isolated([]() -> Ended { _exit(7); }).outcome == "killed");
+  CHECK(isolated([]() -> Ended { _exit(7); }).outcome == RunOutcome::killed);
 }
 
 TEST_CASE("isolated: threads of this process neither hinder those of the run, nor are there fewer") {
@@ -43,9 +45,9 @@ TEST_CASE("isolated: threads of this process neither hinder those of the run, no
   omp_set_num_threads(2);
   const long expected = shared_work();  // this process has a team now
   const auto ended = post::isolated([&]() -> post::Ended {
-    return {shared_work() == expected ? "done" : "failed", std::to_string(omp_get_max_threads())};
+    return {shared_work() == expected ? RunOutcome::done : RunOutcome::failed, std::to_string(omp_get_max_threads())};
   });
-  CHECK(ended.outcome == "done");
+  CHECK(ended.outcome == RunOutcome::done);
   CHECK(ended.message == "2");
   CHECK(shared_work() == expected);
   omp_set_num_threads(before);
@@ -55,7 +57,7 @@ TEST_CASE("isolated: nothing that a run changes is changed here") {
   int value = 1;
   post::isolated([&]() -> post::Ended {
     value = 2;
-    return {"done"};
+    return {RunOutcome::done};
   });
   CHECK(value == 1);
 }

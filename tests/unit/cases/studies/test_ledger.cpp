@@ -5,12 +5,13 @@
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
-using post::Ledger, post::RunRecord;
+using post::Ledger, post::RunOutcome, post::RunRecord;
 
 namespace {
 
-RunRecord record(const std::string& run, const std::string& outcome = "done") {
-  RunRecord result{run, "0123456789012345", "0.1", outcome, outcome == "done" ? "" : "a message,\nin two lines"};
+RunRecord record(const std::string& run, RunOutcome outcome = RunOutcome::done) {
+  RunRecord result{run, "0123456789012345", "0.1", outcome,
+                   outcome == RunOutcome::done ? "" : "a message,\nin two lines"};
   result.cost =
       post::cost_of({{{"solve", 3}, {"total", 5}}, {{"solve", 1}, {"total", 4}}, {{"solve", 2}, {"total", 9}}});
   return result;
@@ -33,7 +34,7 @@ TEST_CASE("ledger: what is done is found again, with names and digests that look
   {
     const Ledger ledger(folder.path());
     for (const char* run : {"0.05", "1e3", "a_b"}) ledger.put(record(run));
-    ledger.put(record("b", "failed"));
+    ledger.put(record("b", RunOutcome::failed));
     ledger.put(record("c"));
     ledger.forget("c");
   }
@@ -68,6 +69,15 @@ TEST_CASE("ledger: what cannot be read counts for nothing") {
   CHECK_FALSE(ledger.known("none"));
 }
 
+TEST_CASE("ledger: every outcome has a name of its own, by which it is found") {
+  for (int i = 0; i <= int(RunOutcome::broken); ++i) {
+    const auto outcome = RunOutcome(i);
+    CHECK(post::run_outcome(name_of(outcome)) == outcome);
+  }
+  CHECK(std::string(name_of(RunOutcome::interrupted)) == "interrupted");
+  CHECK_FALSE(post::run_outcome("lost"));
+}
+
 TEST_CASE("ledger: a record with one bit turned over counts for nothing") {
   const small_run::TemporaryFolder folder;
   const Ledger ledger(folder.path());
@@ -89,9 +99,9 @@ TEST_CASE("ledger: a record with one bit turned over counts for nothing") {
 TEST_CASE("ledger: a message is kept as it was said, and is a line of runs.csv") {
   const small_run::TemporaryFolder folder;
   const Ledger ledger(folder.path());
-  ledger.put(record("b", "failed"));
+  ledger.put(record("b", RunOutcome::failed));
   CHECK(ledger.known("b")->message == "a message,\nin two lines");
-  CHECK(ledger.known("b")->outcome == "failed");
+  CHECK(ledger.known("b")->outcome == RunOutcome::failed);
   post::write_records(folder / "runs.csv", {record("a"), *ledger.known("b")});
   const auto text = small_run::text_of(folder / "runs.csv");
   CHECK(std::ranges::count(text, '\n') == 3);
@@ -100,7 +110,7 @@ TEST_CASE("ledger: a message is kept as it was said, and is a line of runs.csv")
 
 TEST_CASE("ledger: programs of one package are the same, whatever their instruction set") {
   const auto same = [](const std::string& one, const std::string& other) {
-    return post::same_program({"a", "0", one, "done"}, {"a", "0", other, "done"});
+    return post::same_program({"a", "0", one, RunOutcome::done}, {"a", "0", other, RunOutcome::done});
   };
   CHECK(same("0.1 of 17 AVX2", "0.1 of 17 AVX-512"));
   CHECK(same("0.1 of 17", "0.1 of 17 AVX2"));

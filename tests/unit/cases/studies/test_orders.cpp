@@ -1,5 +1,6 @@
 #include "cases/studies/orders.hpp"
 
+#include "cases/studies/ledger.hpp"
 #include "post/files/table.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/study_of_powers.hpp"
@@ -134,7 +135,7 @@ TEST_CASE("where the finest run is missing, none of its line has a reference, an
   auto table = study_of_powers::study();
   for (auto& each : table.rows) each.against_finest = each.quantity == "w";
   auto finest = table.rows[10];
-  finest.outcome = "missing", finest.quantity = finest.place = "", finest.computed.reset();
+  finest.outcome = post::RunOutcome::missing, finest.quantity = finest.place = "", finest.computed.reset();
   table.rows.erase(table.rows.begin() + 10, table.rows.end());
   table.rows.push_back(finest);
   post::refer_to_finest(table);

@@ -26,12 +26,12 @@ TEST_CASE("quantities are found at the last time of a run") {
 
 TEST_CASE("of several methods the one that is named counts") {
   const FinishedRun run;
-  CHECK(run.value({"K1", 0, {}, "first"}) == 0.5);
-  CHECK(run.value({"K1", 0, {}, "second"}) == 99.0);
-  CHECK_FALSE(run.value({"K1", 1, {}, "second"}));
-  CHECK(post::lack({"K1", 1, {}, "second"}, run.summary) == "tip 1 has no method second, but first");
-  CHECK(post::lack({"F2", 0, {}, "second"}, run.summary) == "the results have no such number");
-  CHECK(post::lack({"K1", 7, {}, "second"}, run.summary) == "the results have no such number");
+  CHECK(run.value({"K1", 0, {}, "domain_integral"}) == 0.5);
+  CHECK(run.value({"K1", 0, {}, "series_fit"}) == 99.0);
+  CHECK_FALSE(run.value({"K1", 1, {}, "series_fit"}));
+  CHECK(post::lack({"K1", 1, {}, "series_fit"}, run.summary) == "tip 1 has no method series_fit, but domain_integral");
+  CHECK(post::lack({"F2", 0, {}, "series_fit"}, run.summary) == "the results have no such number");
+  CHECK(post::lack({"K1", 7, {}, "series_fit"}, run.summary) == "the results have no such number");
 }
 
 TEST_CASE("a history has the rows of its probe, or of its tip and method") {
@@ -41,7 +41,7 @@ TEST_CASE("a history has the rows of its probe, or of its tip and method") {
   CHECK(history({"w", {}, "b"}).t == std::vector<double>{0, 1});
   CHECK(history({"theta_x", {}, "b"}).y == std::vector<double>{4});  // what is not finite is left out
   CHECK(history({"K1", 0}).y == std::vector<double>{0.5, 1});
-  CHECK(history({"K1", 0, {}, "second"}).y == std::vector<double>{99, 198});
+  CHECK(history({"K1", 0, {}, "series_fit"}).y == std::vector<double>{99, 198});
   CHECK(history({"strain_energy"}).y == std::vector<double>{0, 11});
   CHECK(history({"K1", 9}).t.empty());
   CHECK(history({"w", {}, "c"}).t.empty());

@@ -9,11 +9,11 @@ TEST_CASE("read_summary: what was written is read, to the last digit") {
   summary.points = 400, summary.bonds = 12;
   summary.formulation = "galerkin", summary.formulation_reason = "as the case says";
   summary.analysis.stop_reason = "6 modes";
-  summary.analysis.kind = "frequencies";
+  summary.analysis.kind = plate::Analysis::Kind::frequencies;
   summary.analysis.iterations = 17;
   summary.seconds = {{"solve", 0.1}, {"total", 1.0 / 3}};
   post::Srif srif;
-  srif.tip = 2, srif.method = "m", srif.K1 = 1.0 / 3, srif.K3 = -2e-17, srif.F1 = 0.1;
+  srif.tip = 2, srif.method = post::SrifMethod::series_fit, srif.K1 = 1.0 / 3, srif.K3 = -2e-17, srif.F1 = 0.1;
   srif.resolved = {true, false, true};
   srif.errors = {0.01, std::nullopt, 0.02};
   summary.srif = {srif};
@@ -31,10 +31,12 @@ TEST_CASE("read_summary: what was written is read, to the last digit") {
   CHECK(read->bonds == 12);
   CHECK(read->formulation == "galerkin");
   CHECK(read->formulation_reason == "as the case says");
+  CHECK(read->analysis.kind == summary.analysis.kind);
   CHECK(read->analysis.stop_reason == "6 modes");
   CHECK(read->analysis.iterations == 17);
   CHECK_FALSE(read->analysis.steps);
   CHECK(read->srif.size() == 1);
+  CHECK(read->srif[0].method == srif.method);
   CHECK(read->srif[0].K1 == srif.K1);
   CHECK(read->srif[0].K3 == srif.K3);
   CHECK(read->srif[0].F1 == srif.F1);
@@ -57,6 +59,10 @@ TEST_CASE("read_summary: what is not whole is nothing") {
   const auto text = post::to_json({});
   std::ofstream(folder / "half.json") << text.substr(0, text.size() / 2);
   CHECK_FALSE(post::read_summary(folder / "half.json"));
+  auto elsewhere = text;
+  elsewhere.replace(elsewhere.find("\"static\""), 8, "\"quasi-static\"");
+  std::ofstream(folder / "elsewhere.json") << elsewhere;
+  CHECK_FALSE(post::read_summary(folder / "elsewhere.json"));
   std::ofstream(folder / "other.json") << "{\"title\": 3}";
   CHECK_FALSE(post::read_summary(folder / "other.json"));
 }

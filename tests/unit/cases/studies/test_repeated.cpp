@@ -4,18 +4,18 @@
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
-using post::Ended, post::Ledger, post::RunRecord;
+using post::Ended, post::Ledger, post::RunOutcome, post::RunRecord;
 
 namespace {
 
-const RunRecord wanted{"a", "0123456789012345", "1", "done"};
+const RunRecord wanted{"a", "0123456789012345", "1", RunOutcome::done};
 
 /// A run that leaves a summary and counts itself.
-Ended run(const small_run::TemporaryFolder& folder, const std::string& outcome) {
+Ended run(const small_run::TemporaryFolder& folder, RunOutcome outcome) {
   std::filesystem::create_directories(folder / "a");
   std::ofstream(folder / "counted", std::ios::app) << "x";
   std::ofstream(folder / "a/summary.json") << post::to_json(post::Summary());
-  return {outcome, outcome == "done" ? "" : "why"};
+  return {outcome, outcome == RunOutcome::done ? "" : "why"};
 }
 
 }  // namespace
@@ -24,8 +24,8 @@ TEST_CASE("repeated: what is done is kept while its results are there") {
   const small_run::TemporaryFolder folder;
   const Ledger ledger(folder.path());
   CHECK_FALSE(post::kept_record(wanted, 2, folder.path(), ledger));
-  const auto record = post::new_record(wanted, 2, folder.path(), ledger, [&] { return run(folder, "done"); });
-  CHECK(record.outcome == "done");
+  const auto record = post::new_record(wanted, 2, folder.path(), ledger, [&] { return run(folder, RunOutcome::done); });
+  CHECK(record.outcome == RunOutcome::done);
   CHECK(small_run::text_of(folder / "counted") == "xx");
   CHECK(post::kept_record(wanted, 2, folder.path(), ledger));
   CHECK_FALSE(post::kept_record(wanted, 3, folder.path(), ledger));
@@ -36,7 +36,8 @@ TEST_CASE("repeated: what is done is kept while its results are there") {
 TEST_CASE("repeated: a run that is refused is made once, and is a row with its message") {
   const small_run::TemporaryFolder folder;
   const Ledger ledger(folder.path());
-  const auto record = post::new_record(wanted, 3, folder.path(), ledger, [&] { return run(folder, "refused"); });
+  const auto record =
+      post::new_record(wanted, 3, folder.path(), ledger, [&] { return run(folder, RunOutcome::refused); });
   CHECK(small_run::text_of(folder / "counted") == "x");
   CHECK_FALSE(post::kept_record(wanted, 1, folder.path(), ledger));
   post::StudyRow row;
@@ -44,7 +45,7 @@ TEST_CASE("repeated: a run that is refused is made once, and is a row with its m
   const auto rows = post::rows_of(record, row, {}, folder.path());
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].labels == row.labels);
-  CHECK(rows[0].outcome == "refused");
+  CHECK(rows[0].outcome == RunOutcome::refused);
   CHECK(rows[0].message == "why");
   CHECK_THROWS_WITH(
       post::new_record(wanted, 1, folder.path(), ledger, []() -> Ended { throw std::runtime_error("full"); }),

@@ -70,7 +70,7 @@ TEST_CASE("a plate in parts: bonds that break across borders, and a piece that t
   growth.criterion = Growth::Criterion::bond_energy;
   growth.direction = Growth{}.direction;
   growth.apparent_toughness = 1;
-  file.content.srif.emplace().methods = {"virtual_crack_extension"};
+  file.content.srif.emplace().methods = {post::SrifMethod::virtual_crack_extension};
   CHECK(shared_run::falls(file));
   const auto one = shared_run::texts(file, 1);
   CHECK(std::ranges::count(one.at("srif"), '\n') > 10);

@@ -47,7 +47,7 @@ TEST_CASE("moving growth: factors of a tip are those of its plate at rest, norma
   c.loads[0].as<plate::EdgeMoment>()->edges = {"top"};
   const auto start = verified_plate::assembled(c);
   post::SrifOptions options;
-  options.methods = {"virtual_crack_extension", "domain_integral"};
+  options.methods = {post::SrifMethod::virtual_crack_extension, post::SrifMethod::domain_integral};
   const auto growth = moving_growth(*c.growth, *start, options, 1);
   const auto u = verified_plate::solved(*start, 1e-9).state;
   const auto factors = growth->factors(u);

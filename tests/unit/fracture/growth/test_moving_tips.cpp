@@ -60,7 +60,7 @@ TEST_CASE("moving tips: one that goes on from memory grows as if it had never st
 TEST_CASE("a plate in parts: tips that run across borders and turn") {
   auto file = shared_run::moving(shared_run::tall_plate(), 0.15);
   auto& c = file.content;
-  c.srif.emplace().methods = {"virtual_crack_extension"};
+  c.srif.emplace().methods = {post::SrifMethod::virtual_crack_extension};
   SECTION("two tips, along a line of the lattice") {
     c.growth->direction = Growth::Direction::straight;
   }

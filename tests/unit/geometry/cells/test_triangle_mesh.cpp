@@ -126,11 +126,20 @@ TEST_CASE("triangles belong to the plate by the edges about them, not by their p
   for (const double off : {-1e-16, 0.0, 1e-16, 1e-12}) {
     const std::vector<Point> points{{0, 0}, {1, off}, {2, 0}, {2, 2}, {0, 2}};
     const std::vector<Curves::Piece> pieces{{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 4, 0}, {4, 0, 0}};
-    const auto all = delaunay(points, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}});
+    const auto all = required_triangles(points, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}});
     const auto inside = within(all, fences(pieces));
     CHECK(std::count(inside.begin(), inside.end(), 1) == 3);
   }
   const std::vector<Point> points{{0, 0}, {1, 0}, {0, 1}};
-  const auto all = delaunay(points, {{0, 1}, {1, 2}, {2, 0}});
+  const auto all = required_triangles(points, {{0, 1}, {1, 2}, {2, 0}});
   CHECK_THROWS_AS(within(all, {{0, 1, true, false}, {1, 2, false, true}, {2, 0, true, false}}), std::logic_error);
+}
+
+TEST_CASE("points at one place and pieces that cross cannot be triangulated, and the reason is told") {
+  const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const auto reason = [](const auto& found) { return std::get<std::string>(found); };
+  CHECK(reason(delaunay({{0, 0}, {1, 0}, {0, 1}, {1, 0}}, {})) == "two points at one place");
+  CHECK(reason(delaunay(square, {{0, 2}, {1, 3}})) == "edges and cracks cross each other within a spacing");
+  CHECK(std::get<Triangulated>(delaunay(square, {{0, 2}})).corners.size() == 2);
+  CHECK_THROWS_AS(required_triangles(square, {{0, 2}, {1, 3}}), std::invalid_argument);
 }

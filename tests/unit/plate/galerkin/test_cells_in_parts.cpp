@@ -53,7 +53,7 @@ Rest at_rest(const Problem& given, Preconditioning wanted, const Communicator& c
                                                                 plate->cut()[k]};
   const auto methods = post::tip_methods(*plate, {});
   for (const auto& srif : post::srifs(*plate, {}, methods, found.state, true, &heat))
-    rest.factors[{srif.tip, srif.method}] = {srif.K1, srif.K2, srif.K3};
+    rest.factors[{srif.tip, name_of(srif.method)}] = {srif.K1, srif.K2, srif.K3};
   Forces internal;
   plate->internal_force(found.state, internal);
   const post::Supports supports(boundary);

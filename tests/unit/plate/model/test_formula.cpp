@@ -10,12 +10,9 @@ namespace {
 
 /// What a text that is no formula is told.
 std::string refusal(const std::string& text) {
-  try {
-    Formula formula(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  const auto found = Formula::parsed(text);
+  const auto* error = std::get_if<std::string>(&found);
+  return error ? *error : "";
 }
 
 }  // namespace
@@ -51,4 +48,6 @@ TEST_CASE("formula: text that is none is refused with the place") {
   CHECK_THAT(refusal("x += 3"), !Catch::Equals(""));
   CHECK_THAT(refusal("x, y"), Catch::Contains("2 expressions"));
   CHECK(refusal("x == 3").empty());
+  CHECK(std::get<Formula>(Formula::parsed("x + 1"))({2, 0}) == 3);
+  CHECK_THROWS_AS(Formula("sin(x"), std::invalid_argument);
 }

@@ -7,11 +7,11 @@ namespace {
 
 constexpr double h = 0.1;
 
-Srif factors(const std::string& method, double K1, double K2, double K3) {
+Srif factors(SrifMethod method, double K1, double K2, double K3) {
   Srif result;
   result.method = method;
   result.K1 = K1, result.K2 = K2, result.K3 = K3;
-  if (method != "series_fit") result.G = 1;
+  if (method != SrifMethod::series_fit) result.G = 1;
   return result;
 }
 
@@ -21,8 +21,9 @@ AccuracyStep step(double size, const Eigen::Vector3d& K, const Eigen::Vector3d& 
   AccuracyStep result;
   result.size = size;
   const Eigen::Vector3d D = K + size * size * domain, V = K + size * size * extension;
-  result.rows = {{factors("domain_integral", D[0], D[1], D[2]), factors("virtual_crack_extension", V[0], V[1], V[2]),
-                  factors("series_fit", D[0], D[1], D[2])}};
+  result.rows = {{factors(SrifMethod::domain_integral, D[0], D[1], D[2]),
+                  factors(SrifMethod::virtual_crack_extension, V[0], V[1], V[2]),
+                  factors(SrifMethod::series_fit, D[0], D[1], D[2])}};
   return result;
 }
 
@@ -41,7 +42,7 @@ TEST_CASE("accuracy: factors whose errors go with the square of the lengths are 
     REQUIRE(rows.size() == 1);
     const auto& found = rows[0];
     REQUIRE(found.size() == 1);
-    CHECK(found[0].method == "refinement");
+    CHECK(found[0].method == SrifMethod::refinement);
     CHECK(found[0].K1 == Approx(2).epsilon(1e-12));
     CHECK(found[0].K2 == Approx(-0.5).epsilon(1e-12));
     CHECK(found[0].K3 == Approx(3).epsilon(1e-12));
@@ -106,7 +107,7 @@ TEST_CASE("accuracy: where no energy is released the fit tells the factors") {
 
 TEST_CASE("accuracy: another method errs by its distance and by what the refinement may") {
   const auto best = refined(path({1, 0.7, 0.5}, {-0.1, 0.03, 0.4}, {0.2, 0.01, 0.4}), h).at(0).at(0);
-  auto other = factors("domain_integral", 2.1, -0.5, 3);
+  auto other = factors(SrifMethod::domain_integral, 2.1, -0.5, 3);
   refer_to(best, other, h);
   CHECK(*other.errors[0] == Approx(0.1 + *best.errors[0]));
   CHECK(*other.estimated_error >= *best.estimated_error);
@@ -140,7 +141,7 @@ TEST_CASE("accuracy: in motion factors are found at every time, and a time witho
 
 TEST_CASE("accuracy: the best of a path is what is told, widened to what finer points tell") {
   const auto known = [](double K1, double error) {
-    Srif srif = factors("refinement", K1, 0, 0);
+    Srif srif = factors(SrifMethod::refinement, K1, 0, 0);
     srif.errors = {error, 0, 0};
     return std::vector<std::vector<Srif>>{{srif}};
   };

@@ -9,7 +9,7 @@ namespace {
 const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 1};
 const ErrorShares shares{0.3, 0, 1, 1, 0.001, 0.04, 0.25, 0.05};
 
-Srif by_energy(const std::string& method, double K1, double K2, double K3, double factor = 1) {
+Srif by_energy(SrifMethod method, double K1, double K2, double K3, double factor = 1) {
   Srif result;
   result.method = method;
   result.K1 = K1, result.K2 = K2, result.K3 = K3;
@@ -29,8 +29,9 @@ std::vector<Srif> estimated(std::vector<Srif> found, const std::vector<FitSrif>&
 
 TEST_CASE("where all methods agree the errors are the least ones") {
   const std::vector<FitSrif> fits{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}};
-  const auto found =
-      estimated({by_energy("domain_integral", 1, 0.2, 3), by_energy("virtual_crack_extension", 1, 0.2, 3)}, fits);
+  const auto found = estimated(
+      {by_energy(SrifMethod::domain_integral, 1, 0.2, 3), by_energy(SrifMethod::virtual_crack_extension, 1, 0.2, 3)},
+      fits);
   const double e3 = (0.001 + 0.04 / 64) / 0.1;
   const Eigen::Vector3d unit = unit_release(section);
   for (const auto& srif : found) {
@@ -46,27 +47,38 @@ TEST_CASE("where all methods agree the errors are the least ones") {
 TEST_CASE("every sign of an error enters the factors that it concerns") {
   const std::vector<FitSrif> same{{1, 4, 1, 0, 0}, {1, 3, 1, 0, 0}};
   // a turn of 0.05 between fits is an error of K2, not of K1
-  const auto turned = estimated({by_energy("domain_integral", 1, 0, 0)}, {{1, 4, 1, 0, 0}, {1, 3, 1, 0.05, 0}}).front();
+  const auto turned =
+      estimated({by_energy(SrifMethod::domain_integral, 1, 0, 0)}, {{1, 4, 1, 0, 0}, {1, 3, 1, 0.05, 0}}).front();
   CHECK(*turned.errors[0] < 0.002);
   CHECK(*turned.errors[1] == Approx(0.051).epsilon(0.02));
   // integrals that differ by 2 % in the energy: 1.6 times 1 % of K1
-  const auto apart = estimated({by_energy("a", 1, 0, 0), by_energy("b", 1, 0, 0, 1.02)}, same).front();
+  const auto apart = estimated({by_energy(SrifMethod::virtual_crack_extension, 1, 0, 0),
+                                by_energy(SrifMethod::domain_integral, 1, 0, 0, 1.02)},
+                               same)
+                         .front();
   CHECK(*apart.errors[0] == Approx(0.0169).epsilon(0.02));
   CHECK(*apart.errors[1] < 0.002);
   // fits whose K3 h differ by a fifth of K1: not resolved, K1 and K2 are
-  const auto lost = estimated({by_energy("a", 1, 0, 0)}, {{1, 4, 1, 0, 0}, {1, 3, 1, 0, 2}}).front();
+  const auto lost =
+      estimated({by_energy(SrifMethod::virtual_crack_extension, 1, 0, 0)}, {{1, 4, 1, 0, 0}, {1, 3, 1, 0, 2}}).front();
   CHECK(lost.resolved == std::array{true, true, false});
 }
 
 TEST_CASE("without a fit K2 and K3 are not resolved") {
-  const auto found = estimated({by_energy("a", 1, 0, 0), by_energy("b", 1, 0, 0)}, {}).front();
+  const auto found = estimated({by_energy(SrifMethod::virtual_crack_extension, 1, 0, 0),
+                                by_energy(SrifMethod::domain_integral, 1, 0, 0)},
+                               {})
+                         .front();
   CHECK(found.resolved == std::array{true, false, false});
 }
 
 TEST_CASE("without a fit K1 is given where the whole energy is its own, and not where others may have a part of it") {
   const double h = section.thickness;
   const auto of = [&](double K3) {
-    return estimated({by_energy("a", 1, 0, K3 / h), by_energy("b", 1, 0, K3 / h)}, {}).front();
+    return estimated({by_energy(SrifMethod::virtual_crack_extension, 1, 0, K3 / h),
+                      by_energy(SrifMethod::domain_integral, 1, 0, K3 / h)},
+                     {})
+        .front();
   };
   CHECK(of(0.5).resolved[0]);  // the whole energy would give K1 1.6 % more
   CHECK(*of(3).errors[0] > 2 * (std::sqrt(*of(3).G / unit_release(section)[0]) - 1));
@@ -75,10 +87,10 @@ TEST_CASE("without a fit K1 is given where the whole energy is its own, and not 
 
 TEST_CASE("an integral that is not positive contradicts the others: nothing is resolved, with a fit or without") {
   for (const double energy : {0.0, -0.5}) {
-    Srif contrary = by_energy("domain_integral", 0, 0, 0);
+    Srif contrary = by_energy(SrifMethod::domain_integral, 0, 0, 0);
     contrary.G = energy * unit_release(section)[0];
     for (const auto& fits : {std::vector<FitSrif>{}, std::vector<FitSrif>{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}}}) {
-      const auto found = estimated({by_energy("virtual_crack_extension", 1, 0.2, 3), contrary}, fits);
+      const auto found = estimated({by_energy(SrifMethod::virtual_crack_extension, 1, 0.2, 3), contrary}, fits);
       CHECK(*found.front().errors[0] > 0.9);
       CHECK_FALSE(found.front().resolved[0]);
     }
@@ -86,7 +98,7 @@ TEST_CASE("an integral that is not positive contradicts the others: nothing is r
 }
 
 TEST_CASE("one energy release rate alone, without a fit, resolves nothing") {
-  const auto alone = estimated({by_energy("virtual_crack_extension", 1, 0, 0)}, {}).front();
+  const auto alone = estimated({by_energy(SrifMethod::virtual_crack_extension, 1, 0, 0)}, {}).front();
   REQUIRE(alone.errors[0]);
   CHECK(*alone.errors[0] > 1);
   CHECK(alone.resolved == std::array{false, false, false});
@@ -95,7 +107,7 @@ TEST_CASE("one energy release rate alone, without a fit, resolves nothing") {
 TEST_CASE("K3 counts as lost from the share on that its formulation sets") {
   ErrorShares strict = shares;
   strict.lost = 0.045;
-  std::vector<Srif> found{by_energy("domain_integral", 1, 0, 0)};
+  std::vector<Srif> found{by_energy(SrifMethod::domain_integral, 1, 0, 0)};
   const std::vector<FitSrif> fits{{1, 4, 1, 0, 0}, {1, 3, 1, 0, 0.6}};  // K3 h differs by 6 %
   CHECK(estimated(found, fits).front().resolved[2]);
   std::vector<double> largest;
@@ -106,15 +118,15 @@ TEST_CASE("K3 counts as lost from the share on that its formulation sets") {
 
 TEST_CASE("bonds: a share of K3 itself and a turn of K1 and K2 are added to the errors, by energy and by the fit") {
   const std::vector<FitSrif> fits{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}};
-  const auto errors = [&](const ErrorShares& some, const char* method) {
-    Srif srif = by_energy("domain_integral", 1, 0.2, 3);
+  const auto errors = [&](const ErrorShares& some, SrifMethod method) {
+    Srif srif = by_energy(SrifMethod::domain_integral, 1, 0.2, 3);
     srif.method = method;
-    if (std::string(method) == "series_fit") srif.G.reset();
+    if (method == SrifMethod::series_fit) srif.G.reset();
     std::vector<Srif> found{srif};
     estimate_errors(found, fits, section, some);
     return found.front().errors;
   };
-  for (const char* method : {"domain_integral", "series_fit"}) {
+  for (const auto method : {SrifMethod::domain_integral, SrifMethod::series_fit}) {
     ErrorShares bonds = shares;
     bonds.own_shear = 0.08;
     const auto before = errors(shares, method), sheared = errors(bonds, method);
@@ -133,7 +145,7 @@ TEST_CASE("points on the faces that are wider apart than the layer make K3 uncer
   for (const double faces : {0.0, 0.3, 1.0, 3.0}) {
     ErrorShares graded = shares;
     graded.faces = faces, graded.own_shear = 0.0037;
-    std::vector<Srif> found{by_energy("domain_integral", 1, 0.2, 3)};
+    std::vector<Srif> found{by_energy(SrifMethod::domain_integral, 1, 0.2, 3)};
     estimate_errors(found, fits, section, graded);
     CHECK(*found.front().errors[2] > before);
     before = *found.front().errors[2];
@@ -141,10 +153,10 @@ TEST_CASE("points on the faces that are wider apart than the layer make K3 uncer
 }
 
 TEST_CASE("an energy release rate that is not positive gives no factors, unless others of its tip were far larger") {
-  Srif none = by_energy("virtual_crack_extension", 0, 0, 0);
+  Srif none = by_energy(SrifMethod::virtual_crack_extension, 0, 0, 0);
   none.G = -1e-4 * unit_release(section)[0];  // as K1 = 0.01
   const std::vector<FitSrif> fits{{1, 4, 0.3, 0, 0}, {1, 3, 0.3, 0, 0}};
-  CHECK(estimated({none, by_energy("domain_integral", 0.3, 0, 0)}, fits).front().resolved ==
+  CHECK(estimated({none, by_energy(SrifMethod::domain_integral, 0.3, 0, 0)}, fits).front().resolved ==
         std::array{false, false, false});
   CHECK(estimated({none}, {{1, 4, 0, 0, 0}, {1, 3, 0, 0, 0}}, {1.0}).front().resolved == std::array{true, true, true});
   CHECK(estimated({none}, {{1, 4, 0, 0, 0}, {1, 3, 0, 0, 0}}, {0.05}).front().resolved ==
@@ -166,7 +178,7 @@ TEST_CASE("the error of the leading factor is of the largest one, of the first e
 
 TEST_CASE("a tip that others shield knows its factors no better than the field of the plate is known") {
   const std::vector<FitSrif> fits{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}};
-  std::vector<Srif> all = estimated({by_energy("domain_integral", 1, 0.2, 3)}, fits);
+  std::vector<Srif> all = estimated({by_energy(SrifMethod::domain_integral, 1, 0.2, 3)}, fits);
   all.push_back(all.front());
   all.back().K1 *= 0.01, all.back().K2 *= 0.01, all.back().K3 *= 0.01, all.back().tip = 1;
   const auto before = all;

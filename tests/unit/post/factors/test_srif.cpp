@@ -80,3 +80,13 @@ TEST_CASE("srif: normalised by a moment, or by the moment of a pressure") {
   normalize(srif, options, h);
   CHECK(*srif.F1 == Approx(2));
 }
+
+TEST_CASE("srif: every method has a name of its own, by which it is found") {
+  for (int i = 0; i <= int(SrifMethod::refinement); ++i) {
+    const auto method = SrifMethod(i);
+    CHECK(srif_method(name_of(method)) == method);
+  }
+  CHECK(std::string(name_of(SrifMethod::series_fit)) == "series_fit");
+  CHECK_FALSE(srif_method("guesswork"));
+  CHECK_FALSE(srif_method(""));
+}

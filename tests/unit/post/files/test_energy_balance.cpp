@@ -14,7 +14,7 @@ TEST_CASE("numbers that are not finite do not pass, and are named") {
   CHECK_THROWS_AS(post::require_finite({{"work", std::nan("")}}, ""), plate::NumericalError);
 
   post::Srif one;
-  one.method = "domain_integral";
+  one.method = post::SrifMethod::domain_integral;
   CHECK_NOTHROW(post::require_finite(std::vector{one}, ""));
   one.K2 = std::nan("");
   CHECK_THROWS_WITH(post::require_finite(std::vector{one}, "at step 3"),

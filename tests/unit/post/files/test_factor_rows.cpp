@@ -11,7 +11,7 @@ using namespace post;
 
 namespace {
 
-Srif of_tip(std::size_t tip, double K1, const char* method = "a") {
+Srif of_tip(std::size_t tip, double K1, SrifMethod method = SrifMethod::domain_integral) {
   Srif result;
   result.tip = tip, result.K1 = K1, result.method = method;
   result.errors = {0.01, 0.01, 0.01};
@@ -23,13 +23,13 @@ Srif of_tip(std::size_t tip, double K1, const char* method = "a") {
 
 TEST_CASE("factor rows: a row for every tip, method and time, in the columns that are stated") {
   FactorRows rows(0.1);
-  rows.add({of_tip(0, 1), of_tip(0, 2, "b"), of_tip(1, 3)}, "then");
-  rows.add({of_tip(0, 4), of_tip(0, 5, "b"), of_tip(1, 6)}, "later");
+  rows.add({of_tip(0, 1), of_tip(0, 2, SrifMethod::series_fit), of_tip(1, 3)}, "then");
+  rows.add({of_tip(0, 4), of_tip(0, 5, SrifMethod::series_fit), of_tip(1, 6)}, "later");
   const auto table = rows.table({0.5, 1});
   REQUIRE(table.rows.size() == 6);
   CHECK(table.columns == srif_columns());
   for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
-  CHECK(table.rows[4][table.column("method")] == Cell("b"));
+  CHECK(table.rows[4][table.column("method")] == Cell("series_fit"));
   CHECK(table.rows[4][table.column("K1")] == Cell(5.0));
   CHECK(table.rows[5][table.column("time")] == Cell(1.0));
   CHECK(rows.last().size() == 3);
@@ -40,7 +40,8 @@ TEST_CASE("factor rows: a row for every tip, method and time, in the columns tha
 
 TEST_CASE("factor rows: errors hold coarser points of the same method, and another formulation") {
   FactorRows rows(0.1);
-  rows.compare_with({{{of_tip(0, 0.5, "b"), of_tip(0, 0.9), of_tip(1, 7)}}, "galerkin", {{of_tip(0, 1.3)}}});
+  rows.compare_with(
+      {{{of_tip(0, 0.5, SrifMethod::series_fit), of_tip(0, 0.9), of_tip(1, 7)}}, "galerkin", {{of_tip(0, 1.3)}}});
   rows.add({of_tip(0, 1)}, "then");
   CHECK(*rows.last()[0].errors[0] == Approx(0.3));
   CHECK(rows.last()[0].second->formulation == "galerkin");

@@ -14,7 +14,7 @@ post::Srif srif() {
   post::Srif srif;
   srif.tip = 1;
   srif.position = {0.3, -0.5};
-  srif.method = "displacement_extrapolation";
+  srif.method = post::SrifMethod::displacement_extrapolation;
   srif.K1 = 0.1;
   srif.K2 = 2;
   srif.K3 = 3;
@@ -35,7 +35,7 @@ TEST_CASE("summary.json has the fields of its contract in their order") {
   post::Summary summary;
   summary.title = "plate \xC3\xA9 \xFF";  // an e with an accent, and a byte that is not UTF-8
   summary.bonds = 123456789012;
-  summary.analysis.kind = "static";
+  summary.analysis.kind = plate::Analysis::Kind::static_;
   summary.analysis.iterations = 7;
   summary.analysis.residual = 1e-7;
   summary.seconds = {{"solve", 1.5}, {"total", 2.0}};

@@ -10,7 +10,8 @@ namespace {
 
 post::Srif of(std::size_t tip, double K1, double K2, std::array<bool, 3> resolved) {
   post::Srif srif;
-  srif.tip = tip, srif.method = "a", srif.K1 = K1, srif.K2 = K2, srif.K3 = 7, srif.resolved = resolved;
+  srif.tip = tip, srif.method = post::SrifMethod::domain_integral, srif.K1 = K1, srif.K2 = K2, srif.K3 = 7,
+  srif.resolved = resolved;
   return srif;
 }
 
@@ -23,7 +24,7 @@ post::Table history() {
 
 TEST_CASE("curves of a motion: a panel for what any tip has, gaps where a factor is not resolved") {
   auto other = of(0, 99, 99, {true, true, true});
-  other.method = "another";
+  other.method = post::SrifMethod::series_fit;
   const std::vector<std::vector<post::Srif>> rows{
       {of(0, 1, 0, {true, true, false}), other, of(1, 2, 0, {true, true, false})},
       {of(0, -3, 0, {true, true, false}), other, of(1, 4, 0, {false, true, false})}};

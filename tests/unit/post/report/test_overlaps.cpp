@@ -13,7 +13,7 @@ namespace {
 
 const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 0};
 
-Srif of(std::size_t tip, double K1, double error, const char* method = "a") {
+Srif of(std::size_t tip, double K1, double error, SrifMethod method = SrifMethod::domain_integral) {
   Srif srif;
   srif.tip = tip, srif.K1 = K1, srif.method = method, srif.position = {double(tip), 2};
   srif.errors[0] = error;
@@ -57,7 +57,7 @@ TEST_CASE("overlaps: closing the faces again takes the energy that the tip relea
 }
 
 TEST_CASE("overlaps: rows count by the recommended method, with the times of the first and of the first change") {
-  const auto found = face_overlaps(table_of({{of(1, 0, 0), of(0, 1, 0.1), of(0, -9, 0.1, "b")},
+  const auto found = face_overlaps(table_of({{of(1, 0, 0), of(0, 1, 0.1), of(0, -9, 0.1, SrifMethod::series_fit)},
                                              {of(1, -4, 0.1), of(0, -2, 0.1)},
                                              {of(1, -0.001, 0), of(0, 3, 0.1)},
                                              {of(1, -5, 0.1), of(0, -0.5, 0.1)}}));

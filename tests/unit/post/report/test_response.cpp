@@ -9,7 +9,7 @@ using namespace post;
 
 namespace {
 
-Srif of(std::size_t tip, double K1, double K2, double K3, const char* method = "a") {
+Srif of(std::size_t tip, double K1, double K2, double K3, SrifMethod method = SrifMethod::domain_integral) {
   Srif srif;
   srif.tip = tip, srif.K1 = K1, srif.K2 = K2, srif.K3 = K3, srif.method = method;
   srif.errors = {0.3, 0.4, 0.1};
@@ -19,8 +19,8 @@ Srif of(std::size_t tip, double K1, double K2, double K3, const char* method = "
 }  // namespace
 
 TEST_CASE("responses: amplitudes and errors of the recommended method of each tip") {
-  const std::vector<Srif> real{of(0, 3, -1, 0), of(0, 99, 99, 99, "b"), of(1, 0, 8, 2)},
-      imaginary{of(0, -4, 0.2, 0), of(0, 99, 99, 99, "b"), of(1, 5, -6, 0)};
+  const std::vector<Srif> real{of(0, 3, -1, 0), of(0, 99, 99, 99, SrifMethod::series_fit), of(1, 0, 8, 2)},
+      imaginary{of(0, -4, 0.2, 0), of(0, 99, 99, 99, SrifMethod::series_fit), of(1, 5, -6, 0)};
   const auto all = responses_of(7, real, imaginary);
   REQUIRE(all.size() == 6);
   CHECK(all[0].place == "tip 0");

@@ -35,5 +35,5 @@ TEST_CASE("scene: what is known of a run before it") {
   CHECK(summary.points == 400);
   CHECK(summary.bonds == plate->bonds());
   CHECK(summary.horizon == Approx(0.3015));
-  CHECK(summary.analysis.kind == "static");
+  CHECK(summary.analysis.kind == plate::Analysis::Kind::static_);
 }
